@@ -1,0 +1,106 @@
+//! Everything that can be wrong, each with a stable number and one line of text (NC-11).
+//!
+//! The tens tell the area: 1 the text of the file, 2 its codes, 3 its structure, 4 its size,
+//! 5 the card. LED L flashes the tens long and the units short, so no number ends in 0.
+//! A number that has been published never changes its meaning.
+
+use core::fmt;
+
+/// Gives the table of faults to a macro: `$with! { number Name "text"; … }`.
+///
+/// One table serves every place that needs the texts; the firmware puts them in program memory.
+#[macro_export]
+macro_rules! faults {
+    ($with:ident) => {
+        $with! {
+            11 Utf16 "the file is UTF-16 text; save it as UTF-8 or ANSI (NC-3)";
+            12 StrayCharacter "not a code: only digits, with - before and / for a comment (NC-4)";
+            13 StrayCarriageReturn "a CR that no LF follows; save with CRLF or LF line ends (NC-3)";
+            14 NumberTooLarge "the number does not fit 32 bits (NC-2)";
+            15 MinusZero "-0 is not a code (NC-2)";
+            21 EmptyFile "the file holds no code";
+            22 NoStart "the first code must be 0, program start";
+            23 SecondStart "a second 0; program start stands once, first";
+            24 UnknownCode "no such code";
+            25 NoSuchInput "this board has no such input";
+            26 NoSuchOutput "this board has no such output";
+            27 NoSuchBranchPoint "a branch point must be 01 to 08 (NC-8)";
+            31 CloseWithoutOpen "41 closes a branch, but none is open (NC-8)";
+            32 BranchLeftOpen "this 40 is not closed by 41 in its rung (NC-8)";
+            33 RecallBeforeStore "this rung has not stored that branch point (NC-8)";
+            34 NestedTooDeep "more than 8 branches open (NC-8)";
+            35 OperandsMissing "the timer lacks its preset and output lines (NC-9)";
+            36 BadPreset "a preset is 0 to 2147483647 ms (NC-9)";
+            37 BadTimerOutput "after the preset stands 79XX, an output of the board (NC-9)";
+            41 ProgramFull "the program does not fit program memory from here on (NC-10)";
+            42 RunMemoryFull "the program does not fit run memory from here on (NC-10)";
+            51 NoCard "no card answers; is it in the slot, are D10 to D13 wired?";
+            52 CardDead "the card answers but does not get ready; try another (no MMC)";
+            53 CardReadError "the card cannot be read; try again or try another";
+            54 NoVolume "the card is not FAT16 or FAT32; format it so";
+            55 NoProgramFile "no PROGRAM.TXT in the root folder (is it PROGRAM.TXT.TXT?)";
+            56 VolumeDamaged "the card's FAT makes no sense; check or format the card";
+        }
+    };
+}
+
+macro_rules! cause {
+    ($($number:literal $name:ident $text:literal;)*) => {
+        /// What is wrong. Its discriminant is the fault number.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[repr(u8)]
+        pub enum Cause {
+            $(#[doc = $text] $name = $number,)*
+        }
+
+        impl Cause {
+            /// Every cause, in the order of its number.
+            pub const ALL: &'static [Cause] = &[$(Cause::$name,)*];
+
+            /// One line of text: what is wrong, and what to do where that is not plain.
+            pub const fn text(self) -> &'static str {
+                match self {
+                    $(Cause::$name => $text,)*
+                }
+            }
+        }
+    };
+}
+faults!(cause);
+
+impl Cause {
+    /// The stable number, 11–99.
+    pub const fn number(self) -> u8 {
+        self as u8
+    }
+}
+
+/// A cause and its place in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// What is wrong.
+    pub cause: Cause,
+    /// The line, counted from 1 over every line of the file; none where the file as a whole, or
+    /// the card, is at fault.
+    pub line: Option<u32>,
+}
+
+impl Fault {
+    /// A fault of the file as a whole or of the card.
+    pub const fn without_line(cause: Cause) -> Fault {
+        Fault { cause, line: None }
+    }
+}
+
+impl fmt::Display for Fault {
+    /// `fault 24, line 7: no such code`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "fault {}", self.cause.number())?;
+        if let Some(line) = self.line {
+            write!(f, ", line {line}")?;
+        }
+        write!(f, ": {}", self.cause.text())
+    }
+}
+
+impl core::error::Error for Fault {}

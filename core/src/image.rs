@@ -1,0 +1,64 @@
+//! Points and the images that hold one bit for each.
+
+/// A point that exists: an input or output of the board, or a branch point of a rung.
+///
+/// Holds the index 0–15; people and programs count from 1. Because the index always fits an
+/// [`Image`], reading and writing one by it cannot fail.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Point(u8);
+
+impl Point {
+    /// The most points of one kind that a board may have.
+    pub const MOST: u8 = 16;
+
+    /// The point with this number, counted from 1, where there are `count` of them.
+    pub const fn new(number: u8, count: u8) -> Option<Point> {
+        if number >= 1 && number <= count && number <= Self::MOST {
+            Some(Point(number - 1))
+        } else {
+            None
+        }
+    }
+
+    /// The point in the low four bits of a stored byte.
+    pub(crate) const fn from_low_bits(byte: u8) -> Point {
+        Point(byte & 0x0F)
+    }
+
+    /// The index, 0–15.
+    pub const fn index(self) -> u8 {
+        self.0
+    }
+
+    /// The number as programs write it, 1–16.
+    pub const fn number(self) -> u8 {
+        self.0 + 1
+    }
+}
+
+/// The state of up to 16 points at one moment: bit 0 is point 01.
+///
+/// The program sees only images (NC-5): the input image is read before it runs, the output image
+/// is written to the pins after it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Image(pub u16);
+
+impl Image {
+    /// The state of a point.
+    pub const fn get(self, point: Point) -> bool {
+        self.0 & Self::mask(point) != 0
+    }
+
+    /// Sets a point to a state.
+    pub const fn set(&mut self, point: Point, state: bool) {
+        if state {
+            self.0 |= Self::mask(point);
+        } else {
+            self.0 &= !Self::mask(point);
+        }
+    }
+
+    const fn mask(point: Point) -> u16 {
+        1 << (point.0 & 0x0F)
+    }
+}

@@ -1,0 +1,40 @@
+//! The PLC itself, for every machine that unoclp runs on.
+//!
+//! The way of a program through this crate is also its map:
+//!
+//! 1. **Claim** — the bytes of a file. [`Loader`] takes them one at a time.
+//! 2. **Checked** — a [`Program`]: every point exists on the board, every branch is balanced,
+//!    every timer has its memory. There is no other way to get one.
+//! 3. **Running** — a [`Plc`]: a program with its images and timers. [`Plc::scan`] cannot fail.
+//!
+//! What an instruction is — its code, letters, stored byte and effect — is said once, in [`isa`].
+//! What can be wrong with a program or a card is said once, in [`fault`].
+//!
+//! This crate knows no pin, no file system and no printing. It needs neither `std` nor an
+//! allocator, contains no `unsafe`, and no input makes it panic.
+//!
+//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-11.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod fault;
+pub mod isa;
+
+mod image;
+mod loader;
+mod plc;
+mod profile;
+mod program;
+mod rung;
+mod text;
+mod timer;
+
+pub use fault::{Cause, Fault};
+pub use image::{Image, Point};
+pub use isa::Instruction;
+pub use loader::Loader;
+pub use plc::{Millis, Plc, TimerState};
+pub use profile::Profile;
+pub use program::{Program, Steps};
+pub use timer::{Delay, TimerBlock};

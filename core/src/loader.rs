@@ -1,0 +1,264 @@
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-11.
+//!
+//! Owns the order of codes, the limits of operands, and memory; must not know where the bytes
+//! come from.
+
+use crate::isa::{self, Opcode, Operand};
+use crate::rung::Rung;
+use crate::text::Text;
+use crate::{Cause, Fault, Point, Profile, Program};
+
+/// What the next code of the file must be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Expect {
+    /// Program start.
+    Start,
+    /// Any instruction.
+    Instruction,
+    /// Any instruction; a branch point would be recalled, since a branch has just been opened.
+    Branch,
+    /// The preset of a timer block.
+    Preset,
+    /// The output of a timer block.
+    TimerOutput,
+}
+
+/// Takes the bytes of a program file one at a time and checks all of it before anything runs.
+///
+/// Each call reports at most one fault. After a fault the loader goes on, so that a tool can show
+/// the other faults that can be told; but [`finish`](Loader::finish) then gives no program.
+pub struct Loader<'m> {
+    text: Text,
+    rung: Rung,
+    expect: Expect,
+    /// The line of the next byte, from 1.
+    line: u32,
+    /// The line of the last timer block.
+    block: u32,
+    /// The line that a fault found now stands on.
+    place: u32,
+    first_fault: Option<Fault>,
+    profile: Profile,
+    memory: &'m mut [u8],
+    code_bytes: usize,
+    timers: usize,
+    codes: u16,
+    /// Whether a code did not fit; what follows is checked, and no longer stored.
+    full: bool,
+}
+
+impl<'m> Loader<'m> {
+    /// A loader into this run memory for this board. Where the memory is smaller than the
+    /// profile's `linked_bytes`, the memory decides what fits.
+    pub fn new(memory: &'m mut [u8], profile: Profile) -> Loader<'m> {
+        Loader {
+            text: Text::new(),
+            rung: Rung::new(),
+            expect: Expect::Start,
+            line: 1,
+            block: 0,
+            place: 0,
+            first_fault: None,
+            profile,
+            memory,
+            code_bytes: 0,
+            timers: 0,
+            codes: 0,
+            full: false,
+        }
+    }
+
+    /// Takes the next byte of the file.
+    pub fn push(&mut self, byte: u8) -> Result<(), Fault> {
+        let read = self.text.push(byte);
+        let result = self.take(read);
+        if byte == b'\n' {
+            self.line = self.line.wrapping_add(1);
+        }
+        result
+    }
+
+    /// Tells that the file has ended. Each call reports one more of the faults that show only
+    /// then, until there is none.
+    pub fn end(&mut self) -> Result<(), Fault> {
+        let read = self.text.end();
+        self.take(read)?;
+        let expected = core::mem::replace(&mut self.expect, Expect::Instruction);
+        let checked = match expected {
+            Expect::Start => Err(Cause::EmptyFile),
+            Expect::Preset | Expect::TimerOutput => {
+                self.place = self.block;
+                Err(Cause::OperandsMissing)
+            }
+            Expect::Instruction | Expect::Branch => self.end_of_rung(),
+        };
+        self.report(checked)
+    }
+
+    /// The checked program, or the first fault of the file.
+    pub fn finish(mut self) -> Result<Program<'m>, Fault> {
+        while self.end().is_err() {}
+        match self.first_fault {
+            Some(fault) => Err(fault),
+            None => Ok(Program {
+                memory: self.memory,
+                code_bytes: self.code_bytes,
+                timers: self.timers,
+                codes: self.codes,
+            }),
+        }
+    }
+
+    /// Checks what the text gave, and reports.
+    fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Fault> {
+        self.place = self.line;
+        let checked = match read {
+            Ok(false) => return Ok(()),
+            Ok(true) => self.code(self.text.code()),
+            Err(cause) => {
+                // The line was meant to be what was expected: do not take the next one for it.
+                self.expect = match self.expect {
+                    Expect::Preset => Expect::TimerOutput,
+                    _ => Expect::Instruction,
+                };
+                Err(cause)
+            }
+        };
+        self.report(checked)
+    }
+
+    /// Gives a fault its line, and remembers the first.
+    fn report(&mut self, checked: Result<(), Cause>) -> Result<(), Fault> {
+        let Err(cause) = checked else { return Ok(()) };
+        let line = (cause != Cause::EmptyFile).then_some(self.place);
+        let fault = Fault { cause, line };
+        self.first_fault.get_or_insert(fault);
+        Err(fault)
+    }
+
+    fn code(&mut self, code: i32) -> Result<(), Cause> {
+        let expected = core::mem::replace(&mut self.expect, Expect::Instruction);
+        match expected {
+            Expect::Start if code == isa::START => {
+                self.codes = 1;
+                Ok(())
+            }
+            Expect::Start => {
+                // The code may still open a branch or begin a block: follow it, but tell only
+                // what is missing.
+                let _ = self.instruction(code, expected);
+                Err(Cause::NoStart)
+            }
+            Expect::Instruction | Expect::Branch => self.instruction(code, expected),
+            Expect::Preset => self.preset(code),
+            Expect::TimerOutput => self.timer_output(code),
+        }
+    }
+
+    fn instruction(&mut self, code: i32, expected: Expect) -> Result<(), Cause> {
+        if code == isa::START {
+            return Err(Cause::SecondStart);
+        }
+        let (opcode, xx) = Opcode::decode(code).ok_or(Cause::UnknownCode)?;
+        self.codes = self.codes.saturating_add(1);
+        let (count, cause) = match opcode.operand() {
+            Operand::None => {
+                self.balance(opcode)?;
+                return self.store(opcode as u8, 0, 0);
+            }
+            Operand::Timer => {
+                self.expect = Expect::Preset;
+                self.block = self.line;
+                return self.store(opcode as u8, isa::STORED_TIMER_BYTES - 1, 1);
+            }
+            Operand::Input => (self.profile.inputs, Cause::NoSuchInput),
+            Operand::Output => (self.profile.outputs, Cause::NoSuchOutput),
+            Operand::Branch => (isa::BRANCH_POINTS, Cause::NoSuchBranchPoint),
+        };
+        let point = Point::new(xx, count).ok_or(cause)?;
+        let opcode = match opcode {
+            Opcode::StoreBranch if expected == Expect::Branch => {
+                self.rung.recall(point)?;
+                Opcode::RecallBranch
+            }
+            Opcode::StoreBranch => {
+                self.rung.store(point);
+                opcode
+            }
+            _ => opcode,
+        };
+        self.store(opcode as u8 | point.index(), 0, 0)
+    }
+
+    /// Checks that rungs and branches are balanced (NC-8).
+    fn balance(&mut self, opcode: Opcode) -> Result<(), Cause> {
+        match opcode {
+            Opcode::OpenBranch => {
+                self.expect = Expect::Branch;
+                self.rung.open(self.line)
+            }
+            Opcode::CloseBranch => self.rung.close(),
+            _ => self.end_of_rung(),
+        }
+    }
+
+    fn end_of_rung(&mut self) -> Result<(), Cause> {
+        match self.rung.end() {
+            None => Ok(()),
+            Some(line) => {
+                self.place = line;
+                Err(Cause::BranchLeftOpen)
+            }
+        }
+    }
+
+    fn preset(&mut self, code: i32) -> Result<(), Cause> {
+        self.expect = Expect::TimerOutput;
+        if code < 0 {
+            return Err(Cause::BadPreset);
+        }
+        for byte in code.to_le_bytes() {
+            self.put(byte);
+        }
+        Ok(())
+    }
+
+    fn timer_output(&mut self, code: i32) -> Result<(), Cause> {
+        let xx = isa::xx(code, isa::OUTPUT_OPERAND).ok_or(Cause::BadTimerOutput)?;
+        let output = Point::new(xx, self.profile.outputs).ok_or(Cause::NoSuchOutput)?;
+        self.put(output.index());
+        Ok(())
+    }
+
+    /// Stores the first byte of an instruction, and reserves its operand bytes and timers.
+    fn store(&mut self, byte: u8, operand_bytes: usize, timers: usize) -> Result<(), Cause> {
+        if self.full {
+            return Ok(());
+        }
+        let code_bytes = self.code_bytes + 1 + operand_bytes;
+        let timers = self.timers + timers;
+        let run_memory = self.memory.len().min(self.profile.linked_bytes.into());
+        self.full = true;
+        if code_bytes > self.profile.stored_bytes.into() {
+            return Err(Cause::ProgramFull);
+        }
+        if Profile::linked_size(code_bytes, timers) > run_memory {
+            return Err(Cause::RunMemoryFull);
+        }
+        self.full = false;
+        self.timers = timers;
+        self.put(byte);
+        Ok(())
+    }
+
+    /// Puts a byte where room has been reserved for it.
+    fn put(&mut self, byte: u8) {
+        if self.full {
+            return;
+        }
+        if let Some(place) = self.memory.get_mut(self.code_bytes) {
+            *place = byte;
+            self.code_bytes += 1;
+        }
+    }
+}

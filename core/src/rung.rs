@@ -1,0 +1,61 @@
+//! Whether a rung is balanced (NC-8).
+//!
+//! Owns open branches and stored branch points while a program loads; knows nothing of bytes.
+
+use crate::isa::DEEPEST;
+use crate::{Cause, Image, Point};
+
+/// The rung that is being loaded.
+pub(crate) struct Rung {
+    /// The lines of the open branches, as many as `depth` says.
+    open: [u32; DEEPEST as usize],
+    depth: u8,
+    /// The branch points that this rung has stored.
+    stored: Image,
+}
+
+impl Rung {
+    pub(crate) const fn new() -> Rung {
+        Rung {
+            open: [0; DEEPEST as usize],
+            depth: 0,
+            stored: Image(0),
+        }
+    }
+
+    /// `40` on this line.
+    pub(crate) fn open(&mut self, line: u32) -> Result<(), Cause> {
+        let place = self.open.get_mut(usize::from(self.depth));
+        // Counted also where it is too deep, so that its 41 is not one too many.
+        self.depth = self.depth.saturating_add(1);
+        *place.ok_or(Cause::NestedTooDeep)? = line;
+        Ok(())
+    }
+
+    /// `41`.
+    pub(crate) fn close(&mut self) -> Result<(), Cause> {
+        self.depth = self.depth.checked_sub(1).ok_or(Cause::CloseWithoutOpen)?;
+        Ok(())
+    }
+
+    /// `4041XX` that stores.
+    pub(crate) fn store(&mut self, point: Point) {
+        self.stored.set(point, true);
+    }
+
+    /// `4041XX` that recalls.
+    pub(crate) fn recall(&self, point: Point) -> Result<(), Cause> {
+        if self.stored.get(point) {
+            Ok(())
+        } else {
+            Err(Cause::RecallBeforeStore)
+        }
+    }
+
+    /// The end of the rung: gives the line of the innermost branch that is still open.
+    pub(crate) fn end(&mut self) -> Option<u32> {
+        self.stored = Image(0);
+        let depth = core::mem::take(&mut self.depth);
+        self.open.get(usize::from(depth.checked_sub(1)?)).copied()
+    }
+}

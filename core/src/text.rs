@@ -1,0 +1,149 @@
+//! From the bytes of a file to its codes (NC-2, NC-3, NC-4).
+//!
+//! Owns line ends, marks, comments and digits; must not know what a code means.
+
+use crate::Cause;
+
+/// Where in a line the reader stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum At {
+    /// The first byte of the file, where a mark may stand.
+    Start,
+    /// After the first byte of a mark.
+    Mark(u8),
+    /// After the first two bytes of a UTF-8 mark.
+    Utf8Mark,
+    /// Before the code.
+    Blank,
+    /// After a `-`, before its digits.
+    Minus,
+    /// In the digits.
+    Digits,
+    /// After the code.
+    After,
+    /// In a comment.
+    Comment,
+    /// After a CR, before its LF.
+    Return,
+    /// On a line that has a fault: the rest of it is passed over.
+    Faulty,
+    /// Past the end of the file, or in a file that has no lines.
+    End,
+}
+
+/// Reads the codes of a file, one byte at a time.
+pub(crate) struct Text {
+    at: At,
+    /// Whether this line holds a code.
+    has_code: bool,
+    /// The code that was read last, or as much of it as has come.
+    negative: bool,
+    magnitude: u32,
+}
+
+/// The largest magnitude that another digit can be put behind without a wrap.
+const BEFORE_LAST_DIGIT: u32 = i32::MIN.unsigned_abs() / 10;
+
+impl Text {
+    pub(crate) const fn new() -> Text {
+        Text {
+            at: At::Start,
+            has_code: false,
+            negative: false,
+            magnitude: 0,
+        }
+    }
+
+    /// Takes a byte. True where it ends a line that holds a code, which [`Text::code`] then tells.
+    ///
+    /// After a fault the rest of the line is passed over; the next line is read as usual.
+    pub(crate) fn push(&mut self, byte: u8) -> Result<bool, Cause> {
+        match self.next(byte) {
+            Ok(at) => self.at = at,
+            Err(cause) => {
+                self.has_code = false;
+                self.at = match (cause, byte) {
+                    (Cause::Utf16, _) => At::End,
+                    (_, b'\n') => At::Blank,
+                    _ => At::Faulty,
+                };
+                return Err(cause);
+            }
+        }
+        if byte == b'\n' {
+            self.end_of_line()
+        } else {
+            Ok(false)
+        }
+    }
+
+    /// The end of the file: true where a last line that no LF ended holds a code.
+    pub(crate) fn end(&mut self) -> Result<bool, Cause> {
+        match core::mem::replace(&mut self.at, At::End) {
+            At::Return => Err(Cause::StrayCarriageReturn),
+            At::Minus | At::Mark(_) | At::Utf8Mark => Err(Cause::StrayCharacter),
+            _ => self.end_of_line(),
+        }
+    }
+
+    /// The code of the line that has just ended.
+    pub(crate) fn code(&self) -> i32 {
+        let code = self.magnitude.cast_signed();
+        if self.negative {
+            code.wrapping_neg()
+        } else {
+            code
+        }
+    }
+
+    fn next(&mut self, byte: u8) -> Result<At, Cause> {
+        Ok(match (self.at, byte) {
+            (At::End, _) => At::End,
+            (At::Start, 0xEF | 0xFE | 0xFF) => At::Mark(byte),
+            (At::Mark(0xEF), 0xBB) => At::Utf8Mark,
+            (At::Utf8Mark, 0xBF) => At::Blank,
+            (At::Mark(0xFF), 0xFE) | (At::Mark(0xFE), 0xFF) => return Err(Cause::Utf16),
+            (At::Minus, b'0'..=b'9') => self.digit(byte)?,
+            (At::Mark(_) | At::Utf8Mark | At::Minus, _) => return Err(Cause::StrayCharacter),
+            (_, b'\n') => At::Blank,
+            (At::Comment | At::Faulty, _) => self.at,
+            (At::Return, _) => return Err(Cause::StrayCarriageReturn),
+            (At::Digits, b'0'..=b'9') => self.digit(byte)?,
+            (At::Start | At::Blank, b'-' | b'0'..=b'9') => {
+                self.negative = byte == b'-';
+                self.magnitude = 0;
+                if self.negative {
+                    At::Minus
+                } else {
+                    self.digit(byte)?
+                }
+            }
+            (_, b'/') => At::Comment,
+            (_, b'\r') => At::Return,
+            (At::Digits | At::After, b' ' | b'\t') => At::After,
+            (_, b' ' | b'\t') => At::Blank,
+            _ => return Err(Cause::StrayCharacter),
+        })
+    }
+
+    fn digit(&mut self, byte: u8) -> Result<At, Cause> {
+        let most = i32::MAX.unsigned_abs() + u32::from(self.negative);
+        if self.magnitude > BEFORE_LAST_DIGIT {
+            return Err(Cause::NumberTooLarge);
+        }
+        self.magnitude = self.magnitude * 10 + u32::from(byte - b'0');
+        if self.magnitude > most {
+            return Err(Cause::NumberTooLarge);
+        }
+        self.has_code = true;
+        Ok(At::Digits)
+    }
+
+    fn end_of_line(&mut self) -> Result<bool, Cause> {
+        let has_code = core::mem::take(&mut self.has_code);
+        if has_code && self.negative && self.magnitude == 0 {
+            return Err(Cause::MinusZero);
+        }
+        Ok(has_code)
+    }
+}
