@@ -1,0 +1,55 @@
+//! The Arduino UNO: the only place that touches registers.
+//!
+//! | point | pin | port |
+//! | --- | --- | --- |
+//! | inputs 01–04 | D2–D5 | PD2–PD5 |
+//! | outputs 01–04 | D6–D9 | PD6, PD7, PB0, PB1 |
+//! | card | D10–D13 | PB2 CS, PB3 MOSI, PB4 MISO, PB5 SCK |
+//! | LED L | D13 | PB5, when the card does not use it |
+//! | serial | D0, D1 | USART0 |
+
+pub mod clock;
+pub mod flash;
+pub mod pins;
+pub mod serial;
+pub mod spi;
+
+use avr_device::atmega328p::{Peripherals, SPI};
+
+/// The chip's clock, Hz (ceramic resonator of the UNO).
+pub const CLOCK_HZ: u32 = 16_000_000;
+
+/// The parts of the board, ready to use.
+pub struct Board {
+    /// Inputs, outputs, LED L and the card's select line.
+    pub pins: pins::Pins,
+    /// The serial port.
+    pub serial: serial::Serial,
+    spi: SPI,
+}
+
+impl Board {
+    /// Takes the board and sets it up, outputs first (NC-7).
+    pub fn take() -> Board {
+        // SAFETY: called once, by `main`, before anything else runs; so there is one owner of
+        // each peripheral.
+        let chip = unsafe { Peripherals::steal() };
+        let pins = pins::Pins::new(chip.PORTB, chip.PORTD);
+        clock::start(&chip.TC1);
+        Board {
+            pins,
+            serial: serial::Serial::new(chip.USART0),
+            spi: chip.SPI,
+        }
+    }
+
+    /// The bus to the card, begun with the clocks that a card needs to wake up.
+    pub fn card_bus(&self) -> spi::CardBus<'_> {
+        spi::CardBus::start(&self.spi, &self.pins)
+    }
+
+    /// Gives D10 to D13 back: the card is no longer selected, and LED L is ours.
+    pub fn release_card(&self) {
+        spi::release(&self.spi, &self.pins);
+    }
+}

@@ -1,0 +1,70 @@
+//! Inputs, outputs, LED L and the card's select line (ATmega328P datasheet, section 14).
+
+use avr_device::atmega328p::{PORTB, PORTD};
+use unoclp_core::Image;
+
+/// PD2–PD5: inputs 01–04.
+const INPUTS: u8 = 0b0011_1100;
+/// PD6, PD7: outputs 01 and 02.
+const OUTPUTS_D: u8 = 0b1100_0000;
+/// PB0, PB1: outputs 03 and 04.
+const OUTPUTS_B: u8 = 0b0000_0011;
+/// PB2: the card's select line, active low.
+const CS: u8 = 1 << 2;
+/// PB3: data to the card.
+const MOSI: u8 = 1 << 3;
+/// PB4: data from the card, with a pull-up so that an empty slot reads as ones.
+const MISO: u8 = 1 << 4;
+/// PB5: clock to the card, and LED L.
+const SCK: u8 = 1 << 5;
+
+/// The digital pins.
+pub struct Pins {
+    b: PORTB,
+    d: PORTD,
+}
+
+impl Pins {
+    /// Outputs low before they are driven, pull-ups on the inputs, the card not selected.
+    pub fn new(b: PORTB, d: PORTD) -> Pins {
+        // SAFETY: any value may be written to the data and direction registers of a port; these
+        // drive only pins that the wiring has as outputs.
+        unsafe {
+            d.portd().write(|w| w.bits(INPUTS));
+            d.ddrd().write(|w| w.bits(OUTPUTS_D));
+            b.portb().write(|w| w.bits(CS | MISO));
+            b.ddrb().write(|w| w.bits(OUTPUTS_B | CS | MOSI | SCK));
+        }
+        Pins { b, d }
+    }
+
+    /// The input image: a closed button pulls its pin low and reads as 1.
+    pub fn inputs(&self) -> Image {
+        Image(u16::from((!self.d.pind().read().bits() & INPUTS) >> 2))
+    }
+
+    /// Writes the output image, one write for each port.
+    pub fn write_outputs(&self, image: Image) {
+        let [bits, _] = image.0.to_le_bytes();
+        let (d, b) = (bits << 6, bits >> 2 & OUTPUTS_B);
+        // SAFETY: any value may be written to a port; only the bits of outputs change.
+        unsafe {
+            self.d
+                .portd()
+                .modify(|r, w| w.bits(r.bits() & !OUTPUTS_D | d));
+            self.b
+                .portb()
+                .modify(|r, w| w.bits(r.bits() & !OUTPUTS_B | b));
+        }
+    }
+
+    /// LED L. While the card's bus is on, the bus clock drives it.
+    pub fn led(&self, on: bool) {
+        self.b.portb().modify(|_, w| w.pb5().bit(on));
+    }
+
+    /// Selects the card, or not.
+    pub fn select_card(&self, selected: bool) {
+        self.b.portb().modify(|_, w| w.pb2().bit(!selected));
+    }
+}

@@ -1,0 +1,150 @@
+//! The bus to the card: SPI with a deadline (ATmega328P datasheet, section 19).
+
+use super::clock;
+use super::pins::Pins;
+use avr_device::atmega328p::SPI;
+use embedded_hal::delay::DelayNs;
+use embedded_hal::spi::{ErrorKind, ErrorType, Operation, SpiDevice};
+use unoclp_core::Millis;
+
+/// Clock bytes with the card not selected before the first command: at least 74 clocks
+/// (SD Physical Layer Simplified Specification, 6.4.1).
+const WAKE_BYTES: u8 = 10;
+/// How long a slot may stay silent before it counts as empty, ms.
+const SILENCE: Millis = 250;
+
+/// A card did not answer in time.
+#[derive(Debug)]
+pub struct TooLate;
+
+impl embedded_hal::spi::Error for TooLate {
+    fn kind(&self) -> ErrorKind {
+        ErrorKind::Other
+    }
+}
+
+/// The SPI bus with its one device, the card.
+///
+/// Every transfer fails once the deadline has passed, whatever the card does: so every wait of the
+/// card's driver ends. The card stays selected from the first transfer until [`release`], because
+/// commands, answers and data belong together and nothing else shares the bus.
+pub struct CardBus<'b> {
+    spi: &'b SPI,
+    since: Millis,
+    limit: Millis,
+    answered: bool,
+}
+
+impl<'b> CardBus<'b> {
+    /// Switches the bus on at 250 kHz and wakes the card.
+    pub fn start(spi: &'b SPI, pins: &Pins) -> CardBus<'b> {
+        pins.select_card(false);
+        spi.spcr()
+            .write(|w| w.spe().set_bit().mstr().set_bit().spr().fosc_64_32());
+        let mut bus = CardBus {
+            spi,
+            since: clock::now(),
+            limit: 0,
+            answered: false,
+        };
+        for _ in 0..WAKE_BYTES {
+            bus.exchange(0xFF);
+        }
+        pins.select_card(true);
+        bus.answered = false;
+        bus
+    }
+
+    /// Goes to 4 MHz, which wires on a breadboard carry, once the card is out of its idle state.
+    pub fn full_speed(&mut self) {
+        self.spi
+            .spcr()
+            .write(|w| w.spe().set_bit().mstr().set_bit().spr().fosc_4_2());
+    }
+
+    /// Gives the card this many ms from now.
+    pub fn allow(&mut self, limit: Millis) {
+        self.since = clock::now();
+        self.limit = limit;
+    }
+
+    /// Whether the card has sent anything at all.
+    pub fn answered(&self) -> bool {
+        self.answered
+    }
+
+    fn exchange(&mut self, byte: u8) -> u8 {
+        self.spi.spdr().write(|w| w.set(byte));
+        while self.spi.spsr().read().spif().bit_is_clear() {}
+        let answer = self.spi.spdr().read().bits();
+        self.answered |= answer != 0xFF;
+        answer
+    }
+
+    fn in_time(&self) -> Result<(), TooLate> {
+        let limit = if self.answered { self.limit } else { SILENCE };
+        if clock::now().wrapping_sub(self.since) < limit {
+            Ok(())
+        } else {
+            Err(TooLate)
+        }
+    }
+}
+
+/// Switches the bus off; the pins are the port's again, and the card is not selected.
+pub fn release(spi: &SPI, pins: &Pins) {
+    pins.select_card(false);
+    spi.spcr().reset();
+}
+
+impl ErrorType for CardBus<'_> {
+    type Error = TooLate;
+}
+
+impl SpiDevice for CardBus<'_> {
+    fn transaction(&mut self, operations: &mut [Operation<'_, u8>]) -> Result<(), TooLate> {
+        self.in_time()?;
+        for operation in operations {
+            match operation {
+                Operation::Read(bytes) => {
+                    bytes
+                        .iter_mut()
+                        .for_each(|byte| *byte = self.exchange(0xFF));
+                }
+                Operation::Write(bytes) => {
+                    bytes.iter().for_each(|&byte| {
+                        self.exchange(byte);
+                    });
+                }
+                Operation::Transfer(answer, bytes) => {
+                    // The longer of the two decides (embedded-hal's contract).
+                    for index in 0..answer.len().max(bytes.len()) {
+                        let byte = self.exchange(bytes.get(index).copied().unwrap_or(0xFF));
+                        if let Some(place) = answer.get_mut(index) {
+                            *place = byte;
+                        }
+                    }
+                }
+                Operation::TransferInPlace(bytes) => {
+                    bytes
+                        .iter_mut()
+                        .for_each(|byte| *byte = self.exchange(*byte));
+                }
+                Operation::DelayNs(ns) => Pause.delay_ns(*ns),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Waits by counting cycles.
+pub struct Pause;
+
+impl DelayNs for Pause {
+    fn delay_ns(&mut self, ns: u32) {
+        // A round takes at least 8 cycles, 500 ns: never shorter than asked for.
+        for _ in 0..ns / 512 + 1 {
+            avr_device::asm::delay_cycles(4);
+        }
+    }
+}

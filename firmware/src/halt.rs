@@ -1,0 +1,24 @@
+//! The last resort: outputs off, and stop.
+//!
+//! Nothing in the firmware should get here. If it does, by a panic that was thought impossible,
+//! the outputs must not keep what they had.
+
+use avr_device::atmega328p::Peripherals;
+use core::panic::PanicInfo;
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    abort()
+}
+
+/// Takes the place of the C library's `abort`, which is what a panic compiles to in this build.
+#[unsafe(no_mangle)]
+extern "C" fn abort() -> ! {
+    avr_device::interrupt::disable();
+    // SAFETY: nothing else runs any more, so nobody else uses the ports.
+    let chip = unsafe { Peripherals::steal() };
+    let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTD);
+    loop {
+        avr_device::asm::nop();
+    }
+}
