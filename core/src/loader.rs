@@ -7,6 +7,7 @@ use crate::isa::{self, Opcode, Operand};
 use crate::rung::Rung;
 use crate::text::Text;
 use crate::{Cause, Fault, Point, Profile, Program};
+use core::mem;
 
 /// What the next code of the file must be.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -83,7 +84,7 @@ impl<'m> Loader<'m> {
     pub fn end(&mut self) -> Result<(), Fault> {
         let read = self.text.end();
         self.take(read)?;
-        let expected = core::mem::replace(&mut self.expect, Expect::Instruction);
+        let expected = mem::replace(&mut self.expect, Expect::Instruction);
         let checked = match expected {
             Expect::Start => Err(Cause::EmptyFile),
             Expect::Preset | Expect::TimerOutput => {
@@ -96,15 +97,18 @@ impl<'m> Loader<'m> {
     }
 
     /// The checked program, or the first fault of the file.
-    pub fn finish(mut self) -> Result<Program<'m>, Fault> {
+    ///
+    /// The loader is used up: a second call gives an empty program. (It is lent and not given
+    /// away, because giving it away would cost a copy on a stack that has no room for one.)
+    pub fn finish(&mut self) -> Result<Program<'m>, Fault> {
         while self.end().is_err() {}
         match self.first_fault {
             Some(fault) => Err(fault),
             None => Ok(Program {
-                memory: self.memory,
-                code_bytes: self.code_bytes,
-                timers: self.timers,
-                codes: self.codes,
+                memory: mem::take(&mut self.memory),
+                code_bytes: mem::take(&mut self.code_bytes),
+                timers: mem::take(&mut self.timers),
+                codes: mem::take(&mut self.codes),
             }),
         }
     }
@@ -137,7 +141,7 @@ impl<'m> Loader<'m> {
     }
 
     fn code(&mut self, code: i32) -> Result<(), Cause> {
-        let expected = core::mem::replace(&mut self.expect, Expect::Instruction);
+        let expected = mem::replace(&mut self.expect, Expect::Instruction);
         match expected {
             Expect::Start if code == isa::START => {
                 self.codes = 1;

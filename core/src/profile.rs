@@ -23,7 +23,7 @@ impl Profile {
         inputs: 4,
         outputs: 4,
         stored_bytes: 900,
-        linked_bytes: 1060,
+        linked_bytes: 960,
     };
 
     /// Bytes in run memory of a program with this much code and so many timers.

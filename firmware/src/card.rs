@@ -23,6 +23,7 @@ const ATTEMPTS: u32 = 1_000_000;
 ///
 /// Nothing is ever written to the card. An empty slot is known within 300 ms; a card that dies is
 /// given up within 2 s.
+#[inline(never)]
 pub fn load<'m>(board: &Board, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
     let card = Card::start(board).map_err(Fault::without_line)?;
     read(&card, &mut Block::new(), memory)

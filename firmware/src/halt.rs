@@ -18,7 +18,5 @@ extern "C" fn abort() -> ! {
     // SAFETY: nothing else runs any more, so nobody else uses the ports.
     let chip = unsafe { Peripherals::steal() };
     let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTD);
-    loop {
-        avr_device::asm::nop();
-    }
+    loop {}
 }
