@@ -1,0 +1,161 @@
+//! Finds one file in the root folder of a FAT16 or FAT32 card and reads it, block by block.
+//!
+//! The reader of the PLC's program: small, and able to do no more than it must. It never writes,
+//! it needs no memory but one block of 512 bytes that the caller lends, and no content of a card
+//! makes it panic or read for ever. It knows neither how blocks come from the card nor what the
+//! file says. The firmware and the tests on a PC run this same code.
+//!
+//! ```
+//! use embedded_sdmmc::{Block, BlockDevice};
+//! use unoclp_card::{Error, File};
+//!
+//! fn length<D: BlockDevice>(card: &D) -> Result<usize, Error<D::Error>> {
+//!     let mut block = Block::new();
+//!     let mut file = File::open(card, &mut block, b"PROGRAM TXT")?;
+//!     let mut length = 0;
+//!     while let Some(bytes) = file.next_block(card, &mut block)? {
+//!         length += bytes.len();
+//!     }
+//!     Ok(length)
+//! }
+//! ```
+//!
+//! What it reads: blocks of 512 bytes; a volume that starts at block 0, or in one of the four
+//! primary partitions of an MBR; the first FAT alone; 8.3 names. What it does not: FAT12, exFAT,
+//! GPT, logical partitions, other folders, long names (a file with a long name is found by its
+//! 8.3 alias).
+//!
+//! Source of every offset and rule: *Microsoft Extensible Firmware Initiative FAT32 File System
+//! Specification*, version 1.03. The code cites its chapters as (FAT, "FAT Data Structure").
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(feature = "image")]
+extern crate std;
+
+mod walk;
+
+#[cfg(feature = "image")]
+pub mod image;
+
+use core::fmt;
+
+use embedded_sdmmc::{Block, BlockDevice, BlockIdx};
+
+use walk::Walk;
+
+/// Why a file cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error<E> {
+    /// The card did not give a block; its driver's own error says why.
+    Device(E),
+    /// There is no FAT16 or FAT32 volume: the card is empty, FAT12, exFAT, GPT or something else.
+    NoVolume,
+    /// The root folder has no file of that name.
+    NotFound,
+    /// A chain of clusters ends too early, leads to a cluster that is free, bad or outside the
+    /// volume, runs in a circle, or is longer than 65,535 clusters (32 MiB or more of the card).
+    Damaged,
+}
+
+impl<E: fmt::Display> fmt::Display for Error<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Device(error) => write!(f, "the card cannot be read: {error}"),
+            Error::NoVolume => f.write_str("the card is not FAT16 or FAT32; format it so"),
+            Error::NotFound => f.write_str("no such file in the root folder of the card"),
+            Error::Damaged => {
+                f.write_str("the card's FAT makes no sense; check or format the card")
+            }
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for Error<E> {}
+
+/// A file found on a card, and how far it has been read.
+#[derive(Debug)]
+pub struct File {
+    walk: Walk,
+    /// Bytes not read yet.
+    left: u32,
+}
+
+impl File {
+    /// Finds a file in the root folder.
+    ///
+    /// `name` is the 8.3 name as FAT stores it: eight characters and three, padded with spaces,
+    /// without the dot (`b"PROGRAM TXT"`). Upper and lower case of ASCII letters are the same.
+    /// Where several volumes or files match, the first counts. What `block` holds does not
+    /// matter, here or between the calls that follow.
+    ///
+    /// # Errors
+    /// Any [`Error`]; `Damaged` here concerns the root folder.
+    // Inlined on AVR, it and its caller run out of registers and take 200 bytes more.
+    #[inline(never)]
+    pub fn open<D: BlockDevice>(
+        device: &D,
+        block: &mut Block,
+        name: &[u8; 11],
+    ) -> Result<File, Error<D::Error>> {
+        let mut walk = Walk::default();
+        walk.find(device, block)?;
+        loop {
+            walk.read_next(device, block)?;
+            for entry in block.as_chunks().0 {
+                // FAT, "FAT Directory Structure": name at 0, attributes at 11, cluster at 26
+                // (upper half at 20), size at 28. A deleted entry starts with 0xE5, which no name of ASCII matches.
+                let entry: &[u8; 32] = entry;
+                if entry[0] == NEVER_USED {
+                    return Err(Error::NotFound);
+                }
+                if entry[11] & NO_FILE == 0 && entry[..11].eq_ignore_ascii_case(name) {
+                    let low = u16::from_le_bytes([entry[26], entry[27]]);
+                    let high = u16::from_le_bytes([entry[20], entry[21]]);
+                    let left = u32::from_le_bytes([entry[28], entry[29], entry[30], entry[31]]);
+                    walk.start(high, low);
+                    return Ok(File { walk, left });
+                }
+            }
+        }
+    }
+
+    /// Reads the next block of the file and gives those of its bytes that are the file's: 512, or
+    /// 1 to 512 in the last one. `None`: the file has been read to its end.
+    ///
+    /// # Errors
+    /// [`Error::Device`], and [`Error::Damaged`] where the chain of clusters does not hold what
+    /// the folder gives as the file's size. Do not read on after an error.
+    pub fn next_block<'b, D: BlockDevice>(
+        &mut self,
+        device: &D,
+        block: &'b mut Block,
+    ) -> Result<Option<&'b [u8]>, Error<D::Error>> {
+        if self.left == 0 {
+            return Ok(None);
+        }
+        self.walk
+            .read_next(device, block)
+            .map_err(|error| match error {
+                // The chain has ended before the file.
+                Error::NotFound => Error::Damaged,
+                error => error,
+            })?;
+        let length = self.left.min(Block::LEN_U32);
+        self.left -= length;
+        Ok(block.get(..length as usize))
+    }
+}
+
+/// First byte of an entry that was never used, nor were those after it.
+const NEVER_USED: u8 = 0x00;
+/// Attributes of what is no file: volume label (0x08, also part of a long name's 0x0F), folder.
+const NO_FILE: u8 = 0x08 | 0x10;
+
+/// Every access to the card goes through here; there is none that writes.
+fn read<D: BlockDevice>(device: &D, block: &mut Block, index: u32) -> Result<(), Error<D::Error>> {
+    device
+        .read(core::slice::from_mut(block), BlockIdx(index))
+        .map_err(Error::Device)
+}
