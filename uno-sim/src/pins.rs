@@ -1,0 +1,82 @@
+//! The pins of the UNO's standard wiring, seen from outside (docs/numeric-code.md, "Pins of the UNO").
+
+use crate::avr::{Avr, reg};
+
+/// Points there are of each kind, inputs and outputs.
+pub const POINTS: usize = 4;
+
+/// A pin whose changes are recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Pin {
+    /// Output 0 to 3: points 01 to 04, pins D6 to D9.
+    Output(u8),
+    /// The LED L on the board, pin D13.
+    Led,
+}
+
+/// A change of one pin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// When: cycles since power-up, at the end of the instruction that did it.
+    pub cycle: u64,
+    /// Which pin.
+    pub pin: Pin,
+    /// To what level; a pin that is no longer driven counts as low.
+    pub high: bool,
+}
+
+/// The registers that decide on the levels. Compared after every instruction, so kept in one word.
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct PinRegisters(u64);
+
+impl PinRegisters {
+    #[inline]
+    pub fn of(avr: &Avr) -> PinRegisters {
+        // PORT follows DDR.
+        let b = u64::from(avr.register_pair(reg::DDRB));
+        let d = u64::from(avr.register_pair(reg::DDRD));
+        let spi_on = u64::from(avr.register(reg::SPCR) & 0x40);
+        PinRegisters(b | d << 16 | spi_on << 32)
+    }
+
+    pub fn levels(self) -> Levels {
+        let [ddrb, portb, ddrd, portd, spi_on, ..] = self.0.to_le_bytes();
+        let (high_b, high_d) = (ddrb & portb, ddrd & portd);
+        Levels {
+            outputs: high_d >> 6 | (high_b & 0x03) << 2,
+            // While the SPI is on, D13 is its clock, which rests low in mode 0; single clocks are not recorded.
+            led: high_b & 0x20 != 0 && spi_on == 0,
+            card_selected: ddrb & !portb & 0x04 != 0,
+        }
+    }
+}
+
+/// What the pins show. A pin is high where it is an output (DDR = 1) and set (PORT = 1).
+#[derive(Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Levels {
+    /// Bit n: output n.
+    pub outputs: u8,
+    pub led: bool,
+    /// D10, the card's CS, is driven low. A pin that is not driven is pulled up on the card module.
+    pub card_selected: bool,
+}
+
+impl Levels {
+    /// The edges that lead from `self` to `next`.
+    pub fn edges_to(self, next: Levels, cycle: u64) -> impl Iterator<Item = Edge> {
+        let changed = self.outputs ^ next.outputs;
+        let outputs = (0..POINTS as u8)
+            .filter(move |n| changed >> n & 1 == 1)
+            .map(move |n| Edge {
+                cycle,
+                pin: Pin::Output(n),
+                high: next.outputs >> n & 1 == 1,
+            });
+        let led = (self.led != next.led).then_some(Edge {
+            cycle,
+            pin: Pin::Led,
+            high: next.led,
+        });
+        outputs.chain(led)
+    }
+}

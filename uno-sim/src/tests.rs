@@ -1,0 +1,453 @@
+//! The board with programs of a few instructions, assembled here.
+
+use crate::sd::{Kind, SdCard};
+use crate::{Edge, Halt, Pin, Program, Slot, Uno};
+
+// I/O addresses of the ATmega328P.
+const DDRB: u16 = 0x04;
+const PORTB: u16 = 0x05;
+const PIND: u16 = 0x09;
+const DDRD: u16 = 0x0A;
+const PORTD: u16 = 0x0B;
+const SPCR: u16 = 0x2C;
+const SPSR: u16 = 0x2D;
+const SPDR: u16 = 0x2E;
+const SPL: u16 = 0x3D;
+const SPH: u16 = 0x3E;
+// Data addresses.
+const WDTCSR: u16 = 0x60;
+const UCSR0A: u16 = 0xC0;
+const UCSR0B: u16 = 0xC1;
+const UDR0: u16 = 0xC6;
+
+// The instructions (AVR Instruction Set Manual).
+const NOP: u16 = 0x0000;
+const SEI: u16 = 0x9478;
+const SLEEP: u16 = 0x9588;
+const RET: u16 = 0x9508;
+/// `rjmp .-2`: to itself.
+const HERE: u16 = rjmp(-1);
+
+const fn ldi(r: u16, k: u16) -> u16 {
+    0xE000 | (k & 0xF0) << 4 | (r - 16) << 4 | k & 0x0F
+}
+
+const fn out(io: u16, r: u16) -> u16 {
+    0xB800 | (io & 0x30) << 5 | r << 4 | io & 0x0F
+}
+
+const fn input(r: u16, io: u16) -> u16 {
+    0xB000 | (io & 0x30) << 5 | r << 4 | io & 0x0F
+}
+
+const fn sbi(io: u16, bit: u16) -> u16 {
+    0x9A00 | io << 3 | bit
+}
+
+const fn cbi(io: u16, bit: u16) -> u16 {
+    0x9800 | io << 3 | bit
+}
+
+/// Skips the next instruction where the bit is set.
+const fn sbrs(r: u16, bit: u16) -> u16 {
+    0xFE00 | r << 4 | bit
+}
+
+const fn push(r: u16) -> u16 {
+    0x920F | r << 4
+}
+
+/// The first word of `sts`; the address follows.
+const fn sts(r: u16) -> u16 {
+    0x9200 | r << 4
+}
+
+/// The first word of `lds`; the address follows.
+const fn lds(r: u16) -> u16 {
+    0x9000 | r << 4
+}
+
+/// To the word `by` after the next one.
+const fn rjmp(by: i16) -> u16 {
+    0xC000 | by as u16 & 0x0FFF
+}
+
+const fn rcall(by: i16) -> u16 {
+    0xD000 | by as u16 & 0x0FFF
+}
+
+fn board(words: &[u16]) -> Uno {
+    Uno::with_program(Program::from_words(words), Slot::Empty).expect("simavr knows the chip")
+}
+
+fn steps(uno: &mut Uno, count: usize) {
+    for _ in 0..count {
+        uno.step().expect("the program goes on");
+    }
+}
+
+fn working_register(uno: &Uno, r: u32) -> u8 {
+    uno.read_ram(r, 1).expect("a register")[0]
+}
+
+#[test]
+fn edges_are_stamped_with_the_end_of_their_instruction() {
+    let mut uno = board(&[
+        sbi(PORTD, 6),  // cycles 0 to 2: a pull-up only
+        sbi(DDRD, 6),   // 4
+        sbi(DDRD, 7),   // 6: low
+        sbi(PORTD, 7),  // 8
+        cbi(DDRD, 6),   // 10: let go
+        ldi(16, 0x23),  // 11
+        out(DDRB, 16),  // 12
+        out(PORTB, 16), // 13: outputs 2 and 3 and L at once
+        ldi(16, 0x50),  // 14
+        out(SPCR, 16),  // 15: the SPI takes D13
+        sbi(PORTD, 0),  // 17: no output of ours
+        HERE,
+    ]);
+    steps(&mut uno, 11);
+    let edge = |cycle, pin, high| Edge { cycle, pin, high };
+    assert_eq!(
+        uno.edges(),
+        [
+            edge(4, Pin::Output(0), true),
+            edge(8, Pin::Output(1), true),
+            edge(10, Pin::Output(0), false),
+            edge(13, Pin::Output(2), true),
+            edge(13, Pin::Output(3), true),
+            edge(13, Pin::Led, true),
+            edge(15, Pin::Led, false),
+        ]
+    );
+    assert_eq!(
+        (uno.outputs(), uno.led(), uno.cycles()),
+        (0b1110, false, 17)
+    );
+    assert_eq!(uno.take_edges().len(), 7);
+    assert!(uno.edges().is_empty());
+}
+
+#[test]
+fn buttons_are_read_with_pull_ups_and_survive_writes_to_the_port() {
+    let mut uno = board(&[
+        ldi(16, 0x3C),
+        out(PORTD, 16),
+        sbi(PORTD, 6), // the loop: simavr raises the pull-ups anew here
+        input(17, PIND),
+        rjmp(-3),
+    ]);
+    for closed in [0b0000, 0b0001, 0b1010, 0b1111, 0b0100] {
+        uno.set_inputs(closed);
+        steps(&mut uno, 8);
+        assert_eq!(!working_register(&uno, 17) >> 2 & 0x0F, closed);
+        assert_eq!(uno.inputs(), closed);
+    }
+    uno.set_input(2, false);
+    uno.set_input(0, true);
+    steps(&mut uno, 8);
+    assert_eq!(!working_register(&uno, 17) >> 2 & 0x0F, 0b0001);
+    uno.reset();
+    steps(&mut uno, 8);
+    assert_eq!(
+        !working_register(&uno, 17) >> 2 & 0x0F,
+        0b0001,
+        "the button is still held"
+    );
+
+    let mut uno = board(&[input(17, PIND), rjmp(-2)]);
+    uno.set_input(1, true);
+    uno.set_input(1, false);
+    steps(&mut uno, 4);
+    assert_eq!(
+        !working_register(&uno, 17) >> 2 & 0x0F,
+        0b1111,
+        "no pull-up, no high level"
+    );
+}
+
+#[test]
+fn the_deepest_stack_is_found_though_sp_is_written_in_halves() {
+    let mut uno = board(&[
+        ldi(28, 0x01),
+        ldi(29, 0x08),
+        out(SPH, 29),
+        out(SPL, 28), // SP = 0x801
+        ldi(28, 0xF0),
+        ldi(29, 0x07),
+        out(SPH, 29), // 0x701 for a moment
+        NOP,
+        out(SPL, 28), // SP = 0x7F0
+        push(16),     // 0x7EF
+        ldi(29, 0x06),
+        out(SPH, 29), // a frame of 256 bytes
+        out(SPL, 28),
+        HERE,
+    ]);
+    assert_eq!(
+        (uno.sp(), uno.min_sp(), uno.stack_peak()),
+        (0x8FF, 0x8FF, 0)
+    );
+    for (count, min) in [
+        (4, 0x801),
+        (3, 0x801),
+        (1, 0x801),
+        (1, 0x7F0),
+        (1, 0x7EF),
+        (2, 0x7EF),
+        (1, 0x6F0),
+    ] {
+        steps(&mut uno, count);
+        assert_eq!(uno.min_sp(), min, "at {:#x}", uno.pc());
+    }
+    assert_eq!(uno.stack_peak(), 0x8FF - 0x6F0);
+    assert_eq!(uno.stack_free(), 0x6F1 - 0x100);
+    uno.reset_min_sp();
+    assert_eq!(uno.min_sp(), 0x6F0);
+}
+
+#[test]
+fn a_program_that_ends_says_why_and_where() {
+    let place = |pc: u32| format!("{pc:#06x}");
+    for (words, halt) in [
+        (&[NOP, HERE][..], Halt::Hung { place: place(2) }),
+        (&[SLEEP, NOP], Halt::AsleepForEver { place: place(0) }),
+        (
+            &[NOP, 0x9404, NOP],
+            Halt::InvalidOpcode {
+                opcode: 0x9404,
+                place: place(2),
+            },
+        ),
+        (&[NOP, NOP], Halt::LeftCode { place: place(2) }),
+        (&[rjmp(0x100)], Halt::LeftCode { place: place(0) }),
+    ] {
+        let mut uno = board(words);
+        assert_eq!(uno.run_cycles(100), Err(halt.clone()), "{words:04x?}");
+        let cycles = uno.cycles();
+        assert_eq!(uno.step(), Err(halt.clone()), "it stays so");
+        assert_eq!(uno.run_until(0, 100), Err(halt.clone()));
+        assert_eq!(uno.cycles(), cycles, "time stands still");
+        uno.reset();
+        assert_eq!(uno.run_cycles(100), Err(halt), "a reset starts it again");
+    }
+}
+
+#[test]
+fn waiting_for_an_interrupt_is_no_end() {
+    for words in [&[SEI, HERE][..], &[SEI, SLEEP, rjmp(-2)]] {
+        let mut uno = board(words);
+        assert_eq!(uno.run_cycles(100_000), Ok(()), "{words:04x?}");
+        assert!(uno.cycles() >= 100_000);
+    }
+}
+
+#[test]
+fn a_run_stops_at_an_address_once_round_each_time() {
+    let mut uno = board(&[NOP, NOP, rjmp(-2)]);
+    assert_eq!(uno.run_until(2, 10), Ok(()));
+    assert_eq!((uno.pc(), uno.cycles()), (2, 1));
+    assert_eq!(uno.run_until(2, 10), Ok(()));
+    assert_eq!((uno.pc(), uno.cycles()), (2, 4));
+    let late = uno.run_until(0, 9);
+    assert_eq!(
+        late,
+        Err(Halt::Timeout {
+            cycles: 9,
+            place: "0x0004".into()
+        })
+    );
+    assert_eq!(uno.run_until(2, 10), Ok(()), "a timeout is no end");
+}
+
+#[test]
+fn the_watchdog_resets_the_chip_and_time_goes_on() {
+    let mut uno = board(&[
+        sbi(DDRD, 6),
+        sbi(PORTD, 6),
+        ldi(16, 0x18), // WDCE and WDE
+        sts(16),
+        WDTCSR,
+        ldi(16, 0x08), // WDE, 16 ms
+        sts(16),
+        WDTCSR,
+        HERE,
+    ]);
+    assert_eq!(uno.run_ms(15), Ok(()));
+    assert_eq!((uno.resets(), uno.outputs()), (0, 1));
+    assert_eq!(uno.run_ms(2), Ok(()));
+    assert_eq!((uno.resets(), uno.outputs()), (1, 1));
+    assert!(uno.cycles() >= 17 * 16_000);
+    let [on, off, on_again] = uno.edges() else {
+        panic!("{:?}", uno.edges())
+    };
+    assert_eq!([on.high, off.high, on_again.high], [true, false, true]);
+    // 2048 cycles of the watchdog's 128 kHz after it was set.
+    assert!((256_000..256_020).contains(&off.cycle), "{off:?}");
+    assert_eq!(on_again.cycle, off.cycle + on.cycle);
+}
+
+#[test]
+fn the_reset_button_keeps_ram_and_eeprom() {
+    let mut uno = board(&[sbi(DDRD, 6), sbi(PORTD, 6), HERE]);
+    uno.write_ram(0x200, &[1, 2, 3]).expect("RAM");
+    uno.write_eeprom(0x3FE, &[4, 5]).expect("EEPROM");
+    steps(&mut uno, 2);
+    uno.reset();
+    assert_eq!(
+        (uno.pc(), uno.cycles(), uno.resets(), uno.outputs()),
+        (0, 4, 1, 0)
+    );
+    assert_eq!(
+        uno.edges().last(),
+        Some(&Edge {
+            cycle: 4,
+            pin: Pin::Output(0),
+            high: false
+        })
+    );
+    assert_eq!(uno.read_ram(0x200, 3).expect("RAM"), [1, 2, 3]);
+    assert_eq!(uno.read_eeprom(0x3FE, 2).expect("EEPROM"), [4, 5]);
+    assert_eq!(
+        uno.read_ram(0x54, 1).expect("MCUSR")[0] & 0x02,
+        0x02,
+        "EXTRF"
+    );
+}
+
+#[test]
+fn memory_outside_the_chip_is_refused() {
+    let mut uno = board(&[HERE]);
+    assert!(uno.read_ram(0x8FF, 1).is_ok());
+    assert!(uno.read_ram(0x8FF, 2).is_err());
+    assert!(uno.read_ram(u32::MAX, usize::MAX).is_err());
+    assert!(uno.write_ram(0x8FE, &[0, 0]).is_ok());
+    assert!(uno.write_ram(0xFF, &[0]).is_err(), "a register");
+    assert!(uno.write_ram(0x8FF, &[0, 0]).is_err());
+    assert!(uno.read_eeprom(0x3FF, 2).is_err());
+    assert!(uno.write_eeprom(0x400, &[0]).is_err());
+    assert_eq!(
+        uno.read_eeprom(0, 2).expect("EEPROM"),
+        [0xFF, 0xFF],
+        "as from the factory"
+    );
+    let ram = uno.read_ram(0x100, 0x800).expect("RAM");
+    assert!(
+        ram.iter().any(|&byte| byte != ram[0]),
+        "RAM is not cleared at power-up"
+    );
+}
+
+/// Sends ten times 0xFF with CS high, then CMD0 with CS low, then two times 0xFF; keeps what comes last in r20.
+fn cmd0_program() -> Vec<u16> {
+    let mut words = vec![rjmp(6)];
+    // transfer, at word 1: r16 out, r20 in.
+    words.extend([
+        out(SPDR, 16),
+        input(17, SPSR),
+        sbrs(17, 7),
+        rjmp(-3),
+        input(20, SPDR),
+        RET,
+    ]);
+    words.extend([
+        ldi(16, 0x2C),
+        out(DDRB, 16),
+        sbi(PORTB, 2),
+        ldi(16, 0x50),
+        out(SPCR, 16),
+    ]);
+    let transfer = |words: &mut Vec<u16>, byte| {
+        words.push(ldi(16, byte));
+        words.push(rcall(-(words.len() as i16)));
+    };
+    (0..10).for_each(|_| transfer(&mut words, 0xFF));
+    words.push(cbi(PORTB, 2));
+    for byte in [0x40, 0, 0, 0, 0, 0x95, 0xFF, 0xFF] {
+        transfer(&mut words, byte);
+    }
+    words.push(HERE);
+    words
+}
+
+#[test]
+fn the_card_hangs_on_the_spi_and_its_chip_select() {
+    let card = SdCard::new(Kind::Sdhc, Vec::new()).expect("an empty image fits");
+    let program = Program::from_words(&cmd0_program());
+    let mut uno = Uno::with_program(program, Slot::Card(card)).expect("simavr knows the chip");
+    assert!(matches!(uno.run_cycles(10_000), Err(Halt::Hung { .. })));
+    assert_eq!(working_register(&uno, 20), 0x01, "idle");
+    let log = uno.card().expect("a card").log().clone();
+    assert_eq!((log.count(0), log.commands.len()), (1, 1));
+
+    let Slot::Card(card) = uno.swap_slot(Slot::Empty) else {
+        panic!("there was a card")
+    };
+    assert_eq!(card.log(), &log);
+    uno.reset();
+    assert!(matches!(uno.run_cycles(10_000), Err(Halt::Hung { .. })));
+    assert_eq!(working_register(&uno, 20), 0xFF, "nobody there");
+}
+
+#[test]
+fn the_spi_takes_eight_times_its_divider_for_a_byte() {
+    // SPR and SPI2X, and the divider (datasheet, table 19-5).
+    for (spr, double, divider) in [
+        (0, 0, 4),
+        (0, 1, 2),
+        (1, 0, 16),
+        (1, 1, 8),
+        (2, 0, 64),
+        (3, 0, 128),
+    ] {
+        let mut uno = board(&[
+            ldi(16, 0x50 | spr),
+            out(SPCR, 16),
+            ldi(16, double),
+            out(SPSR, 16),
+            out(SPDR, 16), // ends after cycle 5
+            input(17, SPSR),
+            sbrs(17, 7),
+            rjmp(-3),
+            HERE,
+        ]);
+        assert!(matches!(uno.run_cycles(5_000), Err(Halt::Hung { .. })));
+        // The loop takes four cycles a round, and the last instructions three.
+        let took = uno.cycles() - 5;
+        let byte = 8 * divider;
+        assert!(
+            (byte..byte + 10).contains(&took),
+            "divider {divider}: {took} cycles"
+        );
+    }
+}
+
+#[test]
+fn the_serial_line_goes_both_ways() {
+    let mut uno = board(&[
+        ldi(16, 0x18), // RXEN0 and TXEN0
+        sts(16),
+        UCSR0B,
+        lds(17), // the loop
+        UCSR0A,
+        sbrs(17, 7), // RXC0
+        rjmp(-4),
+        lds(18),
+        UDR0,
+        sts(18),
+        UDR0,
+        rjmp(-9),
+    ]);
+    uno.send_serial(b"lost");
+    uno.run_cycles(100).expect("it goes on");
+    // More than simavr's buffer of 64 bytes.
+    let text: Vec<u8> = (0..200).collect();
+    uno.send_serial(&text);
+    uno.run_ms(100).expect("it goes on");
+    assert_eq!(uno.serial_bytes(), text);
+    assert_eq!(uno.take_serial(), text);
+    assert_eq!(uno.serial(), "");
+    uno.send_serial("água".as_bytes());
+    uno.run_ms(10).expect("it goes on");
+    assert_eq!(uno.serial(), "água");
+}

@@ -1,0 +1,262 @@
+//! The board: an ATmega328P at 16 MHz with four buttons, four outputs, the LED L, a card slot and a serial line.
+
+mod around;
+mod inside;
+
+use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, reg};
+use crate::elf::{Program, RAM_START};
+use crate::pins::{Edge, Levels, POINTS, PinRegisters};
+use crate::sd::SdCard;
+use crate::stack::StackWatch;
+use crate::wiring::Wired;
+use crate::{Error, Halt};
+use std::path::Path;
+
+/// Cycles of one millisecond at 16 MHz.
+pub const CYCLES_PER_MS: u64 = CLOCK_HZ as u64 / 1000;
+
+/// First pin of port D with a button: input 0 is D2.
+const FIRST_INPUT: u32 = 2;
+/// Bit of MCUSR: the reset came from the button.
+const EXTRF: u8 = 1 << 1;
+/// Bits of WDTCSR, WDE and WDIE: the watchdog is on.
+const WATCHDOG_ON: u8 = 1 << 3 | 1 << 6;
+
+/// What is in the card slot.
+#[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one of them per board")]
+pub enum Slot {
+    /// Nothing: MISO stays high.
+    Empty,
+    /// A card, powered together with the board.
+    Card(SdCard),
+}
+
+/// A simulated UNO. Times are cycles since power-up, 62.5 ns each; they go on through a reset.
+pub struct Uno {
+    // The chip before the wiring: it is dropped first, and knows the wiring's address.
+    avr: Avr,
+    wired: Wired,
+    program: Program,
+    code_end: u32,
+    input_irqs: [Irq; POINTS],
+    /// Bit n: the button of input n is closed.
+    closed: u8,
+    pin_registers: PinRegisters,
+    levels: Levels,
+    edges: Vec<Edge>,
+    stack: StackWatch,
+    /// Cycles up to the last reset.
+    cycles_before: u64,
+    resets: u32,
+    halt: Option<Halt>,
+}
+
+impl Uno {
+    /// A board with the program of an ELF file, just powered, before its first instruction. All buttons are open. RAM
+    /// and working registers hold arbitrary values, the same each time, as a chip promises nothing better.
+    ///
+    /// # Errors
+    /// Where the ELF file is not a program for this chip.
+    pub fn new(elf: &Path, slot: Slot) -> Result<Uno, Error> {
+        Uno::with_program(Program::read(elf)?, slot)
+    }
+
+    /// The same with a program that has been read already, which is quicker for many boards.
+    ///
+    /// # Errors
+    /// Where simavr cannot simulate the chip.
+    pub fn with_program(program: Program, slot: Slot) -> Result<Uno, Error> {
+        let mut avr = Avr::new()?;
+        avr.load_flash(&program.flash);
+        avr.write_eeprom(0, &program.eeprom);
+        scramble(avr.data_mut());
+        let wired = Wired::new(&mut avr, slot)?;
+        let pin = |n| avr.irq(*b"iogD", FIRST_INPUT + n);
+        Ok(Uno {
+            input_irqs: [pin(0)?, pin(1)?, pin(2)?, pin(3)?],
+            code_end: program.flash.len() as u32,
+            stack: StackWatch::new(&avr),
+            pin_registers: PinRegisters::default(),
+            levels: Levels::default(),
+            edges: Vec::new(),
+            closed: 0,
+            cycles_before: 0,
+            resets: 0,
+            halt: None,
+            avr,
+            wired,
+            program,
+        })
+    }
+
+    /// Executes one instruction, with the interrupts that are due after it.
+    ///
+    /// # Errors
+    /// Where the program has come to an end of its own, now or before; never [`Halt::Timeout`].
+    pub fn step(&mut self) -> Result<(), Halt> {
+        self.check_halt()?;
+        self.advance();
+        self.check_halt()
+    }
+
+    /// Runs for at least `cycles` cycles: to the end of the instruction in which they are over.
+    ///
+    /// # Errors
+    /// See [`Uno::step`].
+    pub fn run_cycles(&mut self, cycles: u64) -> Result<(), Halt> {
+        self.check_halt()?;
+        let end = self.cycles().saturating_add(cycles);
+        while self.cycles() < end && self.advance() {}
+        self.check_halt()
+    }
+
+    /// Runs for at least `ms` milliseconds; see [`Uno::run_cycles`].
+    ///
+    /// # Errors
+    /// See [`Uno::step`].
+    pub fn run_ms(&mut self, ms: u64) -> Result<(), Halt> {
+        self.run_cycles(ms.saturating_mul(CYCLES_PER_MS))
+    }
+
+    /// Runs until the instruction at byte address `pc` is the next one. At least one instruction is executed, so that
+    /// the same call again goes once round a loop.
+    ///
+    /// # Errors
+    /// [`Halt::Timeout`] where that takes more than `max_cycles` cycles; else see [`Uno::step`].
+    pub fn run_until(&mut self, pc: u32, max_cycles: u64) -> Result<(), Halt> {
+        self.check_halt()?;
+        let end = self.cycles().saturating_add(max_cycles);
+        while self.advance() {
+            if self.avr.pc() == pc {
+                return Ok(());
+            }
+            if self.cycles() > end {
+                let place = self.program.place(self.avr.pc());
+                return Err(Halt::Timeout {
+                    cycles: max_cycles,
+                    place,
+                });
+            }
+        }
+        self.check_halt()
+    }
+
+    /// Presses the reset button. RAM, EEPROM and card stay as they are; the card is not powered anew.
+    pub fn reset(&mut self) {
+        self.cycles_before += self.avr.cycle();
+        let cause = self.avr.register(reg::MCUSR);
+        self.avr.set_register(reg::MCUSR, cause | EXTRF);
+        self.avr.reset();
+        self.halt = None;
+        self.settle_after_reset();
+        self.watch_pins();
+    }
+
+    /// Cycles since power-up.
+    #[inline]
+    pub fn cycles(&self) -> u64 {
+        self.cycles_before + self.avr.cycle()
+    }
+
+    /// Byte address of the next instruction.
+    pub fn pc(&self) -> u32 {
+        self.avr.pc()
+    }
+
+    /// Resets since power-up, by the button or the watchdog.
+    pub fn resets(&self) -> u32 {
+        self.resets
+    }
+
+    /// One instruction, and all that is watched; false where the program has come to an end, which `halt` then tells.
+    #[inline(always)]
+    fn advance(&mut self) -> bool {
+        let (pc, cycle) = (self.avr.pc(), self.avr.cycle());
+        let cpu = self.avr.step();
+        let next = self.avr.pc();
+        if self.avr.cycle() < cycle {
+            // The watchdog has reset the chip, and simavr counts anew.
+            self.cycles_before += cycle;
+            self.settle_after_reset();
+        }
+        self.stack.watch(&self.avr, pc);
+        self.watch_pins();
+        if cpu != Cpu::Alive || next == pc || next >= self.code_end {
+            self.look_closer(cpu, pc, next);
+            return self.halt.is_none();
+        }
+        true
+    }
+
+    fn check_halt(&self) -> Result<(), Halt> {
+        match &self.halt {
+            Some(halt) => Err(halt.clone()),
+            None => Ok(()),
+        }
+    }
+
+    #[inline(always)]
+    fn watch_pins(&mut self) {
+        let registers = PinRegisters::of(&self.avr);
+        if registers != self.pin_registers {
+            self.pin_registers = registers;
+            self.record_pins(registers.levels());
+        }
+    }
+
+    #[cold]
+    fn record_pins(&mut self, levels: Levels) {
+        let cycle = self.cycles();
+        self.edges.extend(self.levels.edges_to(levels, cycle));
+        if levels.card_selected != self.levels.card_selected {
+            self.wired.select_card(levels.card_selected);
+        }
+        self.levels = levels;
+    }
+
+    fn settle_after_reset(&mut self) {
+        self.resets += 1;
+        self.wired.after_reset();
+    }
+
+    /// The last instruction, at `pc`, was no ordinary one: has the program ended?
+    #[cold]
+    fn look_closer(&mut self, cpu: Cpu, pc: u32, next: u32) {
+        let watchdog_on = self.avr.register(reg::WDTCSR) & WATCHDOG_ON != 0;
+        let waits = cpu == Cpu::Alive && next < self.code_end;
+        if waits && (self.avr.interrupts_on() || watchdog_on) {
+            return;
+        }
+        let place = self.program.place(pc);
+        self.halt = Some(match (cpu, self.wired.bad_opcode) {
+            (Cpu::Done, _) => Halt::AsleepForEver { place },
+            (Cpu::Crashed, Some(opcode)) => Halt::InvalidOpcode { opcode, place },
+            (Cpu::Alive, _) if waits => Halt::Hung { place },
+            (Cpu::Crashed | Cpu::Alive, _) => Halt::LeftCode { place },
+        });
+    }
+}
+
+impl std::fmt::Debug for Uno {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Uno")
+            .field("cycles", &self.cycles())
+            .field("at", &self.program.place(self.pc()))
+            .field("inputs", &self.inputs())
+            .field("outputs", &self.outputs())
+            .field("halt", &self.halt)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Fills working registers and RAM with arbitrary bytes, and leaves the I/O registers alone.
+fn scramble(data: &mut [u8]) {
+    let mut state = 0x9E37_79B9u32;
+    let (registers, rest) = data.split_at_mut(0x20);
+    let ram = rest.iter_mut().skip(RAM_START as usize - 0x20);
+    for byte in registers.iter_mut().chain(ram) {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        *byte = state.to_be_bytes()[0];
+    }
+}

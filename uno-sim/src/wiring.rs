@@ -1,0 +1,202 @@
+//! What is wired to the chip and must answer while an instruction runs: the card on the SPI, and the serial port.
+//!
+//! simavr calls back into this module from within a step. Each callback takes a short reference to the [`Wiring`] and
+//! gives it up before it raises an IRQ, because that may call back again.
+
+use crate::avr::{Avr, Irq, reg};
+use crate::{Error, Slot};
+use simavr_ffi as ffi;
+use std::collections::VecDeque;
+use std::ffi::c_void;
+use std::ops::{Deref, DerefMut};
+use std::ptr::NonNull;
+
+/// Port B: D13 is the clock, D11 the data to the card.
+const SCK: u8 = 1 << 5;
+const MOSI: u8 = 1 << 3;
+/// Bit of UCSR0B: the receiver is on.
+const RXEN0: u8 = 1 << 4;
+
+/// The state that the callbacks share with the board.
+pub(crate) struct Wiring {
+    avr: NonNull<ffi::avr_t>,
+    to_spi: Irq,
+    to_serial: Irq,
+    /// What is in the card slot.
+    pub slot: Slot,
+    /// Everything that the program has sent.
+    pub sent: Vec<u8>,
+    /// What is still on its way to the program.
+    to_send: VecDeque<u8>,
+    /// simavr's receive buffer is full.
+    hold: bool,
+    /// The invalid opcode that stopped the program.
+    pub bad_opcode: Option<u16>,
+}
+
+/// Owner of a [`Wiring`] at a fixed address, which simavr's callbacks know.
+///
+/// The references that it gives out must not be held during [`Avr::step`], [`Avr::reset`] or [`Irq::raise`].
+pub(crate) struct Wired(NonNull<Wiring>);
+
+impl Wired {
+    /// Connects a slot and a serial line to the chip. The chip must be dropped before the result.
+    pub fn new(avr: &mut Avr, slot: Slot) -> Result<Wired, Error> {
+        avr.quiet_uart();
+        // simavr names peripherals by four characters; the SPI of this chip has the number 0, not '0'.
+        let (spi, uart) = (*b"spi\0", *b"uar0");
+        let wiring = Box::new(Wiring {
+            avr: avr.as_ptr(),
+            to_spi: avr.irq(spi, ffi::SPI_IRQ_INPUT)?,
+            to_serial: avr.irq(uart, ffi::UART_IRQ_INPUT)?,
+            slot,
+            sent: Vec::new(),
+            to_send: VecDeque::new(),
+            hold: false,
+            bad_opcode: None,
+        });
+        let wired = Wired(NonNull::from(Box::leak(wiring)));
+        let parameter = wired.0.as_ptr().cast();
+        let from_spi = avr.irq(spi, ffi::SPI_IRQ_OUTPUT)?;
+        let from_serial = avr.irq(uart, ffi::UART_IRQ_OUTPUT)?;
+        let (xon, xoff) = (
+            avr.irq(uart, ffi::UART_IRQ_OUT_XON)?,
+            avr.irq(uart, ffi::UART_IRQ_OUT_XOFF)?,
+        );
+        let bad_opcode = avr.bad_opcode_irq()?;
+        // SAFETY: the IRQs are this chip's; each callback expects a pointer to a `Wiring`, which outlives the chip.
+        unsafe {
+            avr.on(from_spi, spi_out, parameter);
+            avr.on(from_serial, serial_out, parameter);
+            avr.on(xon, serial_ready, parameter);
+            avr.on(xoff, serial_full, parameter);
+            avr.on(bad_opcode, invalid_opcode, parameter);
+        }
+        Ok(wired)
+    }
+
+    /// Puts bytes on the serial line to the program.
+    pub fn send_serial(&mut self, bytes: &[u8]) {
+        self.to_send.extend(bytes);
+        // SAFETY: the chip is alive, and no reference to the wiring is held.
+        unsafe { feed_serial(self.0) };
+    }
+
+    /// What a reset of the chip does to the lines.
+    pub fn after_reset(&mut self) {
+        self.to_send.clear();
+        self.hold = false;
+        self.bad_opcode = None;
+    }
+}
+
+impl Deref for Wired {
+    type Target = Wiring;
+
+    fn deref(&self) -> &Wiring {
+        // SAFETY: the box is alive as long as `self`, and callbacks run only where nobody holds a reference (see `Wired`).
+        unsafe { self.0.as_ref() }
+    }
+}
+
+impl DerefMut for Wired {
+    fn deref_mut(&mut self) -> &mut Wiring {
+        // SAFETY: see `deref`.
+        unsafe { self.0.as_mut() }
+    }
+}
+
+impl Drop for Wired {
+    fn drop(&mut self) {
+        // SAFETY: the pointer came from a box, and the chip whose callbacks knew it is gone.
+        drop(unsafe { Box::from_raw(self.0.as_ptr()) });
+    }
+}
+
+impl Wiring {
+    /// Lets the card see its CS.
+    pub fn select_card(&mut self, low: bool) {
+        if let Slot::Card(card) = &mut self.slot {
+            card.select(low);
+        }
+    }
+
+    /// One byte over the SPI. An empty slot, or pins that are not outputs, read as 0xFF: MISO is pulled up.
+    fn exchange(&mut self, mosi: u8) -> u8 {
+        // SAFETY: called within a step, by the chip that is stepping; it writes nothing meanwhile.
+        let ddr = unsafe { Avr::register_of(self.avr, reg::DDRB) };
+        match &mut self.slot {
+            Slot::Card(card) if ddr & SCK != 0 => {
+                card.exchange(if ddr & MOSI == 0 { 0xFF } else { mosi })
+            }
+            _ => 0xFF,
+        }
+    }
+}
+
+/// The program has shifted out a byte, so it has one to come.
+///
+/// simavr calls this when the byte is through: 8 × the divider of SPCR and SPSR after the write to SPDR.
+unsafe extern "C" fn spi_out(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
+    let wiring = wiring.cast::<Wiring>();
+    // SAFETY: `wiring` is what `Wired::new` registered; the reference ends before the IRQ is raised.
+    let (irq, miso) = unsafe { ((*wiring).to_spi, (*wiring).exchange(value as u8)) };
+    // SAFETY: the chip is the one that is stepping.
+    unsafe { irq.raise(miso.into()) };
+}
+
+/// The program has written a byte to the serial port.
+unsafe extern "C" fn serial_out(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
+    // SAFETY: `wiring` is what `Wired::new` registered, and nobody else holds a reference to it during a step.
+    unsafe { (*wiring.cast::<Wiring>()).sent.push(value as u8) };
+}
+
+/// simavr's receive buffer has room.
+unsafe extern "C" fn serial_ready(_: *mut ffi::avr_irq_t, _: u32, wiring: *mut c_void) {
+    let wiring = wiring.cast::<Wiring>();
+    // SAFETY: as in `serial_out`; the pointer is not null.
+    unsafe {
+        (*wiring).hold = false;
+        feed_serial(NonNull::new_unchecked(wiring));
+    }
+}
+
+/// simavr's receive buffer is full (1), or no longer so (0).
+unsafe extern "C" fn serial_full(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
+    // SAFETY: as in `serial_out`.
+    unsafe { (*wiring.cast::<Wiring>()).hold = value != 0 };
+}
+
+/// The program has come to an opcode that the chip does not have: stop it there.
+unsafe extern "C" fn invalid_opcode(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
+    let wiring = wiring.cast::<Wiring>();
+    // SAFETY: as in `serial_out`; the chip is the one that is stepping.
+    unsafe {
+        (*wiring).bad_opcode = Some(value as u16);
+        Avr::crash((*wiring).avr);
+    }
+}
+
+/// Hands bytes to simavr, which delivers them to the program at the speed of the line, as long as it takes them. With
+/// the receiver off they are lost, as on the line.
+///
+/// # Safety
+/// `wiring` is alive and so is its chip; no reference to either is held.
+unsafe fn feed_serial(wiring: NonNull<Wiring>) {
+    let wiring = wiring.as_ptr();
+    loop {
+        // SAFETY: the caller's; the references end before the IRQ is raised.
+        let (irq, byte) = unsafe {
+            if Avr::register_of((*wiring).avr, reg::UCSR0B) & RXEN0 == 0 {
+                (*wiring).to_send.clear();
+            }
+            if (*wiring).hold {
+                return;
+            }
+            ((*wiring).to_serial, (*wiring).to_send.pop_front())
+        };
+        let Some(byte) = byte else { return };
+        // SAFETY: the chip is alive.
+        unsafe { irq.raise(byte.into()) };
+    }
+}

@@ -1,0 +1,68 @@
+//! The stack at its deepest, measured on the release ELF.
+
+mod common;
+
+use unoclp_card::image::{Fat, Image};
+use unoclp_core::{Image as Inputs, Profile};
+use unoclp_host_sim::random::{Random, random_inputs, random_program};
+use unoclp_host_sim::scenario::Engine;
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::sd::{Kind, SdCard};
+use unoclp_uno_sim::{RAM_END, Slot, Uno};
+
+/// What must stay free at least, bytes.
+const RESERVE: u32 = 64;
+
+/// Bytes between static RAM and the deepest point of the stack so far.
+fn free(uno: &Uno) -> u32 {
+    (u32::from(uno.min_sp()) + 1).saturating_sub(uno.static_ram_end())
+}
+
+#[test]
+fn peak_stack_leaves_a_reserve() {
+    let firmware = common::firmware();
+    let mut engine = UnoEngine::new(firmware, Clock::Running).unwrap();
+    let (mut load, mut run, mut fault) = (u32::MAX, u32::MAX, u32::MAX);
+    let random = &mut Random::new(1);
+    for n in 0..24 {
+        let mut text = random_program(random, Profile::UNO);
+        if n % 6 == 5 {
+            text += "\n5 / no such code\n";
+        }
+        let fat = if n % 4 == 0 { Fat::Fat32 } else { Fat::Fat16 };
+        let image = (0..20)
+            .fold(Image::new(fat), |image, n| {
+                image.file(format!("long file name {n}"), "x")
+            })
+            .fragmented_file("PROGRAM.TXT", text)
+            .build()
+            .unwrap();
+        let card = SdCard::new([Kind::SdV1, Kind::SdscV2, Kind::Sdhc][n % 3], image).unwrap();
+        let started = engine.start(Slot::Card(card)).unwrap();
+        let uno = engine.uno().unwrap();
+        if started.is_err() {
+            fault = fault.min(free(uno));
+            continue;
+        }
+        load = load.min(free(uno));
+        uno.reset_min_sp();
+        let mut inputs = Inputs::default();
+        for now in 0..40 {
+            inputs = random_inputs(random, Profile::UNO, inputs);
+            engine.scan(inputs, now).unwrap();
+        }
+        run = run.min(free(engine.uno().unwrap()));
+    }
+    let uno = engine.uno().unwrap();
+    let room = RAM_END + 1 - uno.static_ram_end();
+    for (when, free) in [("load", load), ("run", run), ("fault", fault)] {
+        println!(
+            "stack, {when}: peak {} of {room} bytes, {free} free",
+            room - free
+        );
+        assert!(
+            free >= RESERVE,
+            "{when}: {free} bytes of stack free, at least {RESERVE} wanted"
+        );
+    }
+}

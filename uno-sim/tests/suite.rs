@@ -1,0 +1,44 @@
+//! Every scenario of the project on the firmware.
+
+mod common;
+
+use unoclp_core::Millis;
+use unoclp_host_sim::scenario::{Scenario, check};
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+
+fn run_all(clock: Clock, folders: &[&str], longest: Millis) {
+    let mut engine = UnoEngine::new(common::firmware(), clock).unwrap();
+    let (mut passed, mut failed) = (0, Vec::new());
+    for path in common::scenarios(folders) {
+        let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        if scenario.duration() > longest {
+            continue;
+        }
+        let report = check(&scenario, &mut engine);
+        if report.passed() {
+            passed += 1;
+        } else {
+            failed.push(report.to_string());
+        }
+    }
+    println!(
+        "{clock:?}: {passed} scenarios passed, {} failed",
+        failed.len()
+    );
+    assert!(failed.is_empty(), "{}", failed.join("\n\n"));
+    assert!(passed > 0);
+}
+
+/// NC-1 … NC-11, each scan with the time stamp that the scenario says.
+#[test]
+fn every_scenario_in_lockstep() {
+    run_all(Clock::Lockstep, &["programs", "suite"], Millis::MAX);
+}
+
+/// The samples with the board's own clock, which the timer interrupt drives: exact to one
+/// millisecond, however many scans go into it. Longer ones than 40 s are left to the other test,
+/// where time costs nothing.
+#[test]
+fn programs_on_the_running_clock() {
+    run_all(Clock::Running, &["programs"], 40_000);
+}
