@@ -50,6 +50,9 @@ pub const OUTPUT_OPERAND: i32 = 7900;
 /// Bytes that a timer block takes in the stored form: its byte, the preset, the output.
 pub const STORED_TIMER_BYTES: usize = 6;
 
+/// Bytes that a timer block takes in run memory: its stored form and the timer's data.
+pub const LINKED_TIMER_BYTES: usize = STORED_TIMER_BYTES + crate::timer::DATA_BYTES;
+
 /// The last two digits of a code, where all before them are those of `base`.
 ///
 /// By subtraction: a division of 32 bits would take 1.5 KB of the firmware.

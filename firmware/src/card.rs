@@ -4,8 +4,9 @@
 
 use crate::board::Board;
 use crate::board::spi::{CardBus, Pause};
+use core::fmt;
 use embedded_sdmmc::sdcard::spi::AcquireOpts;
-use embedded_sdmmc::{Block, BlockCount, BlockDevice, BlockIdx, SdCard, SdCardError};
+use embedded_sdmmc::{Block, BlockCount, BlockDevice, BlockIdx, SdCard};
 use unoclp_card::{Error, File};
 use unoclp_core::{Cause, Fault, Loader, Millis, Profile, Program};
 
@@ -14,10 +15,14 @@ const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
 /// How long a card may take from its first answer until it is ready, ms. The SD specification
 /// allows it 1 s (4.2.3); together with a block's time this gives a dead card up within 2 s.
 const READY: Millis = 1500;
-/// How long the reading of one block may take, ms. The specification allows 100 ms (4.6.2.1).
-const BLOCK: Millis = 300;
+/// How long one reading of a block may take, ms. The specification allows 100 ms (4.6.2.1).
+const BLOCK: Millis = 120;
+/// How often a slot that stays silent is asked: some cards miss the first command after power-up.
+const CALLS: u8 = 4;
+/// How often a block is read that arrives damaged: wires on a breadboard pick up noise.
+const READS: u8 = 3;
 /// How often a card that answers nonsense is asked to begin anew; the deadline comes first.
-const ATTEMPTS: u32 = 1_000_000;
+const RESTARTS: u32 = 1_000_000;
 
 /// Reads `PROGRAM.TXT` through the loader into run memory.
 ///
@@ -52,39 +57,57 @@ struct Card<'b>(SdCard<CardBus<'b>, Pause>);
 
 impl<'b> Card<'b> {
     fn start(board: &'b Board) -> Result<Card<'b>, Cause> {
-        let mut bus = board.card_bus();
-        bus.allow(READY);
         let options = AcquireOpts {
             use_crc: true,
-            acquire_retries: ATTEMPTS,
+            acquire_retries: RESTARTS,
         };
-        let card = SdCard::new_with_options(bus, Pause, options);
-        if card.get_card_type().is_some() {
-            card.spi(CardBus::full_speed);
-            Ok(Card(card))
-        } else if card.spi(|bus| bus.answered()) {
-            Err(Cause::CardDead)
-        } else {
-            Err(Cause::NoCard)
+        let card = SdCard::new_with_options(board.card_bus(), Pause, options);
+        for _ in 0..CALLS {
+            card.spi(|bus| bus.wake(READY));
+            if card.get_card_type().is_some() {
+                card.spi(CardBus::full_speed);
+                return Ok(Card(card));
+            }
+            if card.spi(|bus| bus.answered()) {
+                return Err(Cause::CardDead);
+            }
         }
+        Err(Cause::NoCard)
     }
 }
 
-impl BlockDevice for Card<'_> {
-    type Error = SdCardError;
+/// A block cannot be read, not even on another try.
+#[derive(Debug)]
+struct ReadError;
 
-    fn read(&self, blocks: &mut [Block], start: BlockIdx) -> Result<(), SdCardError> {
-        self.0.spi(|bus| bus.allow(BLOCK));
-        self.0.read(blocks, start)
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(Cause::CardReadError.text())
+    }
+}
+
+impl core::error::Error for ReadError {}
+
+impl BlockDevice for Card<'_> {
+    type Error = ReadError;
+
+    fn read(&self, blocks: &mut [Block], start: BlockIdx) -> Result<(), ReadError> {
+        for _ in 0..READS {
+            self.0.spi(|bus| bus.allow(BLOCK));
+            if self.0.read(blocks, start).is_ok() {
+                return Ok(());
+            }
+        }
+        Err(ReadError)
     }
 
     /// Refused: this firmware does not write to the card.
-    fn write(&self, _: &[Block], _: BlockIdx) -> Result<(), SdCardError> {
-        Err(SdCardError::WriteError)
+    fn write(&self, _: &[Block], _: BlockIdx) -> Result<(), ReadError> {
+        Err(ReadError)
     }
 
-    fn num_blocks(&self) -> Result<BlockCount, SdCardError> {
-        self.0.num_blocks()
+    fn num_blocks(&self) -> Result<BlockCount, ReadError> {
+        self.0.num_blocks().map_err(|_| ReadError)
     }
 }
 

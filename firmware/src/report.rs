@@ -1,6 +1,6 @@
 //! What the serial port says at setup (NC-11).
 
-use crate::board::flash::flash_text;
+use crate::board::flash::{FlashText, flash_text};
 use crate::board::serial::Serial;
 use unoclp_core::{Cause, Fault, Profile, Program, faults};
 
@@ -17,14 +17,24 @@ pub fn banner(serial: &mut Serial) {
 pub fn program(serial: &mut Serial, program: &Program<'_>) {
     let used = program.stored_bytes() as u16;
     serial.text(flash_text!("program: "));
-    serial.number(program.codes().into());
-    serial.text(flash_text!(" codes, "));
-    serial.number(used.into());
-    serial.text(flash_text!(" bytes used, "));
-    serial.number(Profile::UNO.stored_bytes.saturating_sub(used).into());
+    count(serial, program.codes(), flash_text!(" code"));
+    serial.text(flash_text!(", "));
+    count(serial, used, flash_text!(" byte"));
+    serial.text(flash_text!(" used, "));
+    let free = Profile::UNO.stored_bytes.saturating_sub(used);
+    serial.number(free.into());
     serial.text(flash_text!(" free, "));
-    serial.number(program.timers() as u32);
-    serial.text(flash_text!(" timers\r\nRUN\r\n"));
+    count(serial, program.timers() as u16, flash_text!(" timer"));
+    serial.text(flash_text!("\r\nRUN\r\n"));
+}
+
+/// `1 code`, `2 codes`
+fn count(serial: &mut Serial, number: u16, what: FlashText) {
+    serial.number(number.into());
+    serial.text(what);
+    if number != 1 {
+        serial.byte(b's');
+    }
 }
 
 /// `fault 24, line 7: no such code`

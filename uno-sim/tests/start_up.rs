@@ -88,6 +88,30 @@ fn a_dead_card_is_given_up_within_2_s() {
     println!("{runs} dying cards, the slowest given up after {slowest} ms");
 }
 
+/// One disturbance in a start-up does not keep the right program from running.
+#[test]
+fn a_disturbance_is_overcome() {
+    let text = "0\n".to_string() + &"827301\n".repeat(200);
+    let mut healthy = uno(Slot::Card(card(&text)));
+    ms_until(&mut healthy, "RUN");
+    let blocks = healthy.card().unwrap().log().blocks_read as usize;
+
+    let damaged = (0..blocks).flat_map(|block| {
+        [What::WrongCrc, What::WrongToken, What::NoAnswer].map(|what| (At::Block(block), what))
+    });
+    let silent = [(At::Command(0), What::NoAnswer)];
+    let mut runs = 0;
+    for (at, what) in damaged.chain(silent) {
+        let mut uno = uno(Slot::Card(card(&text).with_fault(at, what)));
+        ms_until(
+            &mut uno,
+            "program: 201 codes, 200 bytes used, 700 free, 0 timers\r\nRUN",
+        );
+        runs += 1;
+    }
+    println!("{runs} disturbances overcome");
+}
+
 #[test]
 fn the_serial_port_says_what_was_loaded() {
     let text = "0\n827301\n847978\n500\n7901\n787600\n-827302\n877902\n";
@@ -98,7 +122,7 @@ fn the_serial_port_says_what_was_loaded() {
         concat!(
             "\r\nunoclp ",
             env!("CARGO_PKG_VERSION"),
-            "\r\nprogram: 6 codes, 10 bytes used, 890 free, 1 timers\r\nRUN\r\n"
+            "\r\nprogram: 6 codes, 10 bytes used, 890 free, 1 timer\r\nRUN\r\n"
         )
     );
 }

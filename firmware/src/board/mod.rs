@@ -43,7 +43,7 @@ impl Board {
         }
     }
 
-    /// The bus to the card, begun with the clocks that a card needs to wake up.
+    /// The bus to the card, switched on; the card still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
         spi::CardBus::start(&self.spi, &self.pins)
     }

@@ -10,8 +10,8 @@ use unoclp_core::Millis;
 /// Clock bytes with the card not selected before the first command: at least 74 clocks
 /// (SD Physical Layer Simplified Specification, 6.4.1).
 const WAKE_BYTES: u8 = 10;
-/// How long a slot may stay silent before it counts as empty, ms.
-const SILENCE: Millis = 250;
+/// How long a slot may stay silent when it is woken, ms.
+const SILENCE: Millis = 60;
 
 /// A card did not answer in time.
 #[derive(Debug)]
@@ -26,33 +26,39 @@ impl embedded_hal::spi::Error for TooLate {
 /// The SPI bus with its one device, the card.
 ///
 /// Every transfer fails once the deadline has passed, whatever the card does: so every wait of the
-/// card's driver ends. The card stays selected from the first transfer until [`release`], because
-/// commands, answers and data belong together and nothing else shares the bus.
+/// card's driver ends. The card stays selected from its waking until [`release`], because commands, answers and data belong together and nothing else shares the bus.
 pub struct CardBus<'b> {
     spi: &'b SPI,
+    pins: &'b Pins,
     since: Millis,
     limit: Millis,
     answered: bool,
 }
 
 impl<'b> CardBus<'b> {
-    /// Switches the bus on at 250 kHz and wakes the card.
-    pub fn start(spi: &'b SPI, pins: &Pins) -> CardBus<'b> {
-        pins.select_card(false);
+    /// Switches the bus on, at 250 kHz.
+    pub fn start(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
         spi.spcr()
             .write(|w| w.spe().set_bit().mstr().set_bit().spr().fosc_64_32());
-        let mut bus = CardBus {
+        CardBus {
             spi,
-            since: clock::now(),
+            pins,
+            since: 0,
             limit: 0,
             answered: false,
-        };
-        for _ in 0..WAKE_BYTES {
-            bus.exchange(0xFF);
         }
-        pins.select_card(true);
-        bus.answered = false;
-        bus
+    }
+
+    /// Wakes the card: clocks while it is not selected, then selects it. From now it has so many
+    /// ms, but far fewer until its first answer.
+    pub fn wake(&mut self, limit: Millis) {
+        self.pins.select_card(false);
+        for _ in 0..WAKE_BYTES {
+            self.exchange(0xFF);
+        }
+        self.pins.select_card(true);
+        self.answered = false;
+        self.allow(limit);
     }
 
     /// Goes to 4 MHz, which wires on a breadboard carry, once the card is out of its idle state.
@@ -142,9 +148,14 @@ pub struct Pause;
 
 impl DelayNs for Pause {
     fn delay_ns(&mut self, ns: u32) {
-        // A round takes at least 8 cycles, 500 ns: never shorter than asked for.
-        for _ in 0..ns / 512 + 1 {
-            avr_device::asm::delay_cycles(4);
+        // A shift and no division: up to twice as long as asked for, which no driver here does.
+        self.delay_us(ns / 512 + 1);
+    }
+
+    fn delay_us(&mut self, us: u32) {
+        for _ in 0..us {
+            // With the loop around it 16 cycles or a few more: never shorter than asked for.
+            avr_device::asm::delay_cycles(8);
         }
     }
 }
