@@ -1,0 +1,79 @@
+//! `unoclp check`: all faults of a program file that can be told, each shown in its source line.
+
+mod help;
+mod show;
+
+pub use show::show;
+
+use crate::BOARD;
+use std::fmt;
+use unoclp_core::{Fault, Loader};
+
+/// A fault, and where the loader stood when it told it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Diagnosis {
+    /// The fault.
+    pub fault: Fault,
+    /// The offset in the file, in bytes, of the byte just taken; none at the end of the file.
+    pub told_at: Option<usize>,
+}
+
+/// How much of the board a valid program takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Codes in the file.
+    pub codes: u16,
+    /// Bytes of program memory.
+    pub stored_bytes: usize,
+    /// Timers.
+    pub timers: usize,
+}
+
+impl fmt::Display for Size {
+    /// `12 codes, 15 of 900 bytes (885 free), 0 timers`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Size {
+            codes,
+            stored_bytes,
+            timers,
+        } = *self;
+        let room = usize::from(BOARD.stored_bytes);
+        let free = room.saturating_sub(stored_bytes);
+        let code = if codes == 1 { "code" } else { "codes" };
+        let timer = if timers == 1 { "timer" } else { "timers" };
+        write!(
+            f,
+            "{codes} {code}, {stored_bytes} of {room} bytes ({free} free), {timers} {timer}"
+        )
+    }
+}
+
+/// Checks a program file. Gives its size, or its faults in the order in which they are found;
+/// there is at least one.
+pub fn diagnose(file: &[u8]) -> Result<Size, Vec<Diagnosis>> {
+    let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+    let mut loader = Loader::new(&mut memory, BOARD);
+    let mut faults = Vec::new();
+    for (offset, &byte) in file.iter().enumerate() {
+        if let Err(fault) = loader.push(byte) {
+            faults.push(Diagnosis {
+                fault,
+                told_at: Some(offset),
+            });
+        }
+    }
+    while let Err(fault) = loader.end() {
+        faults.push(Diagnosis {
+            fault,
+            told_at: None,
+        });
+    }
+    match loader.finish() {
+        Ok(program) => Ok(Size {
+            codes: program.codes(),
+            stored_bytes: program.stored_bytes(),
+            timers: program.timers(),
+        }),
+        Err(_) => Err(faults),
+    }
+}

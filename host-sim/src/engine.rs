@@ -1,0 +1,91 @@
+//! The PLC of `unoclp-core` on this PC.
+
+use crate::BOARD;
+use crate::scenario::{Engine, Refusal};
+use self_cell::{MutBorrow, self_cell};
+use std::convert::Infallible;
+use unoclp_core::{Fault, Image, Loader, Millis, Plc, Program};
+
+self_cell!(
+    /// A running program together with its run memory, which a [`Plc`] only borrows.
+    struct Cell {
+        owner: MutBorrow<Vec<u8>>,
+        #[covariant]
+        dependent: Plc,
+    }
+);
+
+/// A program that runs on this PC, in run memory of its own.
+pub struct Machine(Cell);
+
+impl Machine {
+    /// Loads a program file; gives its first fault where it has one.
+    pub fn load(file: &[u8]) -> Result<Machine, Fault> {
+        let memory = vec![0; usize::from(BOARD.linked_bytes)];
+        Cell::try_new(MutBorrow::new(memory), |memory| {
+            load(file, memory.borrow_mut()).map(Plc::new)
+        })
+        .map(Machine)
+    }
+
+    /// The PLC, to look at.
+    pub fn plc(&self) -> &Plc<'_> {
+        self.0.borrow_dependent()
+    }
+
+    /// One scan; see [`Plc::scan_observed`].
+    pub fn scan_observed(
+        &mut self,
+        inputs: Image,
+        now: Millis,
+        observe: impl FnMut(bool),
+    ) -> Image {
+        self.0
+            .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
+    }
+}
+
+/// Loads a program file into this run memory; gives its first fault where it has one.
+pub fn load<'m>(file: &[u8], memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
+    let mut loader = Loader::new(memory, BOARD);
+    for &byte in file {
+        loader.push(byte)?;
+    }
+    loader.finish()
+}
+
+/// The core as an engine for scenarios. It cannot fail.
+#[derive(Default)]
+pub struct HostEngine {
+    machine: Option<Machine>,
+}
+
+impl HostEngine {
+    /// The program that was loaded; none before that, and where it was refused.
+    pub fn machine(&self) -> Option<&Machine> {
+        self.machine.as_ref()
+    }
+}
+
+impl Engine for HostEngine {
+    type Error = Infallible;
+
+    fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Infallible> {
+        self.machine = None;
+        Ok(match Machine::load(file) {
+            Ok(machine) => {
+                self.machine = Some(machine);
+                Ok(())
+            }
+            Err(fault) => Err(fault.into()),
+        })
+    }
+
+    /// Without a program all outputs are 0 (NC-7).
+    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, Infallible> {
+        Ok(match &mut self.machine {
+            Some(machine) => machine.scan_observed(inputs, now, |_| ()),
+            None => Image::default(),
+        })
+    }
+}

@@ -1,0 +1,23 @@
+//! The same PLC on a PC: programs are checked, simulated, and run against scenarios.
+//!
+//! - [`scenario`]: the one test format of the project, and the check that every engine passes
+//! - [`engine`]: the PLC of `unoclp-core` as an engine for scenarios
+//! - [`diagnosis`]: all faults of a program file, each shown in its source line
+//! - [`wave`]: the trace of a run for a wave viewer
+//! - [`panel`]: the simulator in a terminal
+//! - [`random`], [`torture`]: random programs, and damaged ones for the loader
+//!
+//! The PLC itself is `unoclp-core`; nothing here decides what a program means.
+
+pub mod diagnosis;
+pub mod engine;
+pub mod panel;
+pub mod random;
+pub mod scenario;
+pub mod torture;
+pub mod wave;
+
+use unoclp_core::Profile;
+
+/// The board that every tool of this version checks and simulates for.
+pub const BOARD: Profile = Profile::UNO;

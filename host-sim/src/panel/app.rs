@@ -1,0 +1,221 @@
+//! What the simulator shows, and how keys and time change it. It knows no terminal and no clock,
+//! so tests feed it both.
+
+use super::buttons::{Buttons, KeyUp};
+use super::ladder::Rung;
+use crate::BOARD;
+use crate::engine::Machine;
+use crate::wave::{Recorder, Sample};
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use std::io::{self, Write};
+use std::time::Duration;
+use unoclp_core::{Fault, Image, Millis, Point, TimerState};
+
+/// Virtual time from scan to scan.
+const SCAN: Duration = Duration::from_millis(1);
+
+/// The most time that one update makes up for: after a pause of the whole PC the simulation goes
+/// on from where it was.
+const MOST_BEHIND: Duration = Duration::from_millis(250);
+
+/// The simulator: a program that runs, and what a person does to it.
+pub struct App {
+    /// What the program is called.
+    pub(super) name: String,
+    file: Vec<u8>,
+    machine: Machine,
+    pub(super) rungs: Vec<Rung>,
+    /// acc after each instruction of the last scan; empty before the first.
+    pub(super) flow: Vec<bool>,
+    pub(super) buttons: Buttons,
+    /// Scans since the start, which is also the time in ms of the scan that comes next.
+    pub(super) scans: u64,
+    pub(super) running: bool,
+    pub(super) scroll: Scroll,
+    /// The page of the timers, counted from 0.
+    pub(super) timer_page: usize,
+    /// Time since the program was opened, in which buttons are held.
+    clock: Duration,
+    /// Time that has passed and not yet been simulated.
+    owed: Duration,
+    quit: bool,
+    recorder: Option<Recorder<Box<dyn Write>>>,
+    /// Time of the next sample of the recording, in ms; a restart does not set it back.
+    recorded: u64,
+}
+
+impl App {
+    /// A simulator that runs this program file from now on; its first fault where it has one.
+    pub fn new(name: String, file: Vec<u8>) -> Result<App, Fault> {
+        let machine = Machine::load(&file)?;
+        Ok(App {
+            name,
+            rungs: Rung::all(machine.plc().steps()),
+            file,
+            machine,
+            flow: Vec::new(),
+            buttons: Buttons::new(KeyUp::Guessed),
+            scans: 0,
+            running: true,
+            scroll: Scroll::default(),
+            timer_page: 0,
+            clock: Duration::ZERO,
+            owed: SCAN,
+            quit: false,
+            recorder: None,
+            recorded: 0,
+        })
+    }
+
+    /// Records every scan from now on.
+    pub fn record_to(&mut self, recorder: Recorder<Box<dyn Write>>) {
+        self.recorder = Some(recorder);
+    }
+
+    /// Tells how a momentary button learns that its key was let go.
+    pub(super) fn set_key_up(&mut self, key_up: KeyUp) {
+        self.buttons = Buttons::new(key_up);
+    }
+
+    /// Whether the scans are recorded.
+    pub(super) fn recording(&self) -> bool {
+        self.recorder.is_some()
+    }
+
+    /// Whether the person wants to leave.
+    pub(super) fn quit(&self) -> bool {
+        self.quit
+    }
+
+    /// The outputs as the last scan left them.
+    pub(super) fn outputs(&self) -> Image {
+        self.machine.plc().outputs()
+    }
+
+    /// The timers as they stood in the last scan.
+    pub(super) fn timers(&self) -> impl Iterator<Item = TimerState> {
+        let last_scan = self.scans.saturating_sub(1) as Millis;
+        self.machine.plc().timers(last_scan)
+    }
+
+    /// Lets time pass: one scan for each ms while the program runs.
+    ///
+    /// An error comes from the recording.
+    pub fn advance(&mut self, elapsed: Duration) -> io::Result<()> {
+        self.clock += elapsed;
+        self.buttons.pass(self.clock);
+        if !self.running {
+            return Ok(());
+        }
+        self.owed += elapsed.min(MOST_BEHIND);
+        while let Some(left) = self.owed.checked_sub(SCAN) {
+            self.owed = left;
+            self.scan()?;
+        }
+        Ok(())
+    }
+
+    fn scan(&mut self) -> io::Result<()> {
+        let inputs = self.buttons.closed();
+        // The clock of the PLC wraps (NC-9).
+        let now = self.scans as Millis;
+        self.flow.clear();
+        let flow = &mut self.flow;
+        self.machine
+            .scan_observed(inputs, now, |acc| flow.push(acc));
+        self.scans += 1;
+        if let Some(recorder) = &mut self.recorder {
+            recorder.record(self.recorded, &Sample::of(&self.machine, inputs, now))?;
+            self.recorded += 1;
+        }
+        Ok(())
+    }
+
+    /// Takes a key. An error comes from the recording.
+    pub fn key(&mut self, key: KeyEvent) -> io::Result<()> {
+        match (key.code, key.kind) {
+            (KeyCode::Char(digit @ '1'..='9'), kind) => {
+                let number = digit as u8 - b'0';
+                if let Some(input) = Point::new(number, BOARD.inputs) {
+                    match kind {
+                        KeyEventKind::Press => self.buttons.press(input, self.clock),
+                        KeyEventKind::Repeat => self.buttons.repeat(input, self.clock),
+                        KeyEventKind::Release => self.buttons.release(input),
+                    }
+                }
+            }
+            (_, KeyEventKind::Release) => {}
+            (KeyCode::Up, _) => self.scroll.by(-1),
+            (KeyCode::Down, _) => self.scroll.by(1),
+            (KeyCode::PageUp, _) => self.scroll.by(-self.scroll.page()),
+            (KeyCode::PageDown, _) => self.scroll.by(self.scroll.page()),
+            (KeyCode::Home, _) => self.scroll.by(isize::MIN),
+            (KeyCode::End, _) => self.scroll.by(isize::MAX),
+            (KeyCode::Char('s'), _) => {
+                self.running = false;
+                self.scan()?;
+            }
+            (_, KeyEventKind::Repeat) => {}
+            (KeyCode::Char('c'), _) if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
+            (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
+            (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
+            (KeyCode::Char('t'), _) => self.timer_page += 1,
+            (KeyCode::Char('r'), _) => self.restart(),
+            (KeyCode::Char(' '), _) => {
+                self.running = !self.running;
+                self.owed = Duration::ZERO;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Starts the program anew, as a reset of the board does; the buttons stay as they are.
+    fn restart(&mut self) {
+        if let Ok(machine) = Machine::load(&self.file) {
+            self.machine = machine;
+        }
+        self.flow.clear();
+        self.scans = 0;
+        self.owed = SCAN;
+    }
+
+    /// Ends the recording, where there is one.
+    pub fn finish(&mut self) -> io::Result<()> {
+        match &mut self.recorder {
+            Some(recorder) => recorder.finish(),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Which lines of a long text are on the screen.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Scroll {
+    /// The first line shown, counted from 0.
+    top: usize,
+    /// Lines of the text.
+    lines: usize,
+    /// Lines of the screen.
+    height: usize,
+}
+
+impl Scroll {
+    /// Fits to a text and a screen of so many lines; gives the first line to show.
+    pub(super) fn fit(&mut self, lines: usize, height: usize) -> usize {
+        self.lines = lines;
+        self.height = height;
+        self.by(0);
+        self.top
+    }
+
+    fn by(&mut self, lines: isize) {
+        let last = self.lines.saturating_sub(self.height);
+        self.top = self.top.saturating_add_signed(lines).min(last);
+    }
+
+    /// Lines of a page, less one that stays in sight.
+    fn page(&self) -> isize {
+        self.height.saturating_sub(1).max(1).cast_signed()
+    }
+}

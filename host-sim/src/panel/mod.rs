@@ -1,0 +1,24 @@
+//! `unoclp sim`: the simulator in a terminal.
+//!
+//! - `app`: what is shown and how keys and time change it; knows no terminal
+//! - `buttons`: the inputs, as buttons that keys press
+//! - `ladder`: rungs as lines of text, with what is energised
+//! - `view`: from the app to the screen
+//! - `run`: the loop of frames and key events
+
+mod app;
+mod buttons;
+mod ladder;
+mod run;
+mod view;
+
+#[cfg(test)]
+mod tests;
+
+pub use app::App;
+pub use run::run;
+
+use ratatui::style::{Color, Modifier, Style};
+
+/// How what is 1 is drawn.
+const ON: Style = Style::new().fg(Color::Green).add_modifier(Modifier::BOLD);

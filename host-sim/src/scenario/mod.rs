@@ -1,0 +1,151 @@
+//! Scenarios: a program, inputs over time, and the outputs expected over time, or the fault
+//! expected.
+//!
+//! A scenario is a TOML file, read by [`Scenario::load`]. [`check`] runs it on any [`Engine`] and
+//! gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
+
+mod check;
+mod file;
+mod report;
+
+pub use check::{Engine, check};
+pub use file::LoadError;
+pub use report::{Change, Report, Unmet, Verdict};
+
+use crate::BOARD;
+use std::fmt;
+use std::num::NonZeroU32;
+use unoclp_core::{Fault, Millis, Point};
+
+/// A scenario whose file has passed every check: the points exist on the board, and the steps
+/// stand in rising order, each at the time of a scan.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    name: String,
+    about: String,
+    program: ProgramFile,
+    goal: Goal,
+}
+
+/// A program file: what to call it, and its bytes as they stand on a card.
+#[derive(Clone, Debug)]
+pub struct ProgramFile {
+    /// The path of the file, or where its text stands.
+    pub name: String,
+    /// The bytes, unchecked.
+    pub bytes: Vec<u8>,
+}
+
+/// What a scenario shows about its program.
+#[derive(Clone, Debug)]
+enum Goal {
+    /// It runs, and does this.
+    Run(Timeline),
+    /// It is refused so.
+    Refusal(Refusal),
+}
+
+/// The scans of a run, the inputs they see and the outputs they must give.
+#[derive(Clone, Debug)]
+struct Timeline {
+    /// Reading of the millisecond clock at the first scan.
+    start: Millis,
+    /// ms from scan to scan.
+    period: NonZeroU32,
+    /// In rising order of their times.
+    steps: Vec<Step>,
+    /// No scan comes after this time, in ms after the first scan.
+    until: Millis,
+}
+
+/// What changes at one moment of a scenario.
+#[derive(Clone, Debug)]
+struct Step {
+    /// ms after the first scan.
+    at: Millis,
+    /// Inputs, and their state from this scan on.
+    set: Vec<(Point, bool)>,
+    /// Outputs, and the state that each scan from this one on must give them; none: any.
+    expect: Vec<(Point, Option<bool>)>,
+}
+
+/// How an engine refuses a program: what every engine must say alike of a faulty program (NC-11).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The number of the fault, 11–99.
+    pub number: u8,
+    /// The line, counted from 1; none where the fault has none.
+    pub line: Option<u32>,
+}
+
+impl Scenario {
+    /// The path of the scenario's file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// One sentence on what the scenario shows.
+    pub fn about(&self) -> &str {
+        &self.about
+    }
+
+    /// The program that the scenario is about.
+    pub fn program(&self) -> &ProgramFile {
+        &self.program
+    }
+
+    /// The same scenario about another program.
+    pub fn with_program(self, program: ProgramFile) -> Scenario {
+        Scenario { program, ..self }
+    }
+
+    /// How long the run takes from the first scan to the last, in ms; 0 where nothing runs.
+    pub fn duration(&self) -> Millis {
+        match &self.goal {
+            Goal::Refusal(_) => 0,
+            Goal::Run(timeline) => timeline.until,
+        }
+    }
+
+    /// The refusal that the scenario expects; none where the program must run.
+    pub fn expected_refusal(&self) -> Option<Refusal> {
+        match self.goal {
+            Goal::Refusal(refusal) => Some(refusal),
+            Goal::Run(_) => None,
+        }
+    }
+}
+
+impl From<Fault> for Refusal {
+    fn from(fault: Fault) -> Refusal {
+        Refusal {
+            number: fault.cause.number(),
+            line: fault.line,
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    /// `fault 24, line 7`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "fault {}", self.number)?;
+        match self.line {
+            Some(line) => write!(f, ", line {line}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The inputs of the board: I1, I2 …
+pub fn inputs() -> impl Iterator<Item = Point> {
+    points(BOARD.inputs)
+}
+
+/// The outputs of the board: Q1, Q2 …
+pub fn outputs() -> impl Iterator<Item = Point> {
+    points(BOARD.outputs)
+}
+
+fn points(count: u8) -> impl Iterator<Item = Point> {
+    (1..=count).filter_map(move |number| Point::new(number, count))
+}

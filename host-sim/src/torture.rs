@@ -1,0 +1,143 @@
+//! The loader meets random and damaged files.
+//!
+//! `cargo run --release -p unoclp-host-sim --example torture -- 10000000`
+
+use crate::BOARD;
+use crate::random::{Random, random_inputs, random_pause, random_program};
+use unoclp_core::{Image, Loader, Millis, Plc};
+
+/// How the files of a run fared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Files that made a program, which then ran.
+    pub programs: u64,
+    /// Files that were refused.
+    pub refused: u64,
+}
+
+/// Scans that each accepted program runs.
+const SCANS: u32 = 8;
+
+/// Loads the file of this seed, and runs it where it makes a program; adds it to the tally. An
+/// error says which promise of the core was broken.
+pub fn torture(seed: u64, tally: &mut Tally) -> Result<(), String> {
+    let mut random = Random::new(seed);
+    let file = random_file(&mut random);
+    let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+    let mut loader = Loader::new(&mut memory, BOARD);
+    let mut first_fault = None;
+    for &byte in &file {
+        if let Err(fault) = loader.push(byte) {
+            first_fault.get_or_insert(fault);
+        }
+    }
+    while let Err(fault) = loader.end() {
+        first_fault.get_or_insert(fault);
+    }
+    match (loader.finish(), first_fault) {
+        (Err(fault), Some(first)) if fault == first => {
+            let lines = file.iter().filter(|&&byte| byte == b'\n').count() as u32 + 1;
+            if fault.line.is_some_and(|line| line < 1 || line > lines) {
+                return Err(format!("{fault}, in a file of {lines} lines"));
+            }
+            tally.refused += 1;
+            Ok(())
+        }
+        (Ok(program), None) => {
+            let (stored, linked) = (program.stored_bytes(), program.linked_bytes());
+            if stored > BOARD.stored_bytes.into() || linked > BOARD.linked_bytes.into() {
+                return Err(format!(
+                    "accepted with {stored} bytes stored, {linked} linked"
+                ));
+            }
+            run(Plc::new(program), &mut random)?;
+            tally.programs += 1;
+            Ok(())
+        }
+        (finished, told) => Err(format!("told {told:?}, and gave {finished:?}")),
+    }
+}
+
+/// Scans with random inputs: outputs that the board lacks stay 0.
+fn run(mut plc: Plc<'_>, random: &mut Random) -> Result<(), String> {
+    let mut inputs = Image::default();
+    let mut now = random.bits() as Millis;
+    for _ in 0..SCANS {
+        inputs = random_inputs(random, BOARD, inputs);
+        now = now.wrapping_add(random_pause(random));
+        let outputs = plc.scan(inputs, now);
+        if outputs.0 >> BOARD.outputs != 0 {
+            return Err(format!("outputs {:#b}", outputs.0));
+        }
+    }
+    Ok(())
+}
+
+/// A valid program, a damaged one, or noise.
+fn random_file(random: &mut Random) -> Vec<u8> {
+    match random.below(10) {
+        0 => noise(random, None),
+        1 => noise(random, Some(b"0123456789-/ \t\r\n")),
+        _ => {
+            let mut file = random_program(random, BOARD).into_bytes();
+            for _ in 0..random.below(4) {
+                damage(random, &mut file);
+            }
+            file
+        }
+    }
+}
+
+/// Random bytes; of this alphabet where there is one.
+fn noise(random: &mut Random, alphabet: Option<&[u8]>) -> Vec<u8> {
+    let length = random.below(300);
+    let byte = |_| match alphabet {
+        Some(alphabet) => random.pick(alphabet).unwrap_or_default(),
+        None => random.bits() as u8,
+    };
+    (0..length).map(byte).collect()
+}
+
+/// Does one damage to a file.
+fn damage(random: &mut Random, file: &mut Vec<u8>) {
+    let at = random.below(file.len() as u32 + 1) as usize;
+    let to = (at + random.below(40) as usize).min(file.len());
+    match random.below(6) {
+        // One bit, as a bad card would.
+        0 => {
+            if let Some(byte) = file.get_mut(at) {
+                *byte ^= 1 << random.below(8);
+            }
+        }
+        1 => file.insert(at, random.bits() as u8),
+        2 => file.truncate(at),
+        3 => drop(file.drain(at..to)),
+        // A piece twice.
+        4 => {
+            let piece = file[at..to].to_vec();
+            file.splice(at..at, piece);
+        }
+        // A piece of another file.
+        _ => {
+            let other = random_program(random, BOARD).into_bytes();
+            let from = random.below(other.len() as u32) as usize;
+            file.splice(at..to, other[from..].iter().copied());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn random_and_damaged_files_keep_the_promises() {
+        let mut tally = Tally::default();
+        for seed in 0..20_000 {
+            if let Err(broken) = torture(seed, &mut tally) {
+                panic!("seed {seed}: {broken}");
+            }
+        }
+        assert!(tally.programs > 1_000 && tally.refused > 1_000, "{tally:?}");
+    }
+}

@@ -1,0 +1,128 @@
+//! The program `unoclp` itself: exit codes, messages and files.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+/// A file for one test.
+fn file(name: &str, content: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, content).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Runs `unoclp` without a terminal.
+fn unoclp(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+    command
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+/// Exit code, standard output and standard error.
+fn outcome(arguments: &[&str]) -> (i32, String, String) {
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = unoclp(arguments);
+    let text = |bytes| String::from_utf8(bytes).unwrap().replace("\r\n", "\n");
+    (status.code().unwrap(), text(stdout), text(stderr))
+}
+
+const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
+
+#[test]
+fn check_tells_the_size_of_a_valid_program() {
+    let program = file("valid.txt", FOLLOW);
+    let (code, out, err) = outcome(&["check", &program]);
+    let size = "4 codes, 8 of 900 bytes (892 free), 1 timer: OK";
+    assert_eq!(
+        (code, out, err),
+        (0, format!("{program}: {size}\n"), String::new())
+    );
+}
+
+#[test]
+fn faults_are_exit_code_1_in_check_and_sim() {
+    let program = file("faulty.txt", "0\n827309\n");
+    for command in ["check", "sim"] {
+        let (code, out, err) = outcome(&[command, &program]);
+        assert_eq!((code, err.as_str()), (1, ""));
+        assert!(
+            out.starts_with("error[25]: this board has no such input\n"),
+            "{out}"
+        );
+        assert!(
+            out.ends_with(": 1 fault; the UNO will not run any of it\n"),
+            "{out}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
+    let program = file("untouched.txt", FOLLOW);
+    let unknown = file("unknown.toml", "about = \"\"\nspeed = 3\n");
+    #[rustfmt::skip]
+    let cases: &[(&[&str], &str)] = &[
+        (&["check", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["sim", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["sim", "--scenario", "no-such.toml"], "error: no-such.toml: the file cannot be read: "),
+        (&["sim", "--scenario", &unknown], "error: "),
+        (&["sim"], "error: nothing to simulate; name a program or a --scenario"),
+        (&["sim", &program], "error: the simulator needs a terminal; without one, run a scenario: --scenario"),
+        (&["fly"], "error: unrecognized subcommand 'fly'"),
+        (&[], "The unoclp PLC on this PC"),
+    ];
+    for (arguments, message) in cases {
+        let (code, out, err) = outcome(arguments);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments:?}");
+        assert!(err.starts_with(message), "{arguments:?}: {err}");
+    }
+}
+
+#[test]
+fn the_version_is_told() {
+    let (code, out, _) = outcome(&["--version"]);
+    assert_eq!(
+        (code, out),
+        (0, format!("unoclp {}\n", env!("CARGO_PKG_VERSION")))
+    );
+}
+
+#[test]
+fn a_scenario_passes_or_fails_and_leaves_its_trace() {
+    file("sampled.txt", FOLLOW);
+    let scenario = file(
+        "sampled.toml",
+        "about = \"Q1 follows I1 after 3 ms.\"\nprogram = \"sampled.txt\"\n\
+         [[step]]\nat = 0\nset = { I1 = 1 }\nexpect = { Q1 = 0 }\n\
+         [[step]]\nat = 3\nexpect = { Q1 = 1 }\n",
+    );
+    let trace = file("sampled.vcd", "");
+    let (code, out, _) = outcome(&["sim", "--scenario", &scenario, "--vcd", &trace]);
+    assert_eq!(code, 0, "{out}");
+    assert!(out.ends_with("\n\nPASS\n"), "{out}");
+    let trace = fs::read_to_string(trace).unwrap();
+    for part in [
+        "$timescale 1 ms $end",
+        " T1 $end",
+        " elapsed_ms $end",
+        "\n#3\n",
+        "\n#4",
+    ] {
+        assert!(trace.contains(part), "{part} is missing in\n{trace}");
+    }
+
+    // The same scenario on a program whose timer takes longer.
+    let slower = file("slower.txt", &FOLLOW.replace("\n3\n", "\n4\n"));
+    let (code, out, _) = outcome(&["sim", &slower, "--scenario", &scenario]);
+    assert_eq!(code, 1, "{out}");
+    assert!(
+        out.ends_with("\n\nFAIL\n  Q1 at 3 ms: expected 1, came 0\n"),
+        "{out}"
+    );
+}

@@ -1,0 +1,49 @@
+//! Every scenario of the project on the core: the samples in `programs/`, the tests in `suite/`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::scenario::{Scenario, Verdict, check};
+
+/// The scenario files in a folder and in all folders below it, in the order of their names.
+fn scenarios(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{folder:?}: {error}"));
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    let is_scenario = |path: &PathBuf| path.extension().is_some_and(|end| end == "toml");
+    let files = paths.iter().flat_map(|path| match path.is_dir() {
+        true => scenarios(path),
+        false => Some(path.clone()).filter(is_scenario).into_iter().collect(),
+    });
+    files.collect()
+}
+
+#[test]
+fn every_scenario_passes_on_the_core() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut failures = Vec::new();
+    let mut count = 0;
+    for folder in ["programs", "suite"] {
+        let paths = scenarios(&root.join(folder));
+        assert!(!paths.is_empty(), "no scenario in {folder}");
+        count += paths.len();
+        for path in paths {
+            match Scenario::load(&path) {
+                Err(error) => failures.push(error.to_string()),
+                Ok(scenario) => {
+                    let report = check(&scenario, &mut HostEngine::default());
+                    if !report.passed() || report.verdict == (Verdict::Met { comparisons: 0 }) {
+                        failures.push(report.to_string());
+                    }
+                }
+            }
+        }
+    }
+    println!("{count} scenarios");
+    assert!(
+        failures.is_empty(),
+        "{} fail:\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+}
