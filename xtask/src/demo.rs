@@ -1,0 +1,49 @@
+//! `cargo xtask demo`: a program at work on a simulated UNO.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::firmware::{self, Firmware};
+use crate::shell::{self, say};
+use crate::{card, setup};
+
+/// The program shown, and the script that presses its buttons.
+const PROGRAM: &str = "programs/motor.txt";
+const SCENARIO: &str = "programs/demo.toml";
+
+/// Sets up, builds firmware and card, and shows them at work.
+///
+/// # Errors
+/// If a step fails.
+pub fn run() -> Result<()> {
+    let toolchain = setup::for_simulator()?;
+    let firmware = firmware::build(&toolchain)?;
+
+    say(&format!("demo: putting {PROGRAM} on the image of a card"));
+    let root = shell::root();
+    let image = root.join("target/demo/card.img");
+    card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false)?;
+
+    say("demo: compiling the simulator");
+    shell::run(&mut simulator("build"))?;
+    say("demo: a simulated UNO boots the firmware, with that card in its slot");
+    shell::run(&mut demo(&firmware, &image))
+}
+
+/// The simulator's demonstration.
+fn demo(firmware: &Firmware, image: &Path) -> Command {
+    let mut command = simulator("run");
+    command.args(["--quiet", "--", "demo", "--elf"]);
+    command.arg(&firmware.elf).arg("--card").arg(image);
+    command.arg("--scenario").arg(shell::root().join(SCENARIO));
+    command
+}
+
+/// A cargo command on the simulator.
+pub fn simulator(subcommand: &str) -> Command {
+    let mut cargo = shell::cargo();
+    cargo.args([subcommand, "--package=unoclp-uno-sim", "--release"]);
+    cargo
+}

@@ -1,0 +1,104 @@
+//! `cargo xtask firmware`: builds the firmware, measures and checks it.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result, ensure};
+use unoclp_core::Profile;
+
+use crate::budget::{Size, thousands};
+use crate::shell::{self, say};
+use crate::toolchain::Toolchain;
+use crate::{r0check, setup};
+
+/// A build that is within its limits and has passed the check for wrong code.
+pub struct Firmware {
+    /// `target/firmware/unoclp.elf`
+    pub elf: PathBuf,
+    /// `target/firmware/unoclp.hex`, for avrdude.
+    pub hex: PathBuf,
+}
+
+/// Sets up, builds, and says where the result is.
+///
+/// # Errors
+/// As [`build`], and if a tool is missing.
+pub fn run() -> Result<()> {
+    let toolchain = setup::for_firmware()?;
+    let firmware = build(&toolchain)?;
+    say(&format!("firmware: {}", firmware.elf.display()));
+    say(&format!("firmware: {}", firmware.hex.display()));
+    Ok(())
+}
+
+/// Builds the firmware. Where this fails, no older build is left that could be taken for it.
+///
+/// # Errors
+/// If it does not compile, exceeds a limit of [`crate::budget::BUDGETS`], or the compiler has made
+/// wrong code of it.
+pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
+    let folder = shell::root().join("target/firmware");
+    let firmware = Firmware {
+        elf: folder.join("unoclp.elf"),
+        hex: folder.join("unoclp.hex"),
+    };
+    shell::make_folder_of(&firmware.elf)?;
+    for old in [&firmware.elf, &firmware.hex] {
+        if old.exists() {
+            fs::remove_file(old).with_context(|| format!("cannot remove {}", old.display()))?;
+        }
+    }
+
+    say("firmware: compiling for the ATmega328P");
+    shell::run(&mut cargo(toolchain, "build"))?;
+    let linked = target_folder().join("avr-none/firmware/unoclp-firmware.elf");
+    let elf = fs::read(&linked).with_context(|| format!("cannot read {}", linked.display()))?;
+
+    say("firmware: measuring and checking it");
+    let size = Size::of(&elf)?;
+    println!("{size}\n{}", program_room());
+    let exceeded = size.exceeded();
+    ensure!(
+        exceeded.is_empty(),
+        "the firmware does not fit: too much {}",
+        exceeded.join(" and ")
+    );
+    r0check::accept(&elf)?;
+
+    fs::write(&firmware.elf, elf)
+        .with_context(|| format!("cannot write {}", firmware.elf.display()))?;
+    let mut objcopy = Command::new("avr-objcopy");
+    objcopy.args(["-O", "ihex", "-R", ".eeprom"]);
+    shell::run(objcopy.arg(&firmware.elf).arg(&firmware.hex))?;
+    Ok(firmware)
+}
+
+/// A cargo command on the firmware.
+pub fn cargo(toolchain: &Toolchain, subcommand: &str) -> Command {
+    let mut cargo = toolchain.cargo(subcommand);
+    cargo
+        .args(["--package=unoclp-firmware", "--profile=firmware"])
+        .arg("--target-dir")
+        .arg(target_folder());
+    cargo
+}
+
+/// The AVR build has a folder of its own: the simulator's tests may run cargo meanwhile.
+fn target_folder() -> PathBuf {
+    shell::root().join("target/avr")
+}
+
+/// What room a program has on the board.
+fn program_room() -> String {
+    let Profile {
+        stored_bytes,
+        linked_bytes,
+        ..
+    } = Profile::UNO;
+    format!(
+        "programs   {:>7} B stored, {} B in run memory",
+        thousands(stored_bytes.into()),
+        thousands(linked_bytes.into())
+    )
+}

@@ -1,0 +1,14 @@
+//! What `cargo xtask` can do, one module for each subcommand, and what they share:
+//! [`shell`] runs other programs, [`setup`] sees to it that they are there, [`toolchain`] is the
+//! Rust that compiles for AVR.
+
+pub mod budget;
+pub mod card;
+pub mod demo;
+pub mod firmware;
+pub mod flash;
+pub mod r0check;
+pub mod setup;
+pub mod shell;
+pub mod test;
+pub mod toolchain;

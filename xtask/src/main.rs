@@ -1,0 +1,45 @@
+//! `cargo xtask …`
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use xtask::{card, demo, firmware, flash, r0check, setup, test};
+
+/// Builds, shows and tests unoclp
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+enum Task {
+    /// Show a program at work on a simulated UNO: installs what is missing, builds, runs
+    Demo,
+    /// Pass every test: installs what is missing, checks, builds, tests
+    Test,
+    /// Build the firmware: target/firmware/unoclp.elf and unoclp.hex
+    Firmware,
+    /// Put a program on the image of a memory card
+    Card(card::Args),
+    /// Write the firmware to a board
+    Flash(flash::Args),
+    /// Look for code that an error of LLVM's AVR back end has made wrong
+    R0check(r0check::Args),
+    /// Install what demo, test and firmware need, or say what is missing
+    Setup,
+}
+
+fn main() -> ExitCode {
+    let done = match Task::parse() {
+        Task::Demo => demo::run(),
+        Task::Test => test::run(),
+        Task::Firmware => firmware::run(),
+        Task::Card(args) => card::run(&args),
+        Task::Flash(args) => flash::run(&args),
+        Task::R0check(args) => r0check::run(&args),
+        Task::Setup => setup::run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

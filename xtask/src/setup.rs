@@ -1,0 +1,306 @@
+//! Finds out what is missing, and installs it where it can: on Debian and Ubuntu, as root.
+
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+
+use crate::shell::{self, exists, output, say};
+use crate::toolchain::Toolchain;
+
+/// Something that must be there: a Debian package, what it is for, and how to find it.
+pub struct Need {
+    /// The Debian package that brings it.
+    pub package: &'static str,
+    /// What it is for, to follow "for".
+    pub purpose: &'static str,
+    /// Whether it is there.
+    found: fn(&Need) -> bool,
+}
+
+const fn need(package: &'static str, purpose: &'static str, found: fn(&Need) -> bool) -> Need {
+    Need {
+        package,
+        purpose,
+        found,
+    }
+}
+
+/// What the firmware is built with, beside Rust.
+const AVR: &[Need] = &[
+    need("gcc-avr", "linking the firmware", |_| exists("avr-gcc")),
+    need("avr-libc", "the firmware's start-up code", |_| {
+        has_avr_libc()
+    }),
+    need("binutils-avr", "the hex file", |_| exists("avr-objcopy")),
+];
+
+/// Rust with the source of its `core`. Where rustup does not have it, Debian does.
+const RUST: &[Need] = &[
+    need("rustc-web", "compiling for AVR", |_| has_rust()),
+    need("cargo-web", "compiling for AVR", |_| has_rust()),
+    need("rust-web-src", "compiling for AVR", |_| has_rust()),
+];
+
+/// What looks at the source. rustup brings both by itself, as rust-toolchain.toml asks.
+const CHECKS: &[Need] = &[
+    need("rustfmt-web", "checking the format of the source", |_| {
+        output(shell::cargo().args(["fmt", "--version"])).is_some()
+    }),
+    need(
+        "rust-web-clippy",
+        "checking the firmware's source",
+        |need| {
+            Toolchain::find().map_or_else(|| is_installed(need.package), |rust| rust.has_clippy())
+        },
+    ),
+];
+
+/// What simavr and its binding are built with.
+const SIMAVR: &[Need] = &[
+    need("gcc", "compiling simavr", |_| exists("gcc")),
+    need("make", "compiling simavr", |_| exists("make")),
+    need("pkg-config", "finding simavr's libraries", |_| {
+        exists("pkg-config")
+    }),
+    need("libelf-dev", "simavr", |_| has_library("libelf")),
+    need("zlib1g-dev", "simavr", |_| has_library("zlib")),
+    need("libzstd-dev", "simavr", |_| has_library("libzstd")),
+    need("libclang-dev", "reading simavr's headers", |need| {
+        is_installed(need.package) || std::env::var_os("LIBCLANG_PATH").is_some() || !has_apt()
+    }),
+];
+
+/// Sees to it that the firmware can be built.
+///
+/// # Errors
+/// If something is missing and cannot be installed from here; the text says what to do.
+pub fn for_firmware() -> Result<Toolchain> {
+    provide(&[AVR, RUST])
+}
+
+/// Sees to it that the firmware can be built and simulated.
+///
+/// # Errors
+/// As [`for_firmware`].
+pub fn for_simulator() -> Result<Toolchain> {
+    provide(&[AVR, RUST, SIMAVR])
+}
+
+/// Sees to it that everything can be built and checked.
+///
+/// # Errors
+/// As [`for_firmware`].
+pub fn for_tests() -> Result<Toolchain> {
+    provide(&[AVR, RUST, CHECKS, SIMAVR])
+}
+
+/// `cargo xtask setup`
+///
+/// # Errors
+/// As [`for_firmware`].
+pub fn run() -> Result<()> {
+    for_tests().map(drop)
+}
+
+fn provide(groups: &[&'static [Need]]) -> Result<Toolchain> {
+    say("setup: looking for the tools");
+    let missing = missing(groups);
+    match plan(&missing, has_apt(), is_root()) {
+        Plan::Nothing => {}
+        Plan::Tell(what) => bail!(what),
+        Plan::Install => install(&missing, groups)?,
+    }
+    Toolchain::find().context(NO_RUST)
+}
+
+fn missing(groups: &[&'static [Need]]) -> Vec<&'static Need> {
+    let needs = groups.iter().copied().flatten();
+    needs.filter(|need| !(need.found)(need)).collect()
+}
+
+/// What to do about what is missing.
+#[derive(Debug, PartialEq, Eq)]
+enum Plan {
+    Nothing,
+    Install,
+    Tell(String),
+}
+
+fn plan(missing: &[&Need], apt: bool, root: bool) -> Plan {
+    match (missing.is_empty(), apt, root) {
+        (true, _, _) => Plan::Nothing,
+        (_, true, true) => Plan::Install,
+        (_, true, false) => Plan::Tell(format!(
+            "some tools are missing:\n{}\nRun this line, and then the same command again:\n\n    \
+             sudo apt-get update && sudo apt-get install --no-install-recommends {}\n",
+            reasons(missing),
+            packages(missing)
+        )),
+        (_, false, _) => Plan::Tell(format!(
+            "some tools are missing (the names are those of Debian's packages):\n{}\nThis works by \
+             itself on Debian and Ubuntu only. README.md says what to install elsewhere.",
+            reasons(missing)
+        )),
+    }
+}
+
+/// A line for each of the needs, and what else would do.
+fn reasons(missing: &[&Need]) -> String {
+    let mut lines = String::new();
+    for need in missing {
+        lines += &format!("  {:<16} for {}\n", need.package, need.purpose);
+    }
+    let of_rust = |need: &&Need| {
+        let mut all = RUST.iter().chain(CHECKS);
+        all.any(|rust| rust.package == need.package)
+    };
+    if missing.iter().any(of_rust) {
+        lines += RUSTUP;
+    }
+    lines
+}
+
+fn packages(missing: &[&Need]) -> String {
+    let names: Vec<_> = missing.iter().map(|need| need.package).collect();
+    names.join(" ")
+}
+
+const RUSTUP: &str = "  (With rustup, `rustup component add rust-src clippy rustfmt` in this folder does for the packages of Rust.)\n";
+
+const NO_RUST: &str = concat!(
+    "no Rust ",
+    env!("CARGO_PKG_RUST_VERSION"),
+    " or later with the source of its `core` is here: run `rustup component add rust-src` in this \
+     folder"
+);
+
+fn install(missing: &[&Need], groups: &[&'static [Need]]) -> Result<()> {
+    say("setup: installing what is missing, with apt-get");
+    print!("{}", reasons(missing));
+    // A source of packages that is out of reach need not be the one that has these.
+    if let Err(error) = shell::run(apt_get().args(["-qq", "update"])) {
+        eprintln!("warning: {error}");
+    }
+    for need in missing {
+        let known = output(Command::new("apt-cache").args(["show", need.package]));
+        ensure!(
+            known.is_some_and(|text| !text.is_empty()),
+            "this system has no package {}, which is for {}\n{}",
+            need.package,
+            need.purpose,
+            reasons(&[need])
+        );
+    }
+    // Nothing is removed for it: what is in the way is the user's to decide.
+    let options = [
+        "-qq",
+        "install",
+        "-y",
+        "--no-install-recommends",
+        "--no-remove",
+    ];
+    shell::run(
+        apt_get()
+            .args(options)
+            .args(missing.iter().map(|need| need.package)),
+    )?;
+
+    let still = self::missing(groups);
+    ensure!(
+        still.is_empty(),
+        "installed, but not found:\n{}",
+        reasons(&still)
+    );
+    Ok(())
+}
+
+fn apt_get() -> Command {
+    let mut command = Command::new("apt-get");
+    command.env("DEBIAN_FRONTEND", "noninteractive");
+    command
+}
+
+fn has_apt() -> bool {
+    exists("apt-get")
+}
+
+fn is_root() -> bool {
+    output(Command::new("id").arg("-u")).as_deref() == Some("0")
+}
+
+fn has_rust() -> bool {
+    Toolchain::find().is_some()
+}
+
+/// avr-gcc prints a path where it has the file, and its bare name where it does not.
+fn has_avr_libc() -> bool {
+    const START: &str = "crtatmega328p.o";
+    let arguments = ["-mmcu=atmega328p", &format!("-print-file-name={START}")];
+    output(Command::new("avr-gcc").args(arguments)).is_some_and(|path| path != START)
+}
+
+fn has_library(name: &str) -> bool {
+    output(Command::new("pkg-config").args(["--exists", name])).is_some()
+}
+
+fn is_installed(package: &str) -> bool {
+    let arguments = ["-W", "-f", "${db:Status-Status}", package];
+    output(Command::new("dpkg-query").args(arguments)).as_deref() == Some("installed")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NEEDS: &[Need] = &[
+        need("gcc-avr", "linking the firmware", |_| false),
+        need("make", "compiling simavr", |_| true),
+        need("rust-web-src", "compiling for AVR", |_| false),
+    ];
+
+    fn told(apt: bool, root: bool) -> String {
+        match plan(&missing(&[NEEDS]), apt, root) {
+            Plan::Tell(text) => text,
+            other => panic!("expected a text, not {other:?}"),
+        }
+    }
+
+    #[test]
+    fn only_what_is_missing_is_installed() {
+        assert_eq!(packages(&missing(&[NEEDS])), "gcc-avr rust-web-src");
+        assert_eq!(plan(&missing(&[NEEDS]), true, true), Plan::Install);
+        assert_eq!(plan(&[], true, true), Plan::Nothing);
+        assert_eq!(plan(&[], false, false), Plan::Nothing);
+    }
+
+    #[test]
+    fn who_is_not_root_gets_the_line_to_run() {
+        let text = told(true, false);
+        let line = "sudo apt-get update && sudo apt-get install --no-install-recommends gcc-avr rust-web-src";
+        assert_eq!(
+            text.lines().filter(|l| l.trim() == line).count(),
+            1,
+            "{text}"
+        );
+        assert!(
+            text.contains("gcc-avr          for linking the firmware"),
+            "{text}"
+        );
+        assert!(text.contains("rustup component add rust-src"), "{text}");
+    }
+
+    #[test]
+    fn who_has_no_apt_is_sent_to_the_readme() {
+        for root in [false, true] {
+            let text = told(false, root);
+            assert!(
+                text.contains("gcc-avr") && text.contains("README.md"),
+                "{text}"
+            );
+            assert!(
+                !text.contains("apt-get") && !text.contains("make"),
+                "{text}"
+            );
+        }
+    }
+}
