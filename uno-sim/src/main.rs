@@ -49,7 +49,13 @@ fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
     let card = SdCard::new(Kind::Sdhc, image)?;
     let engine = UnoEngine::new(Program::read(elf)?, Clock::Running)?;
 
-    println!("\n{}", scenario.about());
+    println!(
+        "\n{}\n\nThe program on the card says of itself:",
+        scenario.about()
+    );
+    for line in opening(&scenario.program().bytes).lines() {
+        println!("  {line}");
+    }
     let mut show = Show {
         engine,
         card,
@@ -60,11 +66,21 @@ fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
     println!();
     match report.verdict {
         Verdict::Met { .. } => {
-            println!("Every LED did what the program says, at every scan.");
+            println!("Every LED did what was expected of it, in every millisecond.");
+            println!("To press the buttons yourself, without a board:");
+            println!("  cargo run -- sim {}", scenario.program().name);
             Ok(ExitCode::SUCCESS)
         }
         verdict => bail!("{verdict}"),
     }
+}
+
+/// The comment at the head of a program, up to its first code.
+fn opening(program: &[u8]) -> String {
+    let text = String::from_utf8_lossy(program);
+    let comment = |line: &str| line.trim().strip_prefix('/').map(str::to_owned);
+    let lines: Vec<String> = text.lines().map_while(comment).collect();
+    lines.join("\n")
 }
 
 /// The engine, with everything that changes told as it comes.
@@ -100,7 +116,7 @@ impl Engine for Show {
             let seconds = f64::from(now.wrapping_sub(started)) / 1000.0;
             let buttons: String = signs(inputs, "▣", "·");
             let leds: String = signs(outputs, "●", "○");
-            println!("  {seconds:7.3}   {buttons}    {leds}");
+            println!("  {seconds:7.3}   {buttons}      {leds}");
         }
         Ok(outputs)
     }
@@ -109,5 +125,5 @@ impl Engine for Show {
 /// A sign for each of the four points of an image.
 fn signs(image: Image, on: &str, off: &str) -> String {
     let sign = |bit: u16| if image.0 >> bit & 1 == 1 { on } else { off };
-    (0..4).map(|bit| format!("{}  ", sign(bit))).collect()
+    (0..4).map(sign).collect::<Vec<_>>().join("  ")
 }

@@ -36,7 +36,13 @@ pub fn run() -> Result<()> {
         doc.args(["doc", "--no-deps"]).args(HOST);
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    let mut sum = step("tests on the PC", || tests(cargo().arg("test")))?;
+    let mut sum = step("tests on the PC", || {
+        let mut test = cargo();
+        test.arg("test")
+            .args(HOST)
+            .args(["--exclude", "unoclp-uno-sim"]);
+        tests(&mut test)
+    })?;
     step("firmware", || firmware::build(&toolchain))?;
     sum += step("tests of the check for wrong code", || {
         let options = [
@@ -47,7 +53,8 @@ pub fn run() -> Result<()> {
         tests(cargo().arg("test").args(options))
     })?;
     sum += step("tests of the firmware on the simulated UNO", || {
-        tests(&mut demo::simulator("test"))
+        // Shown, because the tests print what they measure: scenarios, times, stack.
+        tests(demo::simulator("test").args(["--", "--nocapture"]))
     })?;
     println!("{} passed, {} failed", sum.passed, sum.failed);
     Ok(())
