@@ -12,6 +12,10 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 }
 
 /// Takes the place of the C library's `abort`, which is what a panic compiles to in this build.
+#[allow(
+    clippy::empty_loop,
+    reason = "there is nothing to wait for, and a simulator knows a jump to itself for the end"
+)]
 #[unsafe(no_mangle)]
 extern "C" fn abort() -> ! {
     avr_device::interrupt::disable();
