@@ -4,7 +4,7 @@
 //! the status register around an access to a far stack slot; the product is lost. What is wrong,
 //! why, and what avoids it stands in `docs/avr-codegen.md`. No compiler flag proves that a build
 //! is free of it, so every build is checked: this module decodes all code that can be reached
-//! ([`decode`], [`opcodes`]), and follows r0 along every path ([`flow`]).
+//! (`decode`, `opcodes`), and follows r0 along every path (`flow`).
 
 mod decode;
 mod elf;
