@@ -57,7 +57,9 @@ fn main() -> ! {
 #[unsafe(export_name = "scan_begin")]
 #[inline(never)]
 fn scan(pins: &Pins, plc: &mut Plc<'_>) {
+    // In this order: an input is never seen with a time stamp from before it changed.
+    let inputs = pins.inputs();
     let now = board::clock::now();
-    let outputs = plc.scan(pins.inputs(), now);
+    let outputs = plc.scan(inputs, now);
     pins.write_outputs(outputs);
 }

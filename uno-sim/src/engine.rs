@@ -18,8 +18,8 @@ const WATCH: u64 = 20;
 pub enum Clock {
     /// It stands, and is set before each scan: host and board make the same scans.
     Lockstep,
-    /// It goes by itself, from the timer interrupt: a scan of the scenario is as many scans of
-    /// the board as fit before its next reading of the clock.
+    /// It goes by itself, from the timer interrupt: a scan of the scenario is all that the board
+    /// does from one tick of the clock to the next.
     Running,
 }
 
@@ -28,10 +28,11 @@ pub struct UnoEngine {
     program: Program,
     clock: Clock,
     scan: u32,
+    tick: u32,
     millis: u32,
     uno: Option<Uno>,
-    /// Whether the running clock has been set to that of the scenario.
-    set: bool,
+    /// What the running clock will read after the tick that the board stands at.
+    next: Option<Millis>,
 }
 
 /// Why the board did not do its work.
@@ -74,11 +75,12 @@ impl UnoEngine {
         };
         Ok(UnoEngine {
             scan: symbol("scan_begin", Space::Flash)?,
+            tick: symbol("__vector_13", Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
             program,
             clock,
             uno: None,
-            set: false,
+            next: None,
         })
     }
 
@@ -88,7 +90,7 @@ impl UnoEngine {
     /// # Errors
     /// Where neither comes, or an output moves.
     pub fn start(&mut self, slot: Slot) -> Result<Result<(), Refusal>, EngineError> {
-        self.set = false;
+        self.next = None;
         let uno = self
             .uno
             .insert(Uno::with_program(self.program.clone(), slot)?);
@@ -134,26 +136,11 @@ impl UnoEngine {
         self.uno.as_mut()
     }
 
-    /// Runs to the top of the next scan.
-    fn scan_once(&mut self) -> Result<(), EngineError> {
+    /// Runs until the board is at this address again.
+    fn run_until(&mut self, address: u32) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        let run = uno.run_until(self.scan, LONGEST_SCAN);
+        let run = uno.run_until(address, LONGEST_SCAN);
         run.map_err(|halt| told(uno, halt))
-    }
-
-    /// Makes scans until the board's clock has gone past this reading.
-    fn scan_past(&mut self, reading: Millis) -> Result<(), EngineError> {
-        while self.now()?.wrapping_sub(reading).cast_signed() <= 0 {
-            self.scan_once()?;
-        }
-        Ok(())
-    }
-
-    /// What the board's clock reads, ms.
-    fn now(&self) -> Result<Millis, EngineError> {
-        let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
-        let bytes = uno.read_ram(self.millis, 4)?;
-        Ok(Millis::from_le_bytes(bytes.try_into().unwrap_or_default()))
     }
 
     fn set_clock(&mut self, now: Millis) -> Result<(), EngineError> {
@@ -184,19 +171,23 @@ impl Engine for UnoEngine {
             Clock::Lockstep => {
                 self.set_clock(now)?;
                 self.set_inputs(inputs)?;
-                self.scan_once()?;
+                self.run_until(self.scan)?;
             }
             Clock::Running => {
-                if !self.set {
-                    // A full millisecond lies before the first reading too.
-                    let reading = self.now()?;
-                    self.scan_past(reading)?;
-                    self.set_clock(now)?;
-                    self.set = true;
+                let next = match self.next {
+                    Some(next) => next,
+                    None => {
+                        self.run_until(self.tick)?;
+                        self.set_clock(now.wrapping_sub(1))?;
+                        now
+                    }
+                };
+                for _ in 0..now.wrapping_sub(next) {
+                    self.run_until(self.tick)?;
                 }
-                self.scan_past(now.wrapping_sub(1))?;
                 self.set_inputs(inputs)?;
-                self.scan_past(now)?;
+                self.run_until(self.tick)?;
+                self.next = Some(now.wrapping_add(1));
             }
         }
         let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
