@@ -35,10 +35,10 @@ fn every_scenario_in_lockstep() {
     run_all(Clock::Lockstep, &["programs", "suite"], Millis::MAX);
 }
 
-/// The samples with the board's own clock, which the timer interrupt drives: exact to one
-/// millisecond, however many scans go into it. Longer ones than 40 s are left to the other test,
-/// where time costs nothing.
+/// The samples and the timers with the board's own clock, which the timer interrupt drives: exact
+/// to one millisecond, however many scans go into it. Longer ones than 40 s are left to the other
+/// test, where time costs nothing.
 #[test]
-fn programs_on_the_running_clock() {
-    run_all(Clock::Running, &["programs"], 40_000);
+fn programs_and_timers_on_the_running_clock() {
+    run_all(Clock::Running, &["programs", "suite/timers"], 40_000);
 }
