@@ -59,8 +59,12 @@ pub fn run(args: &Args) -> Result<()> {
 /// # Errors
 /// If the program cannot be read or the image cannot be written.
 pub fn write(program: &Path, output: &Path, fat: Kind, bare: bool) -> Result<()> {
-    let text = fs::read(program)
-        .with_context(|| format!("cannot read the program {}", program.display()))?;
+    let text = fs::read(program).with_context(|| {
+        format!(
+            "cannot read the program {} (is its name right?)",
+            program.display()
+        )
+    })?;
     let fat = match fat {
         Kind::Fat16 => Fat::Fat16,
         Kind::Fat32 => Fat::Fat32,

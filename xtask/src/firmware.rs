@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use unoclp_core::Profile;
+use unoclp_core::{Profile, isa};
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
@@ -91,14 +91,62 @@ fn target_folder() -> PathBuf {
 
 /// What room a program has on the board.
 fn program_room() -> String {
+    const TIMERS: usize = 16;
     let Profile {
         stored_bytes,
         linked_bytes,
         ..
     } = Profile::UNO;
     format!(
-        "programs   {:>7} B stored, {} B in run memory",
+        "programs of up to {} codes, or {} codes and {TIMERS} timers: {} B stored, {} B in run memory",
+        codes_beside(0, &Profile::UNO),
+        codes_beside(TIMERS, &Profile::UNO),
         thousands(stored_bytes.into()),
         thousands(linked_bytes.into())
     )
+}
+
+/// How many contacts, coils and branches, of one byte each, there is room for beside so many timers
+/// (NC-10).
+fn codes_beside(timers: usize, profile: &Profile) -> usize {
+    let stored = usize::from(profile.stored_bytes).checked_sub(timers * isa::STORED_TIMER_BYTES);
+    let linked = usize::from(profile.linked_bytes).checked_sub(timers * isa::LINKED_TIMER_BYTES);
+    stored.min(linked).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use unoclp_core::Profile;
+
+    use super::codes_beside;
+
+    #[test]
+    fn the_smaller_of_both_memories_sets_the_limit() {
+        let profile = |stored_bytes, linked_bytes| Profile {
+            stored_bytes,
+            linked_bytes,
+            ..Profile::UNO
+        };
+        // A timer takes 6 bytes stored and 11 in run memory.
+        let cases = [
+            (profile(900, 960), 0, 900),
+            (profile(900, 960), 16, 960 - 16 * 11),
+            (profile(900, 2_000), 16, 900 - 16 * 6),
+            (profile(900, 11), 1, 0),
+            (profile(900, 10), 1, 0),
+            (profile(5, 2_000), 1, 0),
+        ];
+        for (profile, timers, codes) in cases {
+            assert_eq!(
+                codes_beside(timers, &profile),
+                codes,
+                "{profile:?}, {timers}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_uno_has_room_for_500_codes_and_16_timers() {
+        assert!(codes_beside(16, &Profile::UNO) >= 500);
+    }
 }
