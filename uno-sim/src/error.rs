@@ -52,7 +52,7 @@ pub enum Error {
     /// An address outside the memory that was meant.
     #[error("{len} bytes at {address:#06x} lie outside the {memory}")]
     OutOfRange {
-        /// "RAM" or "EEPROM".
+        /// "RAM", "EEPROM" or "program".
         memory: &'static str,
         /// First byte.
         address: u32,

@@ -37,4 +37,7 @@ pub enum Halt {
         /// Where.
         place: String,
     },
+    /// The power went at a write to the EEPROM, as a test had asked for.
+    #[error("the power was cut at a write to the EEPROM; Uno::power_up turns it on again")]
+    PowerCut,
 }

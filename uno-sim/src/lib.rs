@@ -21,14 +21,21 @@
 //! # }
 //! ```
 //!
-//! What simavr does not model, and this crate does not add: the two-byte receive buffer of the serial port (simavr has
-//! 64 bytes, and counts a byte as 11 bits), the time an EEPROM write takes, contact bounce, and the speed limits of a
-//! card. After a watchdog reset simavr starts the watchdog anew only once the time that ran before the reset has passed
-//! again.
+//! What simavr does not model, and this crate adds: the time that an EEPROM write takes, what a power cut leaves behind
+//! ([`Uno::power_up`]), the supply voltage, and the stock boot loader's way with MCUSR ([`Uno::set_boot_loader`]).
+//!
+//! What simavr does not model, and this crate does not add:
+//!
+//! - the two-byte receive buffer of the serial port: simavr has 64 bytes, and counts a byte as 11 bits;
+//! - the time of a conversion of the ADC: simavr takes 24 of its clocks, 168 for the first, where the chip takes 13 and
+//!   25. It scales to 1023 at the reference, the chip to 1024; and the internal reference needs no time to settle;
+//! - brown-out detection, the interrupt EE_READY, the tolerance of the watchdog's own oscillator;
+//! - contact bounce, and the speed limits of a card.
 //!
 //! simavr is under the GPL, version 3 or later, and so is this crate.
 
 mod avr;
+mod eeprom;
 mod elf;
 pub mod engine;
 mod error;
@@ -41,8 +48,9 @@ mod tests;
 mod uno;
 mod wiring;
 
+pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
 pub use elf::{EEPROM_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol, firmware_elf};
 pub use error::Error;
 pub use halt::Halt;
 pub use pins::{Edge, POINTS, Pin};
-pub use uno::{CYCLES_PER_MS, Slot, Uno};
+pub use uno::{CYCLES_PER_MS, STALL, Slot, Uno};

@@ -85,7 +85,7 @@ impl SdCard {
             self.mode = Mode::Idle;
         }
         // Programming ends by itself or by a reset; until then the card does not listen.
-        if self.busy > 0 && index != 0 {
+        if self.is_busy() && index != 0 {
             return None;
         }
         // CMD12 arrives while data is going out, and one more byte of that data is on its way: the stuff byte.

@@ -72,7 +72,7 @@ impl SdCard {
 
     /// The byte that the card puts on MISO next, while selected.
     pub(super) fn next_out(&mut self) -> u8 {
-        if self.out.is_empty() && self.busy == 0 {
+        if self.out.is_empty() && !self.is_busy() {
             self.send_more();
         }
         if let Some(byte) = self.out.pop_front() {
@@ -83,8 +83,8 @@ impl SdCard {
             Presence::Stuck => return 0x00,
             Presence::Present | Presence::Removed => {}
         }
-        if self.busy > 0 {
-            self.busy -= 1;
+        if self.is_busy() {
+            self.busy = self.busy.saturating_sub(1);
             return 0x00;
         }
         0xFF
@@ -93,8 +93,10 @@ impl SdCard {
     /// Takes one byte of the host.
     fn take(&mut self, mosi: u8) {
         let starts_command = mosi & 0xC0 == 0x40;
+        let answered = self.out.is_empty();
         match &mut self.phase {
-            Phase::AwaitingToken { at } if mosi == START => {
+            // Not before the host has had R1 (section 7.2.4).
+            Phase::AwaitingToken { at } if mosi == START && answered => {
                 self.phase = Phase::Receiving {
                     at: *at,
                     data: Vec::with_capacity(BLOCK + 2),
@@ -242,5 +244,6 @@ impl SdCard {
             Some(What::Busy(bytes)) => self.timing.write_busy.saturating_add(bytes),
             _ => self.timing.write_busy,
         };
+        self.busy_until = self.now.saturating_add(self.write_time);
     }
 }

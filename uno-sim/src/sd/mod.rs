@@ -15,6 +15,8 @@
 //! - While CS is high the card leaves MISO alone (0xFF) and ignores the bus. Raising CS drops a command frame that is
 //!   not complete; everything else pauses and goes on when CS falls, except that writing goes on meanwhile. So a host
 //!   may hold CS low for a whole session, or lower it for each transfer.
+//! - A written block is stored once all of it and its CRC have come. Then the card is busy for so many bytes on the bus
+//!   ([`Timing::write_busy`]), and besides for a time ([`SdCard::with_write_time`]).
 
 mod command;
 pub mod crc;
@@ -42,7 +44,7 @@ pub enum Kind {
     Sdhc,
 }
 
-/// How long the card takes, counted in bytes on the bus.
+/// How long the card takes, counted in bytes on the bus. For the time of a write, see [`SdCard::with_write_time`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Timing {
     /// Bytes of 0xFF before a response (N<sub>CR</sub>); the specification allows 1 to 8.
@@ -75,6 +77,8 @@ pub struct SdCard {
     kind: Kind,
     geometry: Geometry,
     timing: Timing,
+    /// Cycles of [`SdCard::with_write_time`].
+    write_time: u64,
     faults: Vec<Fault>,
     image: Vec<u8>,
     log: CardLog,
@@ -97,6 +101,10 @@ pub struct SdCard {
     out: VecDeque<u8>,
     /// Bytes for which the line is held low once `out` is empty.
     busy: u32,
+    /// The time, cycles.
+    now: u64,
+    /// The time until which the line is held low, too.
+    busy_until: u64,
     /// Blocks moved so far, for [`At::Block`].
     blocks: usize,
     presence: Presence,
@@ -138,6 +146,7 @@ impl SdCard {
             kind,
             geometry,
             timing: Timing::default(),
+            write_time: 0,
             faults: Vec::new(),
             image,
             log: CardLog::default(),
@@ -152,6 +161,8 @@ impl SdCard {
             frame: Vec::new(),
             out: VecDeque::new(),
             busy: 0,
+            now: 0,
+            busy_until: 0,
             blocks: 0,
             presence: Presence::Present,
             never_ready: false,
@@ -162,6 +173,24 @@ impl SdCard {
     pub fn with_timing(mut self, timing: Timing) -> SdCard {
         self.timing = timing;
         self
+    }
+
+    /// The same card, busy for so many cycles after each block written, whatever the host clocks meanwhile. The
+    /// specification allows 250 ms (section 4.6.2.2).
+    pub fn with_write_time(mut self, cycles: u64) -> SdCard {
+        self.set_write_time(cycles);
+        self
+    }
+
+    /// Changes the time that a block written takes, from the next block on: see [`SdCard::with_write_time`].
+    pub fn set_write_time(&mut self, cycles: u64) {
+        self.write_time = cycles;
+    }
+
+    /// Tells the card the time, in cycles of any clock that only goes forward. The board does so before each byte; for
+    /// a host that never does, time stands still.
+    pub fn set_time(&mut self, cycles: u64) {
+        self.now = cycles;
     }
 
     /// The same card with one more fault.
@@ -204,6 +233,16 @@ impl SdCard {
         self.image
     }
 
+    /// True once [`What::Removed`] has struck; [`SdCard::power_cycle`] puts the card back.
+    pub fn is_removed(&self) -> bool {
+        matches!(self.presence, Presence::Removed | Presence::Leaving)
+    }
+
+    /// True while the card holds the line low.
+    fn is_busy(&self) -> bool {
+        self.busy > 0 || self.now < self.busy_until
+    }
+
     /// True once a host has initialised the card (it answers without the idle bit).
     pub fn is_ready(&self) -> bool {
         self.mode == Mode::Ready
@@ -226,5 +265,6 @@ impl SdCard {
         self.frame.clear();
         self.out.clear();
         self.busy = 0;
+        self.busy_until = 0;
     }
 }

@@ -1,7 +1,7 @@
-//! Around the chip: buttons, outputs, card slot and serial line.
+//! Around the chip: buttons, switch, outputs, card slot and serial line.
 
-use super::{FIRST_INPUT, Slot, Uno};
-use crate::avr::reg;
+use super::{FIRST_INPUT, STOP_PIN, Slot, Uno};
+use crate::avr::{Irq, reg};
 use crate::pins::{Edge, POINTS};
 use crate::sd::SdCard;
 use std::borrow::Cow;
@@ -32,6 +32,19 @@ impl Uno {
     /// The buttons that are closed: bit n is input n.
     pub fn inputs(&self) -> u8 {
         self.closed
+    }
+
+    /// Closes or opens the switch RUN/STOP, which connects A5 to ground while it is closed (STOP). Open, it leaves the pin
+    /// to the internal pull-up, as a button does.
+    pub fn set_stop(&mut self, closed: bool) {
+        self.stop = closed;
+        self.close(reg::DDRC, STOP_PIN as usize, self.stop_irq, closed);
+        self.avr.set_external(b'C', u8::from(closed) << STOP_PIN, 0);
+    }
+
+    /// True while the switch RUN/STOP is closed (STOP).
+    pub fn stop(&self) -> bool {
+        self.stop
     }
 
     /// The outputs that are on, from DDR and PORT: bit n is output n (points 01 to 04, pins D6 to D9).
@@ -102,20 +115,23 @@ impl Uno {
 
     /// Puts the levels of the buttons on the pins.
     fn apply_inputs(&mut self) {
+        for (n, irq) in self.input_irqs.into_iter().enumerate() {
+            let pin = FIRST_INPUT as usize + n;
+            self.close(reg::DDRD, pin, irq, self.closed >> n & 1 == 1);
+        }
         // simavr raises the pull-ups anew on each write to PORT or DDR, unless it knows of a level from outside.
         self.avr.set_external(b'D', self.closed << FIRST_INPUT, 0);
-        let pulled_up = !self.avr.register(reg::DDRD) & self.avr.register(reg::PORTD);
-        for (n, irq) in self.input_irqs.into_iter().enumerate() {
-            let level = match (
-                self.closed >> n & 1,
-                pulled_up >> (FIRST_INPUT as usize + n) & 1,
-            ) {
-                (1, _) => 0,
-                (_, 1) => 1,
-                _ => continue,
-            };
-            // SAFETY: the chip is alive, and no callback of ours is on this IRQ.
-            unsafe { irq.raise(level) };
-        }
+    }
+
+    /// Connects a pin of the port with this DDR to ground, or leaves it to the pull-up.
+    fn close(&mut self, ddr: u16, pin: usize, irq: Irq, closed: bool) {
+        let pulled_up = !self.avr.register(ddr) & self.avr.register(ddr + 1);
+        let level = match (closed, pulled_up >> pin & 1) {
+            (true, _) => 0,
+            (false, 1) => 1,
+            (false, _) => return,
+        };
+        // SAFETY: the chip is alive, and no callback of ours is on this IRQ.
+        unsafe { irq.raise(level) };
     }
 }

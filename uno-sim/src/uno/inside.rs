@@ -1,10 +1,15 @@
-//! Inside the chip: symbols, RAM, EEPROM, clock and stack.
+//! Inside the chip: symbols, RAM, flash, EEPROM, clock and stack.
 
 use super::Uno;
 use crate::Error;
 use crate::avr::reg;
-use crate::elf::{Program, RAM_END, RAM_START, Symbol};
+use crate::eeprom::EepromWrite;
+use crate::elf::{EEPROM_LEN, Program, RAM_END, RAM_START, Symbol};
 use crate::stack;
+use std::ops::Range;
+
+/// First address above the RAM.
+const RAM_LIMIT: usize = RAM_END as usize + 1;
 
 impl Uno {
     /// The program: its symbols, and where its static data ends.
@@ -23,7 +28,7 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
     pub fn read_ram(&self, address: u32, len: usize) -> Result<&[u8], Error> {
-        let range = data_range(0, address, len)?;
+        let range = range("RAM", 0..RAM_LIMIT, address, len)?;
         Ok(&self.avr.data()[range])
     }
 
@@ -32,30 +37,58 @@ impl Uno {
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
     pub fn write_ram(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error> {
-        let range = data_range(RAM_START, address, bytes.len())?;
+        let range = range("RAM", RAM_START as usize..RAM_LIMIT, address, bytes.len())?;
         self.avr.data_mut()[range].copy_from_slice(bytes);
         Ok(())
     }
 
-    /// Copies `len` bytes of EEPROM from `address` (0 to 0x3FF).
+    /// Copies `len` bytes of the program from byte address `address` of the flash.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] where they do not all belong to the program that was loaded.
+    pub fn read_flash(&self, address: u32, len: usize) -> Result<Vec<u8>, Error> {
+        let range = self.code_range(address, len)?;
+        Ok(self.avr.flash()[range].to_vec())
+    }
+
+    /// Writes bytes into the program, at once, as an error in it would; low byte of an instruction first. A program that
+    /// is to hang somewhere gets a [`STALL`](crate::STALL) there.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] where they do not all belong to the program that was loaded.
+    pub fn patch_flash(&mut self, address: u32, bytes: &[u8]) -> Result<(), Error> {
+        let range = self.code_range(address, bytes.len())?;
+        self.avr.flash_mut()[range].copy_from_slice(bytes);
+        Ok(())
+    }
+
+    fn code_range(&self, address: u32, len: usize) -> Result<Range<usize>, Error> {
+        range("program", 0..self.code_end as usize, address, len)
+    }
+
+    /// Copies `len` bytes of EEPROM from `address` (0 to 0x3FF). A byte that is being written still has its old value.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all lie there.
-    pub fn read_eeprom(&mut self, address: u16, len: usize) -> Result<Vec<u8>, Error> {
-        let mut bytes = vec![0; len];
-        let read = self.avr.read_eeprom(address, &mut bytes);
-        read.then_some(bytes).ok_or(out_of_eeprom(address, len))
+    pub fn read_eeprom(&self, address: u16, len: usize) -> Result<Vec<u8>, Error> {
+        let range = range("EEPROM", 0..EEPROM_LEN, address.into(), len)?;
+        Ok(self.wired.eeprom.bytes()[range].to_vec())
     }
 
-    /// Writes bytes into the EEPROM, at once.
+    /// Writes bytes into the EEPROM, at once and without an entry in [`Uno::eeprom_writes`].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where they do not all fit there.
     pub fn write_eeprom(&mut self, address: u16, bytes: &[u8]) -> Result<(), Error> {
-        let written = self.avr.write_eeprom(address, bytes);
-        written
-            .then_some(())
-            .ok_or(out_of_eeprom(address, bytes.len()))
+        let range = range("EEPROM", 0..EEPROM_LEN, address.into(), bytes.len())?;
+        self.wired.eeprom.bytes_mut()[range].copy_from_slice(bytes);
+        Ok(())
+    }
+
+    /// Every byte that the program has written to the EEPROM since the board was made, in order of time. A write that is
+    /// still going on is not among them.
+    pub fn eeprom_writes(&self) -> &[EepromWrite] {
+        self.wired.eeprom.writes()
     }
 
     /// Switches the timer interrupts off: the program's millisecond clock stands, and shows what a test writes to it.
@@ -95,22 +128,20 @@ impl Uno {
     }
 }
 
-fn data_range(first: u32, address: u32, len: usize) -> Result<std::ops::Range<usize>, Error> {
+/// The range of `len` bytes from `address`, where it lies in `memory`.
+fn range(
+    name: &'static str,
+    memory: Range<usize>,
+    address: u32,
+    len: usize,
+) -> Result<Range<usize>, Error> {
     let start = address as usize;
     match start.checked_add(len) {
-        Some(end) if address >= first && end <= RAM_END as usize + 1 => Ok(start..end),
+        Some(end) if start >= memory.start && end <= memory.end => Ok(start..end),
         _ => Err(Error::OutOfRange {
-            memory: "RAM",
+            memory: name,
             address,
             len,
         }),
-    }
-}
-
-fn out_of_eeprom(address: u16, len: usize) -> Error {
-    Error::OutOfRange {
-        memory: "EEPROM",
-        address: address.into(),
-        len,
     }
 }

@@ -2,9 +2,10 @@
 
 mod around;
 mod inside;
+mod power;
 
 use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, reg};
-use crate::elf::{Program, RAM_START};
+use crate::elf::Program;
 use crate::pins::{Edge, Levels, POINTS, PinRegisters};
 use crate::sd::SdCard;
 use crate::stack::StackWatch;
@@ -17,10 +18,13 @@ pub const CYCLES_PER_MS: u64 = CLOCK_HZ as u64 / 1000;
 
 /// First pin of port D with a button: input 0 is D2.
 const FIRST_INPUT: u32 = 2;
-/// Bit of MCUSR: the reset came from the button.
-const EXTRF: u8 = 1 << 1;
+/// Pin of port C with the switch RUN/STOP: A5.
+const STOP_PIN: u32 = 5;
 /// Bits of WDTCSR, WDE and WDIE: the watchdog is on.
 const WATCHDOG_ON: u8 = 1 << 3 | 1 << 6;
+
+/// An instruction that jumps to itself (`rjmp .-2`), as it lies in flash: for [`Uno::patch_flash`].
+pub const STALL: [u8; 2] = [0xFF, 0xCF];
 
 /// What is in the card slot.
 #[derive(Clone, Debug)]
@@ -32,7 +36,7 @@ pub enum Slot {
     Card(SdCard),
 }
 
-/// A simulated UNO. Times are cycles since power-up, 62.5 ns each; they go on through a reset.
+/// A simulated UNO. Times are cycles since it was made, 62.5 ns each; they go on through a reset and a power cut.
 pub struct Uno {
     // The chip before the wiring: it is dropped first, and knows the wiring's address.
     avr: Avr,
@@ -40,14 +44,17 @@ pub struct Uno {
     program: Program,
     code_end: u32,
     input_irqs: [Irq; POINTS],
+    stop_irq: Irq,
     /// Bit n: the button of input n is closed.
     closed: u8,
+    /// The switch RUN/STOP is closed.
+    stop: bool,
+    boot_loader: bool,
     pin_registers: PinRegisters,
     levels: Levels,
     edges: Vec<Edge>,
     stack: StackWatch,
-    /// Cycles up to the last reset.
-    cycles_before: u64,
+    power_ups: u32,
     resets: u32,
     halt: Option<Halt>,
 }
@@ -69,19 +76,22 @@ impl Uno {
     pub fn with_program(program: Program, slot: Slot) -> Result<Uno, Error> {
         let mut avr = Avr::new()?;
         avr.load_flash(&program.flash);
-        avr.write_eeprom(0, &program.eeprom);
-        scramble(avr.data_mut());
-        let wired = Wired::new(&mut avr, slot)?;
+        power::scramble(avr.data_mut(), 0);
+        let mut wired = Wired::new(&mut avr, slot)?;
+        wired.eeprom.bytes_mut()[..program.eeprom.len()].copy_from_slice(&program.eeprom);
         let pin = |n| avr.irq(*b"iogD", FIRST_INPUT + n);
         Ok(Uno {
             input_irqs: [pin(0)?, pin(1)?, pin(2)?, pin(3)?],
+            stop_irq: avr.irq(*b"iogC", STOP_PIN)?,
             code_end: program.flash.len() as u32,
             stack: StackWatch::new(&avr),
             pin_registers: PinRegisters::default(),
             levels: Levels::default(),
             edges: Vec::new(),
             closed: 0,
-            cycles_before: 0,
+            stop: false,
+            boot_loader: false,
+            power_ups: 0,
             resets: 0,
             halt: None,
             avr,
@@ -142,21 +152,10 @@ impl Uno {
         self.check_halt()
     }
 
-    /// Presses the reset button. RAM, EEPROM and card stay as they are; the card is not powered anew.
-    pub fn reset(&mut self) {
-        self.cycles_before += self.avr.cycle();
-        let cause = self.avr.register(reg::MCUSR);
-        self.avr.set_register(reg::MCUSR, cause | EXTRF);
-        self.avr.reset();
-        self.halt = None;
-        self.settle_after_reset();
-        self.watch_pins();
-    }
-
-    /// Cycles since power-up.
+    /// Cycles since the board was made.
     #[inline]
     pub fn cycles(&self) -> u64 {
-        self.cycles_before + self.avr.cycle()
+        self.wired.cycles_before + self.avr.cycle()
     }
 
     /// Byte address of the next instruction.
@@ -177,8 +176,12 @@ impl Uno {
         let next = self.avr.pc();
         if self.avr.cycle() < cycle {
             // The watchdog has reset the chip, and simavr counts anew.
-            self.cycles_before += cycle;
+            self.wired.cycles_before += cycle;
             self.settle_after_reset();
+            if self.wired.power_cut {
+                self.lose_power();
+                return false;
+            }
         }
         self.stack.watch(&self.avr, pc);
         self.watch_pins();
@@ -215,18 +218,18 @@ impl Uno {
         self.levels = levels;
     }
 
-    fn settle_after_reset(&mut self) {
-        self.resets += 1;
-        self.wired.after_reset();
-    }
-
     /// The last instruction, at `pc`, was no ordinary one: has the program ended?
     #[cold]
     fn look_closer(&mut self, cpu: Cpu, pc: u32, next: u32) {
         let watchdog_on = self.avr.register(reg::WDTCSR) & WATCHDOG_ON != 0;
         let waits = cpu == Cpu::Alive && next < self.code_end;
-        if waits && (self.avr.interrupts_on() || watchdog_on) {
+        // A write to the EEPROM goes on though the program does not; the power may go with it.
+        let writes = self.wired.eeprom.is_busy();
+        if waits && (self.avr.interrupts_on() || watchdog_on || writes) {
             return;
+        }
+        if self.wired.power_cut {
+            return self.lose_power();
         }
         let place = self.program.place(pc);
         self.halt = Some(match (cpu, self.wired.bad_opcode) {
@@ -247,16 +250,5 @@ impl std::fmt::Debug for Uno {
             .field("outputs", &self.outputs())
             .field("halt", &self.halt)
             .finish_non_exhaustive()
-    }
-}
-
-/// Fills working registers and RAM with arbitrary bytes, and leaves the I/O registers alone.
-fn scramble(data: &mut [u8]) {
-    let mut state = 0x9E37_79B9u32;
-    let (registers, rest) = data.split_at_mut(0x20);
-    let ram = rest.iter_mut().skip(RAM_START as usize - 0x20);
-    for byte in registers.iter_mut().chain(ram) {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        *byte = state.to_be_bytes()[0];
     }
 }

@@ -1,9 +1,12 @@
-//! What is wired to the chip and must answer while an instruction runs: the card on the SPI, and the serial port.
+//! What must answer while an instruction runs: the card on the SPI, the serial port, and the EEPROM.
 //!
 //! simavr calls back into this module from within a step. Each callback takes a short reference to the [`Wiring`] and
 //! gives it up before it raises an IRQ, because that may call back again.
 
+mod eeprom;
+
 use crate::avr::{Avr, Irq, reg};
+use crate::eeprom::Eeprom;
 use crate::{Error, Slot};
 use simavr_ffi as ffi;
 use std::collections::VecDeque;
@@ -22,6 +25,11 @@ pub(crate) struct Wiring {
     avr: NonNull<ffi::avr_t>,
     to_spi: Irq,
     to_serial: Irq,
+    /// Cycles up to the last reset.
+    pub cycles_before: u64,
+    pub eeprom: Eeprom,
+    /// The power has gone at a write to the EEPROM.
+    pub power_cut: bool,
     /// What is in the card slot.
     pub slot: Slot,
     /// Everything that the program has sent.
@@ -40,7 +48,7 @@ pub(crate) struct Wiring {
 pub(crate) struct Wired(NonNull<Wiring>);
 
 impl Wired {
-    /// Connects a slot and a serial line to the chip. The chip must be dropped before the result.
+    /// Connects a slot, a serial line and an empty EEPROM to the chip. The chip must be dropped before the result.
     pub fn new(avr: &mut Avr, slot: Slot) -> Result<Wired, Error> {
         avr.quiet_uart();
         // simavr names peripherals by four characters; the SPI of this chip has the number 0, not '0'.
@@ -49,6 +57,9 @@ impl Wired {
             avr: avr.as_ptr(),
             to_spi: avr.irq(spi, ffi::SPI_IRQ_INPUT)?,
             to_serial: avr.irq(uart, ffi::UART_IRQ_INPUT)?,
+            cycles_before: 0,
+            eeprom: Eeprom::new(),
+            power_cut: false,
             slot,
             sent: Vec::new(),
             to_send: VecDeque::new(),
@@ -71,6 +82,7 @@ impl Wired {
             avr.on(xon, serial_ready, parameter);
             avr.on(xoff, serial_full, parameter);
             avr.on(bad_opcode, invalid_opcode, parameter);
+            eeprom::connect(avr, wired.0);
         }
         Ok(wired)
     }
@@ -82,11 +94,14 @@ impl Wired {
         unsafe { feed_serial(self.0) };
     }
 
-    /// What a reset of the chip does to the lines.
+    /// What a reset of the chip does around it. To be called when the chip has been reset, and counts from 0.
     pub fn after_reset(&mut self) {
         self.to_send.clear();
         self.hold = false;
         self.bad_opcode = None;
+        self.eeprom.reset();
+        // SAFETY: the chip is alive, and no reference to the wiring is held.
+        unsafe { eeprom::await_end(self.0) };
     }
 }
 
@@ -114,6 +129,24 @@ impl Drop for Wired {
 }
 
 impl Wiring {
+    /// Cycles since the board was made; in a callback, up to the start of the instruction.
+    pub fn cycles(&self) -> u64 {
+        // SAFETY: the chip is alive.
+        self.cycles_before + unsafe { Avr::cycle_of(self.avr) }
+    }
+
+    /// The power goes, and comes back: what that does to EEPROM and card. A card that was pulled out stays so.
+    pub fn power_cycle(&mut self) {
+        let now = self.cycles();
+        self.eeprom.power_off(now);
+        self.power_cut = false;
+        if let Slot::Card(card) = &mut self.slot
+            && !card.is_removed()
+        {
+            card.power_cycle();
+        }
+    }
+
     /// Lets the card see its CS.
     pub fn select_card(&mut self, low: bool) {
         if let Slot::Card(card) = &mut self.slot {
@@ -125,8 +158,10 @@ impl Wiring {
     fn exchange(&mut self, mosi: u8) -> u8 {
         // SAFETY: called within a step, by the chip that is stepping; it writes nothing meanwhile.
         let ddr = unsafe { Avr::register_of(self.avr, reg::DDRB) };
+        let now = self.cycles();
         match &mut self.slot {
             Slot::Card(card) if ddr & SCK != 0 => {
+                card.set_time(now);
                 card.exchange(if ddr & MOSI == 0 { 0xFF } else { mosi })
             }
             _ => 0xFF,

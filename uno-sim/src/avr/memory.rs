@@ -1,0 +1,104 @@
+//! Registers, RAM and flash of the chip, as they stand.
+
+use super::Avr;
+use crate::elf::RAM_END;
+use simavr_ffi as ffi;
+use std::ptr::NonNull;
+
+impl Avr {
+    /// One register, as it stands, without the side effects of a read by the program.
+    #[inline]
+    pub fn register(&self, address: u16) -> u8 {
+        // SAFETY: the chip is alive, and nothing writes while `&self` is held.
+        unsafe { Avr::register_of(self.avr, address) }
+    }
+
+    /// The same from within a callback.
+    ///
+    /// # Safety
+    /// `avr` is an initialised chip, and nothing else writes to it at this moment.
+    #[inline]
+    pub unsafe fn register_of(avr: NonNull<ffi::avr_t>, address: u16) -> u8 {
+        debug_assert!(u32::from(address) <= RAM_END);
+        // SAFETY: `data` has RAM_END + 1 bytes; callers name one of the constants in `reg`.
+        unsafe { *(*avr.as_ptr()).data.add(usize::from(address)) }
+    }
+
+    /// Sets a register from within a callback, without the side effects of a write by the program.
+    ///
+    /// # Safety
+    /// See [`Avr::register_of`].
+    pub unsafe fn set_register_of(avr: NonNull<ffi::avr_t>, address: u16, value: u8) {
+        debug_assert!(u32::from(address) <= RAM_END);
+        // SAFETY: as in `register_of`.
+        unsafe { *(*avr.as_ptr()).data.add(usize::from(address)) = value };
+    }
+
+    /// Two registers, `address` the low byte.
+    #[inline]
+    pub fn register_pair(&self, address: u16) -> u16 {
+        debug_assert!(u32::from(address) < RAM_END);
+        // SAFETY: as in `register_of`, for two bytes; they need not be aligned.
+        let bytes = unsafe {
+            (*self.avr.as_ptr())
+                .data
+                .add(usize::from(address))
+                .cast::<[u8; 2]>()
+                .read()
+        };
+        u16::from_le_bytes(bytes)
+    }
+
+    /// Sets a register, without the side effects of a write by the program.
+    pub fn set_register(&mut self, address: u16, value: u8) {
+        self.data_mut()[usize::from(address)] = value;
+    }
+
+    /// Data space, 0 to RAMEND: registers, then RAM.
+    pub fn data(&self) -> &[u8] {
+        // SAFETY: simavr has allocated RAM_END + 1 bytes, which live as long as `self`; nothing writes meanwhile.
+        unsafe { std::slice::from_raw_parts((*self.avr.as_ptr()).data, RAM_END as usize + 1) }
+    }
+
+    /// Data space for writing.
+    pub fn data_mut(&mut self) -> &mut [u8] {
+        // SAFETY: see `data`; `&mut self` keeps everybody else out.
+        unsafe { std::slice::from_raw_parts_mut((*self.avr.as_ptr()).data, RAM_END as usize + 1) }
+    }
+
+    /// Puts a program into flash, from address 0.
+    ///
+    /// # Panics
+    /// Where it is longer than the flash; `Program` has checked that.
+    pub fn load_flash(&mut self, program: &[u8]) {
+        // SAFETY: the chip is alive, and `&mut self` keeps everybody else out; plain value.
+        unsafe { (*self.avr.as_ptr()).codeend = program.len() as u32 };
+        self.flash_mut()[..program.len()].copy_from_slice(program);
+    }
+
+    /// All of the flash.
+    pub fn flash(&self) -> &[u8] {
+        // SAFETY: simavr has allocated flashend + 1 bytes, which live as long as `self`; nothing writes meanwhile.
+        unsafe {
+            let avr = &*self.avr.as_ptr();
+            std::slice::from_raw_parts(avr.flash, avr.flashend as usize + 1)
+        }
+    }
+
+    /// All of the flash, for writing.
+    pub fn flash_mut(&mut self) -> &mut [u8] {
+        // SAFETY: see `flash`; `&mut self` keeps everybody else out.
+        unsafe {
+            let avr = &mut *self.avr.as_ptr();
+            std::slice::from_raw_parts_mut(avr.flash, avr.flashend as usize + 1)
+        }
+    }
+
+    /// One 16-bit word of flash at a byte address; 0xFFFF beyond the end.
+    pub fn flash_word(&self, address: u32) -> u16 {
+        match self.flash().get(address as usize..address as usize + 2) {
+            Some(&[low, high]) => u16::from_le_bytes([low, high]),
+            _ => 0xFFFF,
+        }
+    }
+}
