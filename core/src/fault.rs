@@ -1,7 +1,7 @@
 //! Everything that can be wrong, each with a stable number and one line of text (NC-11).
 //!
 //! The tens tell the area: 1 the text of the file, 2 its codes, 3 its structure, 4 its size,
-//! 5 the card. LED L flashes the tens long and the units short, so no number ends in 0.
+//! 5 the card, 6 the board itself. LED L flashes the tens long and the units short, so no number ends in 0.
 //! A number that has been published never changes its meaning.
 
 use core::fmt;
@@ -40,6 +40,13 @@ macro_rules! faults {
             54 NoVolume "the card is not FAT16 or FAT32; format it so";
             55 NoProgramFile "no PROGRAM.TXT in the root folder (is it PROGRAM.TXT.TXT?)";
             56 VolumeDamaged "the card's FAT makes no sense; check or format the card";
+            57 FileChanged "the card gave another program when it was read again; try another";
+            61 ScanTooLong "a scan took more than 110 ms; press reset to try again";
+            62 ProgramDamaged "the program in run memory has changed; press reset";
+            63 StackOverflow "the stack has met run memory; press reset";
+            64 SupplyLow "the supply is below 4.3 V; use a better cable or supply";
+            65 NoStoredProgram "no card with a program, and no valid program is stored";
+            66 StoreFailed "program memory does not keep what is written to it";
         }
     };
 }

@@ -120,6 +120,14 @@ macro_rules! instructions {
                 }
             }
 
+            /// The opcode of an instruction's first stored byte.
+            pub(crate) const fn of_stored(byte: u8) -> Option<Opcode> {
+                match if byte < 0x10 { byte } else { byte & 0xF0 } {
+                    $($stored => Some(Opcode::$name),)*
+                    _ => None,
+                }
+            }
+
             /// The opcode that a code spells, and its XX (0 where it takes no point).
             ///
             /// Rows are tried in order: a recall has the code of a store, and comes after it; the

@@ -21,6 +21,7 @@
 pub mod fault;
 pub mod isa;
 
+mod crc;
 mod image;
 mod loader;
 mod plc;
@@ -30,6 +31,7 @@ mod rung;
 mod text;
 mod timer;
 
+pub use crc::Crc16;
 pub use fault::{Cause, Fault};
 pub use image::{Image, Point};
 pub use isa::Instruction;

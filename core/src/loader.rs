@@ -79,6 +79,19 @@ impl<'m> Loader<'m> {
         result
     }
 
+    /// Takes a program in its stored form in place of a file, with the same checks: memory that
+    /// keeps a program for years is a claim too. Then [`finish`](Loader::finish).
+    pub fn restore(&mut self, stored: impl IntoIterator<Item = u8>) -> Result<(), Fault> {
+        self.expect = Expect::Instruction;
+        self.codes = 1;
+        let mut stored = stored.into_iter();
+        let mut checked = Ok(());
+        while let (Ok(()), Some(byte)) = (checked, stored.next()) {
+            checked = self.stored_instruction(byte, &mut stored);
+        }
+        self.report(checked)
+    }
+
     /// Tells that the file has ended. Each call reports one more of the faults that show only
     /// then, until there is none.
     pub fn end(&mut self) -> Result<(), Fault> {
@@ -155,7 +168,10 @@ impl<'m> Loader<'m> {
             }
             Expect::Instruction | Expect::Branch => self.instruction(code, expected),
             Expect::Preset => self.preset(code),
-            Expect::TimerOutput => self.timer_output(code),
+            Expect::TimerOutput => {
+                let xx = isa::xx(code, isa::OUTPUT_OPERAND).ok_or(Cause::BadTimerOutput)?;
+                self.timer_output(xx)
+            }
         }
     }
 
@@ -164,6 +180,27 @@ impl<'m> Loader<'m> {
             return Err(Cause::SecondStart);
         }
         let (opcode, xx) = Opcode::decode(code).ok_or(Cause::UnknownCode)?;
+        self.checked(opcode, xx, expected)
+    }
+
+    fn stored_instruction(
+        &mut self,
+        byte: u8,
+        rest: &mut impl Iterator<Item = u8>,
+    ) -> Result<(), Cause> {
+        let expected = mem::replace(&mut self.expect, Expect::Instruction);
+        let opcode = Opcode::of_stored(byte).ok_or(Cause::UnknownCode)?;
+        self.checked(opcode, (byte & 0x0F) + 1, expected)?;
+        if self.expect == Expect::Preset {
+            let mut next = || rest.next().ok_or(Cause::OperandsMissing);
+            self.preset(i32::from_le_bytes([next()?, next()?, next()?, next()?]))?;
+            self.timer_output(next()?.saturating_add(1))?;
+        }
+        Ok(())
+    }
+
+    /// Checks an instruction with its XX, and stores it.
+    fn checked(&mut self, opcode: Opcode, xx: u8, expected: Expect) -> Result<(), Cause> {
         self.codes = self.codes.saturating_add(1);
         let (count, cause) = match opcode.operand() {
             Operand::None => {
@@ -181,13 +218,13 @@ impl<'m> Loader<'m> {
         };
         let point = Point::new(xx, count).ok_or(cause)?;
         let opcode = match opcode {
-            Opcode::StoreBranch if expected == Expect::Branch => {
+            Opcode::StoreBranch | Opcode::RecallBranch if expected == Expect::Branch => {
                 self.rung.recall(point)?;
                 Opcode::RecallBranch
             }
-            Opcode::StoreBranch => {
+            Opcode::StoreBranch | Opcode::RecallBranch => {
                 self.rung.store(point);
-                opcode
+                Opcode::StoreBranch
             }
             _ => opcode,
         };
@@ -227,8 +264,8 @@ impl<'m> Loader<'m> {
         Ok(())
     }
 
-    fn timer_output(&mut self, code: i32) -> Result<(), Cause> {
-        let xx = isa::xx(code, isa::OUTPUT_OPERAND).ok_or(Cause::BadTimerOutput)?;
+    fn timer_output(&mut self, xx: u8) -> Result<(), Cause> {
+        self.expect = Expect::Instruction;
         let output = Point::new(xx, self.profile.outputs).ok_or(Cause::NoSuchOutput)?;
         self.put(output.index());
         Ok(())

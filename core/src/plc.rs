@@ -104,6 +104,17 @@ impl<'m> Plc<'m> {
         self.outputs
     }
 
+    /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started.
+    pub fn restart(&mut self) {
+        self.timers.fill([0; timer::DATA_BYTES]);
+        self.outputs = Image::default();
+    }
+
+    /// The stored form of the program, as it stands in run memory.
+    pub fn stored(&self) -> &[u8] {
+        self.code
+    }
+
     /// The output image as the last scan left it.
     pub fn outputs(&self) -> Image {
         self.outputs

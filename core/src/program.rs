@@ -41,7 +41,12 @@ impl Program<'_> {
 
     /// The instructions in order.
     pub fn steps(&self) -> Steps<'_> {
-        Steps::new(self.memory.get(..self.code_bytes).unwrap_or_default())
+        Steps::new(self.stored())
+    }
+
+    /// The stored form: what to keep, and to give to [`Loader::restore`](crate::Loader::restore).
+    pub fn stored(&self) -> &[u8] {
+        self.memory.get(..self.code_bytes).unwrap_or_default()
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use unoclp_core::isa::{Operand, TABLE};
-use unoclp_core::{Cause, Profile};
+use unoclp_core::{Cause, Fault, Loader, Profile};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
@@ -60,6 +60,159 @@ fn fault_table() {
         .map(|cause| vec![cause.number().to_string(), cause.text().to_string()])
         .collect();
     assert_eq!(table(&document("docs/numeric-code.md"), "faults"), expected);
+}
+
+/// A page that explains the faults, and the words it does so with.
+struct FaultPage {
+    name: &'static str,
+    what_to_do: &'static str,
+    wrong: &'static str,
+    right: &'static str,
+    fault: &'static str,
+    translated: bool,
+}
+
+const FAULT_PAGES: [FaultPage; 2] = [
+    FaultPage {
+        name: "docs/faults.md",
+        what_to_do: "- **What to do:**",
+        wrong: "wrong",
+        right: "right",
+        fault: "fault",
+        translated: false,
+    },
+    FaultPage {
+        name: "docs/faults.pt-BR.md",
+        what_to_do: "- **O que fazer:**",
+        wrong: "errado",
+        right: "certo",
+        fault: "falha",
+        translated: true,
+    },
+];
+
+/// The lines of a page's entry for each fault, without its heading. Checks on the way that the
+/// headings are the numbers and texts of core's table, in order, each below its anchor.
+fn fault_entries(page: &FaultPage) -> Vec<(Cause, Vec<String>)> {
+    let text = document(page.name);
+    let starting = |start: &str| -> Vec<&str> {
+        let lines = text.lines();
+        lines.filter(|line| line.starts_with(start)).collect()
+    };
+    let all = Cause::ALL.iter();
+    let headings: Vec<String> = all
+        .clone()
+        .map(|cause| format!("## {} — {}", cause.number(), cause.text()))
+        .collect();
+    assert_eq!(starting("## "), headings, "{}", page.name);
+    let anchors: Vec<String> = all
+        .clone()
+        .map(|cause| format!("<a id=\"{}\"></a>", cause.number()))
+        .collect();
+    assert_eq!(starting("<a "), anchors, "{}", page.name);
+
+    let lines: Vec<&str> = text.lines().collect();
+    let entries = lines.split(|line| line.starts_with("<a ")).skip(1);
+    all.zip(entries)
+        .map(|(&cause, entry)| {
+            let [blank, heading, body @ ..] = entry else {
+                panic!("{}: {cause:?} is empty", page.name);
+            };
+            assert_eq!(*blank, "", "{}: {cause:?}", page.name);
+            assert!(heading.starts_with("## "), "{}: {cause:?}", page.name);
+            (cause, body.iter().map(|line| line.to_string()).collect())
+        })
+        .collect()
+}
+
+#[test]
+fn every_fault_is_explained() {
+    for page in &FAULT_PAGES {
+        for (cause, entry) in fault_entries(page) {
+            let place = format!("{}: {}", page.name, cause.number());
+            let what_to_do = entry
+                .iter()
+                .find_map(|line| line.strip_prefix(page.what_to_do))
+                .unwrap_or_else(|| panic!("{place} does not say what to do"));
+            assert!(what_to_do.contains(char::is_alphabetic), "{place}");
+
+            // The translation of the text stands directly below the heading, in italics.
+            let below = entry.get(1).map(String::as_str).unwrap_or_default();
+            let italic = below.starts_with('*')
+                && below.ends_with('*')
+                && below.contains(char::is_alphabetic);
+            assert_eq!(italic, page.translated, "{place}: {below}");
+
+            let limit = match cause {
+                Cause::ProgramFull => Profile::UNO.stored_bytes,
+                Cause::RunMemoryFull => Profile::UNO.linked_bytes,
+                _ => continue,
+            };
+            let says = entry.join(" ").contains(&format!(" {limit} bytes"));
+            assert!(says, "{place} does not say {limit} bytes");
+        }
+    }
+}
+
+/// Of each example, the left column has the fault on just the lines that are marked with it, and
+/// the right column is a program.
+#[test]
+fn examples_of_faults() {
+    for page in &FAULT_PAGES {
+        for (cause, entry) in fault_entries(page) {
+            let number = cause.number();
+            let place = format!("{}: {number}", page.name);
+            let mut blocks = entry.split(|line| line == "```").skip(1);
+            let Some([head, rows @ ..]) = blocks.next() else {
+                // It cannot be seen in a line, takes a long file, or is no fault of a file.
+                let hidden = matches!(cause, Cause::Utf16 | Cause::StrayCarriageReturn);
+                assert!(hidden || number > 40, "{place} has no example");
+                continue;
+            };
+            let width = head.find(page.right).unwrap_or_else(|| panic!("{place}"));
+            assert_eq!(head[..width].trim(), page.wrong, "{place}");
+            let wrong: Vec<String> = rows
+                .iter()
+                .map(|row| row.chars().take(width).collect::<String>())
+                .collect();
+            let right: Vec<String> = rows
+                .iter()
+                .map(|row| row.chars().skip(width).collect())
+                .collect();
+
+            let faults = faults_of(&wrong.join("\n"));
+            assert_eq!(
+                faults.first().map(|first| first.cause),
+                Some(cause),
+                "{place}"
+            );
+            let told: Vec<u32> = faults
+                .iter()
+                .filter(|fault| fault.cause == cause)
+                .filter_map(|fault| fault.line)
+                .collect();
+            let mark = format!("{} {number}", page.fault);
+            let marked: Vec<u32> = (1..)
+                .zip(&wrong)
+                .filter(|(_, line)| line.trim_end().ends_with(&mark))
+                .map(|(line, _)| line)
+                .collect();
+            assert_eq!(told, marked, "{place}");
+            assert_eq!(faults_of(&right.join("\n")), [], "{place}");
+        }
+    }
+}
+
+/// All the faults of a program that can be told.
+fn faults_of(program: &str) -> Vec<Fault> {
+    let mut memory = [0; Profile::UNO.linked_bytes as usize];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let bytes = program.bytes();
+    let mut faults: Vec<Fault> = bytes.filter_map(|byte| loader.push(byte).err()).collect();
+    while let Err(fault) = loader.end() {
+        faults.push(fault);
+    }
+    faults
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn fault_numbers_are_for_ever() {
         numbers,
         [
             11, 12, 13, 14, 15, 21, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 37, 41, 42, 51,
-            52, 53, 54, 55, 56
+            52, 53, 54, 55, 56, 57, 61, 62, 63, 64, 65, 66
         ]
     );
     // LED L flashes tens and units: neither may be 0.

@@ -1,0 +1,37 @@
+//! The check sum that tells whether a program is still the one that was accepted.
+
+/// CRC-16/CCITT with start value 0xFFFF (polynomial 0x1021), a byte at a time.
+///
+/// It finds every change of up to three bits in a program of this size, and every burst of up to
+/// 16 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crc16(u16);
+
+impl Default for Crc16 {
+    fn default() -> Crc16 {
+        Crc16(0xFFFF)
+    }
+}
+
+impl Crc16 {
+    /// Takes the next byte.
+    pub fn push(&mut self, byte: u8) {
+        let mut crc = self.0.swap_bytes() ^ u16::from(byte);
+        crc ^= (crc & 0xFF) >> 4;
+        crc ^= crc << 12;
+        crc ^= (crc & 0xFF) << 5;
+        self.0 = crc;
+    }
+
+    /// The check sum of the bytes so far.
+    pub fn value(self) -> u16 {
+        self.0
+    }
+
+    /// The check sum of these bytes.
+    pub fn of(bytes: &[u8]) -> Crc16 {
+        let mut crc = Crc16::default();
+        bytes.iter().for_each(|&byte| crc.push(byte));
+        crc
+    }
+}
