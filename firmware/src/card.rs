@@ -8,7 +8,7 @@ use core::fmt;
 use embedded_sdmmc::sdcard::spi::AcquireOpts;
 use embedded_sdmmc::{Block, BlockCount, BlockDevice, BlockIdx, SdCard};
 use unoclp_card::{Error, File};
-use unoclp_core::{Cause, Fault, Loader, Millis, Profile, Program};
+use unoclp_core::{Cause, Crc16, Fault, Loader, Millis, Profile, Program};
 
 /// The program's 8.3 name as a directory holds it (NC-1).
 const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
@@ -24,14 +24,22 @@ const READS: u8 = 3;
 /// How often a card that answers nonsense is asked to begin anew; the deadline comes first.
 const RESTARTS: u32 = 1_000_000;
 
-/// Reads `PROGRAM.TXT` through the loader into run memory.
+/// Reads `PROGRAM.TXT` through the loader into run memory, twice: once to check all of it, and
+/// once to be sure that the card gives the same again.
 ///
 /// Nothing is ever written to the card. An empty slot is known within 300 ms; a card that dies is
 /// given up within 2 s.
 #[inline(never)]
 pub fn load<'m>(board: &Board, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
     let card = Card::start(board).map_err(Fault::without_line)?;
-    read(&card, &mut Block::new(), memory)
+    let mut block = Block::new();
+    let first = Crc16::of(read(&card, &mut block, memory)?.stored());
+    let program = read(&card, &mut block, memory)?;
+    if Crc16::of(program.stored()) == first {
+        Ok(program)
+    } else {
+        Err(Fault::without_line(Cause::FileChanged))
+    }
 }
 
 /// Apart from [`load`], whose frame holds the block: what lies beyond it in the same frame could

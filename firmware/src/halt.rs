@@ -21,6 +21,6 @@ extern "C" fn abort() -> ! {
     avr_device::interrupt::disable();
     // SAFETY: nothing else runs any more, so nobody else uses the ports.
     let chip = unsafe { Peripherals::steal() };
-    let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTD);
+    let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
     loop {}
 }

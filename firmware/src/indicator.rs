@@ -13,6 +13,24 @@ const BETWEEN: Millis = 700;
 /// Dark before the number comes again.
 const PAUSE: Millis = 2000;
 
+/// The flash of STOP, one a second.
+const STOP_FLASH: Millis = 100;
+const STOP_DARK: Millis = 900;
+
+/// Shows STOP as long as it lasts, and calls `meanwhile` all the time.
+pub fn show_stop(pins: &Pins, mut meanwhile: impl FnMut()) {
+    let (mut on, mut since) = (true, clock::now());
+    pins.led(on);
+    while pins.stop() {
+        meanwhile();
+        if clock::now().wrapping_sub(since) >= if on { STOP_FLASH } else { STOP_DARK } {
+            since = clock::now();
+            on = !on;
+            pins.led(on);
+        }
+    }
+}
+
 /// Shows the number for ever.
 pub fn show(pins: &Pins, cause: Cause) -> ! {
     loop {

@@ -16,13 +16,17 @@
 
 mod board;
 mod card;
+mod diagnosis;
 mod halt;
 mod indicator;
 mod report;
+mod store;
 
 use board::Board;
 use board::pins::Pins;
-use unoclp_core::{Plc, Profile};
+use board::watchdog::Start;
+use diagnosis::Diagnosis;
+use unoclp_core::{Cause, Fault, Image, Plc, Profile, Program};
 
 /// Run memory: the code of the program and the data of its timers.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize;
@@ -32,23 +36,77 @@ fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
 
     let mut board = Board::take();
-    report::banner(&mut board.serial);
-    let loaded = card::load(&board, MEMORY);
+    report::banner(&mut board);
+    let program = start(&mut board, MEMORY);
     board.release_card();
-    match loaded {
+    let fault = match program {
         Ok(program) => {
             report::program(&mut board.serial, &program);
-            let mut plc = Plc::new(program);
-            board.pins.led(true);
-            loop {
-                scan(&board.pins, &mut plc);
-            }
+            Fault::without_line(run(&mut board, Plc::new(program)))
         }
-        Err(fault) => {
-            report::fault(&mut board.serial, fault);
-            indicator::show(&board.pins, fault.cause)
+        Err(fault) => fault,
+    };
+    board.watchdog.stop();
+    board.pins.write_outputs(Image::default());
+    board.watchdog.count_fault();
+    report::fault(&mut board.serial, fault);
+    indicator::show(&board.pins, fault.cause)
+}
+
+/// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
+#[inline(never)]
+fn run(board: &mut Board, mut plc: Plc<'_>) -> Cause {
+    let mut diagnosis = Diagnosis::new(plc.stored());
+    board.watchdog.start();
+    board.pins.led(true);
+    loop {
+        board.watchdog.scan_begins();
+        if board.pins.stop() {
+            stop(board, &diagnosis);
+            plc.restart();
         }
+        let begun = board.stamp();
+        scan(&board.pins, &mut plc);
+        if let Err(cause) = diagnosis.slice(board, plc.stored()) {
+            return cause;
+        }
+        diagnosis.scanned(begun, board.stamp());
     }
+}
+
+/// STOP, until A5 is open again: outputs off, program kept.
+fn stop(board: &mut Board, diagnosis: &Diagnosis) {
+    board.pins.write_outputs(Image::default());
+    report::stop(&mut board.serial, diagnosis.times());
+    indicator::show_stop(&board.pins, || board.watchdog.scan_begins());
+    board.pins.led(true);
+    report::run(&mut board.serial);
+}
+
+/// The program to run. What the card holds is kept in program memory, and what is kept there is
+/// what runs; so it runs too where there is no card, or none with a program on it. Any other
+/// failure is a fault: what the user wants now was refused, or cannot be known.
+fn start<'m>(board: &mut Board, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
+    if board.start == Start::Watchdog {
+        return Err(Fault::without_line(Cause::ScanTooLong));
+    }
+    if board.supply.is_low() {
+        return Err(Fault::without_line(Cause::SupplyLow));
+    }
+    let missing = match card::load(board, memory) {
+        Ok(program) => {
+            store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
+            None
+        }
+        Err(fault) if matches!(fault.cause, Cause::NoCard | Cause::NoProgramFile) => Some(fault),
+        Err(fault) => return Err(fault),
+    };
+    match missing {
+        Some(fault) if store::is_blank(&board.eeprom) => return Err(fault),
+        Some(fault) => report::without_card(&mut board.serial, fault.cause),
+        None => {}
+    }
+    store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))
 }
 
 /// One scan (NC-5): one reading of the inputs, one time stamp, one writing of the outputs.

@@ -1,16 +1,62 @@
 //! What the serial port says at setup (NC-11).
 
+use crate::board::Board;
 use crate::board::flash::{FlashText, flash_text};
 use crate::board::serial::Serial;
+use crate::board::watchdog::Start;
+use crate::diagnosis::ScanTimes;
 use unoclp_core::{Cause, Fault, Profile, Program, faults};
 
-/// Name and version.
-pub fn banner(serial: &mut Serial) {
+/// Below this the supply is worth a warning, hundredths of a volt.
+const WEAK: u16 = 460;
+
+/// Name and version; why the board has started, where that was not power; the supply.
+pub fn banner(board: &mut Board) {
+    let serial = &mut board.serial;
     serial.text(flash_text!(concat!(
         "\r\nunoclp ",
         env!("CARGO_PKG_VERSION"),
         "\r\n"
     )));
+    if board.start != Start::Power {
+        serial.text(flash_text!("restart "));
+        serial.number(board.watchdog.restarts().into());
+        serial.text(match board.start {
+            Start::Watchdog => flash_text!(" since power-up, by the watchdog, "),
+            _ => flash_text!(" since power-up, by reset, "),
+        });
+        count(serial, board.watchdog.faults(), flash_text!(" fault"));
+        serial.text(flash_text!("\r\n"));
+    }
+    let centivolts = board.supply.centivolts();
+    if centivolts < WEAK {
+        serial.text(flash_text!("warning: the supply is weak, "));
+        serial.number(u32::from(centivolts) * 10);
+        serial.text(flash_text!(" mV\r\n"));
+    }
+}
+
+/// STOP is closed; how long scans took until now.
+pub fn stop(serial: &mut Serial, times: ScanTimes) {
+    serial.text(flash_text!("STOP, scan time: last "));
+    serial.number(times.last.into());
+    serial.text(flash_text!(", least "));
+    serial.number(times.least.into());
+    serial.text(flash_text!(", most "));
+    serial.number(times.most.into());
+    serial.text(flash_text!(" us\r\n"));
+}
+
+/// Scanning begins, or goes on.
+pub fn run(serial: &mut Serial) {
+    serial.text(flash_text!("RUN\r\n"));
+}
+
+/// Why the program comes from program memory and not from a card.
+pub fn without_card(serial: &mut Serial, cause: Cause) {
+    serial.text(flash_text!("card: "));
+    text(serial, cause);
+    serial.text(flash_text!("\r\nthe program that was stored runs\r\n"));
 }
 
 /// The size of the program, and that it runs.
@@ -25,7 +71,8 @@ pub fn program(serial: &mut Serial, program: &Program<'_>) {
     serial.number(free.into());
     serial.text(flash_text!(" free, "));
     count(serial, program.timers() as u16, flash_text!(" timer"));
-    serial.text(flash_text!("\r\nRUN\r\n"));
+    serial.text(flash_text!("\r\n"));
+    run(serial);
 }
 
 /// `1 code`, `2 codes`

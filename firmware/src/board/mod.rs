@@ -7,14 +7,18 @@
 //! | card | D10–D13 | PB2 CS, PB3 MOSI, PB4 MISO, PB5 SCK |
 //! | LED L | D13 | PB5, when the card does not use it |
 //! | serial | D0, D1 | USART0 |
+//! | STOP | A5 | PC5 |
 
 pub mod clock;
+pub mod eeprom;
 pub mod flash;
 pub mod pins;
 pub mod serial;
 pub mod spi;
+pub mod supply;
+pub mod watchdog;
 
-use avr_device::atmega328p::{Peripherals, SPI};
+use avr_device::atmega328p::{Peripherals, SPI, TC1};
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
 pub const CLOCK_HZ: u32 = 16_000_000;
@@ -25,7 +29,16 @@ pub struct Board {
     pub pins: pins::Pins,
     /// The serial port.
     pub serial: serial::Serial,
+    /// The EEPROM.
+    pub eeprom: eeprom::Eeprom,
+    /// The supply voltage.
+    pub supply: supply::Supply,
+    /// The watchdog.
+    pub watchdog: watchdog::Watchdog,
+    /// Why the board has started.
+    pub start: watchdog::Start,
     spi: SPI,
+    timer: TC1,
 }
 
 impl Board {
@@ -34,13 +47,24 @@ impl Board {
         // SAFETY: called once, by `main`, before anything else runs; so there is one owner of
         // each peripheral.
         let chip = unsafe { Peripherals::steal() };
-        let pins = pins::Pins::new(chip.PORTB, chip.PORTD);
+        let pins = pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
+        let (watchdog, start) = watchdog::Watchdog::take(chip.WDT, &chip.CPU);
         clock::start(&chip.TC1);
         Board {
             pins,
             serial: serial::Serial::new(chip.USART0),
+            eeprom: eeprom::Eeprom::new(chip.EEPROM),
+            supply: supply::Supply::start(chip.ADC),
+            watchdog,
+            start,
             spi: chip.SPI,
+            timer: chip.TC1,
         }
+    }
+
+    /// This moment, to half a microsecond.
+    pub fn stamp(&self) -> clock::Stamp {
+        clock::stamp(&self.timer)
     }
 
     /// The bus to the card, switched on; the card still sleeps.

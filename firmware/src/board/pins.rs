@@ -1,6 +1,6 @@
-//! Inputs, outputs, LED L and the card's select line (ATmega328P datasheet, section 14).
+//! Inputs, outputs, STOP, LED L and the card's select line (ATmega328P datasheet, section 14).
 
-use avr_device::atmega328p::{PORTB, PORTD};
+use avr_device::atmega328p::{PORTB, PORTC, PORTD};
 use unoclp_core::Image;
 
 /// PD2–PD5: inputs 01–04.
@@ -18,24 +18,34 @@ const MISO: u8 = 1 << 4;
 /// PB5: clock to the card, and LED L.
 const SCK: u8 = 1 << 5;
 
+/// PC5, A5: to GND is STOP.
+const STOP: u8 = 1 << 5;
+
 /// The digital pins.
 pub struct Pins {
     b: PORTB,
+    c: PORTC,
     d: PORTD,
 }
 
 impl Pins {
-    /// Outputs low before they are driven, pull-ups on the inputs, the card not selected.
-    pub fn new(b: PORTB, d: PORTD) -> Pins {
+    /// Outputs low before they are driven, pull-ups on inputs and STOP, the card not selected.
+    pub fn new(b: PORTB, c: PORTC, d: PORTD) -> Pins {
         // SAFETY: any value may be written to the data and direction registers of a port; these
         // drive only pins that the wiring has as outputs.
         unsafe {
             d.portd().write(|w| w.bits(INPUTS));
             d.ddrd().write(|w| w.bits(OUTPUTS_D));
+            c.portc().write(|w| w.bits(STOP));
             b.portb().write(|w| w.bits(CS | MISO));
             b.ddrb().write(|w| w.bits(OUTPUTS_B | CS | MOSI | SCK));
         }
-        Pins { b, d }
+        Pins { b, c, d }
+    }
+
+    /// Whether A5 is connected to GND.
+    pub fn stop(&self) -> bool {
+        self.c.pinc().read().pc5().bit_is_clear()
     }
 
     /// The input image: a closed button pulls its pin low and reads as 1.

@@ -2,7 +2,9 @@
 #![allow(dead_code, reason = "each test uses its part")]
 
 use std::path::{Path, PathBuf};
-use unoclp_uno_sim::{Program, firmware_elf};
+use unoclp_card::image::{Fat, Image};
+use unoclp_uno_sim::sd::{Kind, SdCard};
+use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_elf};
 
 /// The firmware under test.
 pub fn firmware() -> Program {
@@ -35,4 +37,54 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
             files.push(path);
         }
     }
+}
+
+/// A card with this file as its program.
+pub fn card(text: &str) -> SdCard {
+    let image = Image::new(Fat::Fat16)
+        .file("PROGRAM.TXT", text)
+        .build()
+        .unwrap();
+    SdCard::new(Kind::Sdhc, image).unwrap()
+}
+
+/// A card with a volume and no program on it.
+pub fn empty_card() -> SdCard {
+    let image = Image::new(Fat::Fat16).build().unwrap();
+    SdCard::new(Kind::Sdhc, image).unwrap()
+}
+
+/// A board with this in its slot, just powered.
+pub fn uno(slot: Slot) -> Uno {
+    Uno::with_program(firmware(), slot).unwrap()
+}
+
+/// Runs until the serial port has said one of these; gives the time in ms, and forgets what the
+/// port said.
+pub fn ms_until(uno: &mut Uno, texts: &[&str]) -> (u64, String) {
+    let begun = uno.cycles();
+    for _ in 0..8000 {
+        uno.run_ms(1).unwrap();
+        if texts.iter().any(|text| uno.serial().contains(text)) {
+            let said = String::from_utf8(uno.take_serial()).unwrap();
+            return ((uno.cycles() - begun) / CYCLES_PER_MS, said);
+        }
+    }
+    panic!(
+        "none of {texts:?} came; the serial port said {:?}",
+        uno.serial()
+    );
+}
+
+/// Runs to the first scan; gives what the serial port said until then.
+pub fn to_run(uno: &mut Uno) -> String {
+    ms_until(uno, &["RUN\r\n"]).1
+}
+
+/// Runs to a fault, or to the first scan.
+pub fn to_run_or_fault(uno: &mut Uno) -> String {
+    let said = ms_until(uno, &["RUN\r\n", "\r\nfault "]).1;
+    // The rest of a fault's line.
+    uno.run_ms(15).unwrap();
+    said + std::str::from_utf8(&uno.take_serial()).unwrap()
 }

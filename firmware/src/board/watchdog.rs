@@ -1,0 +1,151 @@
+//! The watchdog, and what start-up can know of the run before it
+//! (ATmega328P datasheet, sections 11.8 and 11.9).
+//!
+//! The boot loader of the UNO clears the chip's own record of why it was reset. So the millisecond
+//! interrupt counts the age of the scan in memory that start-up does not clear: a run that ended
+//! in the middle of an old scan was ended by the watchdog.
+
+use avr_device::atmega328p::wdt::wdtcsr::W;
+use avr_device::atmega328p::{CPU, WDT};
+use avr_device::interrupt;
+use core::arch::global_asm;
+use core::sync::atomic::{AtomicU8, AtomicU16, Ordering::Relaxed};
+
+/// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
+/// is no quartz.
+const OVERDUE: u8 = 110;
+
+/// What the board is doing, in values that power-up does not leave by accident.
+const STARTING: u16 = 0xC19A;
+const SCANNING: u16 = 0x3AC7;
+
+/// What stands in the guard as long as nothing has overwritten it.
+const WHOLE: u16 = 0x5AC3;
+
+// Memory that start-up does not clear. In assembly, because a `static` in this section would come
+// with a first value, and be loaded with it.
+global_asm!(
+    ".section .noinit,\"aw\",@nobits",
+    "DOING: .skip 2",
+    "RESTARTS: .skip 2",
+    "FAULTS: .skip 2",
+    "AGE: .skip 1",
+    "GUARD: .skip 2",
+    ".global DOING, RESTARTS, FAULTS, AGE, GUARD",
+    ".previous",
+);
+
+// SAFETY: the lines above define them, with these sizes; any bits are a value of each.
+unsafe extern "C" {
+    safe static DOING: AtomicU16;
+    /// Restarts since power-up.
+    safe static RESTARTS: AtomicU16;
+    /// Faults since power-up.
+    safe static FAULTS: AtomicU16;
+    /// The age of the scan, ms; it stops at 255.
+    safe static AGE: AtomicU8;
+    /// The last static bytes: a stack that grows too far meets them first.
+    safe static GUARD: AtomicU16;
+}
+
+/// Why the board has started.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// Power came.
+    Power,
+    /// The reset button, or a computer that opened the serial port.
+    Reset,
+    /// The watchdog, because a scan took too long.
+    Watchdog,
+}
+
+/// The watchdog.
+pub struct Watchdog {
+    timer: WDT,
+}
+
+impl Watchdog {
+    /// Stops the watchdog, which goes on after a reset that it made, and finds out why the board
+    /// has started.
+    pub fn take(timer: WDT, cpu: &CPU) -> (Watchdog, Start) {
+        let record = cpu.mcusr().read();
+        // The watchdog cannot be stopped while the record says that it was the cause.
+        cpu.mcusr().reset();
+        let doing = DOING.load(Relaxed);
+        let overdue = doing == SCANNING && AGE.load(Relaxed) >= OVERDUE;
+        let watchdog = Watchdog { timer };
+        watchdog.stop();
+        GUARD.store(WHOLE, Relaxed);
+
+        if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING {
+            RESTARTS.store(0, Relaxed);
+            FAULTS.store(0, Relaxed);
+            return (watchdog, Start::Power);
+        }
+        RESTARTS.store(watchdog.restarts().saturating_add(1), Relaxed);
+        if record.wdrf().bit_is_set() || overdue {
+            (watchdog, Start::Watchdog)
+        } else {
+            (watchdog, Start::Reset)
+        }
+    }
+
+    /// Restarts since power-up.
+    pub fn restarts(&self) -> u16 {
+        RESTARTS.load(Relaxed)
+    }
+
+    /// Faults since power-up.
+    pub fn faults(&self) -> u16 {
+        FAULTS.load(Relaxed)
+    }
+
+    /// A fault stops the board.
+    pub fn count_fault(&self) {
+        FAULTS.store(self.faults().saturating_add(1), Relaxed);
+    }
+
+    /// Starts the watchdog: from now a scan that takes 120 ms resets the chip.
+    pub fn start(&self) {
+        self.scan_begins();
+        DOING.store(SCANNING, Relaxed);
+        self.set(|w| w.wde().set_bit().wdpl().cycles_16k());
+    }
+
+    /// Stops it: no scan is made, so none can be overdue.
+    pub fn stop(&self) {
+        DOING.store(STARTING, Relaxed);
+        self.set(|w| w);
+    }
+
+    /// A scan begins.
+    pub fn scan_begins(&self) {
+        AGE.store(0, Relaxed);
+        avr_device::asm::wdr();
+    }
+
+    fn set(&self, value: impl Fn(&mut W) -> &mut W) {
+        // A change must follow within four cycles of its announcement.
+        interrupt::free(|_| {
+            avr_device::asm::wdr();
+            self.timer
+                .wdtcsr()
+                .write(|w| w.wdce().set_bit().wde().set_bit());
+            self.timer.wdtcsr().write(|w| value(w));
+        });
+    }
+}
+
+/// Whether the stack has kept to its place.
+pub fn guard_is_whole() -> bool {
+    GUARD.load(Relaxed) == WHOLE
+}
+
+/// A millisecond has passed; for the clock's interrupt.
+#[inline(always)]
+pub fn grow_older() {
+    let age = AGE.load(Relaxed);
+    if age != u8::MAX {
+        AGE.store(age + 1, Relaxed);
+    }
+}

@@ -1,0 +1,89 @@
+//! Program memory: the program that was last accepted, kept in the EEPROM.
+//!
+//! Owns the layout; must not know where a program comes from. The stored form does not depend on
+//! the build, so a new firmware finds the program of the old one.
+//!
+//! | byte | |
+//! | --- | --- |
+//! | 0 | mark: [`VALID`], or anything else |
+//! | 1 | version of this layout |
+//! | 2, 3 | bytes of the program, low byte first |
+//! | 4, 5 | 0, kept free |
+//! | 6, 7 | CRC-16 of bytes 1 to 5 and of the program, low byte first |
+//! | 8 … | the program in its stored form, up to 900 bytes |
+//!
+//! The mark goes invalid before anything changes, and valid when everything has been read back: a
+//! program that was written in part never runs.
+
+use crate::board::eeprom::Eeprom;
+use unoclp_core::{Cause, Crc16, Loader, Profile, Program};
+
+const MARK: u16 = 0;
+const VALID: u8 = 0x5A;
+const INVALID: u8 = 0x00;
+const VERSION: u8 = 1;
+/// Bytes of the header behind the mark.
+const HEADER: usize = 7;
+/// Where the program begins.
+const PROGRAM: u16 = 1 + HEADER as u16;
+
+/// Keeps a program, unless it is the one that is kept. Only bytes that differ are written.
+///
+/// # Errors
+/// [`Cause::StoreFailed`] where the EEPROM does not give back what was written.
+#[inline(never)]
+pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
+    let header = header(stored);
+    if eeprom.read(MARK) == VALID && holds(eeprom, &header, stored) {
+        return Ok(());
+    }
+    eeprom.write(MARK, INVALID);
+    for (address, byte) in places(&header, stored) {
+        eeprom.write(address, byte);
+    }
+    if !holds(eeprom, &header, stored) {
+        return Err(Cause::StoreFailed);
+    }
+    eeprom.write(MARK, VALID);
+    Ok(())
+}
+
+/// Takes the program that is kept into run memory; none where there is none, or it is damaged.
+#[inline(never)]
+pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Program<'m>> {
+    let length = u16::from_le_bytes([eeprom.read(2), eeprom.read(3)]);
+    if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
+        return None;
+    }
+    let mut loader = Loader::new(memory, Profile::UNO);
+    let stored = (PROGRAM..PROGRAM + length).map(|address| eeprom.read(address));
+    loader.restore(stored).ok()?;
+    let program = loader.finish().ok()?;
+    holds(eeprom, &header(program.stored()), program.stored()).then_some(program)
+}
+
+/// Whether a program was ever kept.
+pub fn is_blank(eeprom: &Eeprom) -> bool {
+    eeprom.read(MARK) == 0xFF
+}
+
+/// The bytes of the header behind the mark.
+fn header(stored: &[u8]) -> [u8; HEADER] {
+    let [low, high] = (stored.len() as u16).to_le_bytes();
+    let mut crc = Crc16::default();
+    [VERSION, low, high, 0, 0]
+        .iter()
+        .for_each(|&byte| crc.push(byte));
+    stored.iter().for_each(|&byte| crc.push(byte));
+    let [crc_low, crc_high] = crc.value().to_le_bytes();
+    [VERSION, low, high, 0, 0, crc_low, crc_high]
+}
+
+/// Everything behind the mark, with its address.
+fn places<'a>(header: &'a [u8; HEADER], stored: &'a [u8]) -> impl Iterator<Item = (u16, u8)> + 'a {
+    (MARK + 1..).zip(header.iter().chain(stored).copied())
+}
+
+fn holds(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8]) -> bool {
+    places(header, stored).all(|(address, byte)| eeprom.read(address) == byte)
+}

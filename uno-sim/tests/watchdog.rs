@@ -1,0 +1,125 @@
+//! The watchdog on the release ELF: stalls patched into the scan.
+
+mod common;
+
+use common::{card, ms_until, to_run, uno};
+use std::collections::BTreeSet;
+use unoclp_uno_sim::{Slot, Uno};
+
+/// Outputs 01 and 02 are on in every scan; a timer and contacts make the scan go through all of
+/// its code.
+const TEXT: &str = "0\n877901\n787600\n-827301\n404101\n40\n404101\n-827902\n41\n83877902\n787600\n827301\n847978\n500\n7903\n787600\n827302\n847970\n500\n7904\n";
+
+/// `rjmp .-2`: for ever here.
+const STALL: [u8; 2] = [0xFF, 0xCF];
+
+fn running(boot_loader: bool) -> Uno {
+    let mut uno = uno(Slot::Card(card(TEXT)));
+    uno.set_boot_loader(boot_loader);
+    to_run(&mut uno);
+    uno.run_ms(20).unwrap();
+    assert_eq!(uno.outputs() & 0b11, 0b11);
+    uno
+}
+
+/// Addresses that one scan goes through, a selection.
+fn places() -> Vec<u32> {
+    let mut uno = running(false);
+    let scan = uno.symbol("scan_begin").unwrap().address;
+    uno.run_until(scan, 1_000_000).unwrap();
+    let mut places = BTreeSet::from([scan]);
+    loop {
+        uno.step().unwrap();
+        if uno.pc() == scan {
+            break;
+        }
+        places.insert(uno.pc());
+    }
+    places.into_iter().step_by(23).collect()
+}
+
+#[test]
+fn a_stalled_scan_turns_the_outputs_off_within_150_ms() {
+    let (mut stalls, mut shown, mut slowest) = (0, 0, 0);
+    for place in places() {
+        for boot_loader in [false, true] {
+            let case = format!("stall at {place:#06x}, boot loader {boot_loader}");
+            let mut uno = running(boot_loader);
+            uno.patch_flash(place, &STALL).unwrap();
+            let mut ms = 0;
+            while uno.outputs() != 0 {
+                uno.run_ms(1).unwrap();
+                ms += 1;
+                assert!(
+                    ms <= 150,
+                    "{case}: outputs {:04b} after {ms} ms",
+                    uno.outputs()
+                );
+            }
+            slowest = slowest.max(ms);
+            // The fault is told and stays; where the stall is in code that telling needs too, the
+            // board stands still, with its outputs off.
+            let _ = uno.run_ms(400);
+            assert_eq!(uno.outputs(), 0, "{case}");
+            if uno.serial().contains("fault 61: a scan took") {
+                shown += 1;
+            }
+            stalls += 1;
+        }
+    }
+    println!(
+        "{stalls} of {stalls} stalls: outputs off after at most {slowest} ms, fault 61 told {shown} times"
+    );
+    assert!(shown > stalls / 2, "{shown} of {stalls}");
+}
+
+#[test]
+fn the_reset_button_ends_the_fault() {
+    for boot_loader in [false, true] {
+        let mut uno = running(boot_loader);
+        let scan = uno.symbol("scan_begin").unwrap().address;
+        let whole = uno.read_flash(scan, 2).unwrap().to_vec();
+        uno.patch_flash(scan, &STALL).unwrap();
+        let said = ms_until(&mut uno, &["fault 61"]).1;
+        assert!(
+            said.contains("restart 1 since power-up, by the watchdog"),
+            "{said:?}"
+        );
+        uno.patch_flash(scan, &whole).unwrap();
+        uno.take_serial();
+        uno.reset();
+        let said = to_run(&mut uno);
+        assert!(
+            said.contains("restart 2 since power-up, by reset, 1 fault\r\n"),
+            "{said:?}"
+        );
+        uno.run_ms(20).unwrap();
+        assert_eq!(uno.outputs() & 0b11, 0b11);
+    }
+}
+
+/// Neither a long start-up nor a reset in the middle of it is taken for an overdue scan.
+#[test]
+fn a_start_up_is_no_scan() {
+    for boot_loader in [false, true] {
+        let mut uno = uno(Slot::Empty);
+        uno.set_boot_loader(boot_loader);
+        uno.run_ms(200).unwrap();
+        uno.reset();
+        let said = ms_until(&mut uno, &["fault 51"]).1;
+        assert!(said.contains("by reset"), "{said:?}");
+        assert!(!said.contains("watchdog"), "{said:?}");
+    }
+}
+
+/// Power alone is no restart, whatever memory holds.
+#[test]
+fn power_is_not_taken_for_a_restart() {
+    let mut uno = running(true);
+    for _ in 0..20 {
+        uno.take_serial();
+        uno.power_up();
+        let said = to_run(&mut uno);
+        assert!(!said.contains("restart"), "{said:?}");
+    }
+}
