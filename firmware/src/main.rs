@@ -1,7 +1,8 @@
 //! The unoclp firmware for the Arduino UNO.
 //!
-//! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader
-//! into run memory; the card is released. Then scans for ever, or a fault with everything off.
+//! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader,
+//! is kept in the EEPROM, and taken from there into run memory; the card is released. Then scans
+//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off.
 //!
 //! Only `board` touches registers. What can go wrong is a value until it is shown; nothing here
 //! panics, and if the compiler's checks ever found otherwise, [`halt`] turns the outputs off.
@@ -46,8 +47,8 @@ fn main() -> ! {
         }
         Err(fault) => fault,
     };
-    board.watchdog.stop();
     board.pins.write_outputs(Image::default());
+    board.watchdog.stop();
     board.watchdog.count_fault();
     report::fault(&mut board.serial, fault);
     indicator::show(&board.pins, fault.cause)

@@ -108,9 +108,9 @@ fn scan_times_are_those_of_the_chip() {
     };
     println!("a scan of {cycles} cycles; told: last {last}, least {least}, most {most} us");
     assert!(least <= last && last <= most);
-    // The figure leaves out the few instructions around it.
+    // The figure leaves out what the loop does around the scan, some 15 us, and an interrupt there.
     assert!(
-        least * 16 <= cycles && cycles < (most + 20) * 16,
+        least * 16 <= cycles && cycles < (most + 40) * 16,
         "{cycles} cycles: {said:?}"
     );
 }
