@@ -2,21 +2,9 @@
 
 mod common;
 
-use unoclp_card::image::{Fat, Image};
-use unoclp_uno_sim::sd::{At, Kind, SdCard, What};
+use common::{card, uno};
+use unoclp_uno_sim::sd::{At, What};
 use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin, Slot, Uno};
-
-fn uno(slot: Slot) -> Uno {
-    Uno::with_program(common::firmware(), slot).unwrap()
-}
-
-fn card(text: &str) -> SdCard {
-    let image = Image::new(Fat::Fat16)
-        .file("PROGRAM.TXT", text)
-        .build()
-        .unwrap();
-    SdCard::new(Kind::Sdhc, image).unwrap()
-}
 
 /// Runs until the serial port has said this; gives the time in ms.
 fn ms_until(uno: &mut Uno, text: &str) -> u64 {
