@@ -80,6 +80,7 @@ pub struct File {
     walk: Walk,
     /// Bytes not read yet.
     left: u32,
+    read_only: bool,
 }
 
 impl File {
@@ -114,8 +115,13 @@ impl File {
                     let low = u16::from_le_bytes([entry[26], entry[27]]);
                     let high = u16::from_le_bytes([entry[20], entry[21]]);
                     let left = u32::from_le_bytes([entry[28], entry[29], entry[30], entry[31]]);
+                    let read_only = entry[11] & READ_ONLY != 0;
                     walk.start(high, low);
-                    return Ok(File { walk, left });
+                    return Ok(File {
+                        walk,
+                        left,
+                        read_only,
+                    });
                 }
             }
         }
@@ -146,12 +152,35 @@ impl File {
         self.left -= length;
         Ok(block.get(..length as usize))
     }
+
+    /// Reads the first block of a file just opened, and gives its place on the card where it may be
+    /// overwritten in place: all of its 512 bytes are the file's, the file is not marked read-only,
+    /// and the FAT holds the block's cluster for taken. `None` where the file is too short or
+    /// read-only.
+    ///
+    /// # Errors
+    /// [`Error::Device`]; [`Error::Damaged`] where the file's first cluster is free, bad or outside
+    /// the volume.
+    pub fn first_block<D: BlockDevice>(
+        mut self,
+        device: &D,
+        block: &mut Block,
+    ) -> Result<Option<BlockIdx>, Error<D::Error>> {
+        if self.read_only || self.left < Block::LEN_U32 {
+            return Ok(None);
+        }
+        self.next_block(device, block)?;
+        let place = self.walk.place_of_taken().ok_or(Error::Damaged)?;
+        Ok(Some(BlockIdx(place)))
+    }
 }
 
 /// First byte of an entry that was never used, nor were those after it.
 const NEVER_USED: u8 = 0x00;
 /// Attributes of what is no file: volume label (0x08, also part of a long name's 0x0F), folder.
 const NO_FILE: u8 = 0x08 | 0x10;
+/// Attribute of a file that is not to be changed.
+const READ_ONLY: u8 = 0x01;
 
 /// Every access to the card goes through here; there is none that writes.
 fn read<D: BlockDevice>(device: &D, block: &mut Block, index: u32) -> Result<(), Error<D::Error>> {

@@ -169,6 +169,13 @@ impl Walk {
         Ok(())
     }
 
+    /// The place of the block last read, where the FAT holds its cluster for taken: it is the last
+    /// of its chain, or another follows.
+    pub fn place_of_taken(&self) -> Option<u32> {
+        let taken = self.next >= END || self.next.wrapping_sub(2) < self.clusters;
+        taken.then_some(self.block.wrapping_sub(1))
+    }
+
     /// Enters the cluster that follows: where its blocks are. Gives the block of the FAT that says
     /// what comes after it, which is asked now and not on leaving, so that a chain starts as it
     /// goes on. `None` where the cluster is none, or ends Brent's search.
