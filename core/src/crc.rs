@@ -9,11 +9,16 @@ pub struct Crc16(u16);
 
 impl Default for Crc16 {
     fn default() -> Crc16 {
-        Crc16(0xFFFF)
+        Crc16::starting_at(0xFFFF)
     }
 }
 
 impl Crc16 {
+    /// No bytes so far, with another start value: memory cards take 0.
+    pub const fn starting_at(value: u16) -> Crc16 {
+        Crc16(value)
+    }
+
     /// Takes the next byte.
     pub fn push(&mut self, byte: u8) {
         let mut crc = self.0.swap_bytes() ^ u16::from(byte);

@@ -36,8 +36,6 @@ pub struct Loader<'m> {
     line: u32,
     /// The line of the last timer block.
     block: u32,
-    /// The line that a fault found now stands on.
-    place: u32,
     first_fault: Option<Fault>,
     profile: Profile,
     memory: &'m mut [u8],
@@ -58,7 +56,6 @@ impl<'m> Loader<'m> {
             expect: Expect::Start,
             line: 1,
             block: 0,
-            place: 0,
             first_fault: None,
             profile,
             memory,
@@ -100,11 +97,8 @@ impl<'m> Loader<'m> {
         let expected = mem::replace(&mut self.expect, Expect::Instruction);
         let checked = match expected {
             Expect::Start => Err(Cause::EmptyFile),
-            Expect::Preset | Expect::TimerOutput => {
-                self.place = self.block;
-                Err(Cause::OperandsMissing)
-            }
-            Expect::Instruction | Expect::Branch => self.end_of_rung(),
+            Expect::Preset | Expect::TimerOutput => Err(Cause::OperandsMissing),
+            Expect::Instruction | Expect::Branch => self.rung.end(),
         };
         self.report(checked)
     }
@@ -128,7 +122,6 @@ impl<'m> Loader<'m> {
 
     /// Checks what the text gave, and reports.
     fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Fault> {
-        self.place = self.line;
         let checked = match read {
             Ok(false) => return Ok(()),
             Ok(true) => self.code(self.text.code()),
@@ -147,7 +140,12 @@ impl<'m> Loader<'m> {
     /// Gives a fault its line, and remembers the first.
     fn report(&mut self, checked: Result<(), Cause>) -> Result<(), Fault> {
         let Err(cause) = checked else { return Ok(()) };
-        let line = (cause != Cause::EmptyFile).then_some(self.place);
+        let line = match cause {
+            Cause::EmptyFile => None,
+            Cause::BranchLeftOpen => Some(self.rung.left_open()),
+            Cause::OperandsMissing => Some(self.block),
+            _ => Some(self.line),
+        };
         let fault = Fault { cause, line };
         self.first_fault.get_or_insert(fault);
         Err(fault)
@@ -239,17 +237,7 @@ impl<'m> Loader<'m> {
                 self.rung.open(self.line)
             }
             Opcode::CloseBranch => self.rung.close(),
-            _ => self.end_of_rung(),
-        }
-    }
-
-    fn end_of_rung(&mut self) -> Result<(), Cause> {
-        match self.rung.end() {
-            None => Ok(()),
-            Some(line) => {
-                self.place = line;
-                Err(Cause::BranchLeftOpen)
-            }
+            _ => self.rung.end(),
         }
     }
 

@@ -52,10 +52,22 @@ impl Rung {
         }
     }
 
-    /// The end of the rung: gives the line of the innermost branch that is still open.
-    pub(crate) fn end(&mut self) -> Option<u32> {
+    /// The end of the rung.
+    pub(crate) fn end(&mut self) -> Result<(), Cause> {
         self.stored = Image(0);
-        let depth = core::mem::take(&mut self.depth);
-        self.open.get(usize::from(depth.checked_sub(1)?)).copied()
+        let depth = usize::from(core::mem::take(&mut self.depth));
+        match self.open.get(depth.wrapping_sub(1)) {
+            None => Ok(()),
+            Some(&line) => {
+                // The rung has no more use for the place: it is kept for `left_open`.
+                self.open[0] = line;
+                Err(Cause::BranchLeftOpen)
+            }
+        }
+    }
+
+    /// The line of the innermost branch that the last faulty rung has left open.
+    pub(crate) fn left_open(&self) -> u32 {
+        self.open[0]
     }
 }
