@@ -11,7 +11,7 @@ use unoclp_core::{Cause, Crc16};
 const SLICE: usize = 8;
 
 /// How long scans take, µs; 65,535 stands for anything longer.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct ScanTimes {
     /// The last scan.
     pub last: u16,

@@ -17,16 +17,20 @@
 
 mod board;
 mod card;
+mod decimal;
 mod diagnosis;
 mod halt;
 mod indicator;
 mod report;
+mod state;
 mod store;
 
 use board::Board;
 use board::pins::Pins;
 use board::watchdog::Start;
+use card::StateFile;
 use diagnosis::Diagnosis;
+use state::{Images, State};
 use unoclp_core::{Cause, Fault, Image, Plc, Profile, Program};
 
 /// Run memory: the code of the program and the data of its timers.
@@ -38,16 +42,20 @@ fn main() -> ! {
 
     let mut board = Board::take();
     report::banner(&mut board);
-    let program = start(&mut board, MEMORY);
+    let mut state = StateFile::Missing;
+    let program = start(&mut board, MEMORY, &mut state);
     board.release_card();
     let fault = match program {
         Ok(program) => {
             report::program(&mut board.serial, &program);
-            Fault::without_line(run(&mut board, Plc::new(program)))
+            report::state_file(&mut board.serial, &state);
+            report::run(&mut board.serial);
+            Fault::without_line(run(&mut board, Plc::new(program), state))
         }
         Err(fault) => fault,
     };
     board.pins.write_outputs(Image::default());
+    board.release_card();
     board.watchdog.stop();
     board.watchdog.count_fault();
     report::fault(&mut board.serial, fault);
@@ -56,30 +64,42 @@ fn main() -> ! {
 
 /// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
 #[inline(never)]
-fn run(board: &mut Board, mut plc: Plc<'_>) -> Cause {
+fn run(board: &mut Board, mut plc: Plc<'_>, state: StateFile) -> Cause {
     let mut diagnosis = Diagnosis::new(plc.stored());
+    let mut state = State::new(match state {
+        StateFile::Found(place) => Some(place),
+        _ => None,
+    });
     board.watchdog.start();
     board.pins.led(true);
     loop {
         board.watchdog.scan_begins();
         if board.pins.stop() {
-            stop(board, &diagnosis);
+            stop(board, &diagnosis, &mut state);
             plc.restart();
         }
         let begun = board.stamp();
-        scan(&board.pins, &mut plc);
+        let images = scan(&board.pins, &mut plc);
         if let Err(cause) = diagnosis.slice(board, plc.stored()) {
             return cause;
         }
+        state.step(board, images, diagnosis.times());
         diagnosis.scanned(begun, board.stamp());
     }
 }
 
 /// STOP, until A5 is open again: outputs off, program kept.
-fn stop(board: &mut Board, diagnosis: &Diagnosis) {
+fn stop(board: &mut Board, diagnosis: &Diagnosis, state: &mut State) {
     board.pins.write_outputs(Image::default());
-    report::stop(&mut board.serial, diagnosis.times());
-    indicator::show_stop(&board.pins, || board.watchdog.scan_begins());
+    report::stop(board, diagnosis.times(), state);
+    indicator::show_stop(&board.pins, || {
+        board.watchdog.scan_begins();
+        let images = Images {
+            inputs: board.pins.inputs(),
+            outputs: Image::default(),
+        };
+        state.step(board, images, diagnosis.times());
+    });
     board.pins.led(true);
     report::run(&mut board.serial);
 }
@@ -87,14 +107,18 @@ fn stop(board: &mut Board, diagnosis: &Diagnosis) {
 /// The program to run. What the card holds is kept in program memory, and what is kept there is
 /// what runs; so it runs too where there is no card, or none with a program on it. Any other
 /// failure is a fault: what the user wants now was refused, or cannot be known.
-fn start<'m>(board: &mut Board, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
+fn start<'m>(
+    board: &mut Board,
+    memory: &'m mut [u8],
+    state: &mut StateFile,
+) -> Result<Program<'m>, Fault> {
     if board.start == Start::Watchdog {
         return Err(Fault::without_line(Cause::ScanTooLong));
     }
     if board.supply.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
-    let missing = match card::load(board, memory) {
+    let missing = match card::load(board, memory, state) {
         Ok(program) => {
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None
@@ -115,10 +139,11 @@ fn start<'m>(board: &mut Board, memory: &'m mut [u8]) -> Result<Program<'m>, Fau
 /// A simulator stops the firmware at this symbol to set pins and clock before each scan.
 #[unsafe(export_name = "scan_begin")]
 #[inline(never)]
-fn scan(pins: &Pins, plc: &mut Plc<'_>) {
+fn scan(pins: &Pins, plc: &mut Plc<'_>) -> Images {
     // In this order: an input is never seen with a time stamp from before it changed.
     let inputs = pins.inputs();
     let now = board::clock::now();
     let outputs = plc.scan(inputs, now);
     pins.write_outputs(outputs);
+    Images { inputs, outputs }
 }

@@ -4,7 +4,9 @@ use crate::board::Board;
 use crate::board::flash::{FlashText, flash_text};
 use crate::board::serial::Serial;
 use crate::board::watchdog::Start;
+use crate::card::StateFile;
 use crate::diagnosis::ScanTimes;
+use crate::state::State;
 use unoclp_core::{Cause, Fault, Profile, Program, faults};
 
 /// Below this the supply is worth a warning, hundredths of a volt.
@@ -36,15 +38,31 @@ pub fn banner(board: &mut Board) {
     }
 }
 
-/// STOP is closed; how long scans took until now.
-pub fn stop(serial: &mut Serial, times: ScanTimes) {
+/// STOP is closed; and what the diagnosis knows: how long scans took, the supply, restarts and faults
+/// since power-up, whether the state is no longer kept.
+pub fn stop(board: &mut Board, times: ScanTimes, state: &State) {
+    let serial = &mut board.serial;
     serial.text(flash_text!("STOP, scan time: last "));
     serial.number(times.last.into());
     serial.text(flash_text!(", least "));
     serial.number(times.least.into());
     serial.text(flash_text!(", most "));
     serial.number(times.most.into());
-    serial.text(flash_text!(" us\r\n"));
+    serial.text(flash_text!(" us\r\nsupply: "));
+    let centivolts = board.supply.centivolts();
+    serial.number(u32::from(centivolts) * 10);
+    serial.text(flash_text!(" mV"));
+    if centivolts < WEAK {
+        serial.text(flash_text!(", weak"));
+    }
+    serial.text(flash_text!("; since power-up: "));
+    count(serial, board.watchdog.restarts(), flash_text!(" restart"));
+    serial.text(flash_text!(", "));
+    count(serial, board.watchdog.faults(), flash_text!(" fault"));
+    serial.text(flash_text!("\r\n"));
+    if state.has_failed() {
+        serial.text(flash_text!("state: the card failed, no longer kept\r\n"));
+    }
 }
 
 /// Scanning begins, or goes on.
@@ -59,7 +77,7 @@ pub fn without_card(serial: &mut Serial, cause: Cause) {
     serial.text(flash_text!("\r\nthe program that was stored runs\r\n"));
 }
 
-/// The size of the program, and that it runs.
+/// The size of the program.
 pub fn program(serial: &mut Serial, program: &Program<'_>) {
     let used = program.stored_bytes() as u16;
     serial.text(flash_text!("program: "));
@@ -72,7 +90,21 @@ pub fn program(serial: &mut Serial, program: &Program<'_>) {
     serial.text(flash_text!(" free, "));
     count(serial, program.timers() as u16, flash_text!(" timer"));
     serial.text(flash_text!("\r\n"));
-    run(serial);
+}
+
+/// Whether the state is kept on the card.
+pub fn state_file(serial: &mut Serial, file: &StateFile) {
+    let what = match file {
+        StateFile::Missing => return,
+        StateFile::Found(_) => flash_text!("kept in STATE.TXT"),
+        StateFile::Unfit => {
+            flash_text!("STATE.TXT is read-only or shorter than 512 bytes, not kept")
+        }
+        StateFile::Unreadable => flash_text!("STATE.TXT cannot be read, not kept"),
+    };
+    serial.text(flash_text!("state: "));
+    serial.text(what);
+    serial.text(flash_text!("\r\n"));
 }
 
 /// `1 code`, `2 codes`

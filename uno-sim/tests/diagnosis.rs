@@ -80,6 +80,19 @@ fn a_low_supply_is_a_fault_and_a_weak_one_a_warning() {
     weak.set_supply(4500);
     let said = to_run(&mut weak);
     assert!(said.contains("warning: the supply is weak, 4"), "{said:?}");
+    weak.set_stop(true);
+    let said = ms_until(&mut weak, &[" faults\r\n"]).1;
+    assert!(
+        said.contains("\r\nsupply: 4") && said.contains(" mV, weak; "),
+        "{said:?}"
+    );
+    weak.set_stop(false);
+    to_run(&mut weak);
+    weak.set_supply(5000);
+    weak.run_ms(10).unwrap();
+    weak.set_stop(true);
+    let said = ms_until(&mut weak, &[" faults\r\n"]).1;
+    assert!(!said.contains("weak"), "{said:?}");
 
     let mut low = common::uno(Slot::Card(card(TEXT)));
     low.set_supply(4000);

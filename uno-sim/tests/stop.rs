@@ -20,8 +20,12 @@ fn stop_turns_the_outputs_off_and_run_begins_anew() {
     uno.set_stop(true);
     uno.run_ms(2).unwrap();
     assert_eq!(uno.outputs(), 0);
-    let said = ms_until(&mut uno, &[" us\r\n"]).1;
+    let said = ms_until(&mut uno, &[" faults\r\n"]).1;
     assert!(said.starts_with("STOP, scan time: last "), "{said:?}");
+    assert!(
+        said.ends_with(" mV; since power-up: 0 restarts, 0 faults\r\n"),
+        "{said:?}"
+    );
 
     uno.take_edges();
     uno.run_ms(5000).unwrap();

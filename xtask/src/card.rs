@@ -1,4 +1,4 @@
-//! `cargo xtask card`: puts a program on the image of a memory card.
+//! `cargo xtask card`: puts a program on the image of a memory card, with a place for the state.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,6 +8,9 @@ use clap::ValueEnum;
 use unoclp_card::image::{Fat, Image};
 
 use crate::shell::{self, say};
+
+/// The file in which the board keeps inputs and outputs, before it has done so.
+const STATE: &[u8] = include_bytes!("../../programs/STATE.TXT");
 
 /// `cargo xtask card`
 #[derive(clap::Args)]
@@ -23,6 +26,9 @@ pub struct Args {
     /// Without a partition table
     #[arg(long)]
     bare: bool,
+    /// Without STATE.TXT: the board then writes nothing to the card
+    #[arg(long)]
+    no_state: bool,
 }
 
 /// FAT16 or FAT32, as on the command line.
@@ -41,11 +47,22 @@ pub enum Kind {
 /// # Errors
 /// If the program cannot be read or the image cannot be written.
 pub fn run(args: &Args) -> Result<()> {
-    write(&args.program, &args.output, args.fat, args.bare)?;
+    write(
+        &args.program,
+        &args.output,
+        args.fat,
+        args.bare,
+        !args.no_state,
+    )?;
     say(&format!(
-        "card: {} on {} as PROGRAM.TXT",
+        "card: {} on {} as PROGRAM.TXT{}",
         args.program.display(),
-        args.output.display()
+        args.output.display(),
+        if args.no_state {
+            ""
+        } else {
+            ", with a STATE.TXT for inputs and outputs"
+        }
     ));
     println!(
         "The program was not looked at: `cargo run -- check {}` says whether it is right.",
@@ -54,11 +71,11 @@ pub fn run(args: &Args) -> Result<()> {
     Ok(())
 }
 
-/// Puts the program into a new image file.
+/// Puts the program into a new image file, with `STATE.TXT` or without.
 ///
 /// # Errors
 /// If the program cannot be read or the image cannot be written.
-pub fn write(program: &Path, output: &Path, fat: Kind, bare: bool) -> Result<()> {
+pub fn write(program: &Path, output: &Path, fat: Kind, bare: bool, state: bool) -> Result<()> {
     let text = fs::read(program).with_context(|| {
         format!(
             "cannot read the program {} (is its name right?)",
@@ -70,6 +87,11 @@ pub fn write(program: &Path, output: &Path, fat: Kind, bare: bool) -> Result<()>
         Kind::Fat32 => Fat::Fat32,
     };
     let image = Image::new(fat).file("PROGRAM.TXT", text);
+    let image = if state {
+        image.file("STATE.TXT", STATE)
+    } else {
+        image
+    };
     let image = if bare { image.bare() } else { image };
     let image = image.build().context("cannot build the card image")?;
     shell::make_folder_of(output)?;

@@ -24,7 +24,7 @@ pub fn run() -> Result<()> {
     say(&format!("demo: putting {PROGRAM} on the image of a card"));
     let root = shell::root();
     let image = root.join("target/demo/card.img");
-    card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false)?;
+    card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false, true)?;
 
     say("demo: compiling the simulator");
     shell::run(&mut simulator("build"))?;

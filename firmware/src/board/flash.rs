@@ -38,20 +38,26 @@ pub struct FlashText {
 impl FlashText {
     /// Its bytes in order.
     pub fn bytes(self) -> impl Iterator<Item = u8> {
-        (0..self.length).map(move |index| {
-            let byte: u8;
-            // SAFETY: `lpm` reads program memory and changes nothing; the address is inside the
-            // text, which `InFlash::text` was promised to stand there, below 64 KiB.
-            unsafe {
-                asm!(
-                    "lpm {byte}, Z",
-                    byte = out(reg) byte,
-                    in("Z") self.start.wrapping_add(usize::from(index)),
-                    options(pure, readonly, nostack, preserves_flags),
-                );
-            }
-            byte
-        })
+        (0..self.length).filter_map(move |index| self.byte(index))
+    }
+
+    /// The byte at this index; none behind the end.
+    pub fn byte(self, index: u16) -> Option<u8> {
+        if index >= self.length {
+            return None;
+        }
+        let byte: u8;
+        // SAFETY: `lpm` reads program memory and changes nothing; the address is inside the text,
+        // which `InFlash::text` was promised to stand there, below 64 KiB.
+        unsafe {
+            asm!(
+                "lpm {byte}, Z",
+                byte = out(reg) byte,
+                in("Z") self.start.wrapping_add(usize::from(index)),
+                options(pure, readonly, nostack, preserves_flags),
+            );
+        }
+        Some(byte)
     }
 }
 

@@ -72,6 +72,11 @@ impl Board {
         spi::CardBus::start(&self.spi, &self.pins)
     }
 
+    /// The bus to the card, at full speed, with the card selected: for what comes after start-up.
+    pub fn resume_card(&self) -> spi::CardBus<'_> {
+        spi::CardBus::resume(&self.spi, &self.pins)
+    }
+
     /// Gives D10 to D13 back: the card is no longer selected, and LED L is ours.
     pub fn release_card(&self) {
         spi::release(&self.spi, &self.pins);

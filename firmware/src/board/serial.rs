@@ -2,6 +2,7 @@
 
 use super::CLOCK_HZ;
 use super::flash::FlashText;
+use crate::decimal::{DIGITS, decimal};
 use avr_device::atmega328p::USART0;
 
 const BAUD: u32 = 115_200;
@@ -27,27 +28,13 @@ impl Serial {
         text.bytes().for_each(|byte| self.byte(byte));
     }
 
-    /// Sends a number in decimal. By doubling decimal digits: a division of 32 bits would take
-    /// 1.5 KB of flash, and a table of powers 40 bytes of RAM.
-    pub fn number(&mut self, mut number: u32) {
-        // The least significant digit first; ten hold any number of 32 bits.
-        let mut digits = [0; 10];
-        for _ in 0..u32::BITS {
-            let mut carry = number >= 1 << 31;
-            number <<= 1;
-            for digit in &mut digits {
-                *digit = *digit * 2 + u8::from(carry);
-                carry = *digit >= 10;
-                if carry {
-                    *digit -= 10;
-                }
-            }
-        }
-        let mut begun = false;
-        for (place, digit) in digits.into_iter().enumerate().rev() {
-            begun |= digit != 0 || place == 0;
-            if begun {
-                self.byte(b'0' + digit);
+    /// Sends a number in decimal.
+    pub fn number(&mut self, number: u32) {
+        let mut digits = [0; DIGITS];
+        decimal(number, &mut digits);
+        for digit in digits {
+            if digit != b' ' {
+                self.byte(digit);
             }
         }
     }

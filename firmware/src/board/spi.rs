@@ -5,13 +5,12 @@ use super::pins::Pins;
 use avr_device::atmega328p::SPI;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::spi::{ErrorKind, ErrorType, Operation, SpiDevice};
-use unoclp_core::Millis;
 
 /// Clock bytes with the card not selected before the first command: at least 74 clocks
 /// (SD Physical Layer Simplified Specification, 6.4.1).
 const WAKE_BYTES: u8 = 10;
 /// How long a slot may stay silent when it is woken, ms.
-const SILENCE: Millis = 60;
+const SILENCE: u16 = 60;
 
 /// A card did not answer in time.
 #[derive(Debug)]
@@ -30,8 +29,10 @@ impl embedded_hal::spi::Error for TooLate {
 pub struct CardBus<'b> {
     spi: &'b SPI,
     pins: &'b Pins,
-    since: Millis,
-    limit: Millis,
+    /// When the card's time began, ms, wrapping.
+    since: u16,
+    /// ms
+    limit: u16,
     answered: bool,
 }
 
@@ -40,6 +41,20 @@ impl<'b> CardBus<'b> {
     pub fn start(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
         spi.spcr()
             .write(|w| w.spe().set_bit().mstr().set_bit().spr().fosc_64_32());
+        CardBus::new(spi, pins)
+    }
+
+    /// Switches the bus on again, at 4 MHz, and selects the card. Without a deadline, for
+    /// [`exchange`](CardBus::exchange).
+    pub fn resume(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
+        let mut bus = CardBus::new(spi, pins);
+        // In this order: LED L leaves the clock line before the card listens.
+        bus.full_speed();
+        pins.select_card(true);
+        bus
+    }
+
+    fn new(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
         CardBus {
             spi,
             pins,
@@ -51,7 +66,7 @@ impl<'b> CardBus<'b> {
 
     /// Wakes the card: clocks while it is not selected, then selects it. From now it has so many
     /// ms, but far fewer until its first answer.
-    pub fn wake(&mut self, limit: Millis) {
+    pub fn wake(&mut self, limit: u16) {
         self.pins.select_card(false);
         for _ in 0..WAKE_BYTES {
             self.exchange(0xFF);
@@ -69,8 +84,8 @@ impl<'b> CardBus<'b> {
     }
 
     /// Gives the card this many ms from now.
-    pub fn allow(&mut self, limit: Millis) {
-        self.since = clock::now();
+    pub fn allow(&mut self, limit: u16) {
+        self.since = clock::now() as u16;
         self.limit = limit;
     }
 
@@ -79,7 +94,8 @@ impl<'b> CardBus<'b> {
         self.answered
     }
 
-    fn exchange(&mut self, byte: u8) -> u8 {
+    /// Sends a byte and gives the one that the card sends; 2 µs at full speed.
+    pub fn exchange(&mut self, byte: u8) -> u8 {
         self.spi.spdr().write(|w| w.set(byte));
         while self.spi.spsr().read().spif().bit_is_clear() {}
         let answer = self.spi.spdr().read().bits();
@@ -89,7 +105,7 @@ impl<'b> CardBus<'b> {
 
     fn in_time(&self) -> Result<(), TooLate> {
         let limit = if self.answered { self.limit } else { SILENCE };
-        if clock::now().wrapping_sub(self.since) < limit {
+        if (clock::now() as u16).wrapping_sub(self.since) < limit {
             Ok(())
         } else {
             Err(TooLate)

@@ -11,7 +11,7 @@ use embedded_sdmmc::embedded_sdmmc_types::sdcard::CardType;
 use embedded_sdmmc::sdcard::spi::AcquireOpts;
 use embedded_sdmmc::{Block, BlockCount, BlockDevice, BlockIdx, SdCard};
 use unoclp_card::{Error, File};
-use unoclp_core::{Cause, Crc16, Fault, Loader, Millis, Profile, Program};
+use unoclp_core::{Cause, Crc16, Fault, Loader, Profile, Program};
 
 /// The program's 8.3 name as a directory holds it (NC-1).
 const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
@@ -19,9 +19,9 @@ const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
 const STATE: &[u8; 11] = b"STATE   TXT";
 /// How long a card may take from its first answer until it is ready, ms. The SD specification
 /// allows it 1 s (4.2.3); together with a block's time this gives a dead card up within 2 s.
-const READY: Millis = 1500;
+const READY: u16 = 1500;
 /// How long one reading of a block may take, ms. The specification allows 100 ms (4.6.2.1).
-const BLOCK: Millis = 120;
+const BLOCK: u16 = 120;
 /// How often a slot that stays silent is asked: some cards miss the first command after power-up.
 const CALLS: u8 = 4;
 /// How often a block is read that arrives damaged: wires on a breadboard pick up noise.

@@ -1,0 +1,168 @@
+//! `STATE.TXT`: inputs, outputs, uptime and scan times, kept on the card.
+//!
+//! Owns what the file says and when it is written; must not know how. Its first block is rewritten
+//! in place: at once when an input or output has changed, but at most once a second; else every
+//! minute; and never again once the card has failed.
+
+use crate::board::Board;
+use crate::board::clock;
+use crate::board::flash::flash_text;
+use crate::card::Place;
+use crate::card::writer::{CardFailed, Progress, Writer};
+use crate::decimal::{DIGITS, decimal};
+use crate::diagnosis::ScanTimes;
+use unoclp_core::Image;
+
+/// The text, with a mark for each digit of a value.
+const TEMPLATE: &str = include_str!("../../programs/STATE.TXT").trim_ascii_end();
+const MARK: u8 = b'#';
+/// Where blanks give way to the end of the last line.
+const LINE_END: u16 = 510;
+
+/// The least time between two writings, and the most, ms.
+const SOONEST: u16 = 1_000;
+const LATEST: u16 = 60_000;
+const SECOND: u16 = 1_000;
+
+/// Inputs and outputs of one scan.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub struct Images {
+    /// What the program read.
+    pub inputs: Image,
+    /// What it wrote.
+    pub outputs: Image,
+}
+
+/// Keeps the file up to date.
+pub struct State {
+    /// None where the card has no such file, or has failed.
+    writer: Option<Writer>,
+    failed: bool,
+    text: Text,
+    /// When the last writing began; none before the first. ms, wrapping.
+    written: Option<u16>,
+    uptime: u32,
+    /// When the second began that is under way, ms, wrapping.
+    second: u16,
+}
+
+impl State {
+    /// The state kept at this place, or nowhere.
+    pub fn new(place: Option<Place>) -> State {
+        State {
+            writer: place.map(Writer::new),
+            failed: false,
+            text: Text::default(),
+            written: None,
+            uptime: 0,
+            second: 0,
+        }
+    }
+
+    /// Whether the card has failed since the program runs.
+    pub fn has_failed(&self) -> bool {
+        self.failed
+    }
+
+    /// One step, to be called between scans with what the last one read and wrote. It takes 0.1 ms
+    /// at most, and never waits for the card.
+    pub fn step(&mut self, board: &Board, images: Images, times: ScanTimes) {
+        if self.writer.is_some() && self.advance(board, images, times).is_err() {
+            board.release_card();
+            self.writer = None;
+            self.failed = true;
+        }
+    }
+
+    fn advance(
+        &mut self,
+        board: &Board,
+        images: Images,
+        times: ScanTimes,
+    ) -> Result<(), CardFailed> {
+        let Some(writer) = &mut self.writer else {
+            return Ok(());
+        };
+        // Compared with moments of the last minute only: 16 bits tell them apart.
+        let now = clock::now() as u16;
+        if now.wrapping_sub(self.second) >= SECOND {
+            self.second = self.second.wrapping_add(SECOND);
+            self.uptime = self.uptime.wrapping_add(1);
+        }
+        let text = &mut self.text;
+        if writer.step(board, now, |at| text.byte(at))? == Progress::Going {
+            return Ok(());
+        }
+        let due = match self.written {
+            None => true,
+            Some(written) => {
+                let least = if images == text.images {
+                    LATEST
+                } else {
+                    SOONEST
+                };
+                now.wrapping_sub(written) >= least
+            }
+        };
+        if due {
+            self.written = Some(now);
+            *text = Text {
+                images,
+                times,
+                uptime: self.uptime,
+                ..Text::default()
+            };
+            writer.begin(board)?;
+        }
+        Ok(())
+    }
+}
+
+/// The text of one writing: its values, and how far it has gone.
+#[derive(Default)]
+struct Text {
+    images: Images,
+    times: ScanTimes,
+    /// s
+    uptime: u32,
+    /// The value that is next.
+    value: u8,
+    /// The digits of the value before it, and how many have not gone.
+    digits: [u8; DIGITS],
+    left: usize,
+}
+
+impl Text {
+    /// The byte at this place of the block, 0 to 511; asked in order.
+    #[inline(never)]
+    fn byte(&mut self, at: u16) -> u8 {
+        match flash_text!(TEMPLATE).byte(at) {
+            Some(MARK) => self.digit(),
+            Some(byte) => byte,
+            None if at < LINE_END => b' ',
+            None if at == LINE_END => b'\r',
+            None => b'\n',
+        }
+    }
+
+    /// The digit that takes the place of the next mark.
+    fn digit(&mut self) -> u8 {
+        if self.left == 0 {
+            let bit = |image: Image, place: u8| u32::from(image.0 >> place & 1);
+            let (number, digits) = match self.value {
+                place @ 0..4 => (bit(self.images.inputs, place), 1),
+                place @ 4..8 => (bit(self.images.outputs, place - 4), 1),
+                8 => (self.uptime, DIGITS),
+                9 => (self.times.last.into(), 5),
+                10 => (self.times.least.into(), 5),
+                _ => (self.times.most.into(), 5),
+            };
+            self.value += 1;
+            decimal(number, &mut self.digits);
+            self.left = digits;
+        }
+        let digit = self.digits[DIGITS - self.left];
+        self.left -= 1;
+        digit
+    }
+}
