@@ -36,11 +36,7 @@ impl Diagnosis {
     /// Of a program that has just been taken into run memory.
     pub fn new(program: &[u8]) -> Diagnosis {
         Diagnosis {
-            times: ScanTimes {
-                last: 0,
-                least: u16::MAX,
-                most: 0,
-            },
+            times: ScanTimes::default(),
             expected: Crc16::of(program),
             sum: Crc16::default(),
             at: 0,
@@ -48,7 +44,7 @@ impl Diagnosis {
         }
     }
 
-    /// How long scans have taken.
+    /// How long scans have taken; zeros before the first has ended.
     pub fn times(&self) -> ScanTimes {
         self.times
     }
@@ -58,7 +54,10 @@ impl Diagnosis {
         let time = to.micros_since(from);
         self.times = ScanTimes {
             last: time,
-            least: self.times.least.min(time),
+            least: match self.times.least {
+                0 => time,
+                least => least.min(time),
+            },
             most: self.times.most.max(time),
         };
     }

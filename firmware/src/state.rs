@@ -13,10 +13,9 @@ use crate::decimal::{DIGITS, decimal};
 use crate::diagnosis::ScanTimes;
 use unoclp_core::Image;
 
-/// The text, with a mark for each digit of a value.
+/// The text, with a mark for each digit of a value; what follows is blanks, and a line end.
 const TEMPLATE: &str = include_str!("../../programs/STATE.TXT").trim_ascii_end();
 const MARK: u8 = b'#';
-/// Where blanks give way to the end of the last line.
 const LINE_END: u16 = 510;
 
 /// The least time between two writings, and the most, ms.
@@ -94,7 +93,8 @@ impl State {
             return Ok(());
         }
         let due = match self.written {
-            None => true,
+            // Once there is a scan time to tell.
+            None => times.most > 0,
             Some(written) => {
                 let least = if images == text.images {
                     LATEST
@@ -148,16 +148,17 @@ impl Text {
     /// The digit that takes the place of the next mark.
     fn digit(&mut self) -> u8 {
         if self.left == 0 {
-            let bit = |image: Image, place: u8| u32::from(image.0 >> place & 1);
-            let (number, digits) = match self.value {
-                place @ 0..4 => (bit(self.images.inputs, place), 1),
-                place @ 4..8 => (bit(self.images.outputs, place - 4), 1),
+            let value = self.value;
+            self.value += 1;
+            let bit = |image: Image, place: u8| b'0' + (image.0 >> place & 1) as u8;
+            let (number, digits) = match value {
+                0..4 => return bit(self.images.inputs, value),
+                4..8 => return bit(self.images.outputs, value - 4),
                 8 => (self.uptime, DIGITS),
                 9 => (self.times.last.into(), 5),
                 10 => (self.times.least.into(), 5),
                 _ => (self.times.most.into(), 5),
             };
-            self.value += 1;
             decimal(number, &mut self.digits);
             self.left = digits;
         }
