@@ -15,7 +15,9 @@ const READ_ONLY: u8 = 0x01;
 fn first_block(image: &[u8]) -> Result<Option<usize>, Error<NoBlock>> {
     let card = Card::new(image);
     let mut block = Block::new();
-    let place = File::open(&card, &mut block, STATE)?.first_block(&card, &mut block)?;
+    let mut file = File::default();
+    file.open(&card, &mut block, STATE)?;
+    let place = file.first_block(&card, &mut block)?;
     assert_eq!(card.writes.get(), 0);
     Ok(place.map(|BlockIdx(place)| place as usize))
 }

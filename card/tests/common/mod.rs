@@ -92,7 +92,8 @@ pub fn walk(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
 fn walk_inner(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
     let mut block = Block::new();
     block.fill(0xA5);
-    let mut file = File::open(card, &mut block, name)?;
+    let mut file = File::default();
+    file.open(card, &mut block, name)?;
     let mut bytes = Vec::new();
     loop {
         block.fill(0x5A);

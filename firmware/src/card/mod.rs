@@ -88,7 +88,10 @@ fn read_twice<'m>(
 
 #[inline(never)]
 fn find_state(card: &Card<'_>, block: &mut Block) -> StateFile {
-    let place = File::open(card, block, STATE).and_then(|file| file.first_block(card, block));
+    let mut file = File::default();
+    let place = file
+        .open(card, block, STATE)
+        .and_then(|()| file.first_block(card, block));
     match place {
         Ok(Some(BlockIdx(number))) => StateFile::Found(Place {
             argument: match card.0.get_card_type() {
@@ -110,7 +113,8 @@ fn read<'m>(
     block: &mut Block,
     memory: &'m mut [u8],
 ) -> Result<Program<'m>, Fault> {
-    let mut file = File::open(card, block, PROGRAM).map_err(fault)?;
+    let mut file = File::default();
+    file.open(card, block, PROGRAM).map_err(fault)?;
     let mut loader = Loader::new(memory, Profile::UNO);
     while let Some(bytes) = file.next_block(card, block).map_err(fault)? {
         for &byte in bytes {
