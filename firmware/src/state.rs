@@ -93,8 +93,7 @@ impl State {
             return Ok(());
         }
         let due = match self.written {
-            // Once there is a scan time to tell.
-            None => times.most > 0,
+            None => true,
             Some(written) => {
                 let least = if images == text.images {
                     LATEST

@@ -69,7 +69,11 @@ impl Board {
 
     /// The bus to the card, switched on; the card still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
-        spi::CardBus::start(&self.spi, &self.pins)
+        let mut bus = spi::CardBus::start(&self.spi, &self.pins);
+        if self.start != watchdog::Start::Power {
+            bus.end_packet();
+        }
+        bus
     }
 
     /// The bus to the card, at full speed, with the card selected: for what comes after start-up.

@@ -9,6 +9,8 @@ use embedded_hal::spi::{ErrorKind, ErrorType, Operation, SpiDevice};
 /// Clock bytes with the card not selected before the first command: at least 74 clocks
 /// (SD Physical Layer Simplified Specification, 6.4.1).
 const WAKE_BYTES: u8 = 10;
+/// Enough to end what a card may be in the middle of: a block, its check sum, and an answer.
+const PACKET_BYTES: u16 = 512 + 2 + 8;
 /// How long a slot may stay silent when it is woken, ms.
 const SILENCE: u16 = 60;
 
@@ -39,9 +41,26 @@ pub struct CardBus<'b> {
 impl<'b> CardBus<'b> {
     /// Switches the bus on, at 250 kHz.
     pub fn start(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
-        spi.spcr()
+        let mut bus = CardBus::new(spi, pins);
+        bus.start_speed();
+        bus
+    }
+
+    /// Lets the card end what a restart of the board has cut off: it has kept its power, and would
+    /// take the first commands for the rest of a block. It is long out of its idle state.
+    pub fn end_packet(&mut self) {
+        self.full_speed();
+        self.pins.select_card(true);
+        for _ in 0..PACKET_BYTES {
+            self.exchange(0xFF);
+        }
+        self.start_speed();
+    }
+
+    fn start_speed(&mut self) {
+        self.spi
+            .spcr()
             .write(|w| w.spe().set_bit().mstr().set_bit().spr().fosc_64_32());
-        CardBus::new(spi, pins)
     }
 
     /// Switches the bus on again, at 4 MHz, and selects the card. Without a deadline, for

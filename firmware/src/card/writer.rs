@@ -11,8 +11,8 @@ use unoclp_core::Crc16;
 
 /// Bytes of a block.
 const BLOCK: u16 = 512;
-/// Bytes of it that go to the card in one step: 40 µs or so.
-const STEP: u16 = 8;
+/// Bytes of it that go to the card in one step: so few that no step has two numbers in it.
+const STEP: u16 = 4;
 /// How long a card may stay busy with a block, ms: twice what the specification allows SDHC (4.6.2.2).
 const BUSY: u16 = 500;
 /// How many bytes a card may let pass before it answers (7.5.1.1).
