@@ -8,7 +8,7 @@ use unoclp_core::{Image, Millis};
 use unoclp_host_sim::scenario::{self, Engine, Refusal, Scenario, Verdict};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{Program, Slot};
+use unoclp_uno_sim::{Program, Slot, Uno};
 
 #[derive(Parser)]
 #[command(version, about = "The unoclp firmware on a simulated Arduino UNO")]
@@ -42,6 +42,9 @@ fn main() -> Result<ExitCode> {
     demo(&elf, &card, &scenario)
 }
 
+/// The state is written at most once a second, ms.
+const LATER: u64 = 1_100;
+
 fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
     let scenario = Scenario::load(scenario)?;
     let image = std::fs::read(card)
@@ -67,12 +70,28 @@ fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
     match report.verdict {
         Verdict::Met { .. } => {
             println!("Every LED did what was expected of it, in every millisecond.");
+            if let Some(state) = show.engine.uno().and_then(state) {
+                println!("\nIn the card's STATE.TXT the board has noted:");
+                for line in state.lines() {
+                    println!("  {line}");
+                }
+                println!();
+            }
             println!("To press the buttons yourself, without a board:");
             println!("  cargo run -- sim {}", scenario.program().name);
             Ok(ExitCode::SUCCESS)
         }
         verdict => bail!("{verdict}"),
     }
+}
+
+/// What has been written to the card, once the board has come to it.
+fn state(uno: &mut Uno) -> Option<String> {
+    uno.run_ms(LATER).ok()?;
+    let card = uno.card()?;
+    let block = card.log().writes.last()?.block;
+    let bytes = card.image().chunks_exact(512).nth(block)?;
+    Some(String::from_utf8_lossy(bytes).trim_end().to_owned())
 }
 
 /// The comment at the head of a program, up to its first code.

@@ -2,28 +2,14 @@
 
 mod common;
 
-use common::{card, uno};
+use common::{card, ms_until, to_run, uno};
 use unoclp_uno_sim::sd::{At, What};
 use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin, Slot, Uno};
-
-/// Runs until the serial port has said this; gives the time in ms.
-fn ms_until(uno: &mut Uno, text: &str) -> u64 {
-    for _ in 0..5000 {
-        uno.run_ms(1).unwrap();
-        if uno.serial().contains(text) {
-            return uno.cycles() / CYCLES_PER_MS;
-        }
-    }
-    panic!(
-        "{text:?} did not come; the serial port said {:?}",
-        uno.serial()
-    );
-}
 
 #[test]
 fn an_empty_slot_is_known_within_300_ms() {
     let mut uno = uno(Slot::Empty);
-    let ms = ms_until(&mut uno, "fault 51: no card answers");
+    let (ms, _) = ms_until(&mut uno, &["fault 51: no card answers"]);
     println!("an empty slot is known after {ms} ms");
     assert!(ms <= 300, "{ms} ms");
 }
@@ -33,7 +19,7 @@ fn an_empty_slot_is_known_within_300_ms() {
 fn a_dead_card_is_given_up_within_2_s() {
     let text = "0\n".to_string() + &"827301\n".repeat(200);
     let mut healthy = uno(Slot::Card(card(&text)));
-    ms_until(&mut healthy, "RUN");
+    to_run(&mut healthy);
     let log = healthy.card().unwrap().log();
     let (commands, blocks) = (log.commands.len(), log.blocks_read as usize);
 
@@ -81,7 +67,7 @@ fn a_dead_card_is_given_up_within_2_s() {
 fn a_disturbance_is_overcome() {
     let text = "0\n".to_string() + &"827301\n".repeat(200);
     let mut healthy = uno(Slot::Card(card(&text)));
-    ms_until(&mut healthy, "RUN");
+    to_run(&mut healthy);
     let blocks = healthy.card().unwrap().log().blocks_read as usize;
 
     let damaged = (0..blocks).flat_map(|block| {
@@ -91,9 +77,10 @@ fn a_disturbance_is_overcome() {
     let mut runs = 0;
     for (at, what) in damaged.chain(silent) {
         let mut uno = uno(Slot::Card(card(&text).with_fault(at, what)));
-        ms_until(
-            &mut uno,
-            "program: 201 codes, 200 bytes used, 700 free, 0 timers\r\nRUN",
+        let said = to_run(&mut uno);
+        assert!(
+            said.ends_with("program: 201 codes, 200 bytes used, 700 free, 0 timers\r\nRUN\r\n"),
+            "{what:?} at {at:?}: {said:?}"
         );
         runs += 1;
     }
@@ -104,9 +91,8 @@ fn a_disturbance_is_overcome() {
 fn the_serial_port_says_what_was_loaded() {
     let text = "0\n827301\n847978\n500\n7901\n787600\n-827302\n877902\n";
     let mut uno = uno(Slot::Card(card(text)));
-    ms_until(&mut uno, "RUN\r\n");
     assert_eq!(
-        uno.serial(),
+        to_run(&mut uno),
         concat!(
             "\r\nunoclp ",
             env!("CARGO_PKG_VERSION"),
@@ -118,12 +104,10 @@ fn the_serial_port_says_what_was_loaded() {
 #[test]
 fn the_serial_port_says_a_fault_with_number_line_and_text() {
     let mut uno = uno(Slot::Card(card("0\n\n/ a comment\n827301\n827399\n")));
-    ms_until(&mut uno, "input\r\n");
+    let said = ms_until(&mut uno, &["input\r\n"]).1;
     assert!(
-        uno.serial()
-            .ends_with("\r\nfault 25, line 5: this board has no such input\r\n"),
-        "{:?}",
-        uno.serial()
+        said.ends_with("\r\nfault 25, line 5: this board has no such input\r\n"),
+        "{said:?}"
     );
 }
 
@@ -157,7 +141,7 @@ fn flashes(edges: &[Edge]) -> Vec<u64> {
 #[test]
 fn led_l_flashes_the_fault_number() {
     let mut uno = uno(Slot::Card(card("0\n41\n")));
-    ms_until(&mut uno, "fault 31");
+    ms_until(&mut uno, &["fault 31"]);
     uno.take_edges();
     uno.run_ms(9000).unwrap();
     let long: Vec<bool> = flashes(uno.edges()).iter().map(|ms| *ms > 500).collect();
@@ -168,7 +152,7 @@ fn led_l_flashes_the_fault_number() {
 #[test]
 fn led_l_is_steady_in_run() {
     let mut uno = uno(Slot::Card(card("0\n827301\n877901\n")));
-    ms_until(&mut uno, "RUN\r\n");
+    to_run(&mut uno);
     uno.run_ms(2).unwrap();
     assert!(uno.led());
     uno.take_edges();
@@ -180,7 +164,7 @@ fn led_l_is_steady_in_run() {
 #[test]
 fn a_millisecond_is_16000_cycles() {
     let mut uno = uno(Slot::Card(card("0\n")));
-    ms_until(&mut uno, "RUN\r\n");
+    to_run(&mut uno);
     let millis = uno.symbol("MILLIS").unwrap().address;
     // Its low byte, which changes with every reading, and in one instruction.
     let read = |uno: &Uno| uno.read_ram(millis, 1).unwrap()[0];

@@ -70,6 +70,13 @@ const SIMAVR: &[Need] = &[
     }),
 ];
 
+/// What the tests on the simulated board call.
+const TESTS: &[Need] = &[need(
+    "dosfstools",
+    "checking the file systems of card images",
+    |_| has_fsck(),
+)];
+
 /// Sees to it that the firmware can be built.
 ///
 /// # Errors
@@ -91,7 +98,7 @@ pub fn for_simulator() -> Result<Toolchain> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn for_tests() -> Result<Toolchain> {
-    provide(&[AVR, RUST, CHECKS, SIMAVR])
+    provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS])
 }
 
 /// `cargo xtask setup`
@@ -237,6 +244,13 @@ fn has_avr_libc() -> bool {
     const START: &str = "crtatmega328p.o";
     let arguments = ["-mmcu=atmega328p", &format!("-print-file-name={START}")];
     output(Command::new("avr-gcc").args(arguments)).is_some_and(|path| path != START)
+}
+
+/// Debian keeps it in a folder that is in the PATH of root alone.
+fn has_fsck() -> bool {
+    ["fsck.fat", "/usr/sbin/fsck.fat"]
+        .iter()
+        .any(|program| output(Command::new(program).arg("--help")).is_some())
 }
 
 fn has_library(name: &str) -> bool {

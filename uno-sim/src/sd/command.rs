@@ -51,6 +51,7 @@ impl SdCard {
             app,
             argument,
             answer,
+            time: self.now,
         });
     }
 

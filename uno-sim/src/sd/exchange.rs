@@ -3,7 +3,7 @@
 use super::crc::crc16;
 use super::fault::garbage;
 use super::registers::BLOCK;
-use super::{At, Mode, Presence, SdCard, What};
+use super::{At, Mode, Presence, SdCard, What, Write};
 
 /// Start token of every data packet except those of CMD25 (section 7.3.3.2).
 const START: u8 = 0xFE;
@@ -48,6 +48,7 @@ impl SdCard {
         if !low {
             self.frame.clear();
         }
+        self.log.selections += u64::from(low && !self.selected);
         self.selected = low;
     }
 
@@ -238,6 +239,10 @@ impl SdCard {
         if let Some(memory) = self.image.get_mut(at..at + BLOCK) {
             memory.copy_from_slice(data);
             self.log.blocks_written += 1;
+            self.log.writes.push(Write {
+                block: at / BLOCK,
+                time: self.now,
+            });
         }
         self.out.push_back(ACCEPTED);
         self.busy = match fault {

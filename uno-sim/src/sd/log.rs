@@ -11,6 +11,17 @@ pub struct Command {
     pub argument: u32,
     /// The first byte of the response (R1), or `None` where the card kept silent.
     pub answer: Option<u8>,
+    /// When the frame was complete, on the clock of [`SdCard::set_time`](super::SdCard::set_time), cycles.
+    pub time: u64,
+}
+
+/// One block of the memory that the host has written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Write {
+    /// Which block, counted in 512 bytes from the start of the memory.
+    pub block: usize,
+    /// When its packet was complete, on the clock of [`SdCard::set_time`](super::SdCard::set_time), cycles.
+    pub time: u64,
 }
 
 /// Everything that reached a card since it was powered, in order.
@@ -22,6 +33,10 @@ pub struct CardLog {
     pub blocks_read: u64,
     /// Blocks of the memory changed by the host.
     pub blocks_written: u64,
+    /// Each of them.
+    pub writes: Vec<Write>,
+    /// How often the host has selected the card: CS fell.
+    pub selections: u64,
 }
 
 impl CardLog {

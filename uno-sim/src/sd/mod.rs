@@ -26,7 +26,7 @@ mod log;
 mod registers;
 
 pub use fault::{At, Fault, What};
-pub use log::{CardLog, Command};
+pub use log::{CardLog, Command, Write};
 
 use crate::Error;
 use exchange::Phase;

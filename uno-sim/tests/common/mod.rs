@@ -1,6 +1,8 @@
 //! What the tests on the firmware share.
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod state;
+
 use std::path::{Path, PathBuf};
 use unoclp_card::image::{Fat, Image};
 use unoclp_uno_sim::sd::{Kind, SdCard};
