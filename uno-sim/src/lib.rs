@@ -42,6 +42,7 @@ mod error;
 mod halt;
 mod pins;
 pub mod sd;
+mod size;
 mod stack;
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,7 @@
 //! [`shell`] runs other programs, [`setup`] sees to it that they are there, [`toolchain`] is the
 //! Rust that compiles for AVR.
 
+pub mod bench;
 pub mod budget;
 pub mod card;
 pub mod demo;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{card, demo, firmware, flash, r0check, setup, test};
+use xtask::{bench, card, demo, firmware, flash, r0check, setup, test};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -15,6 +15,8 @@ enum Task {
     Test,
     /// Build the firmware: target/firmware/unoclp.elf and unoclp.hex
     Firmware,
+    /// Measure the firmware on a simulated UNO, and write docs/benchmarks.md
+    Bench,
     /// Put a program on the image of a memory card
     Card(card::Args),
     /// Write the firmware to a board
@@ -30,6 +32,7 @@ fn main() -> ExitCode {
         Task::Demo => demo::run(),
         Task::Test => test::run(),
         Task::Firmware => firmware::run(),
+        Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
         Task::R0check(args) => r0check::run(&args),
