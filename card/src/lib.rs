@@ -152,10 +152,10 @@ impl File {
         Ok(block.get(..length as usize))
     }
 
-    /// Reads the first block of a file just opened, and gives its place on the card where it may be
-    /// overwritten in place: all of its 512 bytes are the file's, the file is not marked read-only,
-    /// and the FAT holds the block's cluster for taken. `None` where the file is too short or
-    /// read-only.
+    /// The place on the card of the first block of a file just opened, where it may be overwritten:
+    /// all of its 512 bytes are the file's, the file is not marked read-only, and the FAT holds the
+    /// block's cluster for taken. `None` where the file is too short or read-only. The block itself
+    /// is not read: a power cut in a writing may have left it unreadable until the next.
     ///
     /// # Errors
     /// [`Error::Device`]; [`Error::Damaged`] where the file's first cluster is free, bad or outside
@@ -168,8 +168,7 @@ impl File {
         if self.read_only || self.left < Block::LEN_U32 {
             return Ok(None);
         }
-        self.next_block(device, block)?;
-        let place = self.walk.place_of_taken().ok_or(Error::Damaged)?;
+        let place = self.walk.first_place(device, block)?;
         Ok(Some(BlockIdx(place)))
     }
 }

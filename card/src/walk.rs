@@ -169,11 +169,25 @@ impl Walk {
         Ok(())
     }
 
-    /// The place of the block last read, where the FAT holds its cluster for taken: it is the last
-    /// of its chain, or another follows.
-    pub fn place_of_taken(&self) -> Option<u32> {
+    /// Enters the chain that this stands before, and gives the place of its first block.
+    ///
+    /// # Errors
+    /// [`Error::Device`]; [`Error::Damaged`] where the chain's first cluster is outside the volume,
+    /// or the FAT does not hold it for taken: by the end of the chain, or another cluster.
+    pub fn first_place<D: BlockDevice>(
+        &mut self,
+        device: &D,
+        block: &mut Block,
+    ) -> Result<u32, Error<D::Error>> {
+        let entries = self.enter().ok_or(Error::Damaged)?;
+        read(device, block, entries)?;
+        self.look_up(block);
         let taken = self.next >= END || self.next.wrapping_sub(2) < self.clusters;
-        taken.then_some(self.block.wrapping_sub(1))
+        if taken {
+            Ok(self.block)
+        } else {
+            Err(Error::Damaged)
+        }
     }
 
     /// Enters the cluster that follows: where its blocks are. Gives the block of the FAT that says

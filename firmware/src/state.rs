@@ -40,7 +40,8 @@ pub struct State {
     text: Text,
     /// When the last writing began; none before the first. ms, wrapping.
     written: Option<u16>,
-    uptime: u32,
+    /// s, in decimal.
+    uptime: [u8; DIGITS],
     /// When the second began that is under way, ms, wrapping.
     second: u16,
 }
@@ -48,12 +49,14 @@ pub struct State {
 impl State {
     /// The state kept at this place, or nowhere.
     pub fn new(place: Option<Place>) -> State {
+        let mut uptime = [b' '; DIGITS];
+        uptime[DIGITS - 1] = b'0';
         State {
             writer: place.map(Writer::new),
             failed: false,
             text: Text::default(),
             written: None,
-            uptime: 0,
+            uptime,
             second: 0,
         }
     }
@@ -86,7 +89,7 @@ impl State {
         let now = clock::now() as u16;
         if now.wrapping_sub(self.second) >= SECOND {
             self.second = self.second.wrapping_add(SECOND);
-            self.uptime = self.uptime.wrapping_add(1);
+            count(&mut self.uptime);
         }
         let text = &mut self.text;
         if writer.step(board, now, |at| text.byte(at))? == Progress::Going {
@@ -117,13 +120,29 @@ impl State {
     }
 }
 
+/// Counts on by one.
+fn count(number: &mut [u8; DIGITS]) {
+    for digit in number.iter_mut().rev() {
+        match *digit {
+            b'9' => *digit = b'0',
+            b' ' => {
+                *digit = b'1';
+                break;
+            }
+            _ => {
+                *digit += 1;
+                break;
+            }
+        }
+    }
+}
+
 /// The text of one writing: its values, and how far it has gone.
 #[derive(Default)]
 struct Text {
     images: Images,
     times: ScanTimes,
-    /// s
-    uptime: u32,
+    uptime: [u8; DIGITS],
     /// The value that is next.
     value: u8,
     /// The digits of the value before it, and how many have not gone.
@@ -150,16 +169,24 @@ impl Text {
             let value = self.value;
             self.value += 1;
             let bit = |image: Image, place: u8| b'0' + (image.0 >> place & 1) as u8;
-            let (number, digits) = match value {
+            let time = match value {
                 0..4 => return bit(self.images.inputs, value),
                 4..8 => return bit(self.images.outputs, value - 4),
-                8 => (self.uptime, DIGITS),
-                9 => (self.times.last.into(), 5),
-                10 => (self.times.least.into(), 5),
-                _ => (self.times.most.into(), 5),
+                8 => None,
+                9 => Some(self.times.last),
+                10 => Some(self.times.least),
+                _ => Some(self.times.most),
             };
-            decimal(number, &mut self.digits);
-            self.left = digits;
+            match time {
+                None => {
+                    self.digits = self.uptime;
+                    self.left = DIGITS;
+                }
+                Some(time) => {
+                    decimal(time.into(), &mut self.digits);
+                    self.left = 5;
+                }
+            }
         }
         let digit = self.digits[DIGITS - self.left];
         self.left -= 1;

@@ -234,27 +234,29 @@ fn the_longest_uptime_lengthens_no_scan() {
         "0\n827301\n877901\n787600\n827302\n-827904\n877904\n",
     ));
     let mut scans = Scans::default();
-    // Nothing is saved meanwhile. Only the count of seconds is 1, 2 and 3 then.
-    let mut places: Vec<u32> = (RAM_START..RAM_START + 2044).collect();
+    // Nothing is saved meanwhile. Only the count of seconds says 1, 2 and 3 then.
+    let mut places: Vec<u32> = (RAM_START..RAM_START + 2038).collect();
     for second in 1..=3u32 {
         let now = uno.cycles();
         uno.run_cycles((u64::from(second) * 1000 + 500) * CYCLES_PER_MS - now)
             .unwrap();
-        places.retain(|&place| uno.read_ram(place, 4).unwrap() == second.to_le_bytes());
+        let count = format!("{second:10}").into_bytes();
+        places.retain(|&place| uno.read_ram(place, 10).unwrap() == count);
     }
     let [place] = places[..] else {
         panic!("a count of seconds is at {places:?}")
     };
-    let longest = u32::MAX - 10;
+    let longest = 9_999_999_990u64;
     uno.set_input(1, true);
-    uno.write_ram(place, &longest.to_le_bytes()).unwrap();
+    uno.write_ram(place, longest.to_string().as_bytes())
+        .unwrap();
     scans.watch(&mut uno, 2500, "the longest uptime");
     let saved = Saved::last(uno.card().unwrap());
     println!(
         "uptime {} s: longest scan {} cycles",
         saved.uptime, scans.longest
     );
-    assert!(saved.uptime > u64::from(longest), "{saved:?}");
+    assert!(saved.uptime > longest, "{saved:?}");
 }
 
 /// Whatever moves the clock line while the card is selected is a clock to it. LED L hangs on that
