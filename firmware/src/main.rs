@@ -25,6 +25,9 @@ mod report;
 mod state;
 mod store;
 
+// What the compiler calls: products, and blocks of memory.
+core::arch::global_asm!(include_str!("runtime.s"));
+
 use board::Board;
 use board::pins::Pins;
 use board::watchdog::Start;
