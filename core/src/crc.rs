@@ -20,12 +20,12 @@ impl Crc16 {
     }
 
     /// Takes the next byte.
+    #[inline(always)]
     pub fn push(&mut self, byte: u8) {
-        let mut crc = self.0.swap_bytes() ^ u16::from(byte);
-        crc ^= (crc & 0xFF) >> 4;
-        crc ^= crc << 12;
-        crc ^= (crc & 0xFF) << 5;
-        self.0 = crc;
+        let [low, high] = self.0.to_le_bytes();
+        let mut next = high ^ byte;
+        next ^= next >> 4;
+        self.0 = u16::from_le_bytes([next ^ next << 5, low ^ next << 4 ^ next >> 3]);
     }
 
     /// The check sum of the bytes so far.

@@ -105,11 +105,11 @@ macro_rules! instructions {
             effect: $effect,
         },)*];
 
-        /// A code by itself: known to the table, its operand still to be checked.
+        /// An instruction without its operand.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u8)]
-        pub(crate) enum Opcode {
-            $($name = $stored,)*
+        pub enum Opcode {
+            $(#[doc = $effect] $name = $stored,)*
         }
 
         impl Opcode {
@@ -120,8 +120,10 @@ macro_rules! instructions {
                 }
             }
 
-            /// The opcode of an instruction's first stored byte.
-            pub(crate) const fn of_stored(byte: u8) -> Option<Opcode> {
+            /// The opcode of an instruction's first stored byte. Where it takes a point, the low
+            /// four bits hold its index; a timer block goes on with its preset, 4 bytes with the
+            /// low one first, and the index of its output.
+            pub const fn of_stored(byte: u8) -> Option<Opcode> {
                 match if byte < 0x10 { byte } else { byte & 0xF0 } {
                     $($stored => Some(Opcode::$name),)*
                     _ => None,

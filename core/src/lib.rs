@@ -7,6 +7,8 @@
 //!    every timer has its memory. There is no other way to get one.
 //! 3. **Running** — a [`Plc`]: a program with its images and timers. [`Plc::scan`] cannot fail.
 //!
+//! A board with an engine of its own takes the program from [`Program::link`] instead of a `Plc`.
+//!
 //! What an instruction is — its code, letters, stored byte and effect — is said once, in [`isa`].
 //! What can be wrong with a program or a card is said once, in [`fault`].
 //!
@@ -23,6 +25,7 @@ pub mod isa;
 
 mod crc;
 mod image;
+mod linking;
 mod loader;
 mod plc;
 mod profile;
@@ -35,6 +38,7 @@ pub use crc::Crc16;
 pub use fault::{Cause, Fault};
 pub use image::{Image, Point};
 pub use isa::Instruction;
+pub use linking::Linking;
 pub use loader::Loader;
 pub use plc::{Millis, Plc, TimerState};
 pub use profile::Profile;

@@ -1,6 +1,6 @@
 //! A checked program.
 
-use crate::Instruction;
+use crate::{Instruction, Linking};
 use core::slice;
 
 /// A program that has passed every check (NC-10), in the run memory that it was loaded into.
@@ -18,7 +18,12 @@ pub struct Program<'m> {
     pub(crate) codes: u16,
 }
 
-impl Program<'_> {
+impl<'m> Program<'m> {
+    /// Begins to turn the program into the form that an engine runs.
+    pub fn link(self) -> Linking<'m> {
+        Linking::new(self)
+    }
+
     /// How many codes the file holds, program start and timer blocks each as one.
     pub fn codes(&self) -> u16 {
         self.codes

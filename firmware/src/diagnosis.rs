@@ -3,14 +3,12 @@
 //! Owns what is looked at and how often; must not know what a fault leads to.
 
 use crate::board::Board;
-use crate::board::clock::Stamp;
+use crate::board::clock::Moment;
 use crate::board::watchdog;
+use core::{mem, slice};
 use unoclp_core::{Cause, Crc16};
 
-/// Bytes of the program that one slice checks.
-const SLICE: usize = 8;
-
-/// How long scans take, µs; 65,535 stands for anything longer.
+/// How long scans take, µs; 32,767 stands for anything longer.
 #[derive(Clone, Copy, Default)]
 pub struct ScanTimes {
     /// The last scan.
@@ -21,73 +19,98 @@ pub struct ScanTimes {
     pub most: u16,
 }
 
-/// What the diagnosis keeps from scan to scan.
-pub struct Diagnosis {
-    times: ScanTimes,
-    /// The check sum of the program as it was taken into run memory.
-    expected: Crc16,
-    /// The check sum so far, and the bytes that it is of.
-    sum: Crc16,
-    at: usize,
-    turn: u8,
+/// Whose turn a scan is.
+pub enum Turn {
+    /// The diagnosis has had it.
+    Taken,
+    /// That of what else goes on beside the scans.
+    Free,
 }
 
-impl Diagnosis {
+/// What the diagnosis keeps from scan to scan.
+pub struct Diagnosis<'m> {
+    /// Half µs.
+    times: ScanTimes,
+    turn: u8,
+    /// The linked program, and what of it is still to be checked.
+    program: &'m [u8],
+    rest: slice::Iter<'m, u8>,
+    /// The check sum so far, and what it was when the program was taken into run memory.
+    sum: Crc16,
+    expected: Crc16,
+}
+
+impl<'m> Diagnosis<'m> {
     /// Of a program that has just been taken into run memory.
-    pub fn new(program: &[u8]) -> Diagnosis {
+    pub fn new(program: &'m [u8]) -> Diagnosis<'m> {
         Diagnosis {
-            times: ScanTimes::default(),
-            expected: Crc16::of(program),
-            sum: Crc16::default(),
-            at: 0,
+            times: ScanTimes {
+                last: 0,
+                least: u16::MAX,
+                most: 0,
+            },
             turn: 0,
+            program,
+            rest: program.iter(),
+            sum: Crc16::default(),
+            expected: Crc16::of(program),
         }
     }
 
     /// How long scans have taken; zeros before the first has ended.
     pub fn times(&self) -> ScanTimes {
-        self.times
+        ScanTimes {
+            last: self.times.last / 2,
+            least: self.times.least.min(self.times.most) / 2,
+            most: self.times.most / 2,
+        }
     }
 
-    /// Notes how long a scan took.
-    pub fn scanned(&mut self, from: Stamp, to: Stamp) {
-        let time = to.micros_since(from);
-        self.times = ScanTimes {
-            last: time,
-            least: match self.times.least {
-                0 => time,
-                least => least.min(time),
-            },
-            most: self.times.most.max(time),
-        };
+    /// A scan has ended: it lasted from its beginning to that of the next.
+    #[inline(always)]
+    pub fn scanned(&mut self, begun: Moment, next: Moment) {
+        match next.since_in_millisecond(begun) {
+            Some(time) if time >= self.times.least && time <= self.times.most => {
+                self.times.last = time;
+            }
+            _ => self.note(next.since(begun)),
+        }
     }
 
-    /// One slice of one job.
+    #[inline(never)]
+    fn note(&mut self, time: Option<u16>) {
+        if let Some(time) = time {
+            self.times.last = time;
+            self.times.least = self.times.least.min(time);
+            self.times.most = self.times.most.max(time);
+        }
+    }
+
+    /// One slice of one job, where it is the turn of one.
     ///
     /// # Errors
     /// The anomaly that it found.
-    pub fn slice(&mut self, board: &Board, program: &[u8]) -> Result<(), Cause> {
-        self.turn = if self.turn == 2 { 0 } else { self.turn + 1 };
-        match self.turn {
-            0 => self.check_program(program),
+    #[inline(always)]
+    pub fn slice(&mut self, board: &Board) -> Result<Turn, Cause> {
+        self.turn = self.turn.wrapping_add(1);
+        match self.turn % 4 {
+            0 => self.check_program(),
             1 if !watchdog::guard_is_whole() => Err(Cause::StackOverflow),
             2 if board.supply.is_low() => Err(Cause::SupplyLow),
-            _ => Ok(()),
+            1 | 2 => Ok(Turn::Taken),
+            _ => Ok(Turn::Free),
         }
     }
 
-    fn check_program(&mut self, program: &[u8]) -> Result<(), Cause> {
-        let rest = program.get(self.at..).unwrap_or_default();
-        for &byte in rest.iter().take(SLICE) {
+    /// A byte of the program, or at its end the comparison.
+    fn check_program(&mut self) -> Result<Turn, Cause> {
+        if let Some(&byte) = self.rest.next() {
             self.sum.push(byte);
+            return Ok(Turn::Taken);
         }
-        self.at += SLICE;
-        if rest.len() > SLICE {
-            return Ok(());
-        }
-        self.at = 0;
-        if core::mem::take(&mut self.sum) == self.expected {
-            Ok(())
+        self.rest = self.program.iter();
+        if mem::take(&mut self.sum) == self.expected {
+            Ok(Turn::Taken)
         } else {
             Err(Cause::ProgramDamaged)
         }

@@ -9,7 +9,7 @@
 
 #![no_std]
 #![no_main]
-#![feature(abi_avr_interrupt, asm_experimental_arch)]
+#![feature(asm_experimental_arch)]
 #![allow(
     static_mut_refs,
     reason = "avr_device::entry lends main's statics once, to main"
@@ -19,6 +19,7 @@ mod board;
 mod card;
 mod decimal;
 mod diagnosis;
+mod engine;
 mod halt;
 mod indicator;
 mod report;
@@ -29,15 +30,15 @@ mod store;
 core::arch::global_asm!(include_str!("runtime.s"));
 
 use board::Board;
-use board::pins::Pins;
-use board::watchdog::Start;
+use board::watchdog::{self, Start};
 use card::StateFile;
-use diagnosis::Diagnosis;
+use diagnosis::{Diagnosis, Turn};
+use engine::Linked;
 use state::{Images, State};
-use unoclp_core::{Cause, Fault, Image, Plc, Profile, Program};
+use unoclp_core::{Cause, Fault, Image, Profile, Program};
 
-/// Run memory: the code of the program and the data of its timers.
-const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize;
+/// Run memory: the code of the program and the data of its timers, and a byte for the end.
+const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 
 #[avr_device::entry]
 fn main() -> ! {
@@ -53,7 +54,7 @@ fn main() -> ! {
             report::program(&mut board.serial, &program);
             report::state_file(&mut board.serial, &state);
             report::run(&mut board.serial);
-            Fault::without_line(run(&mut board, Plc::new(program), state))
+            Fault::without_line(run(&mut board, program, state))
         }
         Err(fault) => fault,
     };
@@ -67,36 +68,49 @@ fn main() -> ! {
 
 /// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
 #[inline(never)]
-fn run(board: &mut Board, mut plc: Plc<'_>, state: StateFile) -> Cause {
-    let mut diagnosis = Diagnosis::new(plc.stored());
+fn run(board: &mut Board, program: Program<'_>, state: StateFile) -> Cause {
+    let Some(mut plc) = Linked::link(program) else {
+        return Cause::RunMemoryFull;
+    };
+    let mut diagnosis = Diagnosis::new(plc.code());
     let mut state = State::new(match state {
         StateFile::Found(place) => Some(place),
         _ => None,
     });
     board.watchdog.start();
     board.pins.led(true);
+    let mut begun = board.moment().forgotten();
     loop {
-        board.watchdog.scan_begins();
         if board.pins.stop() {
             stop(board, &diagnosis, &mut state);
             plc.restart();
+            begun = board.moment().forgotten();
         }
-        let begun = board.stamp();
-        let images = scan(&board.pins, &mut plc);
-        if let Err(cause) = diagnosis.slice(board, plc.stored()) {
-            return cause;
+        watchdog::scan_begins();
+        // In this order: an input is never seen with a time stamp from before it changed (NC-5).
+        let inputs = board.pins.inputs();
+        let now = board.moment();
+        diagnosis.scanned(begun, now);
+        begun = now;
+        let outputs = plc.scan(inputs, now.millis);
+        board.pins.write_outputs(outputs);
+        match diagnosis.slice(board) {
+            Ok(Turn::Free) if state.is_kept() => {
+                state.step(board, Images { inputs, outputs }, diagnosis.times());
+            }
+            Ok(_) => {}
+            Err(cause) => return cause,
         }
-        state.step(board, images, diagnosis.times());
-        diagnosis.scanned(begun, board.stamp());
     }
 }
 
 /// STOP, until A5 is open again: outputs off, program kept.
-fn stop(board: &mut Board, diagnosis: &Diagnosis, state: &mut State) {
+#[inline(never)]
+fn stop(board: &mut Board, diagnosis: &Diagnosis<'_>, state: &mut State) {
     board.pins.write_outputs(Image::default());
     report::stop(board, diagnosis.times(), state);
     indicator::show_stop(&board.pins, || {
-        board.watchdog.scan_begins();
+        watchdog::feed();
         let images = Images {
             inputs: board.pins.inputs(),
             outputs: Image::default(),
@@ -115,7 +129,7 @@ fn start<'m>(
     memory: &'m mut [u8],
     state: &mut StateFile,
 ) -> Result<Program<'m>, Fault> {
-    if board.start == Start::Watchdog {
+    if matches!(board.start, Start::Watchdog | Start::Astray) {
         return Err(Fault::without_line(Cause::ScanTooLong));
     }
     if board.supply.is_low() {
@@ -135,18 +149,4 @@ fn start<'m>(
         None => {}
     }
     store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))
-}
-
-/// One scan (NC-5): one reading of the inputs, one time stamp, one writing of the outputs.
-///
-/// A simulator stops the firmware at this symbol to set pins and clock before each scan.
-#[unsafe(export_name = "scan_begin")]
-#[inline(never)]
-fn scan(pins: &Pins, plc: &mut Plc<'_>) -> Images {
-    // In this order: an input is never seen with a time stamp from before it changed.
-    let inputs = pins.inputs();
-    let now = board::clock::now();
-    let outputs = plc.scan(inputs, now);
-    pins.write_outputs(outputs);
-    Images { inputs, outputs }
 }

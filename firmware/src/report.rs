@@ -25,6 +25,7 @@ pub fn banner(board: &mut Board) {
         serial.number(board.watchdog.restarts().into());
         serial.text(match board.start {
             Start::Watchdog => flash_text!(" since power-up, by the watchdog, "),
+            Start::Astray => flash_text!(" since power-up, without a reset, "),
             _ => flash_text!(" since power-up, by reset, "),
         });
         count(serial, board.watchdog.faults(), flash_text!(" fault"));

@@ -61,6 +61,11 @@ impl State {
         }
     }
 
+    /// Whether there is a file to keep up to date.
+    pub fn is_kept(&self) -> bool {
+        self.writer.is_some()
+    }
+
     /// Whether the card has failed since the program runs.
     pub fn has_failed(&self) -> bool {
         self.failed
@@ -68,8 +73,9 @@ impl State {
 
     /// One step, to be called between scans with what the last one read and wrote. It takes 0.1 ms
     /// at most, and never waits for the card.
+    #[inline(never)]
     pub fn step(&mut self, board: &Board, images: Images, times: ScanTimes) {
-        if self.writer.is_some() && self.advance(board, images, times).is_err() {
+        if self.advance(board, images, times).is_err() {
             board.release_card();
             self.writer = None;
             self.failed = true;

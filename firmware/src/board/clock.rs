@@ -1,8 +1,9 @@
 //! The millisecond clock, from timer 1 (ATmega328P datasheet, section 16).
 
-use super::{CLOCK_HZ, watchdog};
+use super::CLOCK_HZ;
 use avr_device::atmega328p::TC1;
 use avr_device::interrupt::{self, Mutex};
+use core::arch::global_asm;
 use core::cell::Cell;
 use unoclp_core::Millis;
 
@@ -11,7 +12,10 @@ const PRESCALER: u32 = 8;
 /// The last count of a millisecond.
 const TOP: u16 = (CLOCK_HZ / PRESCALER / 1000 - 1) as u16;
 
-/// Milliseconds since start, wrapping. The symbol lets a simulator set the clock.
+global_asm!(include_str!("tick.s"), options(raw));
+
+/// Milliseconds since start, wrapping: the interrupt in `tick.s` counts them, and nothing else writes
+/// here. The symbol is for it, and lets a simulator set the clock.
 #[unsafe(export_name = "MILLIS")]
 static NOW: Mutex<Cell<Millis>> = Mutex::new(Cell::new(0));
 
@@ -28,6 +32,12 @@ pub fn start(timer: &TC1) {
     unsafe { interrupt::enable() };
 }
 
+/// Whether the clock is on: at the start that is so only where the firmware has begun anew without
+/// a reset of the chip, which switches everything off.
+pub fn is_on(timer: &TC1) -> bool {
+    timer.timsk1().read().toie1().bit_is_set()
+}
+
 /// The time in ms since start, wrapping after 49.7 days.
 pub fn now() -> Millis {
     interrupt::free(|cs| NOW.borrow(cs).get())
@@ -35,45 +45,67 @@ pub fn now() -> Millis {
 
 /// A moment, to half a microsecond.
 #[derive(Clone, Copy)]
-pub struct Stamp {
-    millis: u16,
+pub struct Moment {
+    /// The time in ms since start, wrapping after 49.7 days.
+    pub millis: Millis,
     /// Half microseconds of this millisecond, 0 to [`TOP`].
     count: u16,
+    /// The millisecond that the count belongs to: the next, where the interrupt is still to come.
+    of: u8,
 }
 
 /// This moment.
-pub fn stamp(timer: &TC1) -> Stamp {
+#[inline(always)]
+pub fn moment(timer: &TC1) -> Moment {
     interrupt::free(|cs| {
-        let mut millis = NOW.borrow(cs).get() as u16;
-        let mut count = timer.tcnt1().read().bits();
+        let millis = NOW.borrow(cs).get();
+        let mut moment = Moment {
+            millis,
+            count: timer.tcnt1().read().bits(),
+            of: millis as u8,
+        };
         if timer.tifr1().read().tov1().bit_is_set() {
-            // A millisecond has ended that the interrupt has not counted yet.
-            count = timer.tcnt1().read().bits();
-            millis = millis.wrapping_add(1);
+            moment.count = timer.tcnt1().read().bits();
+            moment.of = moment.of.wrapping_add(1);
         }
-        Stamp { millis, count }
+        moment
     })
 }
 
-impl Stamp {
-    /// The time since an earlier moment, µs; 65,535 for anything longer.
-    pub fn micros_since(self, earlier: Stamp) -> u16 {
-        let millis = self.millis.wrapping_sub(earlier.millis);
-        if millis > 64 {
-            return u16::MAX;
-        }
-        // At most 64 ms and one more: in half microseconds this fits 17 bits.
-        let halves = i32::from(millis) * (i32::from(TOP) + 1) + i32::from(self.count)
-            - i32::from(earlier.count);
-        (halves >> 1).clamp(0, i32::from(u16::MAX)) as u16
-    }
-}
+/// The longest time that is measured between two moments, ms: in half microseconds it fits 16 bits.
+const LONGEST: u8 = 31;
+/// No scan takes so many ms: the watchdog comes first.
+const AGES: u8 = 128;
 
-#[avr_device::interrupt(atmega328p)]
-fn TIMER1_OVF() {
-    // SAFETY: interrupts are off while an interrupt runs.
-    let cs = unsafe { interrupt::CriticalSection::new() };
-    let now = NOW.borrow(cs);
-    now.set(now.get().wrapping_add(1));
-    watchdog::grow_older();
+impl Moment {
+    /// No moment that time is measured from: [`since`](Moment::since) gives none.
+    pub fn forgotten(self) -> Moment {
+        Moment {
+            of: self.of.wrapping_sub(AGES),
+            ..self
+        }
+    }
+
+    /// The time from an earlier moment of the same millisecond, in half microseconds.
+    #[inline(always)]
+    pub fn since_in_millisecond(self, earlier: Moment) -> Option<u16> {
+        (self.of == earlier.of).then(|| self.count.wrapping_sub(earlier.count))
+    }
+
+    /// The time from an earlier moment, in half microseconds, 65,535 for anything longer; none from
+    /// one that is forgotten.
+    pub fn since(self, earlier: Moment) -> Option<u16> {
+        let millis = self.of.wrapping_sub(earlier.of);
+        if millis >= AGES {
+            return None;
+        }
+        if millis > LONGEST {
+            return Some(u16::MAX);
+        }
+        let mut halves = self.count.wrapping_sub(earlier.count);
+        for _ in 0..millis {
+            halves = halves.wrapping_add(TOP + 1);
+        }
+        Some(halves)
+    }
 }

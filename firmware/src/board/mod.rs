@@ -48,7 +48,8 @@ impl Board {
         // each peripheral.
         let chip = unsafe { Peripherals::steal() };
         let pins = pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
-        let (watchdog, start) = watchdog::Watchdog::take(chip.WDT, &chip.CPU);
+        let (watchdog, start) =
+            watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
         Board {
             pins,
@@ -62,9 +63,10 @@ impl Board {
         }
     }
 
-    /// This moment, to half a microsecond.
-    pub fn stamp(&self) -> clock::Stamp {
-        clock::stamp(&self.timer)
+    /// This moment.
+    #[inline(always)]
+    pub fn moment(&self) -> clock::Moment {
+        clock::moment(&self.timer)
     }
 
     /// The bus to the card, switched on; the card still sleeps.

@@ -8,7 +8,7 @@
 use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
-use core::arch::global_asm;
+use core::arch::{asm, global_asm};
 use core::sync::atomic::{AtomicU8, AtomicU16, Ordering::Relaxed};
 
 /// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
@@ -42,7 +42,7 @@ unsafe extern "C" {
     safe static RESTARTS: AtomicU16;
     /// Faults since power-up.
     safe static FAULTS: AtomicU16;
-    /// The age of the scan, ms; it stops at 255.
+    /// The age of the scan, ms; it stops at 255. The clock's interrupt counts it.
     safe static AGE: AtomicU8;
     /// The last static bytes: a stack that grows too far meets them first.
     safe static GUARD: AtomicU16;
@@ -57,6 +57,9 @@ pub enum Start {
     Reset,
     /// The watchdog, because a scan took too long.
     Watchdog,
+    /// The chip has gone to the reset vector by itself, because run memory or flash has changed
+    /// under a scan.
+    Astray,
 }
 
 /// The watchdog.
@@ -66,8 +69,8 @@ pub struct Watchdog {
 
 impl Watchdog {
     /// Stops the watchdog, which goes on after a reset that it made, and finds out why the board
-    /// has started.
-    pub fn take(timer: WDT, cpu: &CPU) -> (Watchdog, Start) {
+    /// has started: `astray` if it has done so without a reset.
+    pub fn take(timer: WDT, cpu: &CPU, astray: bool) -> (Watchdog, Start) {
         let record = cpu.mcusr().read();
         // The watchdog cannot be stopped while the record says that it was the cause.
         cpu.mcusr().reset();
@@ -83,7 +86,9 @@ impl Watchdog {
             return (watchdog, Start::Power);
         }
         RESTARTS.store(watchdog.restarts().saturating_add(1), Relaxed);
-        if record.wdrf().bit_is_set() || overdue {
+        if astray {
+            (watchdog, Start::Astray)
+        } else if record.wdrf().bit_is_set() || overdue {
             (watchdog, Start::Watchdog)
         } else {
             (watchdog, Start::Reset)
@@ -107,7 +112,7 @@ impl Watchdog {
 
     /// Starts the watchdog: from now a scan that takes 120 ms resets the chip.
     pub fn start(&self) {
-        self.scan_begins();
+        feed();
         DOING.store(SCANNING, Relaxed);
         self.set(|w| w.wde().set_bit().wdpl().cycles_16k());
     }
@@ -116,12 +121,6 @@ impl Watchdog {
     pub fn stop(&self) {
         DOING.store(STARTING, Relaxed);
         self.set(|w| w);
-    }
-
-    /// A scan begins.
-    pub fn scan_begins(&self) {
-        AGE.store(0, Relaxed);
-        avr_device::asm::wdr();
     }
 
     fn set(&self, value: impl Fn(&mut W) -> &mut W) {
@@ -136,16 +135,36 @@ impl Watchdog {
     }
 }
 
+/// A scan begins. A simulator stops at the symbol `scan_begin` to set pins and clock.
+#[inline(always)]
+#[allow(
+    named_asm_labels,
+    reason = "a label costs nothing, a function would 8 cycles; with a second call of this one the \
+              firmware would not assemble"
+)]
+pub fn scan_begins() {
+    // SAFETY: it is no instruction.
+    unsafe {
+        asm!(
+            ".global scan_begin",
+            "scan_begin:",
+            options(nomem, nostack, preserves_flags)
+        );
+    }
+    feed();
+}
+
+/// The watchdog waits anew, and the age of the scan is 0.
+#[inline(always)]
+pub fn feed() {
+    // SAFETY: `AGE` is a byte, so nothing sees it half written. An atomic store of the compiler's
+    // would take three times as long, in every scan.
+    unsafe {
+        asm!("sts {age}, r1", "wdr", age = sym AGE, options(nostack, preserves_flags));
+    }
+}
+
 /// Whether the stack has kept to its place.
 pub fn guard_is_whole() -> bool {
     GUARD.load(Relaxed) == WHOLE
-}
-
-/// A millisecond has passed; for the clock's interrupt.
-#[inline(always)]
-pub fn grow_older() {
-    let age = AGE.load(Relaxed);
-    if age != u8::MAX {
-        AGE.store(age + 1, Relaxed);
-    }
 }
