@@ -103,7 +103,13 @@ fn whole_scans(scans: &Scans, yardsticks: &Yardsticks) -> String {
 }
 
 fn instructions(scans: &Scans) -> String {
-    let mut table = Table::new(&["instruction", "least", "mean", "most", "mean, µs"]);
+    let mut table = Table::new(&[
+        "instruction",
+        "shortest scans",
+        "mean",
+        "longest scans",
+        "mean, µs",
+    ]);
     for cost in &scans.costs {
         row_of_times(&mut table, cost.name.to_owned(), cost.cycles);
     }
@@ -111,7 +117,7 @@ fn instructions(scans: &Scans) -> String {
 }
 
 fn timer_states(timers: &Timers) -> String {
-    let mut table = Table::new(&["timer", "least", "most", "most, µs"]);
+    let mut table = Table::new(&["timer", "shortest scans", "longest scans", "longest, µs"]);
     for (block, states) in [("TON", &timers.ton), ("TOF", &timers.tof)] {
         for state in states {
             let Times { least, most, .. } = state.cycles;

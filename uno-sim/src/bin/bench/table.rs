@@ -78,6 +78,7 @@ pub fn number(value: f64) -> String {
 pub fn micros(cycles: f64) -> String {
     let micros = cycles * 1000.0 / CYCLES_PER_MS as f64;
     match micros.abs() {
+        ..0.005 => "0".to_owned(),
         ..10.0 => format!("{micros:.2}"),
         ..1000.0 => format!("{micros:.1}"),
         _ => number(micros),
