@@ -129,8 +129,10 @@ fn start<'m>(
     memory: &'m mut [u8],
     state: &mut StateFile,
 ) -> Result<Program<'m>, Fault> {
-    if matches!(board.start, Start::Watchdog | Start::Astray) {
-        return Err(Fault::without_line(Cause::ScanTooLong));
+    match board.start {
+        Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
+        Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
+        Start::Power | Start::Reset => {}
     }
     if board.supply.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
