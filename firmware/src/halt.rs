@@ -19,6 +19,8 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 #[unsafe(no_mangle)]
 extern "C" fn abort() -> ! {
     avr_device::interrupt::disable();
+    // The watchdog resets the chip soon; what ended here must not run again.
+    crate::board::watchdog::scan_is_overdue();
     // SAFETY: nothing else runs any more, so nobody else uses the ports.
     let chip = unsafe { Peripherals::steal() };
     let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);

@@ -22,7 +22,7 @@ fn running(boot_loader: bool) -> Uno {
     uno
 }
 
-/// Addresses that one scan goes through, a selection.
+/// Addresses that one scan goes through.
 fn places() -> Vec<u32> {
     let mut uno = running(false);
     let scan = uno.symbol("scan_begin").unwrap().address;
@@ -35,7 +35,7 @@ fn places() -> Vec<u32> {
         }
         places.insert(uno.pc());
     }
-    places.into_iter().step_by(23).collect()
+    places.into_iter().collect()
 }
 
 #[test]
@@ -71,6 +71,23 @@ fn a_stalled_scan_turns_the_outputs_off_within_150_ms() {
         "{stalls} of {stalls} stalls: outputs off after at most {slowest} ms, fault 61 told {shown} times"
     );
     assert!(shown > stalls / 2, "{shown} of {stalls}");
+}
+
+/// A panic that was thought impossible.
+#[test]
+fn a_panic_turns_the_outputs_off_and_is_a_fault() {
+    for boot_loader in [false, true] {
+        let mut uno = running(boot_loader);
+        let scan = uno.symbol("scan_begin").unwrap().address;
+        let [low, high] = (uno.symbol("abort").unwrap().address as u16 / 2).to_le_bytes();
+        // jmp abort
+        uno.patch_flash(scan, &[0x0C, 0x94, low, high]).unwrap();
+        uno.run_ms(1).unwrap();
+        assert_eq!(uno.outputs(), 0);
+        ms_until(&mut uno, &["fault 61"]);
+        uno.run_ms(500).unwrap();
+        assert_eq!(uno.outputs(), 0);
+    }
 }
 
 #[test]

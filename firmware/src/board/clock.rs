@@ -2,9 +2,9 @@
 
 use super::CLOCK_HZ;
 use avr_device::atmega328p::TC1;
-use avr_device::interrupt::{self, Mutex};
+use avr_device::interrupt;
 use core::arch::global_asm;
-use core::cell::Cell;
+use core::cell::UnsafeCell;
 use unoclp_core::Millis;
 
 /// Clock cycles of one count of timer 1.
@@ -17,7 +17,32 @@ global_asm!(include_str!("tick.s"), options(raw));
 /// Milliseconds since start, wrapping: the interrupt in `tick.s` counts them, and nothing else writes
 /// here. The symbol is for it, and lets a simulator set the clock.
 #[unsafe(export_name = "MILLIS")]
-static NOW: Mutex<Cell<Millis>> = Mutex::new(Cell::new(0));
+static NOW: Shared = Shared(UnsafeCell::new(0));
+
+/// Memory that the interrupt writes.
+struct Shared(UnsafeCell<Millis>);
+
+// SAFETY: it is read through `undisturbed` alone, which drops what the interrupt has come into.
+unsafe impl Sync for Shared {}
+
+/// Reads the clock together with something else, again where the interrupt has come between. It is
+/// never kept waiting for that: it counts the age of the scan, even of one that hangs just here.
+#[inline(always)]
+fn undisturbed<T>(mut other: impl FnMut() -> T) -> (Millis, T) {
+    let clock = NOW.0.get();
+    loop {
+        // SAFETY: `NOW` is valid for these. What the interrupt changes between them shows in the low
+        // byte, which comes back only after 256 ms.
+        unsafe {
+            let before = clock.cast::<u8>().read_volatile();
+            let other = other();
+            let millis = clock.read_volatile();
+            if clock.cast::<u8>().read_volatile() == before {
+                return (millis, other);
+            }
+        }
+    }
+}
 
 /// Starts the clock and enables interrupts.
 pub fn start(timer: &TC1) {
@@ -40,7 +65,7 @@ pub fn is_on(timer: &TC1) -> bool {
 
 /// The time in ms since start, wrapping after 49.7 days.
 pub fn now() -> Millis {
-    interrupt::free(|cs| NOW.borrow(cs).get())
+    undisturbed(|| ()).0
 }
 
 /// A moment, to half a microsecond.
@@ -50,26 +75,19 @@ pub struct Moment {
     pub millis: Millis,
     /// Half microseconds of this millisecond, 0 to [`TOP`].
     count: u16,
-    /// The millisecond that the count belongs to: the next, where the interrupt is still to come.
+    /// The millisecond that the count belongs to.
     of: u8,
 }
 
 /// This moment.
 #[inline(always)]
 pub fn moment(timer: &TC1) -> Moment {
-    interrupt::free(|cs| {
-        let millis = NOW.borrow(cs).get();
-        let mut moment = Moment {
-            millis,
-            count: timer.tcnt1().read().bits(),
-            of: millis as u8,
-        };
-        if timer.tifr1().read().tov1().bit_is_set() {
-            moment.count = timer.tcnt1().read().bits();
-            moment.of = moment.of.wrapping_add(1);
-        }
-        moment
-    })
+    let (millis, count) = undisturbed(|| timer.tcnt1().read().bits());
+    Moment {
+        millis,
+        count,
+        of: millis as u8,
+    }
 }
 
 /// The longest time that is measured between two moments, ms: in half microseconds it fits 16 bits.
