@@ -161,7 +161,7 @@ impl File {
     /// [`Error::Device`]; [`Error::Damaged`] where the file's first cluster is free, bad or outside
     /// the volume.
     pub fn first_block<D: BlockDevice>(
-        mut self,
+        &mut self,
         device: &D,
         block: &mut Block,
     ) -> Result<Option<BlockIdx>, Error<D::Error>> {

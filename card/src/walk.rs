@@ -159,9 +159,7 @@ impl Walk {
             if self.next >= END {
                 return Err(Error::NotFound);
             }
-            let entries = self.enter().ok_or(Error::Damaged)?;
-            read(device, block, entries)?;
-            self.look_up(block);
+            self.enter(device, block)?;
         }
         read(device, block, self.block)?;
         self.block = self.block.wrapping_add(1);
@@ -179,9 +177,7 @@ impl Walk {
         device: &D,
         block: &mut Block,
     ) -> Result<u32, Error<D::Error>> {
-        let entries = self.enter().ok_or(Error::Damaged)?;
-        read(device, block, entries)?;
-        self.look_up(block);
+        self.enter(device, block)?;
         let taken = self.next >= END || self.next.wrapping_sub(2) < self.clusters;
         if taken {
             Ok(self.block)
@@ -190,14 +186,21 @@ impl Walk {
         }
     }
 
-    /// Enters the cluster that follows: where its blocks are. Gives the block of the FAT that says
-    /// what comes after it, which is asked now and not on leaving, so that a chain starts as it
-    /// goes on. `None` where the cluster is none, or ends Brent's search.
-    fn enter(&mut self) -> Option<u32> {
+    /// Enters the cluster that follows: where its blocks are, and what comes after it. The FAT is
+    /// asked that now and not on leaving, so that a chain starts as it goes on.
+    ///
+    /// # Errors
+    /// [`Error::Device`]; [`Error::Damaged`] where the cluster is none, or ends Brent's search.
+    #[inline(never)]
+    fn enter<D: BlockDevice>(
+        &mut self,
+        device: &D,
+        block: &mut Block,
+    ) -> Result<(), Error<D::Error>> {
         let cluster = self.next;
         let mut index = cluster.wrapping_sub(2);
         if index >= self.clusters || cluster == self.kept || self.entered == u16::MAX {
-            return None;
+            return Err(Error::Damaged);
         }
         self.entered += 1;
         if self.entered.is_power_of_two() {
@@ -210,25 +213,20 @@ impl Walk {
             factor >>= 1;
         }
         self.block = self.data.wrapping_add(index);
-        let entries_before = if self.fat32 {
-            cluster >> 7
-        } else {
-            cluster >> 8
-        };
-        Some(self.fat.wrapping_add(entries_before))
-    }
 
-    /// Takes from that block what follows the cluster just entered.
-    fn look_up(&mut self, block: &Block) {
-        let cluster = self.next;
-        self.next = if self.fat32 {
-            u32::from_le_bytes(block.as_chunks().0[cluster as usize & 127]) & 0x0FFF_FFFF
+        if self.fat32 {
+            read(device, block, self.fat.wrapping_add(cluster >> 7))?;
+            let entry = block.as_chunks().0[cluster as usize & 127];
+            self.next = u32::from_le_bytes(entry) & 0x0FFF_FFFF;
         } else {
-            match u16::from_le_bytes(block.as_chunks().0[cluster as usize & 255]) {
+            read(device, block, self.fat.wrapping_add(cluster >> 8))?;
+            let entry = block.as_chunks().0[cluster as usize & 255];
+            self.next = match u16::from_le_bytes(entry) {
                 0xFFF8.. => END,
                 next => next.into(),
-            }
-        };
+            };
+        }
+        Ok(())
     }
 }
 

@@ -5,7 +5,10 @@
 /// It finds every change of up to three bits in a program of this size, and every burst of up to
 /// 16 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Crc16(u16);
+pub struct Crc16 {
+    low: u8,
+    high: u8,
+}
 
 impl Default for Crc16 {
     fn default() -> Crc16 {
@@ -16,27 +19,36 @@ impl Default for Crc16 {
 impl Crc16 {
     /// No bytes so far, with another start value: memory cards take 0.
     pub const fn starting_at(value: u16) -> Crc16 {
-        Crc16(value)
+        let [low, high] = value.to_le_bytes();
+        Crc16 { low, high }
     }
 
     /// Takes the next byte.
     #[inline(always)]
     pub fn push(&mut self, byte: u8) {
-        let [low, high] = self.0.to_le_bytes();
-        let mut next = high ^ byte;
+        let mut next = self.high ^ byte;
         next ^= next >> 4;
-        self.0 = u16::from_le_bytes([next ^ next << 5, low ^ next << 4 ^ next >> 3]);
+        self.high = self.low ^ next << 4 ^ next >> 3;
+        self.low = next ^ next << 5;
+    }
+
+    /// Takes the next bytes.
+    #[inline(never)]
+    pub fn extend(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.push(byte);
+        }
     }
 
     /// The check sum of the bytes so far.
     pub fn value(self) -> u16 {
-        self.0
+        u16::from_le_bytes([self.low, self.high])
     }
 
     /// The check sum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc16 {
         let mut crc = Crc16::default();
-        bytes.iter().for_each(|&byte| crc.push(byte));
+        crc.extend(bytes);
         crc
     }
 }

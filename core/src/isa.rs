@@ -56,6 +56,7 @@ pub const LINKED_TIMER_BYTES: usize = STORED_TIMER_BYTES + crate::timer::DATA_BY
 /// The last two digits of a code, where all before them are those of `base`.
 ///
 /// By subtraction: a division of 32 bits would take 1.5 KB of the firmware.
+#[inline(never)]
 pub(crate) fn xx(code: i32, base: i32) -> Option<u8> {
     let xx = if base < 0 {
         base.wrapping_sub(code)

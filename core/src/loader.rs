@@ -49,6 +49,9 @@ pub struct Loader<'m> {
 impl<'m> Loader<'m> {
     /// A loader into this run memory for this board. Where the memory is smaller than the
     /// profile's `linked_bytes`, the memory decides what fits.
+    // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
+    // one goes by its address.
+    #[inline(never)]
     pub fn new(memory: &'m mut [u8], profile: Profile) -> Loader<'m> {
         Loader {
             text: Text::new(),
@@ -67,9 +70,11 @@ impl<'m> Loader<'m> {
     }
 
     /// Takes the next byte of the file.
+    #[inline(never)]
     pub fn push(&mut self, byte: u8) -> Result<(), Fault> {
         let read = self.text.push(byte);
-        let result = self.take(read);
+        let checked = self.take(read);
+        let result = self.report(checked);
         if byte == b'\n' {
             self.line = self.line.wrapping_add(1);
         }
@@ -78,6 +83,7 @@ impl<'m> Loader<'m> {
 
     /// Takes a program in its stored form in place of a file, with the same checks: memory that
     /// keeps a program for years is a claim too. Then [`finish`](Loader::finish).
+    #[inline(never)]
     pub fn restore(&mut self, stored: impl IntoIterator<Item = u8>) -> Result<(), Fault> {
         self.expect = Expect::Instruction;
         self.codes = 1;
@@ -93,13 +99,14 @@ impl<'m> Loader<'m> {
     /// then, until there is none.
     pub fn end(&mut self) -> Result<(), Fault> {
         let read = self.text.end();
-        self.take(read)?;
-        let expected = mem::replace(&mut self.expect, Expect::Instruction);
-        let checked = match expected {
-            Expect::Start => Err(Cause::EmptyFile),
-            Expect::Preset | Expect::TimerOutput => Err(Cause::OperandsMissing),
-            Expect::Instruction | Expect::Branch => self.rung.end(),
-        };
+        let mut checked = self.take(read);
+        if checked.is_ok() {
+            checked = match mem::replace(&mut self.expect, Expect::Instruction) {
+                Expect::Start => Err(Cause::EmptyFile),
+                Expect::Preset | Expect::TimerOutput => Err(Cause::OperandsMissing),
+                Expect::Instruction | Expect::Branch => self.rung.end(),
+            };
+        }
         self.report(checked)
     }
 
@@ -120,10 +127,10 @@ impl<'m> Loader<'m> {
         }
     }
 
-    /// Checks what the text gave, and reports.
-    fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Fault> {
-        let checked = match read {
-            Ok(false) => return Ok(()),
+    /// Checks what the text gave.
+    fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Cause> {
+        match read {
+            Ok(false) => Ok(()),
             Ok(true) => self.code(self.text.code()),
             Err(cause) => {
                 // The line was meant to be what was expected: do not take the next one for it.
@@ -133,8 +140,7 @@ impl<'m> Loader<'m> {
                 };
                 Err(cause)
             }
-        };
-        self.report(checked)
+        }
     }
 
     /// Gives a fault its line, and remembers the first.
@@ -190,9 +196,13 @@ impl<'m> Loader<'m> {
         let opcode = Opcode::of_stored(byte).ok_or(Cause::UnknownCode)?;
         self.checked(opcode, (byte & 0x0F) + 1, expected)?;
         if self.expect == Expect::Preset {
-            let mut next = || rest.next().ok_or(Cause::OperandsMissing);
-            self.preset(i32::from_le_bytes([next()?, next()?, next()?, next()?]))?;
-            self.timer_output(next()?.saturating_add(1))?;
+            let mut preset = [0; 4];
+            for byte in &mut preset {
+                *byte = rest.next().ok_or(Cause::OperandsMissing)?;
+            }
+            self.preset(i32::from_le_bytes(preset))?;
+            let output = rest.next().ok_or(Cause::OperandsMissing)?;
+            self.timer_output(output.saturating_add(1))?;
         }
         Ok(())
     }
@@ -203,12 +213,12 @@ impl<'m> Loader<'m> {
         let (count, cause) = match opcode.operand() {
             Operand::None => {
                 self.balance(opcode)?;
-                return self.store(opcode as u8, 0, 0);
+                return self.store(opcode as u8, false);
             }
             Operand::Timer => {
                 self.expect = Expect::Preset;
                 self.block = self.line;
-                return self.store(opcode as u8, isa::STORED_TIMER_BYTES - 1, 1);
+                return self.store(opcode as u8, true);
             }
             Operand::Input => (self.profile.inputs, Cause::NoSuchInput),
             Operand::Output => (self.profile.outputs, Cause::NoSuchOutput),
@@ -226,7 +236,7 @@ impl<'m> Loader<'m> {
             }
             _ => opcode,
         };
-        self.store(opcode as u8 | point.index(), 0, 0)
+        self.store(opcode as u8 | point.index(), false)
     }
 
     /// Checks that rungs and branches are balanced (NC-8).
@@ -246,7 +256,7 @@ impl<'m> Loader<'m> {
         if code < 0 {
             return Err(Cause::BadPreset);
         }
-        for byte in code.to_le_bytes() {
+        for &byte in &code.to_le_bytes() {
             self.put(byte);
         }
         Ok(())
@@ -259,13 +269,15 @@ impl<'m> Loader<'m> {
         Ok(())
     }
 
-    /// Stores the first byte of an instruction, and reserves its operand bytes and timers.
-    fn store(&mut self, byte: u8, operand_bytes: usize, timers: usize) -> Result<(), Cause> {
+    /// Stores the first byte of an instruction; for a timer block, also reserves its other bytes and
+    /// the timer.
+    fn store(&mut self, byte: u8, timer: bool) -> Result<(), Cause> {
         if self.full {
             return Ok(());
         }
-        let code_bytes = self.code_bytes + 1 + operand_bytes;
-        let timers = self.timers + timers;
+        let bytes = if timer { isa::STORED_TIMER_BYTES } else { 1 };
+        let code_bytes = self.code_bytes + bytes;
+        let timers = self.timers + usize::from(timer);
         let run_memory = self.memory.len().min(self.profile.linked_bytes.into());
         self.full = true;
         if code_bytes > self.profile.stored_bytes.into() {

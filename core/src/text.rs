@@ -9,10 +9,13 @@ use crate::Cause;
 enum At {
     /// The first byte of the file, where a mark may stand.
     Start,
-    /// After the first byte of a mark.
-    Mark(u8),
-    /// After the first two bytes of a UTF-8 mark.
-    Utf8Mark,
+    /// After the first byte of a UTF-8 mark.
+    Utf8Mark1,
+    /// After the first two.
+    Utf8Mark2,
+    /// After the first byte of a UTF-16 mark: low byte first, or high byte first.
+    Utf16LeMark,
+    Utf16BeMark,
     /// Before the code.
     Blank,
     /// After a `-`, before its digits.
@@ -81,7 +84,9 @@ impl Text {
     pub(crate) fn end(&mut self) -> Result<bool, Cause> {
         match core::mem::replace(&mut self.at, At::End) {
             At::Return => Err(Cause::StrayCarriageReturn),
-            At::Minus | At::Mark(_) | At::Utf8Mark => Err(Cause::StrayCharacter),
+            At::Minus | At::Utf8Mark1 | At::Utf8Mark2 | At::Utf16LeMark | At::Utf16BeMark => {
+                Err(Cause::StrayCharacter)
+            }
             _ => self.end_of_line(),
         }
     }
@@ -99,12 +104,16 @@ impl Text {
     fn next(&mut self, byte: u8) -> Result<At, Cause> {
         Ok(match (self.at, byte) {
             (At::End, _) => At::End,
-            (At::Start, 0xEF | 0xFE | 0xFF) => At::Mark(byte),
-            (At::Mark(0xEF), 0xBB) => At::Utf8Mark,
-            (At::Utf8Mark, 0xBF) => At::Blank,
-            (At::Mark(0xFF), 0xFE) | (At::Mark(0xFE), 0xFF) => return Err(Cause::Utf16),
+            (At::Start, 0xEF) => At::Utf8Mark1,
+            (At::Start, 0xFF) => At::Utf16LeMark,
+            (At::Start, 0xFE) => At::Utf16BeMark,
+            (At::Utf8Mark1, 0xBB) => At::Utf8Mark2,
+            (At::Utf8Mark2, 0xBF) => At::Blank,
+            (At::Utf16LeMark, 0xFE) | (At::Utf16BeMark, 0xFF) => return Err(Cause::Utf16),
             (At::Minus, b'0'..=b'9') => self.digit(byte)?,
-            (At::Mark(_) | At::Utf8Mark | At::Minus, _) => return Err(Cause::StrayCharacter),
+            (At::Utf8Mark1 | At::Utf8Mark2 | At::Utf16LeMark | At::Utf16BeMark | At::Minus, _) => {
+                return Err(Cause::StrayCharacter);
+            }
             (_, b'\n') => At::Blank,
             (At::Comment | At::Faulty, _) => self.at,
             (At::Return, _) => return Err(Cause::StrayCarriageReturn),

@@ -2,29 +2,30 @@
 
 use crate::board::clock;
 use crate::board::pins::Pins;
-use unoclp_core::{Cause, Millis};
+use unoclp_core::Cause;
 
-const LONG: Millis = 800;
-const SHORT: Millis = 200;
+// All in ms.
+const LONG: u16 = 800;
+const SHORT: u16 = 200;
 /// Dark between two flashes.
-const GAP: Millis = 300;
+const GAP: u16 = 300;
 /// Dark between tens and units.
-const BETWEEN: Millis = 700;
+const BETWEEN: u16 = 700;
 /// Dark before the number comes again.
-const PAUSE: Millis = 2000;
+const PAUSE: u16 = 2000;
 
 /// The flash of STOP, one a second.
-const STOP_FLASH: Millis = 100;
-const STOP_DARK: Millis = 900;
+const STOP_FLASH: u16 = 100;
+const STOP_DARK: u16 = 900;
 
 /// Shows STOP as long as it lasts, and calls `meanwhile` all the time.
 pub fn show_stop(pins: &Pins, mut meanwhile: impl FnMut()) {
-    let (mut on, mut since) = (true, clock::now());
+    let (mut on, mut since) = (true, now());
     pins.led(on);
     while pins.stop() {
         meanwhile();
-        if clock::now().wrapping_sub(since) >= if on { STOP_FLASH } else { STOP_DARK } {
-            since = clock::now();
+        if now().wrapping_sub(since) >= if on { STOP_FLASH } else { STOP_DARK } {
+            since = now();
             on = !on;
             pins.led(on);
         }
@@ -41,7 +42,7 @@ pub fn show(pins: &Pins, cause: Cause) -> ! {
     }
 }
 
-fn flash(pins: &Pins, times: u8, on: Millis) {
+fn flash(pins: &Pins, times: u8, on: u16) {
     for _ in 0..times {
         pins.led(true);
         wait(on);
@@ -50,7 +51,12 @@ fn flash(pins: &Pins, times: u8, on: Millis) {
     }
 }
 
-fn wait(time: Millis) {
-    let since = clock::now();
-    while clock::now().wrapping_sub(since) < time {}
+fn wait(time: u16) {
+    let since = now();
+    while now().wrapping_sub(since) < time {}
+}
+
+/// ms, wrapping after a minute: the times above are shorter.
+fn now() -> u16 {
+    clock::now() as u16
 }

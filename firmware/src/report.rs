@@ -21,20 +21,22 @@ pub fn banner(board: &mut Board) {
         "\r\n"
     )));
     if board.start != Start::Power {
-        serial.text(flash_text!("restart "));
-        serial.number(board.watchdog.restarts().into());
+        value(serial, flash_text!("restart "), board.watchdog.restarts());
         serial.text(match board.start {
             Start::Watchdog => flash_text!(" since power-up, by the watchdog, "),
             Start::Astray => flash_text!(" since power-up, without a reset, "),
             _ => flash_text!(" since power-up, by reset, "),
         });
         count(serial, board.watchdog.faults(), flash_text!(" fault"));
-        serial.text(flash_text!("\r\n"));
+        end_line(serial);
     }
     let centivolts = board.supply.centivolts();
     if centivolts < WEAK {
-        serial.text(flash_text!("warning: the supply is weak, "));
-        serial.number(u32::from(centivolts) * 10);
+        value(
+            serial,
+            flash_text!("warning: the supply is weak, "),
+            centivolts * 10,
+        );
         serial.text(flash_text!(" mV\r\n"));
     }
 }
@@ -43,15 +45,11 @@ pub fn banner(board: &mut Board) {
 /// since power-up, whether the state is no longer kept.
 pub fn stop(board: &mut Board, times: ScanTimes, state: &State) {
     let serial = &mut board.serial;
-    serial.text(flash_text!("STOP, scan time: last "));
-    serial.number(times.last.into());
-    serial.text(flash_text!(", least "));
-    serial.number(times.least.into());
-    serial.text(flash_text!(", most "));
-    serial.number(times.most.into());
-    serial.text(flash_text!(" us\r\nsupply: "));
+    value(serial, flash_text!("STOP, scan time: last "), times.last);
+    value(serial, flash_text!(", least "), times.least);
+    value(serial, flash_text!(", most "), times.most);
     let centivolts = board.supply.centivolts();
-    serial.number(u32::from(centivolts) * 10);
+    value(serial, flash_text!(" us\r\nsupply: "), centivolts * 10);
     serial.text(flash_text!(" mV"));
     if centivolts < WEAK {
         serial.text(flash_text!(", weak"));
@@ -60,7 +58,7 @@ pub fn stop(board: &mut Board, times: ScanTimes, state: &State) {
     count(serial, board.watchdog.restarts(), flash_text!(" restart"));
     serial.text(flash_text!(", "));
     count(serial, board.watchdog.faults(), flash_text!(" fault"));
-    serial.text(flash_text!("\r\n"));
+    end_line(serial);
     if state.has_failed() {
         serial.text(flash_text!("state: the card failed, no longer kept\r\n"));
     }
@@ -85,12 +83,11 @@ pub fn program(serial: &mut Serial, program: &Program<'_>) {
     count(serial, program.codes(), flash_text!(" code"));
     serial.text(flash_text!(", "));
     count(serial, used, flash_text!(" byte"));
-    serial.text(flash_text!(" used, "));
     let free = Profile::UNO.stored_bytes.saturating_sub(used);
-    serial.number(free.into());
+    value(serial, flash_text!(" used, "), free);
     serial.text(flash_text!(" free, "));
     count(serial, program.timers() as u16, flash_text!(" timer"));
-    serial.text(flash_text!("\r\n"));
+    end_line(serial);
 }
 
 /// Whether the state is kept on the card.
@@ -105,7 +102,19 @@ pub fn state_file(serial: &mut Serial, file: &StateFile) {
     };
     serial.text(flash_text!("state: "));
     serial.text(what);
+    end_line(serial);
+}
+
+#[inline(never)]
+fn end_line(serial: &mut Serial) {
     serial.text(flash_text!("\r\n"));
+}
+
+/// `, least 17`
+#[inline(never)]
+fn value(serial: &mut Serial, what: FlashText, number: u16) {
+    serial.text(what);
+    serial.number(number.into());
 }
 
 /// `1 code`, `2 codes`
@@ -127,24 +136,24 @@ pub fn fault(serial: &mut Serial, fault: Fault) {
     }
     serial.text(flash_text!(": "));
     text(serial, fault.cause);
-    serial.text(flash_text!("\r\n"));
+    end_line(serial);
 }
 
 macro_rules! texts {
     ($($number:literal $name:ident $text:literal;)*) => {
-        /// Every fault's number, text and a NUL. One text, because a table of pointers to texts
+        /// Every fault's number, text and an LF. One text, because a table of pointers to texts
         /// would stand in RAM.
-        const TEXTS: &str = concat!($($number, $text, "\0"),*);
+        const TEXTS: &str = concat!($($number, $text, "\n"),*);
     };
 }
 faults!(texts);
 
 /// Sends the text of a cause.
 fn text(serial: &mut Serial, cause: Cause) {
-    let mut texts = flash_text!(TEXTS).bytes();
+    let mut texts = flash_text!(TEXTS);
     while let (Some(tens), Some(units)) = (texts.next(), texts.next()) {
         let number = (tens - b'0') * 10 + (units - b'0');
-        for byte in texts.by_ref().take_while(|byte| *byte != 0) {
+        for byte in texts.by_ref().take_while(|byte| *byte != b'\n') {
             if number == cause.number() {
                 serial.byte(byte);
             }

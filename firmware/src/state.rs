@@ -6,7 +6,7 @@
 
 use crate::board::Board;
 use crate::board::clock;
-use crate::board::flash::flash_text;
+use crate::board::flash::{FlashText, flash_text};
 use crate::card::Place;
 use crate::card::writer::{CardFailed, Progress, Writer};
 use crate::decimal::{DIGITS, decimal};
@@ -48,13 +48,14 @@ pub struct State {
 
 impl State {
     /// The state kept at this place, or nowhere.
+    #[inline(never)]
     pub fn new(place: Option<Place>) -> State {
         let mut uptime = [b' '; DIGITS];
         uptime[DIGITS - 1] = b'0';
         State {
             writer: place.map(Writer::new),
             failed: false,
-            text: Text::default(),
+            text: Text::new(Images::default(), ScanTimes::default(), uptime),
             written: None,
             uptime,
             second: 0,
@@ -114,12 +115,7 @@ impl State {
         };
         if due {
             self.written = Some(now);
-            *text = Text {
-                images,
-                times,
-                uptime: self.uptime,
-                ..Text::default()
-            };
+            *text = Text::new(images, times, self.uptime);
             writer.begin(board)?;
         }
         Ok(())
@@ -144,23 +140,36 @@ fn count(number: &mut [u8; DIGITS]) {
 }
 
 /// The text of one writing: its values, and how far it has gone.
-#[derive(Default)]
 struct Text {
+    /// What is left of the template.
+    template: FlashText,
     images: Images,
     times: ScanTimes,
     uptime: [u8; DIGITS],
     /// The value that is next.
     value: u8,
-    /// The digits of the value before it, and how many have not gone.
+    /// The digits of the value before it, and the one that is next; past the last when all have gone.
     digits: [u8; DIGITS],
-    left: usize,
+    next: u8,
 }
 
 impl Text {
+    fn new(images: Images, times: ScanTimes, uptime: [u8; DIGITS]) -> Text {
+        Text {
+            template: flash_text!(TEMPLATE),
+            images,
+            times,
+            uptime,
+            value: 0,
+            digits: [0; DIGITS],
+            next: DIGITS as u8,
+        }
+    }
+
     /// The byte at this place of the block, 0 to 511; asked in order.
     #[inline(never)]
     fn byte(&mut self, at: u16) -> u8 {
-        match flash_text!(TEMPLATE).byte(at) {
+        match self.template.next() {
             Some(MARK) => self.digit(),
             Some(byte) => byte,
             None if at < LINE_END => b' ',
@@ -171,13 +180,16 @@ impl Text {
 
     /// The digit that takes the place of the next mark.
     fn digit(&mut self) -> u8 {
-        if self.left == 0 {
+        if self.next == DIGITS as u8 {
             let value = self.value;
             self.value += 1;
-            let bit = |image: Image, place: u8| b'0' + (image.0 >> place & 1) as u8;
             let time = match value {
-                0..4 => return bit(self.images.inputs, value),
-                4..8 => return bit(self.images.outputs, value - 4),
+                // Four inputs, then four outputs.
+                0..8 => {
+                    let Images { inputs, outputs } = self.images;
+                    let points = inputs.0 as u8 & 0x0F | (outputs.0 as u8) << 4;
+                    return b'0' + (points >> value & 1);
+                }
                 8 => None,
                 9 => Some(self.times.last),
                 10 => Some(self.times.least),
@@ -186,16 +198,16 @@ impl Text {
             match time {
                 None => {
                     self.digits = self.uptime;
-                    self.left = DIGITS;
+                    self.next = 0;
                 }
                 Some(time) => {
                     decimal(time.into(), &mut self.digits);
-                    self.left = 5;
+                    self.next = DIGITS as u8 - 5;
                 }
             }
         }
-        let digit = self.digits[DIGITS - self.left];
-        self.left -= 1;
-        digit
+        let digit = self.digits.get(usize::from(self.next));
+        self.next += 1;
+        digit.copied().unwrap_or(b' ')
     }
 }

@@ -38,9 +38,8 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
         return Ok(());
     }
     eeprom.write(MARK, INVALID);
-    for (address, byte) in places(&header, stored) {
-        eeprom.write(address, byte);
-    }
+    write(eeprom, MARK + 1, &header);
+    write(eeprom, PROGRAM, stored);
     if !holds(eeprom, &header, stored) {
         return Err(Cause::StoreFailed);
     }
@@ -51,13 +50,19 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
 /// Takes the program that is kept into run memory; none where there is none, or it is damaged.
 #[inline(never)]
 pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Program<'m>> {
+    restore(eeprom, &mut Loader::new(memory, Profile::UNO))
+}
+
+/// Apart from [`load`], whose frame holds the loader: what lies beyond it in the same frame could be
+/// reached only by detours.
+#[inline(never)]
+fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> {
     let length = u16::from_le_bytes([eeprom.read(2), eeprom.read(3)]);
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
-    let mut loader = Loader::new(memory, Profile::UNO);
-    let stored = (PROGRAM..PROGRAM + length).map(|address| eeprom.read(address));
-    loader.restore(stored).ok()?;
+    let mut stored = (PROGRAM..PROGRAM + length).map(|address| eeprom.read(address));
+    loader.restore(&mut stored).ok()?;
     let program = loader.finish().ok()?;
     holds(eeprom, &header(program.stored()), program.stored()).then_some(program)
 }
@@ -70,20 +75,33 @@ pub fn is_blank(eeprom: &Eeprom) -> bool {
 /// The bytes of the header behind the mark.
 fn header(stored: &[u8]) -> [u8; HEADER] {
     let [low, high] = (stored.len() as u16).to_le_bytes();
-    let mut crc = Crc16::default();
-    [VERSION, low, high, 0, 0]
-        .iter()
-        .for_each(|&byte| crc.push(byte));
-    stored.iter().for_each(|&byte| crc.push(byte));
-    let [crc_low, crc_high] = crc.value().to_le_bytes();
-    [VERSION, low, high, 0, 0, crc_low, crc_high]
+    let mut header = [VERSION, low, high, 0, 0, 0, 0];
+    let mut crc = Crc16::of(&header[..HEADER - 2]);
+    crc.extend(stored);
+    [header[HEADER - 2], header[HEADER - 1]] = crc.value().to_le_bytes();
+    header
 }
 
-/// Everything behind the mark, with its address.
-fn places<'a>(header: &'a [u8; HEADER], stored: &'a [u8]) -> impl Iterator<Item = (u16, u8)> + 'a {
-    (MARK + 1..).zip(header.iter().chain(stored).copied())
-}
-
+/// Whether everything behind the mark is this.
 fn holds(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8]) -> bool {
-    places(header, stored).all(|(address, byte)| eeprom.read(address) == byte)
+    reads(eeprom, MARK + 1, header) && reads(eeprom, PROGRAM, stored)
+}
+
+#[inline(never)]
+fn reads(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) -> bool {
+    for &byte in bytes {
+        if eeprom.read(address) != byte {
+            return false;
+        }
+        address += 1;
+    }
+    true
+}
+
+#[inline(never)]
+fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
+    for &byte in bytes {
+        eeprom.write(address, byte);
+        address += 1;
+    }
 }

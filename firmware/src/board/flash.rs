@@ -8,10 +8,17 @@ use core::arch::asm;
 pub struct InFlash<const N: usize>([u8; N]);
 
 impl<const N: usize> InFlash<N> {
-    /// The bytes of a text of N bytes; for [`flash_text!`], which knows N.
+    /// The bytes of a text, and a NUL behind it; for [`flash_text!`], which knows N.
     pub const fn new(text: &str) -> InFlash<N> {
         let mut bytes = [0; N];
-        bytes.copy_from_slice(text.as_bytes());
+        // It would end the text early.
+        let mut index = 0;
+        while index < text.len() {
+            assert!(text.as_bytes()[index] != 0);
+            index += 1;
+        }
+        let (place, _) = bytes.split_at_mut(N - 1);
+        place.copy_from_slice(text.as_bytes());
         InFlash(bytes)
     }
 
@@ -21,42 +28,34 @@ impl<const N: usize> InFlash<N> {
     ///
     /// `self` must be a static in section `.progmem.data`.
     pub const unsafe fn text(&'static self) -> FlashText {
-        FlashText {
-            start: (&raw const self.0).cast(),
-            length: N as u16,
-        }
+        FlashText((&raw const self.0).cast())
     }
 }
 
-/// A text in program memory.
-#[derive(Clone, Copy)]
-pub struct FlashText {
-    start: *const u8,
-    length: u16,
-}
+/// What is left of a text in program memory: gives its bytes in order, up to the NUL, and stays there.
+#[derive(Clone)]
+pub struct FlashText(*const u8);
 
-impl FlashText {
-    /// Its bytes in order.
-    pub fn bytes(self) -> impl Iterator<Item = u8> {
-        (0..self.length).filter_map(move |index| self.byte(index))
-    }
+impl Iterator for FlashText {
+    type Item = u8;
 
-    /// The byte at this index; none behind the end.
-    pub fn byte(self, index: u16) -> Option<u8> {
-        if index >= self.length {
-            return None;
-        }
+    #[inline(never)]
+    fn next(&mut self) -> Option<u8> {
         let byte: u8;
-        // SAFETY: `lpm` reads program memory and changes nothing; the address is inside the text,
-        // which `InFlash::text` was promised to stand there, below 64 KiB.
+        // SAFETY: `lpm` reads program memory and changes nothing; the address is that of a byte of the
+        // text or of its NUL, which `InFlash::text` was promised to stand there, below 64 KiB.
         unsafe {
             asm!(
                 "lpm {byte}, Z",
                 byte = out(reg) byte,
-                in("Z") self.start.wrapping_add(usize::from(index)),
+                in("Z") self.0,
                 options(pure, readonly, nostack, preserves_flags),
             );
         }
+        if byte == 0 {
+            return None;
+        }
+        self.0 = self.0.wrapping_add(1);
         Some(byte)
     }
 }
@@ -66,7 +65,7 @@ macro_rules! flash_text {
     ($text:expr) => {{
         const TEXT: &str = $text;
         #[unsafe(link_section = ".progmem.data")]
-        static BYTES: $crate::board::flash::InFlash<{ TEXT.len() }> =
+        static BYTES: $crate::board::flash::InFlash<{ TEXT.len() + 1 }> =
             $crate::board::flash::InFlash::new(TEXT);
         // SAFETY: the line above puts it there.
         unsafe { BYTES.text() }

@@ -25,14 +25,16 @@ impl Serial {
 
     /// Sends a text that stands in program memory.
     pub fn text(&mut self, text: FlashText) {
-        text.bytes().for_each(|byte| self.byte(byte));
+        for byte in text {
+            self.byte(byte);
+        }
     }
 
     /// Sends a number in decimal.
     pub fn number(&mut self, number: u32) {
         let mut digits = [0; DIGITS];
         decimal(number, &mut digits);
-        for digit in digits {
+        for &digit in &digits {
             if digit != b' ' {
                 self.byte(digit);
             }

@@ -65,6 +65,7 @@ impl<'b> CardBus<'b> {
 
     /// Switches the bus on again, at 4 MHz, and selects the card. Without a deadline, for
     /// [`exchange`](CardBus::exchange).
+    #[inline(never)]
     pub fn resume(spi: &'b SPI, pins: &'b Pins) -> CardBus<'b> {
         let mut bus = CardBus::new(spi, pins);
         // In this order: LED L leaves the clock line before the card listens.
@@ -122,6 +123,7 @@ impl<'b> CardBus<'b> {
         answer
     }
 
+    #[inline(never)]
     fn in_time(&self) -> Result<(), TooLate> {
         let limit = if self.answered { self.limit } else { SILENCE };
         if (clock::now() as u16).wrapping_sub(self.since) < limit {
@@ -142,37 +144,51 @@ impl ErrorType for CardBus<'_> {
     type Error = TooLate;
 }
 
+/// What the card's driver calls are the four plain transfers: each is its own function, so that the
+/// list of operations is never made.
 impl SpiDevice for CardBus<'_> {
     fn transaction(&mut self, operations: &mut [Operation<'_, u8>]) -> Result<(), TooLate> {
-        self.in_time()?;
         for operation in operations {
             match operation {
-                Operation::Read(bytes) => {
-                    bytes
-                        .iter_mut()
-                        .for_each(|byte| *byte = self.exchange(0xFF));
-                }
-                Operation::Write(bytes) => {
-                    bytes.iter().for_each(|&byte| {
-                        self.exchange(byte);
-                    });
-                }
-                Operation::Transfer(answer, bytes) => {
-                    // The longer of the two decides (embedded-hal's contract).
-                    for index in 0..answer.len().max(bytes.len()) {
-                        let byte = self.exchange(bytes.get(index).copied().unwrap_or(0xFF));
-                        if let Some(place) = answer.get_mut(index) {
-                            *place = byte;
-                        }
-                    }
-                }
-                Operation::TransferInPlace(bytes) => {
-                    bytes
-                        .iter_mut()
-                        .for_each(|byte| *byte = self.exchange(*byte));
-                }
+                Operation::Read(bytes) => self.read(bytes)?,
+                Operation::Write(bytes) => self.write(bytes)?,
+                Operation::Transfer(answer, bytes) => self.transfer(answer, bytes)?,
+                Operation::TransferInPlace(bytes) => self.transfer_in_place(bytes)?,
                 Operation::DelayNs(ns) => Pause.delay_ns(*ns),
             }
+        }
+        Ok(())
+    }
+
+    fn read(&mut self, bytes: &mut [u8]) -> Result<(), TooLate> {
+        bytes.fill(0xFF);
+        self.transfer_in_place(bytes)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), TooLate> {
+        self.in_time()?;
+        for &byte in bytes {
+            self.exchange(byte);
+        }
+        Ok(())
+    }
+
+    fn transfer(&mut self, answer: &mut [u8], bytes: &[u8]) -> Result<(), TooLate> {
+        self.in_time()?;
+        // The longer of the two decides (embedded-hal's contract).
+        for index in 0..answer.len().max(bytes.len()) {
+            let byte = self.exchange(bytes.get(index).copied().unwrap_or(0xFF));
+            if let Some(place) = answer.get_mut(index) {
+                *place = byte;
+            }
+        }
+        Ok(())
+    }
+
+    fn transfer_in_place(&mut self, bytes: &mut [u8]) -> Result<(), TooLate> {
+        self.in_time()?;
+        for byte in bytes {
+            *byte = self.exchange(*byte);
         }
         Ok(())
     }

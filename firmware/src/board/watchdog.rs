@@ -96,11 +96,13 @@ impl Watchdog {
     }
 
     /// Restarts since power-up.
+    #[inline(never)]
     pub fn restarts(&self) -> u16 {
         RESTARTS.load(Relaxed)
     }
 
     /// Faults since power-up.
+    #[inline(never)]
     pub fn faults(&self) -> u16 {
         FAULTS.load(Relaxed)
     }

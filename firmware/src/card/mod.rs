@@ -59,15 +59,27 @@ pub fn load<'m>(
     memory: &'m mut [u8],
     state: &mut StateFile,
 ) -> Result<Program<'m>, Fault> {
-    let card = Card::start(board).map_err(Fault::without_line)?;
-    let mut block = Block::new();
-    let program = read_twice(&card, &mut block, memory);
+    let card = Card::new(board);
+    card.start().map_err(Fault::without_line)?;
+    take(&card, &mut Block::new(), memory, state)
+}
+
+/// Apart from [`load`], whose frame holds the block: what lies beyond it in the same frame could
+/// be reached only by long detours. So [`Card::new`] and [`Card::start`] are too.
+#[inline(never)]
+fn take<'m>(
+    card: &Card<'_>,
+    block: &mut Block,
+    memory: &'m mut [u8],
+    state: &mut StateFile,
+) -> Result<Program<'m>, Fault> {
+    let program = read_twice(card, block, memory);
     let no_fault = match &program {
         Ok(_) => true,
         Err(fault) => fault.cause == Cause::NoProgramFile,
     };
     if no_fault {
-        *state = find_state(&card, &mut block);
+        *state = find_state(card, block);
     }
     program
 }
@@ -105,8 +117,7 @@ fn find_state(card: &Card<'_>, block: &mut Block) -> StateFile {
     }
 }
 
-/// Apart from [`load`], whose frame holds the block: what lies beyond it in the same frame could
-/// be reached only by long detours.
+/// Reads the file through the loader.
 #[inline(never)]
 fn read<'m>(
     card: &Card<'_>,
@@ -124,23 +135,29 @@ fn read<'m>(
     loader.finish()
 }
 
-/// A card that is ready.
+/// The card.
 struct Card<'b>(SdCard<CardBus<'b>, Pause>);
 
 impl<'b> Card<'b> {
-    fn start(board: &'b Board) -> Result<Card<'b>, Cause> {
+    #[inline(never)]
+    fn new(board: &'b Board) -> Card<'b> {
         let options = AcquireOpts {
             use_crc: true,
             acquire_retries: RESTARTS,
         };
-        let card = SdCard::new_with_options(board.card_bus(), Pause, options);
+        Card(SdCard::new_with_options(board.card_bus(), Pause, options))
+    }
+
+    /// Wakes the card until it is ready.
+    #[inline(never)]
+    fn start(&self) -> Result<(), Cause> {
         for _ in 0..CALLS {
-            card.spi(|bus| bus.wake(READY));
-            if card.get_card_type().is_some() {
-                card.spi(CardBus::full_speed);
-                return Ok(Card(card));
+            self.0.spi(|bus| bus.wake(READY));
+            if self.0.get_card_type().is_some() {
+                self.0.spi(CardBus::full_speed);
+                return Ok(());
             }
-            if card.spi(|bus| bus.answered()) {
+            if self.0.spi(|bus| bus.answered()) {
                 return Err(Cause::CardDead);
             }
         }

@@ -12,7 +12,7 @@ use unoclp_core::Crc16;
 /// Bytes of a block.
 const BLOCK: u16 = 512;
 /// Bytes of it that go to the card in one step: so few that no step has two numbers in it.
-const STEP: u16 = 4;
+const STEP: u8 = 4;
 /// How long a card may stay busy with a block, ms: twice what the specification allows SDHC (4.6.2.2).
 const BUSY: u16 = 500;
 /// How many bytes a card may let pass before it answers (7.5.1.1).
@@ -87,9 +87,9 @@ impl Writer {
                     *at += 1;
                 }
                 if *at == BLOCK {
-                    for byte in self.crc.value().to_be_bytes() {
-                        bus.exchange(byte);
-                    }
+                    let [high, low] = self.crc.value().to_be_bytes();
+                    bus.exchange(high);
+                    bus.exchange(low);
                     if answer(&mut bus)? & sd::DATA_RES_MASK != sd::DATA_RES_ACCEPTED {
                         return Err(CardFailed);
                     }
@@ -130,7 +130,7 @@ fn command(bus: &mut CardBus<'_>, command: CmdId, argument: u32) -> Result<(), C
     let [a, b, c, d] = argument.to_be_bytes();
     let frame = [0x40 | command as u8, a, b, c, d];
     bus.exchange(0xFF);
-    for byte in frame {
+    for &byte in &frame {
         bus.exchange(byte);
     }
     bus.exchange(sd::crc7(&frame) << 1 | 1);

@@ -42,8 +42,8 @@ enum Pending {
     Rung,
     /// A coil of this output.
     Coil(u8),
-    /// A row of contacts, in any order: images that must be 1, and that must be 0.
-    Contacts(u8, u8),
+    /// So many contacts in a row, in any order: images that must be 1, and that must be 0.
+    Contacts(u8, u8, u8),
     /// Nothing.
     Nothing,
 }
@@ -75,6 +75,8 @@ pub fn link(program: Program<'_>) -> Option<(&[u8], &mut [u8])> {
 
 impl Linker<'_> {
     /// Takes the instruction that begins with this byte.
+    // Apart from the loop: there, the address of each handler would have a register for itself.
+    #[inline(never)]
     fn take(&mut self, byte: u8) -> Option<()> {
         let point = byte % POINTS;
         let branch = byte % isa::BRANCH_POINTS;
@@ -83,10 +85,10 @@ impl Linker<'_> {
                 self.new_rung();
                 return Some(());
             }
-            Opcode::InputContact => return self.contact(1 << point, 0),
-            Opcode::InputContactNot => return self.contact(0, 1 << point),
-            Opcode::OutputContact => return self.contact(1 << POINTS << point, 0),
-            Opcode::OutputContactNot => return self.contact(0, 1 << POINTS << point),
+            Opcode::InputContact => return self.contact(point, true),
+            Opcode::InputContactNot => return self.contact(point, false),
+            Opcode::OutputContact => return self.contact(POINTS + point, true),
+            Opcode::OutputContactNot => return self.contact(POINTS + point, false),
             Opcode::Coil => return self.coil(point),
             Opcode::OnDelay => return self.timer(handler!(engine_on_delay)),
             Opcode::OffDelay => return self.timer(handler!(engine_off_delay)),
@@ -112,15 +114,22 @@ impl Linker<'_> {
         self.pending = Pending::Rung;
     }
 
-    fn contact(&mut self, one: u8, zero: u8) -> Option<()> {
-        let (ones, zeros) = match self.pending {
-            Pending::Contacts(ones, zeros) => (ones, zeros),
+    /// A contact of the bit with this index in the images' register: of a 1, or of a 0.
+    fn contact(&mut self, index: u8, one: bool) -> Option<()> {
+        let (count, mut ones, mut zeros) = match self.pending {
+            Pending::Contacts(count, ones, zeros) => (count, ones, zeros),
             _ => {
                 self.flush();
-                (0, 0)
+                (0, 0, 0)
             }
         };
-        self.pending = Pending::Contacts(ones | one, zeros | zero);
+        let bit = 1 << index;
+        if one {
+            ones |= bit;
+        } else {
+            zeros |= bit;
+        }
+        self.pending = Pending::Contacts(count.saturating_add(1), ones, zeros);
         Some(())
     }
 
@@ -151,12 +160,12 @@ impl Linker<'_> {
         match core::mem::replace(&mut self.pending, Pending::Nothing) {
             Pending::Rung | Pending::Nothing => {}
             Pending::Coil(output) => self.program.put(handler!(engine_coil, 3, output)),
-            Pending::Contacts(ones, zeros) => self.contacts(ones, zeros),
+            Pending::Contacts(count, ones, zeros) => self.contacts(count, ones, zeros),
         }
     }
 
-    fn contacts(&mut self, ones: u8, zeros: u8) {
-        if ones.count_ones() + zeros.count_ones() > 2 {
+    fn contacts(&mut self, count: u8, ones: u8, zeros: u8) {
+        if count > 2 {
             self.program.put(handler!(engine_contacts));
             // A point that must be 1 and 0: what is asked for leaves it out, so it is never 1.
             self.program.put(ones ^ zeros);
