@@ -159,7 +159,7 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
     };
     for (n, turn) in jobs.turns.iter().enumerate() {
         let found = if turn.jobs.is_empty() {
-            "no job found".to_owned()
+            "free without a STATE.TXT".to_owned()
         } else {
             turn.jobs.join(", ")
         };
