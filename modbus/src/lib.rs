@@ -1,0 +1,86 @@
+//! The protocol of a Modbus RTU server: what a request means, and what is answered.
+//!
+//! The way of a request through this crate:
+//!
+//! 1. The serial driver receives a frame, checks its CRC by [`Crc`] and its address, and leaves it
+//!    in a [`Frame`] without the CRC.
+//! 2. [`begin`] validates it.
+//! 3. [`Exchange::fill`] reads or writes in slices, so that no scan waits for a whole request.
+//! 4. The reply stands in the same [`Frame`], from its address on; the driver appends the CRC.
+//!
+//! What there is to read and write, a [`Device`] says.
+//!
+//! ```
+//! # use unoclp_modbus::{Access, Answer, Device, Exception, FRAME_BYTES, Table, begin};
+//! # struct Plc;
+//! # impl Device for Plc {
+//! #     fn has(&self, _: Table, first: u16, count: u16, _: Access) -> bool { first + (count - 1) < 8 }
+//! #     fn bit(&self, _: Table, _: u16) -> bool { false }
+//! #     fn word(&self, _: Table, address: u16) -> u16 { 0x1200 + address }
+//! #     fn set_bit(&mut self, _: u16, _: bool) {}
+//! #     fn check_word(&self, _: u16, _: u16) -> Result<(), Exception> { Ok(()) }
+//! #     fn set_word(&mut self, _: u16, _: u16) {}
+//! #     fn identification(&self, _: u8, _: u8) -> Option<u8> { None }
+//! # }
+//! # let mut plc = Plc;
+//! let mut frame = [0; FRAME_BYTES];
+//! frame[..6].copy_from_slice(&[1, 3, 0, 5, 0, 2]); // of server 1: 2 holding registers from 5 on
+//! let length = match begin(&mut frame, 6, &mut plc) {
+//!     Answer::Silence => 0,
+//!     Answer::Ready(length) => length,
+//!     Answer::Filling(mut exchange) => loop {
+//!         // One slice of at most 16 words; a scan would run between two of them.
+//!         if let Some(length) = exchange.fill(&mut frame, &mut plc, 16) {
+//!             break length;
+//!         }
+//!     },
+//! };
+//! assert_eq!(frame[..length.into()], [1, 3, 4, 0x12, 0x05, 0x12, 0x06]);
+//! ```
+//!
+//! Function codes: 1 to 6, 15, 16, and 43/14 ([`identification`](Device::identification)). Section
+//! numbers are those of the *MODBUS Application Protocol Specification V1.1b3*.
+//!
+//! # Rulings
+//!
+//! - **Exceptions** come in the order of the specification's state diagrams: function code (01),
+//!   then quantity, value, byte count and length (03), then addresses (02), then what the device
+//!   says to the values ([`Device::check_word`], [`Device::take`]).
+//! - **A request that is shorter or longer than its function and its byte count demand** is refused
+//!   with 03: "the implied length is incorrect" (section 7). Other function codes are 01 whatever their
+//!   length. A frame without a function code gets silence.
+//! - **A write of several is checked as a whole first**, and only then is anything written.
+//! - **Address 0 is a broadcast**: writes are done and never answered, reads are ignored.
+//!
+//! This crate knows no serial port, no clock and no memory map. It needs neither `std` nor an
+//! allocator, contains no `unsafe`, and no frame makes it panic.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod crc;
+mod device;
+mod exchange;
+mod identification;
+mod request;
+
+pub use crc::Crc;
+pub use device::{Access, Device, Exception, Table};
+pub use exchange::Exchange;
+pub use request::{Answer, begin};
+
+/// The longest frame of Modbus RTU: address, 253 bytes, CRC.
+pub const FRAME_BYTES: usize = 256;
+
+/// Where a frame stands without its CRC: byte 0 the address, byte 1 the function code. Whatever is behind
+/// the request may be anything.
+///
+/// It holds the request first, and then, in its place, the reply.
+pub type Frame = [u8; FRAME_BYTES];
+
+/// The two bytes from `at` on, high byte first, as Modbus sends all words.
+fn word(frame: &Frame, at: u8) -> u16 {
+    let high = frame[usize::from(at)];
+    let low = frame[usize::from(at.wrapping_add(1))];
+    u16::from(high) << 8 | u16::from(low)
+}

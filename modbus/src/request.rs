@@ -1,0 +1,152 @@
+//! From a request to its answer, or to the exchange that does it in slices.
+
+use crate::exchange::{Exchange, Task};
+use crate::{Access, Device, Exception, Frame, Table, identification, word};
+
+/// What comes of a request.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Nothing is to be sent.
+    Silence,
+    /// The reply stands in the frame: so many bytes, at most 254, the CRC not among them.
+    Ready(u8),
+    /// The request is valid, its addresses exist, and [`Exchange::fill`] does it.
+    Filling(Exchange),
+}
+
+/// The length of most requests, and of the reply to a write: address, function code, two words.
+pub(crate) const FIXED: u8 = 6;
+
+/// Validates the request in the first `length` bytes of `frame`.
+///
+/// Its address is 0 or the server's own; its CRC was right and is not counted, so `length` is at most
+/// 254. A refusal and the identification are answered here, a block is taken here; all reads and writes,
+/// of one as of several, are [`Exchange::fill`]'s.
+///
+/// Of the device it calls [`has`](Device::has) or [`take`](Device::take) or both, once, or
+/// [`identification`](Device::identification) for each byte of its texts and once behind each.
+#[inline(never)]
+pub fn begin<D: Device>(frame: &mut Frame, length: u8, device: &mut D) -> Answer {
+    let [address, function, ..] = *frame;
+    let broadcast = address == 0;
+    if length < 2 || broadcast && function <= Table::InputRegisters as u8 {
+        return Answer::Silence;
+    }
+    let outcome = if function == identification::FUNCTION {
+        identification::answer(frame, length, device)
+    } else {
+        match request(frame, length, device) {
+            Ok(exchange) => return Answer::Filling(exchange),
+            Err(exception) => Err(exception),
+        }
+    };
+    let length = outcome.unwrap_or_else(|exception| refuse(frame, exception));
+    if broadcast {
+        Answer::Silence
+    } else {
+        Answer::Ready(length)
+    }
+}
+
+/// Reads and writes: sections 6.1 to 6.6, 6.11 and 6.12.
+fn request<D: Device>(
+    frame: &mut Frame,
+    length: u8,
+    device: &mut D,
+) -> Result<Exchange, Exception> {
+    let function = frame[1];
+    let table = match function {
+        1 | 5 | 15 => Table::Coils,
+        2 => Table::DiscreteInputs,
+        3 | 6 | 16 => Table::HoldingRegisters,
+        4 => Table::InputRegisters,
+        _ => return Err(Exception::IllegalFunction),
+    };
+    let words = matches!(table, Table::HoldingRegisters | Table::InputRegisters);
+    let (count, at) = operands(frame);
+    let bytes = bytes(words, count);
+    let most = match (function >= 15, words) {
+        (false, false) => 2000,
+        (false, true) => 125,
+        (true, false) => 1968,
+        (true, true) => 123,
+    };
+    demand(
+        count.wrapping_sub(1) < most
+            && match function {
+                5 => length == FIXED && matches!(frame[4], 0 | 0xFF) && frame[5] == 0,
+                15 | 16 => frame[6] == bytes && length == at.wrapping_add(bytes),
+                _ => length == FIXED,
+            },
+    )?;
+
+    let address = word(frame, 2);
+    let mut exchange = Exchange {
+        task: Task::WriteBits,
+        address,
+        left: count,
+        at,
+    };
+    if address.checked_add(count.wrapping_sub(1)).is_none() {
+        return Err(Exception::IllegalDataAddress);
+    }
+    if function == 16
+        && let Some(data) = frame.get(at.into()..length.into())
+        && let Some(taken) = device.take(address, data)
+    {
+        taken?;
+        exchange.left = 0;
+        return Ok(exchange);
+    }
+    let reads = function <= 4;
+    let access = if reads { Access::Read } else { Access::Write };
+    if !device.has(table, address, count, access) {
+        return Err(Exception::IllegalDataAddress);
+    }
+    if reads {
+        frame[2] = bytes;
+        exchange.at = 3;
+        exchange.task = if words {
+            Task::ReadWords(table)
+        } else {
+            Task::ReadBits(table)
+        };
+    } else if words {
+        exchange.task = Task::CheckWords;
+    }
+    Ok(exchange)
+}
+
+/// In how many bytes so many words or bits are sent, if they fit one frame.
+fn bytes(words: bool, count: u16) -> u8 {
+    if words {
+        (count << 1) as u8
+    } else {
+        (count.wrapping_add(7) >> 3) as u8
+    }
+}
+
+/// How many words or bits a request is about, and where those that it writes stand in the frame.
+pub(crate) fn operands(frame: &Frame) -> (u16, u8) {
+    if matches!(frame[1], 5 | 6) {
+        (1, 4)
+    } else {
+        (word(frame, 4), 7)
+    }
+}
+
+/// Turns the request into an exception response of the length that is returned (section 7).
+pub(crate) fn refuse(frame: &mut Frame, exception: Exception) -> u8 {
+    frame[1] |= 0x80;
+    frame[2] = exception as u8;
+    3
+}
+
+/// A request that is not `sound` has a quantity, value or length that is not allowed.
+pub(crate) fn demand(sound: bool) -> Result<(), Exception> {
+    if sound {
+        Ok(())
+    } else {
+        Err(Exception::IllegalDataValue)
+    }
+}
