@@ -118,6 +118,15 @@ impl Eeprom {
         &self.writes
     }
 
+    /// How often each byte has been erased or written, also where it kept its value.
+    pub fn wear(&self) -> Vec<u32> {
+        let mut wear = vec![0; EEPROM_LEN];
+        for write in &self.writes {
+            wear[usize::from(write.address)] += 1;
+        }
+        wear
+    }
+
     /// A write is going on. EEAR cannot be changed then.
     pub fn is_busy(&self) -> bool {
         self.programming.is_some()

@@ -106,7 +106,7 @@ impl UnoEngine {
             }
         };
         if refusal.is_some() {
-            uno.set_inputs(0b1111);
+            uno.set_inputs(0xFF);
             let run = uno.run_ms(WATCH);
             run.map_err(|halt| told(uno, halt))?;
         } else if !uno.serial().ends_with("RUN\r\n") {

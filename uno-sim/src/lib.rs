@@ -1,7 +1,7 @@
 //! The unoclp firmware on a simulated Arduino UNO.
 //!
 //! [`Uno`] runs the very ELF file that is flashed to the board, instruction by instruction and with exact cycle counts,
-//! on [simavr](https://github.com/buserror/simavr). Around the chip stand what the wiring says: four buttons, four
+//! on [simavr](https://github.com/buserror/simavr). Around the chip stand what the wiring says: eight inputs, four
 //! outputs, the LED L, a serial line, and a slot for a virtual SD card ([`sd::SdCard`]), which answers as a card does
 //! and can be given faults.
 //!
@@ -21,31 +21,37 @@
 //! # }
 //! ```
 //!
-//! What simavr does not model, and this crate adds: the time that an EEPROM write takes, what a power cut leaves behind
-//! ([`Uno::power_up`]), the supply voltage, and the stock boot loader's way with MCUSR ([`Uno::set_boot_loader`]).
+//! What simavr does not model as the chip has it, and this crate does: the serial port (buffers, errors, interrupts and
+//! times of the line, [`Uno::send_serial`]), the converter ([`Uno::set_analogue`]), the time that an EEPROM write takes,
+//! what a power cut leaves behind ([`Uno::power_up`]), the supply voltage, and the stock boot loader's way with MCUSR
+//! ([`Uno::set_boot_loader`]).
 //!
 //! What simavr does not model, and this crate does not add:
 //!
-//! - the two-byte receive buffer of the serial port: simavr has 64 bytes, and counts a byte as 11 bits;
-//! - the time of a conversion of the ADC: simavr takes 24 of its clocks, 168 for the first, where the chip takes 13 and
-//!   25. It scales to 1023 at the reference, the chip to 1024; and the internal reference needs no time to settle;
+//! - the pulses of the timers on the pins, which are told from the registers instead ([`Uno::pwm`]);
+//! - nine data bits of the serial port, and the wait for its next baud clock before a start bit; noise of the converter;
 //! - brown-out detection, the interrupt EE_READY, the tolerance of the watchdog's own oscillator;
 //! - contact bounce, and the speed limits of a card.
 //!
 //! simavr is under the GPL, version 3 or later, and so is this crate.
 
+mod adc;
 mod avr;
 mod eeprom;
 mod elf;
 pub mod engine;
 mod error;
 mod halt;
+mod inputs;
 mod pins;
+pub mod port;
+mod pwm;
 pub mod sd;
 mod size;
 mod stack;
 #[cfg(test)]
 mod tests;
+mod uart;
 mod uno;
 mod wiring;
 
@@ -53,5 +59,8 @@ pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
 pub use elf::{EEPROM_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol, firmware_elf};
 pub use error::Error;
 pub use halt::Halt;
-pub use pins::{Edge, POINTS, Pin};
+pub use inputs::{ANALOGUE_INPUTS, Analogue, INPUTS};
+pub use pins::{Edge, OUTPUTS, Pin};
+pub use pwm::Pwm;
+pub use uart::{Flaw, Line, Parity, SentByte};
 pub use uno::{CYCLES_PER_MS, STALL, Slot, Uno};

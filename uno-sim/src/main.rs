@@ -1,14 +1,20 @@
-//! `unoclp-uno-sim demo`: the firmware on a simulated UNO, with a script pressing its buttons.
+//! The firmware on a simulated UNO: `unoclp-uno-sim demo`, with a script pressing its buttons, and `unoclp-uno-sim serve`,
+//! with its serial port on a pseudo-terminal.
 
 use anyhow::{Context, Result, bail};
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
+use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Millis};
 use unoclp_host_sim::scenario::{self, Engine, Refusal, Scenario, Verdict};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
+use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{Program, Slot, Uno};
+use unoclp_uno_sim::{Line, Parity, Program, Slot, Uno, firmware_elf};
 
 #[derive(Parser)]
 #[command(version, about = "The unoclp firmware on a simulated Arduino UNO")]
@@ -31,15 +37,111 @@ enum Command {
         #[arg(long)]
         scenario: PathBuf,
     },
+    /// Run the firmware with its serial port on a pseudo-terminal, whose path is the first line of the output; until the
+    /// input ends
+    Serve {
+        /// The program, for a card of its own
+        #[arg(required_unless_present = "card", conflicts_with = "card")]
+        program: Option<PathBuf>,
+        /// The image of the card in the slot
+        #[arg(long)]
+        card: Option<PathBuf>,
+        /// The firmware, where it is not the one that `cargo xtask firmware` has left
+        #[arg(long)]
+        elf: Option<PathBuf>,
+        /// Bits a second at which the board receives
+        #[arg(long, default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(1..))]
+        baud: u32,
+        /// The parity with which the board receives
+        #[arg(long, value_enum, default_value_t)]
+        parity: ParityName,
+        /// Hold the board back to real time always, not only while nothing is on the line
+        #[arg(long)]
+        realtime: bool,
+        /// Reset the board each time the port is opened, as the real one is
+        #[arg(long)]
+        reset: bool,
+    },
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum ParityName {
+    #[default]
+    None,
+    Even,
+    Odd,
+}
+
+impl From<ParityName> for Parity {
+    fn from(name: ParityName) -> Parity {
+        match name {
+            ParityName::None => Parity::None,
+            ParityName::Even => Parity::Even,
+            ParityName::Odd => Parity::Odd,
+        }
+    }
 }
 
 fn main() -> Result<ExitCode> {
-    let Command::Demo {
-        elf,
-        card,
-        scenario,
-    } = Arguments::parse().command;
-    demo(&elf, &card, &scenario)
+    match Arguments::parse().command {
+        Command::Demo {
+            elf,
+            card,
+            scenario,
+        } => demo(&elf, &card, &scenario),
+        Command::Serve {
+            program,
+            card,
+            elf,
+            baud,
+            parity,
+            realtime,
+            reset,
+        } => {
+            let elf = elf.map_or_else(firmware_elf, Ok)?;
+            let image = match (program, card) {
+                (Some(program), _) => CardImage::new(Fat::Fat16)
+                    .file("PROGRAM.TXT", file("program", &program)?)
+                    .build()?,
+                (None, card) => file("card image", &card.context("no card")?)?,
+            };
+            let parity = parity.into();
+            let options = Options {
+                pace: match realtime {
+                    true => Pace::RealTime,
+                    false => Pace::Quiet,
+                },
+                reset_on_open: reset,
+            };
+            serve(&elf, image, Line { baud, parity }, options)
+        }
+    }
+}
+
+fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path).with_context(|| format!("the {what} {} cannot be read", path.display()))
+}
+
+/// How often the board is looked after.
+const LOOK: Duration = Duration::from_millis(100);
+
+fn serve(elf: &Path, image: Vec<u8>, line: Line, options: Options) -> Result<ExitCode> {
+    let card = SdCard::new(Kind::Sdhc, image)?;
+    let port = Port::open(Program::read(elf)?, Slot::Card(card), options)?;
+    port.with(move |uno| uno.set_serial_line(line))?;
+    let mut out = std::io::stdout();
+    writeln!(out, "{}", port.path().display())?;
+    out.flush()?;
+    let (ends, ended) = mpsc::channel::<()>();
+    std::thread::spawn(move || {
+        // Whatever comes; an error is an end too.
+        let mut input = std::io::stdin().lock();
+        while matches!(input.read(&mut [0; 64]), Ok(1..)) {}
+        drop(ends);
+    });
+    while port.is_running() && ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {}
+    port.close()?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// The state is written at most once a second, ms.
@@ -47,9 +149,7 @@ const LATER: u64 = 1_100;
 
 fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
     let scenario = Scenario::load(scenario)?;
-    let image = std::fs::read(card)
-        .with_context(|| format!("the card image {} cannot be read", card.display()))?;
-    let card = SdCard::new(Kind::Sdhc, image)?;
+    let card = SdCard::new(Kind::Sdhc, file("card image", card)?)?;
     let engine = UnoEngine::new(Program::read(elf)?, Clock::Running)?;
 
     println!(

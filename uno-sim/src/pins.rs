@@ -2,8 +2,8 @@
 
 use crate::avr::{Avr, reg};
 
-/// Points there are of each kind, inputs and outputs.
-pub const POINTS: usize = 4;
+/// Outputs there are: points 01 to 04, pins D6 to D9.
+pub const OUTPUTS: usize = 4;
 
 /// A pin whose changes are recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -12,6 +12,8 @@ pub enum Pin {
     Output(u8),
     /// The LED L on the board, pin D13.
     Led,
+    /// Pin A4 as an output: the direction of an RS-485 driver, high to send.
+    Direction,
 }
 
 /// A change of one pin.
@@ -33,17 +35,20 @@ impl PinRegisters {
     #[inline]
     pub fn of(avr: &Avr) -> PinRegisters {
         // PORT follows DDR.
-        let b = u64::from(avr.register_pair(reg::DDRB));
-        let d = u64::from(avr.register_pair(reg::DDRD));
-        let spi_on = u64::from(avr.register(reg::SPCR) & 0x40);
-        PinRegisters(b | d << 16 | spi_on << 32)
+        let [b, c, d] = [reg::DDRB, reg::DDRC, reg::DDRD].map(|ddr| avr.register_pair(ddr));
+        let spi_on = avr.register(reg::SPCR) & 0x40;
+        PinRegisters(
+            u64::from(b) | u64::from(d) << 16 | u64::from(c) << 32 | u64::from(spi_on) << 48,
+        )
     }
 
     pub fn levels(self) -> Levels {
-        let [ddrb, portb, ddrd, portd, spi_on, ..] = self.0.to_le_bytes();
+        let [ddrb, portb, ddrd, portd, ddrc, portc, spi_on, _] = self.0.to_le_bytes();
         let (high_b, high_d) = (ddrb & portb, ddrd & portd);
         Levels {
             outputs: high_d >> 6 | (high_b & 0x03) << 2,
+            is_output: ddrd >> 6 | (ddrb & 0x03) << 2,
+            direction: ddrc & portc & 0x10 != 0,
             // While the SPI is on, D13 is its clock, which rests low in mode 0; single clocks are not recorded.
             led: high_b & 0x20 != 0 && spi_on == 0,
             card_selected: ddrb & !portb & 0x04 != 0,
@@ -56,6 +61,10 @@ impl PinRegisters {
 pub(crate) struct Levels {
     /// Bit n: output n.
     pub outputs: u8,
+    /// Bit n: the pin of output n is driven.
+    pub is_output: u8,
+    /// A4 is driven high.
+    pub direction: bool,
     pub led: bool,
     /// D10, the card's CS, is driven low. A pin that is not driven is pulled up on the card module.
     pub card_selected: bool,
@@ -65,18 +74,17 @@ impl Levels {
     /// The edges that lead from `self` to `next`.
     pub fn edges_to(self, next: Levels, cycle: u64) -> impl Iterator<Item = Edge> {
         let changed = self.outputs ^ next.outputs;
-        let outputs = (0..POINTS as u8)
+        let outputs = (0..OUTPUTS as u8)
             .filter(move |n| changed >> n & 1 == 1)
             .map(move |n| Edge {
                 cycle,
                 pin: Pin::Output(n),
                 high: next.outputs >> n & 1 == 1,
             });
-        let led = (self.led != next.led).then_some(Edge {
-            cycle,
-            pin: Pin::Led,
-            high: next.led,
-        });
-        outputs.chain(led)
+        let led = (Pin::Led, self.led, next.led);
+        let direction = (Pin::Direction, self.direction, next.direction);
+        let others = [led, direction].into_iter();
+        let others = others.filter(|(_, before, high)| before != high);
+        outputs.chain(others.map(move |(pin, _, high)| Edge { cycle, pin, high }))
     }
 }

@@ -10,13 +10,10 @@ mod wires;
 use crate::Error;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
-pub use wires::Irq;
+pub use wires::{Interrupt, Irq};
 
 /// Clock of the UNO, Hz.
 pub const CLOCK_HZ: u32 = 16_000_000;
-
-/// Supply of the UNO on USB, mV.
-const SUPPLY_MV: u16 = 5000;
 
 /// What simavr says of the CPU after a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,11 +39,10 @@ impl Avr {
         let avr = NonNull::new(avr).ok_or(Error::Simavr("it was built without this chip"))?;
         // SAFETY: `avr` is a chip that simavr has just allocated and that nobody else knows.
         let status = unsafe { ffi::avr_init(avr.as_ptr()) };
-        let mut avr = Avr { avr };
+        let avr = Avr { avr };
         if status != 0 {
             return Err(Error::Simavr("avr_init failed"));
         }
-        avr.set_supply(SUPPLY_MV);
         // SAFETY: as above; the fields are plain values, and a callback that does nothing.
         unsafe {
             let avr = &mut *avr.avr.as_ptr();
@@ -126,17 +122,6 @@ impl Avr {
     pub unsafe fn hold(avr: NonNull<ffi::avr_t>, cycles: u64) {
         // SAFETY: the caller's; simavr adds the cycles of the instruction to this value when the instruction is done.
         unsafe { (*avr.as_ptr()).cycle += cycles };
-    }
-
-    /// Sets VCC and AVCC, mV: what the converter measures against. AREF is open on the UNO.
-    pub fn set_supply(&mut self, mv: u16) {
-        // SAFETY: the chip is alive, and `&mut self` keeps everybody else out; plain values.
-        unsafe {
-            let avr = &mut *self.avr.as_ptr();
-            // simavr takes 0 for "not said".
-            avr.vcc = u32::from(mv).max(1);
-            avr.avcc = avr.vcc;
-        }
     }
 
     /// The global interrupt flag.

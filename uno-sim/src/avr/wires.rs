@@ -11,6 +11,10 @@ use std::ptr::NonNull;
 #[derive(Clone, Copy)]
 pub struct Irq(NonNull<ffi::avr_irq_t>);
 
+/// One of the chip's interrupts. Valid as long as the [`Avr`] it came from.
+#[derive(Clone, Copy)]
+pub struct Interrupt(NonNull<ffi::avr_int_vector_t>);
+
 /// The function type of simavr's callbacks: IRQ, value, and the parameter given to [`Avr::on`].
 pub type Notify = unsafe extern "C" fn(*mut ffi::avr_irq_t, u32, *mut c_void);
 
@@ -37,6 +41,23 @@ impl Avr {
         external.set_value(levels.into());
         // SAFETY: this request takes an `avr_ioport_external_t` and copies from it.
         unsafe { self.ioctl([b'i', b'o', b'p', port], (&raw mut external).cast()) };
+    }
+
+    /// Takes the compare units of timers 0 and 1 off their pins, to which simavr connects them at each reset.
+    pub fn unwire_timers(&mut self) -> Result<(), Error> {
+        // D6 and D5, D9 and D10.
+        for (timer, unit, port, pin) in [
+            (*b"tmr0", 0, *b"iogD", 6),
+            (*b"tmr0", 1, *b"iogD", 5),
+            (*b"tmr1", 0, *b"iogB", 1),
+            (*b"tmr1", 1, *b"iogB", 2),
+        ] {
+            let from = self.irq(timer, ffi::TIMER_IRQ_OUT_COMP + unit)?;
+            let to = self.irq(port, pin)?;
+            // SAFETY: both are IRQs of this chip.
+            unsafe { ffi::avr_unconnect_irq(from.0.as_ptr(), to.0.as_ptr()) };
+        }
+        Ok(())
     }
 
     /// Sets the flags of USART0: none, so that it neither prints nor makes the process sleep.
@@ -70,6 +91,21 @@ impl Avr {
         NonNull::new(irq)
             .map(Irq)
             .ok_or(Error::Simavr("the core has no IRQ"))
+    }
+
+    /// The interrupt with this number in the table of vectors, in which the reset has 0.
+    pub fn interrupt(&self, number: u8) -> Result<Interrupt, Error> {
+        // SAFETY: the chip is alive, and nothing writes while `&self` is held; the first `vector_count` are pointers to
+        // what lives as long as the chip.
+        let vector = unsafe {
+            let table = &(*self.as_ptr().as_ptr()).interrupts;
+            let mut vectors = table.vector[..usize::from(table.vector_count)].iter();
+            vectors.find(|vector| (***vector).vector == number)
+        };
+        vector
+            .and_then(|&vector| NonNull::new(vector))
+            .map(Interrupt)
+            .ok_or(Error::Simavr("an interrupt is missing"))
     }
 
     /// Has `notify` called with `parameter` each time the IRQ is raised.
@@ -131,5 +167,29 @@ impl Irq {
     pub unsafe fn raise(self, value: u32) {
         // SAFETY: the caller's.
         unsafe { ffi::avr_raise_irq(self.0.as_ptr(), value) };
+    }
+}
+
+impl Interrupt {
+    /// The IRQ that goes to 0 as the CPU takes the interrupt.
+    pub fn pending(self) -> Irq {
+        // SAFETY: the vector is alive; its first IRQ is the one of AVR_INT_IRQ_PENDING.
+        Irq(unsafe { NonNull::from(&mut (*self.0.as_ptr()).irq[0]) })
+    }
+
+    /// Asks for the interrupt, whose flag and enable bit are set, or takes that back.
+    ///
+    /// # Safety
+    /// `avr` is the chip that it came from. Callbacks registered on [`Interrupt::pending`] run now, with 1, so no
+    /// reference to what they use may be held.
+    pub unsafe fn request(self, avr: NonNull<ffi::avr_t>, wanted: bool) {
+        // SAFETY: the caller's. What was asked for stays in simavr's queue, which skips it where it is not pending.
+        unsafe {
+            if wanted {
+                ffi::avr_raise_interrupt(avr.as_ptr(), self.0.as_ptr());
+            } else {
+                (*self.0.as_ptr()).set_pending(0);
+            }
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Pins, stack, ends of a program, memory, watchdog and serial line.
+//! Pins, stack, ends of a program, memory and watchdog.
 
 use super::assembly::*;
 use super::{board, steps, working_register};
@@ -250,34 +250,4 @@ fn memory_outside_the_chip_is_refused() {
         ram.iter().any(|&byte| byte != ram[0]),
         "RAM is not cleared at power-up"
     );
-}
-
-#[test]
-fn the_serial_line_goes_both_ways() {
-    let mut uno = board(&[
-        ldi(16, 0x18), // RXEN0 and TXEN0
-        sts(16),
-        UCSR0B,
-        lds(17), // the loop
-        UCSR0A,
-        sbrs(17, 7), // RXC0
-        rjmp(-4),
-        lds(18),
-        UDR0,
-        sts(18),
-        UDR0,
-        rjmp(-9),
-    ]);
-    uno.send_serial(b"lost");
-    uno.run_cycles(100).expect("it goes on");
-    // More than simavr's buffer of 64 bytes.
-    let text: Vec<u8> = (0..200).collect();
-    uno.send_serial(&text);
-    uno.run_ms(100).expect("it goes on");
-    assert_eq!(uno.serial_bytes(), text);
-    assert_eq!(uno.take_serial(), text);
-    assert_eq!(uno.serial(), "");
-    uno.send_serial("água".as_bytes());
-    uno.run_ms(10).expect("it goes on");
-    assert_eq!(uno.serial(), "água");
 }

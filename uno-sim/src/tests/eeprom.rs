@@ -254,3 +254,13 @@ fn power_that_goes_by_itself_leaves_a_byte_erased() {
     uno.power_up();
     to_the_end(&mut uno);
 }
+
+#[test]
+fn the_wear_of_each_byte_is_counted() {
+    let mut uno = board(&writer(&[(5, 1), (0x3FF, 2), (5, 1), (5, 3)]));
+    uno.write_eeprom(0, &[0; 8]).expect("EEPROM");
+    to_the_end(&mut uno);
+    let wear = uno.eeprom_wear();
+    assert_eq!((wear.len(), wear[5], wear[0x3FF]), (0x400, 3, 1));
+    assert_eq!(wear.iter().sum::<u32>(), 4);
+}

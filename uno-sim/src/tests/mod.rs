@@ -1,9 +1,14 @@
 //! The board with programs of a few instructions, assembled here.
 
+mod analogue;
 mod assembly;
 mod board;
 mod eeprom;
+mod port;
 mod power;
+mod pwm;
+mod serial;
+mod serial_interrupts;
 mod spi;
 
 use crate::{Program, Slot, Uno};

@@ -190,6 +190,7 @@ fn the_converter_measures_the_supply() {
         ADCH,
         rjmp(-12), // 0x1C: again
     ]);
+    uno.run_until(0x1C, 100_000).expect("the first is wrong");
     for (mv, reading) in [
         (5000, 225),
         (4500, 250),
@@ -208,7 +209,9 @@ fn the_converter_measures_the_supply() {
         assert_eq!(u16::from_le_bytes(bytes), reading, "at {mv} mV");
     }
     uno.power_up();
-    uno.run_until(0x1C, 100_000).expect("a conversion");
+    for _ in 0..2 {
+        uno.run_until(0x1C, 100_000).expect("a conversion");
+    }
     assert_eq!(working_register(&uno, 20), 204, "the supply is the same");
 }
 

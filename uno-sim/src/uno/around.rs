@@ -1,50 +1,64 @@
-//! Around the chip: buttons, switch, outputs, card slot and serial line.
+//! Around the chip: inputs, outputs and card slot.
 
-use super::{FIRST_INPUT, STOP_PIN, Slot, Uno};
+use super::{Slot, Uno};
 use crate::avr::{Irq, reg};
-use crate::pins::{Edge, POINTS};
+use crate::inputs::{ANALOGUE_INPUTS, Analogue, Driven, FIRST_D, INPUTS};
+use crate::pins::Edge;
+use crate::pwm::Pwm;
 use crate::sd::SdCard;
-use std::borrow::Cow;
 
 impl Uno {
-    /// Closes or opens the button of input `index`, 0 to 3 (points 01 to 04, pins D2 to D5). A closed button connects
-    /// the pin to ground. An open one leaves it to the internal pull-up; without that it keeps its level, which is low
-    /// after power-up, so that a program that forgot the pull-up is seen to.
+    /// Closes or opens the button of input `index`, 0 to 7 (points 01 to 08, pins D2 to D5 and A0 to A3). A closed button
+    /// connects the pin to ground. An open one leaves it to the internal pull-up; without that it keeps its level, which
+    /// is low after power-up, so that a program that forgot the pull-up is seen to.
     ///
     /// # Panics
-    /// Where `index` is above 3.
+    /// Where `index` is above 7.
     pub fn set_input(&mut self, index: usize, closed: bool) {
-        assert!(index < POINTS, "input {index}: there are inputs 0 to 3");
+        assert!(index < INPUTS, "input {index}: there are inputs 0 to 7");
         let bit = 1 << index;
-        self.set_inputs(if closed {
-            self.closed | bit
-        } else {
-            self.closed & !bit
-        });
+        let others = self.inputs() & !bit;
+        self.set_inputs(others | if closed { bit } else { 0 });
     }
 
     /// Closes the buttons whose bits are set (bit n: input n) and opens the others.
     pub fn set_inputs(&mut self, closed: u8) {
-        self.closed = closed & ((1 << POINTS) - 1);
+        self.wired.inputs.closed = closed;
         self.apply_inputs();
     }
 
     /// The buttons that are closed: bit n is input n.
     pub fn inputs(&self) -> u8 {
-        self.closed
+        self.wired.inputs.closed
+    }
+
+    /// Connects analogue input `index`, 0 to 4 (points 01 to 05, pins A0 to A4) to something; at first it is open. A
+    /// button on the same pin that is closed has the pin at ground all the same.
+    ///
+    /// # Panics
+    /// Where `index` is above 4, or a reading above 1023.
+    pub fn set_analogue(&mut self, index: usize, analogue: Analogue) {
+        assert!(
+            index < ANALOGUE_INPUTS,
+            "analogue input {index}: there are inputs 0 to 4"
+        );
+        if let Analogue::Reading(reading) = analogue {
+            assert!(reading <= 1023, "the converter never reads {reading}");
+        }
+        self.wired.inputs.analogue[index] = analogue;
+        self.apply_inputs();
     }
 
     /// Closes or opens the switch RUN/STOP, which connects A5 to ground while it is closed (STOP). Open, it leaves the pin
     /// to the internal pull-up, as a button does.
     pub fn set_stop(&mut self, closed: bool) {
-        self.stop = closed;
-        self.close(reg::DDRC, STOP_PIN as usize, self.stop_irq, closed);
-        self.avr.set_external(b'C', u8::from(closed) << STOP_PIN, 0);
+        self.wired.inputs.stop = closed;
+        self.apply_inputs();
     }
 
     /// True while the switch RUN/STOP is closed (STOP).
     pub fn stop(&self) -> bool {
-        self.stop
+        self.wired.inputs.stop
     }
 
     /// The outputs that are on, from DDR and PORT: bit n is output n (points 01 to 04, pins D6 to D9).
@@ -52,12 +66,29 @@ impl Uno {
         self.levels.outputs
     }
 
+    /// The pulses on output `index`, where a timer makes them: output 0 (point 01, D6) or 3 (point 04, D9). The pin has
+    /// them in place of its level in [`Uno::outputs`], and there is no [`Edge`] for them. `None` while there are none, so
+    /// for the others always.
+    pub fn pwm(&self, index: usize) -> Option<Pwm> {
+        let pwm = match index {
+            0 => Pwm::of_timer_0(&self.avr),
+            3 => Pwm::of_timer_1(&self.avr),
+            _ => None,
+        };
+        pwm.filter(|_| self.levels.is_output >> index & 1 == 1)
+    }
+
+    /// True while A4 is high: the direction of the RS-485 driver, where it is an output.
+    pub fn direction(&self) -> bool {
+        self.levels.direction
+    }
+
     /// True while the LED L is on. While the SPI is on it counts as off, though its clock makes the LED flicker.
     pub fn led(&self) -> bool {
         self.levels.led
     }
 
-    /// Every change of the outputs and of the LED L so far, in order of time.
+    /// Every change of the outputs, of the LED L and of the direction so far, in order of time.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
     }
@@ -92,46 +123,32 @@ impl Uno {
         old
     }
 
-    /// All bytes that the program has sent and that have not been taken.
-    pub fn serial_bytes(&self) -> &[u8] {
-        &self.wired.sent
-    }
-
-    /// The same as text; what is not UTF-8 is replaced.
-    pub fn serial(&self) -> Cow<'_, str> {
-        String::from_utf8_lossy(&self.wired.sent)
-    }
-
-    /// All bytes that the program has sent, and forgets them.
-    pub fn take_serial(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.wired.sent)
-    }
-
-    /// Sends bytes to the program, one after the other at the speed it has set. With its receiver off they are lost.
-    /// simavr buffers 64 bytes where the chip buffers two, so a program that reads too late loses nothing here.
-    pub fn send_serial(&mut self, bytes: &[u8]) {
-        self.wired.send_serial(bytes);
-    }
-
-    /// Puts the levels of the buttons on the pins.
-    fn apply_inputs(&mut self) {
-        for (n, irq) in self.input_irqs.into_iter().enumerate() {
-            let pin = FIRST_INPUT as usize + n;
-            self.close(reg::DDRD, pin, irq, self.closed >> n & 1 == 1);
+    /// Puts the levels of the inputs on the pins.
+    pub(super) fn apply_inputs(&mut self) {
+        let (d, c) = (self.wired.inputs.port_d(), self.wired.inputs.port_c());
+        for (pin, irq) in (FIRST_D..).zip(self.irqs_d) {
+            self.apply(reg::DDRD, d, pin, irq);
+        }
+        for (pin, irq) in (0..).zip(self.irqs_c) {
+            self.apply(reg::DDRC, c, pin, irq);
         }
         // simavr raises the pull-ups anew on each write to PORT or DDR, unless it knows of a level from outside.
-        self.avr.set_external(b'D', self.closed << FIRST_INPUT, 0);
+        self.avr.set_external(b'D', d.mask, d.levels);
+        self.avr.set_external(b'C', c.mask, c.levels);
     }
 
-    /// Connects a pin of the port with this DDR to ground, or leaves it to the pull-up.
-    fn close(&mut self, ddr: u16, pin: usize, irq: Irq, closed: bool) {
-        let pulled_up = !self.avr.register(ddr) & self.avr.register(ddr + 1);
-        let level = match (closed, pulled_up >> pin & 1) {
-            (true, _) => 0,
-            (false, 1) => 1,
-            (false, _) => return,
+    /// Puts the level from outside on a pin of the port with this DDR, or that of the pull-up.
+    fn apply(&mut self, ddr: u16, driven: Driven, pin: u8, irq: Irq) {
+        let bit = 1 << pin;
+        let direction = self.avr.register(ddr);
+        let pulled_up = !direction & self.avr.register(ddr + 1);
+        let high = match (driven.mask & bit != 0, pulled_up & bit != 0) {
+            _ if direction & bit != 0 => return,
+            (true, _) => driven.levels & bit != 0,
+            (false, true) => true,
+            (false, false) => return,
         };
         // SAFETY: the chip is alive, and no callback of ours is on this IRQ.
-        unsafe { irq.raise(level) };
+        unsafe { irq.raise(high.into()) };
     }
 }

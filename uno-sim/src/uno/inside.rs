@@ -91,6 +91,12 @@ impl Uno {
         self.wired.eeprom.writes()
     }
 
+    /// How often the program has written each byte of the EEPROM since the board was made, by address; the chip stands
+    /// 100,000 writes of a byte. A write that is still going on does not count yet.
+    pub fn eeprom_wear(&self) -> Vec<u32> {
+        self.wired.eeprom.wear()
+    }
+
     /// Switches the timer interrupts off: the program's millisecond clock stands, and shows what a test writes to it.
     pub fn stop_clock(&mut self) {
         self.avr.set_register(reg::TIMSK1, 0);

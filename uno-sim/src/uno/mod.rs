@@ -1,12 +1,14 @@
-//! The board: an ATmega328P at 16 MHz with four buttons, four outputs, the LED L, a card slot and a serial line.
+//! The board: an ATmega328P at 16 MHz with eight inputs, four outputs, the LED L, a card slot and a serial line.
 
 mod around;
 mod inside;
 mod power;
+mod serial;
 
 use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, reg};
 use crate::elf::Program;
-use crate::pins::{Edge, Levels, POINTS, PinRegisters};
+use crate::inputs::{FIRST_D, INPUTS_D, PINS_C};
+use crate::pins::{Edge, Levels, PinRegisters};
 use crate::sd::SdCard;
 use crate::stack::StackWatch;
 use crate::wiring::Wired;
@@ -16,10 +18,6 @@ use std::path::Path;
 /// Cycles of one millisecond at 16 MHz.
 pub const CYCLES_PER_MS: u64 = CLOCK_HZ as u64 / 1000;
 
-/// First pin of port D with a button: input 0 is D2.
-const FIRST_INPUT: u32 = 2;
-/// Pin of port C with the switch RUN/STOP: A5.
-const STOP_PIN: u32 = 5;
 /// Bits of WDTCSR, WDE and WDIE: the watchdog is on.
 const WATCHDOG_ON: u8 = 1 << 3 | 1 << 6;
 
@@ -43,12 +41,10 @@ pub struct Uno {
     wired: Wired,
     program: Program,
     code_end: u32,
-    input_irqs: [Irq; POINTS],
-    stop_irq: Irq,
-    /// Bit n: the button of input n is closed.
-    closed: u8,
-    /// The switch RUN/STOP is closed.
-    stop: bool,
+    /// Pins D2 to D5.
+    irqs_d: [Irq; INPUTS_D],
+    /// Pins A0 to A5.
+    irqs_c: [Irq; PINS_C],
     boot_loader: bool,
     pin_registers: PinRegisters,
     levels: Levels,
@@ -79,17 +75,16 @@ impl Uno {
         power::scramble(avr.data_mut(), 0);
         let mut wired = Wired::new(&mut avr, slot)?;
         wired.eeprom.bytes_mut()[..program.eeprom.len()].copy_from_slice(&program.eeprom);
-        let pin = |n| avr.irq(*b"iogD", FIRST_INPUT + n);
+        let d = |n| avr.irq(*b"iogD", u32::from(FIRST_D) + n);
+        let c = |n| avr.irq(*b"iogC", n);
         Ok(Uno {
-            input_irqs: [pin(0)?, pin(1)?, pin(2)?, pin(3)?],
-            stop_irq: avr.irq(*b"iogC", STOP_PIN)?,
+            irqs_d: [d(0)?, d(1)?, d(2)?, d(3)?],
+            irqs_c: [c(0)?, c(1)?, c(2)?, c(3)?, c(4)?, c(5)?],
             code_end: program.flash.len() as u32,
             stack: StackWatch::new(&avr),
             pin_registers: PinRegisters::default(),
             levels: Levels::default(),
             edges: Vec::new(),
-            closed: 0,
-            stop: false,
             boot_loader: false,
             power_ups: 0,
             resets: 0,

@@ -74,9 +74,10 @@ impl Uno {
     }
 
     /// Sets the supply voltage (AVCC), mV; 5000 at first. The converter measures against it: the internal reference of
-    /// 1.1 V reads as 1100 × 1023 / `mv`. The chip runs on at any voltage.
+    /// 1.1 V reads as 1100 × 1024 / `mv`. The chip runs on at any voltage.
     pub fn set_supply(&mut self, mv: u16) {
-        self.avr.set_supply(mv);
+        self.wired.inputs.supply_mv = mv;
+        self.apply_inputs();
     }
 
     /// Resets the chip, whose MCUSR tells the cause.
@@ -98,6 +99,8 @@ impl Uno {
     pub(super) fn settle_after_reset(&mut self) {
         self.resets += 1;
         self.wired.after_reset();
+        // It was found when the board was made, so it is there.
+        let _ = self.avr.unwire_timers();
         // simavr has started the watchdog (where WDRF is set) on the clock before the reset, so it would come late.
         self.avr.restart_watchdog();
         self.run_boot_loader();

@@ -1,15 +1,19 @@
-//! What must answer while an instruction runs: the card on the SPI, the serial port, and the EEPROM.
+//! What must answer while an instruction runs: the card on the SPI, the serial port, the converter, and the EEPROM.
 //!
 //! simavr calls back into this module from within a step. Each callback takes a short reference to the [`Wiring`] and
 //! gives it up before it raises an IRQ, because that may call back again.
 
+mod adc;
 mod eeprom;
+mod serial;
 
-use crate::avr::{Avr, Irq, reg};
+use crate::adc::Adc;
+use crate::avr::{Avr, Interrupt, Irq, reg};
 use crate::eeprom::Eeprom;
+use crate::inputs::Inputs;
+use crate::uart::{Flaw, Uart};
 use crate::{Error, Slot};
 use simavr_ffi as ffi;
-use std::collections::VecDeque;
 use std::ffi::c_void;
 use std::ops::{Deref, DerefMut};
 use std::ptr::NonNull;
@@ -17,14 +21,13 @@ use std::ptr::NonNull;
 /// Port B: D13 is the clock, D11 the data to the card.
 const SCK: u8 = 1 << 5;
 const MOSI: u8 = 1 << 3;
-/// Bit of UCSR0B: the receiver is on.
-const RXEN0: u8 = 1 << 4;
 
 /// The state that the callbacks share with the board.
 pub(crate) struct Wiring {
     avr: NonNull<ffi::avr_t>,
     to_spi: Irq,
-    to_serial: Irq,
+    serial: serial::Interrupts,
+    conversion: Interrupt,
     /// Cycles up to the last reset.
     pub cycles_before: u64,
     pub eeprom: Eeprom,
@@ -32,12 +35,9 @@ pub(crate) struct Wiring {
     pub power_cut: bool,
     /// What is in the card slot.
     pub slot: Slot,
-    /// Everything that the program has sent.
-    pub sent: Vec<u8>,
-    /// What is still on its way to the program.
-    to_send: VecDeque<u8>,
-    /// simavr's receive buffer is full.
-    hold: bool,
+    pub uart: Uart,
+    pub adc: Adc,
+    pub inputs: Inputs,
     /// The invalid opcode that stopped the program.
     pub bad_opcode: Option<u16>,
 }
@@ -51,57 +51,61 @@ impl Wired {
     /// Connects a slot, a serial line and an empty EEPROM to the chip. The chip must be dropped before the result.
     pub fn new(avr: &mut Avr, slot: Slot) -> Result<Wired, Error> {
         avr.quiet_uart();
+        avr.unwire_timers()?;
         // simavr names peripherals by four characters; the SPI of this chip has the number 0, not '0'.
-        let (spi, uart) = (*b"spi\0", *b"uar0");
+        let spi = *b"spi\0";
         let wiring = Box::new(Wiring {
             avr: avr.as_ptr(),
             to_spi: avr.irq(spi, ffi::SPI_IRQ_INPUT)?,
-            to_serial: avr.irq(uart, ffi::UART_IRQ_INPUT)?,
+            serial: serial::Interrupts::of(avr)?,
+            conversion: avr.interrupt(adc::INTERRUPT)?,
             cycles_before: 0,
             eeprom: Eeprom::new(),
             power_cut: false,
             slot,
-            sent: Vec::new(),
-            to_send: VecDeque::new(),
-            hold: false,
+            uart: Uart::new(),
+            adc: Adc::new(),
+            inputs: Inputs::new(),
             bad_opcode: None,
         });
         let wired = Wired(NonNull::from(Box::leak(wiring)));
         let parameter = wired.0.as_ptr().cast();
         let from_spi = avr.irq(spi, ffi::SPI_IRQ_OUTPUT)?;
-        let from_serial = avr.irq(uart, ffi::UART_IRQ_OUTPUT)?;
-        let (xon, xoff) = (
-            avr.irq(uart, ffi::UART_IRQ_OUT_XON)?,
-            avr.irq(uart, ffi::UART_IRQ_OUT_XOFF)?,
-        );
         let bad_opcode = avr.bad_opcode_irq()?;
         // SAFETY: the IRQs are this chip's; each callback expects a pointer to a `Wiring`, which outlives the chip.
         unsafe {
             avr.on(from_spi, spi_out, parameter);
-            avr.on(from_serial, serial_out, parameter);
-            avr.on(xon, serial_ready, parameter);
-            avr.on(xoff, serial_full, parameter);
             avr.on(bad_opcode, invalid_opcode, parameter);
             eeprom::connect(avr, wired.0);
+            serial::connect(avr, wired.0);
+            serial::reset(wired.0);
+            adc::connect(avr, wired.0);
         }
         Ok(wired)
     }
 
-    /// Puts bytes on the serial line to the program.
-    pub fn send_serial(&mut self, bytes: &[u8]) {
-        self.to_send.extend(bytes);
+    /// Puts bytes on the serial line to the program, from this cycle on. The end of the last one's stop bit.
+    pub fn send_serial(&mut self, bytes: &[u8], flaw: Option<Flaw>, at: u64) -> u64 {
+        let at = at.max(self.cycles());
+        let wire = self.uart.wire();
+        let ends = bytes.iter().map(|&byte| wire.send(byte, flaw, at));
+        let end = ends.last().unwrap_or(at);
         // SAFETY: the chip is alive, and no reference to the wiring is held.
-        unsafe { feed_serial(self.0) };
+        unsafe { serial::settle(self.0) };
+        end
     }
 
     /// What a reset of the chip does around it. To be called when the chip has been reset, and counts from 0.
     pub fn after_reset(&mut self) {
-        self.to_send.clear();
-        self.hold = false;
         self.bad_opcode = None;
         self.eeprom.reset();
+        self.adc = Adc::new();
         // SAFETY: the chip is alive, and no reference to the wiring is held.
-        unsafe { eeprom::await_end(self.0) };
+        unsafe {
+            eeprom::await_end(self.0);
+            serial::reset(self.0);
+            adc::settle(self.0);
+        }
     }
 }
 
@@ -180,58 +184,12 @@ unsafe extern "C" fn spi_out(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_
     unsafe { irq.raise(miso.into()) };
 }
 
-/// The program has written a byte to the serial port.
-unsafe extern "C" fn serial_out(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
-    // SAFETY: `wiring` is what `Wired::new` registered, and nobody else holds a reference to it during a step.
-    unsafe { (*wiring.cast::<Wiring>()).sent.push(value as u8) };
-}
-
-/// simavr's receive buffer has room.
-unsafe extern "C" fn serial_ready(_: *mut ffi::avr_irq_t, _: u32, wiring: *mut c_void) {
-    let wiring = wiring.cast::<Wiring>();
-    // SAFETY: as in `serial_out`; the pointer is not null.
-    unsafe {
-        (*wiring).hold = false;
-        feed_serial(NonNull::new_unchecked(wiring));
-    }
-}
-
-/// simavr's receive buffer is full (1), or no longer so (0).
-unsafe extern "C" fn serial_full(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
-    // SAFETY: as in `serial_out`.
-    unsafe { (*wiring.cast::<Wiring>()).hold = value != 0 };
-}
-
 /// The program has come to an opcode that the chip does not have: stop it there.
 unsafe extern "C" fn invalid_opcode(_: *mut ffi::avr_irq_t, value: u32, wiring: *mut c_void) {
     let wiring = wiring.cast::<Wiring>();
-    // SAFETY: as in `serial_out`; the chip is the one that is stepping.
+    // SAFETY: as in `spi_out`; the chip is the one that is stepping.
     unsafe {
         (*wiring).bad_opcode = Some(value as u16);
         Avr::crash((*wiring).avr);
-    }
-}
-
-/// Hands bytes to simavr, which delivers them to the program at the speed of the line, as long as it takes them. With
-/// the receiver off they are lost, as on the line.
-///
-/// # Safety
-/// `wiring` is alive and so is its chip; no reference to either is held.
-unsafe fn feed_serial(wiring: NonNull<Wiring>) {
-    let wiring = wiring.as_ptr();
-    loop {
-        // SAFETY: the caller's; the references end before the IRQ is raised.
-        let (irq, byte) = unsafe {
-            if Avr::register_of((*wiring).avr, reg::UCSR0B) & RXEN0 == 0 {
-                (*wiring).to_send.clear();
-            }
-            if (*wiring).hold {
-                return;
-            }
-            ((*wiring).to_serial, (*wiring).to_send.pop_front())
-        };
-        let Some(byte) = byte else { return };
-        // SAFETY: the chip is alive.
-        unsafe { irq.raise(byte.into()) };
     }
 }

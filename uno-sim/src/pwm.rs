@@ -1,0 +1,70 @@
+//! Pulse-width modulation of the outputs, from the registers of timers 0 and 1 (ATmega328P datasheet, sections 14 and 15).
+//!
+//! simavr would write each pulse to the port's register; that is switched off, so that a pin that has its PWM shows the
+//! level that the program has set beside it.
+
+use crate::avr::{Avr, reg};
+
+/// The pulses on a pin. A new value that the program has written counts at once, where the chip waits for the next pulse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pwm {
+    /// Cycles for which the pin is high, of each period.
+    pub high: u64,
+    /// Cycles from one pulse to the next.
+    pub period: u64,
+}
+
+impl Pwm {
+    /// The part of the time for which the pin is high, 0 to 1.
+    pub fn duty(self) -> f64 {
+        self.high as f64 / self.period as f64
+    }
+
+    /// That of timer 0 on D6 (OC0A).
+    pub(crate) fn of_timer_0(avr: &Avr) -> Option<Pwm> {
+        let control_a = avr.register(reg::TCCR0A);
+        let control_b = avr.register(reg::TCCR0B);
+        let compare = avr.register(reg::OCR0A).into();
+        // WGM0: mode 3.
+        let top = (control_a & 3 == 3 && control_b & 8 == 0).then_some(0xFF)?;
+        pulses(control_a, control_b, compare, top)
+    }
+
+    /// That of timer 1 on D9 (OC1A).
+    pub(crate) fn of_timer_1(avr: &Avr) -> Option<Pwm> {
+        let control_a = avr.register(reg::TCCR1A);
+        let control_b = avr.register(reg::TCCR1B);
+        let top = match control_a & 3 | control_b >> 1 & 0x0C {
+            5 => 0xFF,
+            6 => 0x1FF,
+            7 => 0x3FF,
+            14 => avr.register_pair(reg::ICR1),
+            _ => return None,
+        };
+        pulses(control_a, control_b, avr.register_pair(reg::OCR1A), top)
+    }
+}
+
+/// Fast PWM up to `top`, with these bits COMnA and CSn.
+fn pulses(control_a: u8, control_b: u8, compare: u16, top: u16) -> Option<Pwm> {
+    let clock = match control_b & 7 {
+        1 => 1,
+        2 => 8,
+        3 => 64,
+        4 => 256,
+        5 => 1024,
+        _ => return None,
+    };
+    let (counts, period) = (u64::from(compare.min(top)) + 1, u64::from(top) + 1);
+    let high = match control_a >> 6 {
+        // From the start of the period to the count that is the same.
+        2 => counts,
+        // The other way round.
+        3 => period - counts,
+        _ => return None,
+    };
+    Some(Pwm {
+        high: high * clock,
+        period: period * clock,
+    })
+}
