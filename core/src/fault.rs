@@ -1,7 +1,7 @@
 //! Everything that can be wrong, each with a stable number and one line of text (NC-11).
 //!
 //! The tens tell the area: 1 the text of the file, 2 its codes, 3 its structure, 4 its size,
-//! 5 the card, 6 the board itself. LED L flashes the tens long and the units short, so no number ends in 0.
+//! 5 the card, 6 the board itself, 7 jumps. LED L flashes the tens long and the units short, so no number ends in 0.
 //! A number that has been published never changes its meaning.
 
 use core::fmt;
@@ -25,13 +25,17 @@ macro_rules! faults {
             25 NoSuchInput "this board has no such input";
             26 NoSuchOutput "this board has no such output";
             27 NoSuchBranchPoint "a branch point must be 01 to 08 (NC-8)";
+            28 NoSuchPoint "no such marker, counter, register, channel, bit, label or number";
+            29 NoSuchTimer "the program has no timer with that number (NC-14)";
             31 CloseWithoutOpen "41 closes a branch, but none is open (NC-8)";
             32 BranchLeftOpen "this 40 is not closed by 41 in its rung (NC-8)";
             33 RecallBeforeStore "this rung has not stored that branch point (NC-8)";
             34 NestedTooDeep "more than 8 branches open (NC-8)";
-            35 OperandsMissing "the timer lacks its preset and output lines (NC-9)";
-            36 BadPreset "a preset is 0 to 2147483647 ms (NC-9)";
-            37 BadTimerOutput "after the preset stands 79XX, an output of the board (NC-9)";
+            35 OperandsMissing "operand lines are missing behind this code";
+            36 BadPreset "a preset is 0 to 2147483647 (NC-9, NC-15)";
+            37 BadTimerOutput "after the preset stands 79XX, an output, or 77XX, a marker (NC-9)";
+            38 BadOperand "that operand line is out of its range";
+            39 PinUsedTwice "a pin is used in two ways: 05-08 and A 00-03, output and PWM (NC-18)";
             41 ProgramFull "the program does not fit program memory from here on (NC-10)";
             42 RunMemoryFull "the program does not fit run memory from here on (NC-10)";
             51 NoCard "no card answers; is it in the slot, are D10 to D13 wired?";
@@ -47,6 +51,11 @@ macro_rules! faults {
             64 SupplyLow "the supply is below 4.3 V; use a better cable or supply";
             65 NoStoredProgram "no card with a program, and no valid program is stored";
             66 StoreFailed "program memory does not keep what is written to it";
+            71 LabelTwice "this label stands twice (NC-19)";
+            72 NoSuchLabel "the program has no such label (NC-19)";
+            73 LabelInRung "a label stands at the head of a rung (NC-19)";
+            74 JumpInBranch "no jump or return between 40 and 41 (NC-19)";
+            75 TooManyJumps "too many jumps back in one scan (NC-19)";
         }
     };
 }

@@ -20,11 +20,6 @@ impl Point {
         }
     }
 
-    /// The point in the low four bits of a stored byte.
-    pub(crate) const fn from_low_bits(byte: u8) -> Point {
-        Point(byte & 0x0F)
-    }
-
     /// The index, 0–15.
     pub const fn index(self) -> u8 {
         self.0

@@ -7,7 +7,7 @@
 //!    every timer has its memory. There is no other way to get one.
 //! 3. **Running** — a [`Plc`]: a program with its images and timers. [`Plc::scan`] cannot fail.
 //!
-//! A board with an engine of its own takes the program from [`Program::link`] instead of a `Plc`.
+//! A board with an engine of its own links the program's stored form instead of making a `Plc`.
 //!
 //! What an instruction is — its code, letters, stored byte and effect — is said once, in [`isa`].
 //! What can be wrong with a program or a card is said once, in [`fault`].
@@ -15,7 +15,7 @@
 //! This crate knows no pin, no file system and no printing. It needs neither `std` nor an
 //! allocator, contains no `unsafe`, and no input makes it panic.
 //!
-//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-11.
+//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-20.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -25,8 +25,8 @@ pub mod isa;
 
 mod crc;
 mod image;
-mod linking;
 mod loader;
+mod needs;
 mod plc;
 mod profile;
 mod program;
@@ -38,9 +38,9 @@ pub use crc::Crc16;
 pub use fault::{Cause, Fault};
 pub use image::{Image, Point};
 pub use isa::Instruction;
-pub use linking::Linking;
 pub use loader::Loader;
-pub use plc::{Millis, Plc, TimerState};
+pub use needs::Needs;
+pub use plc::{CounterState, Inputs, Millis, Plc, TimerState};
 pub use profile::Profile;
 pub use program::{Program, Steps};
-pub use timer::{Delay, TimerBlock};
+pub use timer::{Delay, Target, TimerBlock};

@@ -1,7 +1,5 @@
 //! What a board has room for.
 
-use crate::timer;
-
 /// The limits of a board: what fits on it is decided from these alone, so host tools and firmware
 /// say the same (NC-10).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,22 +10,18 @@ pub struct Profile {
     pub outputs: u8,
     /// Bytes that a program may take in its stored form.
     pub stored_bytes: u16,
-    /// Bytes that a program may take in run memory: its code and the data of its timers.
+    /// Bytes that a program may take in run memory: its linked form and its data.
     pub linked_bytes: u16,
 }
 
 impl Profile {
-    /// The Arduino UNO with the standard wiring: four inputs, four outputs. A contact or a coil
-    /// takes one byte; a timer block takes 6 bytes stored and 11 in run memory.
+    /// The Arduino UNO with the standard wiring: eight inputs, of which the last four share their pins
+    /// with analogue inputs, and four outputs. A contact or a coil of one takes one byte; a timer block
+    /// takes 6 bytes stored and 11 in run memory.
     pub const UNO: Profile = Profile {
-        inputs: 4,
+        inputs: 8,
         outputs: 4,
         stored_bytes: 900,
         linked_bytes: 960,
     };
-
-    /// Bytes in run memory of a program with this much code and so many timers.
-    pub(crate) const fn linked_size(code_bytes: usize, timers: usize) -> usize {
-        code_bytes + timers * timer::DATA_BYTES
-    }
 }

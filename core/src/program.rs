@@ -1,30 +1,28 @@
 //! A checked program.
 
-use crate::{Instruction, Linking};
-use core::slice;
+use crate::{Instruction, Needs};
 
 /// A program that has passed every check (NC-10), in the run memory that it was loaded into.
 ///
 /// Only a [`Loader`](crate::Loader) makes one, so it holds these for everyone after it:
 /// **every stored byte begins or continues an instruction of the table; every point exists on the
 /// board; every branch is closed in its rung, at most 8 deep; every recalled branch point was
-/// stored before in its rung; behind the code there is memory for the data of every timer.**
+/// stored before in its rung; every jump leads to the head of a rung; every timer that is named
+/// exists; the linked form and all data fit run memory.**
 #[derive(Debug)]
 pub struct Program<'m> {
-    /// The code, then room for the timers' data.
+    /// The stored form, then what is left of run memory.
     pub(crate) memory: &'m mut [u8],
     pub(crate) code_bytes: usize,
-    pub(crate) timers: usize,
+    pub(crate) run_bytes: usize,
+    pub(crate) timers: u8,
+    pub(crate) counters: u8,
     pub(crate) codes: u16,
+    pub(crate) needs: Needs,
 }
 
-impl<'m> Program<'m> {
-    /// Begins to turn the program into the form that an engine runs.
-    pub fn link(self) -> Linking<'m> {
-        Linking::new(self)
-    }
-
-    /// How many codes the file holds, program start and timer blocks each as one.
+impl Program<'_> {
+    /// How many codes the file holds, program start and each code with its operand lines as one.
     pub fn codes(&self) -> u16 {
         self.codes
     }
@@ -36,12 +34,22 @@ impl<'m> Program<'m> {
 
     /// How many timers the program has.
     pub fn timers(&self) -> usize {
-        self.timers
+        self.timers.into()
     }
 
-    /// Bytes of run memory taken: the code and the data of the timers.
+    /// The highest counter that the program names; 0 where it names none.
+    pub fn counters(&self) -> usize {
+        self.counters.into()
+    }
+
+    /// Bytes of run memory that are set aside for the linked form and all data.
     pub fn linked_bytes(&self) -> usize {
-        crate::Profile::linked_size(self.code_bytes, self.timers)
+        self.run_bytes
+    }
+
+    /// What it asks of the board's pins.
+    pub fn needs(&self) -> Needs {
+        self.needs
     }
 
     /// The instructions in order.
@@ -58,21 +66,28 @@ impl<'m> Program<'m> {
 /// The instructions of a checked program, in order.
 #[derive(Clone, Debug)]
 pub struct Steps<'c> {
-    code: slice::Iter<'c, u8>,
+    code: &'c [u8],
+    at: usize,
 }
 
 impl<'c> Steps<'c> {
     pub(crate) fn new(code: &'c [u8]) -> Steps<'c> {
-        Steps { code: code.iter() }
+        Steps { code, at: 0 }
+    }
+
+    /// The stored byte that the next instruction begins at.
+    pub fn at(&self) -> usize {
+        self.at
     }
 }
 
-impl Iterator for Steps<'_> {
-    type Item = Instruction;
+impl<'c> Iterator for Steps<'c> {
+    type Item = Instruction<'c>;
 
     #[inline]
-    fn next(&mut self) -> Option<Instruction> {
-        let byte = *self.code.next()?;
-        Instruction::from_stored(byte, &mut self.code)
+    fn next(&mut self) -> Option<Instruction<'c>> {
+        let (instruction, size) = Instruction::from_stored(self.code.get(self.at..)?)?;
+        self.at += size;
+        Some(instruction)
     }
 }

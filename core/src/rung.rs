@@ -7,8 +7,9 @@ use crate::{Cause, Image, Point};
 
 /// The rung that is being loaded.
 pub(crate) struct Rung {
-    /// The lines of the open branches, as many as `depth` says.
-    open: [u32; DEEPEST as usize],
+    /// The low halves of the lines of the open branches, as many as `depth` says. The high half is that of
+    /// the rung's end: no rung goes over 65,536 lines, or its lines are told so much too high.
+    open: [u16; DEEPEST as usize],
     depth: u8,
     /// The branch points that this rung has stored.
     stored: Image,
@@ -23,12 +24,12 @@ impl Rung {
         }
     }
 
-    /// `40` on this line.
+    /// `40`, `6540` or `8840` on this line.
     pub(crate) fn open(&mut self, line: u32) -> Result<(), Cause> {
         let place = self.open.get_mut(usize::from(self.depth));
         // Counted also where it is too deep, so that its 41 is not one too many.
         self.depth = self.depth.saturating_add(1);
-        *place.ok_or(Cause::NestedTooDeep)? = line;
+        *place.ok_or(Cause::NestedTooDeep)? = line as u16;
         Ok(())
     }
 
@@ -36,6 +37,11 @@ impl Rung {
     pub(crate) fn close(&mut self) -> Result<(), Cause> {
         self.depth = self.depth.checked_sub(1).ok_or(Cause::CloseWithoutOpen)?;
         Ok(())
+    }
+
+    /// Whether a branch is open.
+    pub(crate) fn is_open(&self) -> bool {
+        self.depth > 0
     }
 
     /// `4041XX` that stores.
@@ -66,8 +72,9 @@ impl Rung {
         }
     }
 
-    /// The line of the innermost branch that the last faulty rung has left open.
-    pub(crate) fn left_open(&self) -> u32 {
-        self.open[0]
+    /// The line of the innermost branch that the last faulty rung has left open; the rung ends on
+    /// this line.
+    pub(crate) fn left_open(&self, end: u32) -> u32 {
+        end.wrapping_sub(u32::from((end as u16).wrapping_sub(self.open[0])))
     }
 }

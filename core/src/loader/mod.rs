@@ -1,0 +1,322 @@
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-20.
+//!
+//! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
+//! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
+
+mod labels;
+mod lines;
+mod room;
+
+use crate::isa::{self, Entry, Kind, Line, Opcode, PackedTable};
+use crate::needs::Needs;
+use crate::rung::Rung;
+use crate::text::Text;
+use crate::{Cause, Fault, Point, Profile, Program};
+use core::mem;
+use labels::Labels;
+use room::Room;
+
+/// What the next code of the file must be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Expect {
+    /// Program start.
+    Start,
+    /// Any instruction.
+    Instruction,
+    /// Any instruction, at the head of a rung.
+    Head,
+    /// Any instruction; a branch point would be recalled, since a branch has just been opened.
+    Branch,
+    /// An operand line.
+    Line(Line),
+}
+
+/// Takes the bytes of a program file one at a time and checks all of it before anything runs.
+///
+/// Each call reports at most one fault. After a fault the loader goes on, so that a tool can show
+/// the other faults that can be told; but [`finish`](Loader::finish) then gives no program.
+pub struct Loader<'m> {
+    text: Text,
+    rung: Rung,
+    expect: Expect,
+    /// The line of the next byte, from 1.
+    line: u32,
+    /// The line of the last code that lines must follow.
+    block: u32,
+    first_fault: Option<Fault>,
+    profile: Profile,
+    table: PackedTable,
+    room: Room<'m>,
+    labels: Labels,
+    needs: Needs,
+    /// The highest timer that is named, and the line of the first code that names it.
+    timer: u8,
+    timer_line: u32,
+    /// Steps of a drum that are still to come.
+    steps: u8,
+    codes: u16,
+}
+
+impl<'m> Loader<'m> {
+    /// A loader into this run memory for this board, which keeps the instruction table in memory like
+    /// all else. Where the memory is smaller than the profile's `linked_bytes`, the memory decides what
+    /// fits.
+    pub fn new(memory: &'m mut [u8], profile: Profile) -> Loader<'m> {
+        Loader::with_table(memory, profile, isa::read_packed)
+    }
+
+    /// A loader for a board that keeps the instruction table elsewhere.
+    // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
+    // one goes by its address.
+    #[inline(never)]
+    pub fn with_table(
+        memory: &'m mut [u8],
+        profile: Profile,
+        table: PackedTable,
+    ) -> Loader<'m> {
+        Loader {
+            text: Text::new(),
+            rung: Rung::new(),
+            expect: Expect::Start,
+            line: 1,
+            block: 0,
+            first_fault: None,
+            profile,
+            table,
+            room: Room::new(memory, &profile),
+            labels: Labels::default(),
+            needs: Needs::default(),
+            timer: 0,
+            timer_line: 0,
+            steps: 0,
+            codes: 0,
+        }
+    }
+
+    /// Takes the next byte of the file.
+    #[inline(never)]
+    pub fn push(&mut self, byte: u8) -> Result<(), Fault> {
+        let read = self.text.push(byte);
+        let checked = self.take(read);
+        let result = self.report(checked);
+        if byte == b'\n' {
+            self.line = self.line.wrapping_add(1);
+        }
+        result
+    }
+
+    /// Takes a program in its stored form in place of a file, with the same checks: memory that
+    /// keeps a program for years is a claim too. Then [`finish`](Loader::finish).
+    #[inline(never)]
+    pub fn restore(&mut self, stored: &mut dyn Iterator<Item = u8>) -> Result<(), Fault> {
+        self.expect = Expect::Head;
+        self.codes = 1;
+        let mut checked = Ok(());
+        while let (Ok(()), Some(byte)) = (checked, stored.next()) {
+            checked = self.stored_instruction(byte, stored);
+        }
+        self.report(checked)
+    }
+
+    /// Tells that the file has ended. Each call reports one more of the faults that show only
+    /// then, until there is none.
+    pub fn end(&mut self) -> Result<(), Fault> {
+        let read = self.text.end();
+        let mut checked = self.take(read);
+        if checked.is_ok() {
+            checked = match mem::replace(&mut self.expect, Expect::Instruction) {
+                Expect::Start => Err(Cause::EmptyFile),
+                Expect::Line(_) => Err(Cause::OperandsMissing),
+                _ => self.rung.end(),
+            };
+        }
+        if checked.is_ok() {
+            checked = self.references();
+        }
+        self.report(checked)
+    }
+
+    /// The checked program, or the first fault of the file.
+    ///
+    /// The loader is used up: a second call gives an empty program. (It is lent and not given
+    /// away, because giving it away would cost a copy on a stack that has no room for one.)
+    #[inline(never)]
+    pub fn finish(&mut self) -> Result<Program<'m>, Fault> {
+        while self.end().is_err() {}
+        match self.first_fault {
+            Some(fault) => Err(fault),
+            None => Ok(self.room.program(self.codes, self.needs)),
+        }
+    }
+
+    /// Checks what the text gave.
+    fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Cause> {
+        match read {
+            Ok(false) => Ok(()),
+            Ok(true) => self.code(self.text.code()),
+            Err(cause) => {
+                // The line was meant to be what was expected: do not take the next one for it.
+                self.expect = match self.expect {
+                    Expect::Line(line) => self.behind(line),
+                    _ => Expect::Instruction,
+                };
+                Err(cause)
+            }
+        }
+    }
+
+    /// Gives a fault its line, and remembers the first.
+    fn report(&mut self, checked: Result<(), Cause>) -> Result<(), Fault> {
+        let Err(cause) = checked else { return Ok(()) };
+        let line = match cause {
+            Cause::EmptyFile => None,
+            Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
+            Cause::OperandsMissing => Some(self.block),
+            Cause::NoSuchTimer if self.timer == 0 => Some(self.timer_line),
+            Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
+            _ => Some(self.line),
+        };
+        let fault = Fault { cause, line };
+        self.first_fault.get_or_insert(fault);
+        Err(fault)
+    }
+
+    fn code(&mut self, code: i32) -> Result<(), Cause> {
+        let expected = mem::replace(&mut self.expect, Expect::Instruction);
+        match expected {
+            Expect::Start if code == isa::START => {
+                self.expect = Expect::Head;
+                self.codes = 1;
+                Ok(())
+            }
+            Expect::Start => {
+                // The code may still open a branch or begin a block: follow it, but tell only
+                // what is missing.
+                let _ = self.instruction(code, Expect::Head);
+                Err(Cause::NoStart)
+            }
+            Expect::Line(line) => self.operand_line(line, code),
+            _ => self.instruction(code, expected),
+        }
+    }
+
+    fn instruction(&mut self, code: i32, expected: Expect) -> Result<(), Cause> {
+        if code == isa::START {
+            return Err(Cause::SecondStart);
+        }
+        let (entry, xx) = isa::find_code(self.table, code).ok_or(Cause::UnknownCode)?;
+        let line = u16::try_from(self.line).unwrap_or(u16::MAX);
+        self.checked(entry, xx, expected, line)
+    }
+
+    fn stored_instruction(
+        &mut self,
+        byte: u8,
+        rest: &mut dyn Iterator<Item = u8>,
+    ) -> Result<(), Cause> {
+        let expected = mem::replace(&mut self.expect, Expect::Instruction);
+        let entry = isa::find_stored(self.table, byte).ok_or(Cause::UnknownCode)?;
+        let mut next = || rest.next().ok_or(Cause::OperandsMissing);
+        let xx = if isa::holds_point(byte) {
+            (byte & 0x0F) + 1
+        } else if entry.kind.has_number() {
+            next()?
+        } else {
+            0
+        };
+        let line = match entry.kind {
+            Kind::Jump => u16::from_le_bytes([next()?, next()?]),
+            _ => 0,
+        };
+        self.checked(entry, xx, expected, line)?;
+        while let Expect::Line(line) = self.expect {
+            let mut bytes = [0; 4];
+            for place in bytes.iter_mut().take(line.bytes().into()) {
+                *place = next()?;
+            }
+            self.stored_line(line, i32::from_le_bytes(bytes))?;
+        }
+        Ok(())
+    }
+
+    /// Checks an instruction with its XX, and stores it.
+    #[inline(never)]
+    fn checked(
+        &mut self,
+        entry: Entry,
+        xx: u8,
+        expected: Expect,
+        line: u16,
+    ) -> Result<(), Cause> {
+        self.codes = self.codes.saturating_add(1);
+        let kind = entry.kind;
+        let mut stored = entry.stored;
+        let (first, last, cause) = kind.numbers(&self.profile);
+        if kind.first_line(xx).is_some() {
+            self.block = self.line;
+        }
+        if let Some(next) = kind.first_line(xx) {
+            self.expect = Expect::Line(next);
+        }
+        if kind.has_number() && (xx < first || xx > last) {
+            return Err(cause);
+        }
+        self.needs.note(stored, kind, xx)?;
+        match kind {
+            Kind::None => self.balance(stored)?,
+            Kind::Branch => {
+                // It exists: the numbers have been checked.
+                let point = Point::new(xx, isa::BRANCH_POINTS).ok_or(cause)?;
+                stored = if expected == Expect::Branch {
+                    self.rung.recall(point)?;
+                    Opcode::RecallBranch as u8
+                } else {
+                    self.rung.store(point);
+                    Opcode::StoreBranch as u8
+                };
+            }
+            Kind::TimerQ if xx > self.timer => {
+                self.timer = xx;
+                self.timer_line = self.line;
+            }
+            Kind::Label => {
+                if expected != Expect::Head {
+                    return Err(Cause::LabelInRung);
+                }
+                self.expect = Expect::Head;
+                self.labels.define(xx)?;
+            }
+            Kind::Jump if self.rung.is_open() => return Err(Cause::JumpInBranch),
+            _ => {}
+        }
+        let entry = Entry { stored, ..entry };
+        self.room.instruction(&entry, xx, line)
+    }
+
+    /// Checks that rungs and branches are balanced (NC-8).
+    fn balance(&mut self, stored: u8) -> Result<(), Cause> {
+        match Opcode::of_stored(stored) {
+            Some(Opcode::OpenBranch | Opcode::OpenAnd | Opcode::OpenXor) => {
+                self.expect = Expect::Branch;
+                self.rung.open(self.line)
+            }
+            Some(Opcode::CloseBranch) => self.rung.close(),
+            Some(Opcode::NewRung) => {
+                self.expect = Expect::Head;
+                self.rung.end()
+            }
+            Some(Opcode::Return | Opcode::ReturnNot) if self.rung.is_open() => {
+                Err(Cause::JumpInBranch)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What is named before it can be known: timers and labels.
+    fn references(&mut self) -> Result<(), Cause> {
+        if mem::take(&mut self.timer) > self.room.timers() {
+            return Err(Cause::NoSuchTimer);
+        }
+        self.labels.check_jumps(self.table, self.room.stored())
+    }
+}

@@ -1,0 +1,143 @@
+//! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
+
+use crate::isa::{self, Entry, Kind};
+use crate::needs::Needs;
+use crate::{Cause, Profile, Program};
+use core::mem;
+
+/// The memory of a program that is being loaded.
+pub(super) struct Room<'m> {
+    memory: &'m mut [u8],
+    /// Bytes of the stored form that are reserved, and that have been put.
+    reserved: usize,
+    put: usize,
+    /// Bytes that the program takes in run memory.
+    run_bytes: usize,
+    /// What there is of both.
+    stored_most: usize,
+    run_most: usize,
+    timers: u8,
+    /// The highest counter that is named.
+    counters: u8,
+    /// Whether something did not fit; what follows is checked, and no longer stored.
+    full: bool,
+}
+
+impl<'m> Room<'m> {
+    pub(super) fn new(memory: &'m mut [u8], profile: &Profile) -> Room<'m> {
+        let run_most = memory.len().min(profile.linked_bytes.into());
+        Room {
+            memory,
+            reserved: 0,
+            put: 0,
+            run_bytes: 0,
+            stored_most: profile.stored_bytes.into(),
+            run_most,
+            timers: 0,
+            counters: 0,
+            full: false,
+        }
+    }
+
+    /// Stores an instruction up to its operand lines, and reserves the room of the whole, but for what
+    /// its lines will tell. A jump's line is stored with it.
+    pub(super) fn instruction(&mut self, entry: &Entry, xx: u8, line: u16) -> Result<(), Cause> {
+        let Entry { kind, stored, run } = *entry;
+        let (mut bytes, mut run) = (1, usize::from(run));
+        let holds_point = isa::holds_point(stored);
+        if kind.has_number() && !holds_point {
+            bytes += 1;
+        }
+        bytes += usize::from(kind.line_bytes(xx));
+        match kind {
+            Kind::Timer => self.timers = self.timers.saturating_add(1),
+            Kind::Value if xx == 0 => run += 4,
+            Kind::Input if holds_point && xx > isa::FAST_INPUTS => run += 2,
+            _ => {}
+        }
+        if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
+            for _ in self.counters..xx {
+                run += isa::COUNTER_DATA;
+            }
+            self.counters = xx;
+        }
+        self.reserve(bytes, run)?;
+        if holds_point {
+            self.put(stored | xx.wrapping_sub(1));
+            return Ok(());
+        }
+        self.put(stored);
+        if kind.has_number() {
+            self.put(xx);
+        }
+        if kind == Kind::Jump {
+            let [low, high] = line.to_le_bytes();
+            self.put(low);
+            self.put(high);
+        }
+        Ok(())
+    }
+
+    /// Reserves so many bytes more of the stored form and of run memory.
+    pub(super) fn reserve(&mut self, stored: usize, run: usize) -> Result<(), Cause> {
+        if self.full {
+            return Ok(());
+        }
+        self.full = true;
+        self.reserved += stored;
+        self.run_bytes += run;
+        if self.reserved > self.stored_most {
+            return Err(Cause::ProgramFull);
+        }
+        // Both forms stand in run memory, one after the other.
+        if self.run_bytes > self.run_most || self.reserved > self.run_most {
+            return Err(Cause::RunMemoryFull);
+        }
+        self.full = false;
+        Ok(())
+    }
+
+    /// Puts a byte where room has been reserved for it.
+    pub(super) fn put(&mut self, byte: u8) {
+        if self.full {
+            return;
+        }
+        if let Some(place) = self.memory.get_mut(self.put) {
+            *place = byte;
+            self.put += 1;
+        }
+    }
+
+    /// The byte that was put so many ago, 1 the last; none where something did not fit.
+    pub(super) fn before(&self, ago: usize) -> Option<u8> {
+        if self.full {
+            return None;
+        }
+        self.memory.get(self.put.wrapping_sub(ago)).copied()
+    }
+
+    pub(super) fn timers(&self) -> u8 {
+        self.timers
+    }
+
+    /// The stored form so far; empty where something did not fit.
+    pub(super) fn stored(&self) -> &[u8] {
+        if self.full {
+            return &[];
+        }
+        self.memory.get(..self.put).unwrap_or_default()
+    }
+
+    /// The program that the room holds. It is empty from then on.
+    pub(super) fn program(&mut self, codes: u16, needs: Needs) -> Program<'m> {
+        Program {
+            memory: mem::take(&mut self.memory),
+            code_bytes: mem::take(&mut self.put),
+            run_bytes: mem::take(&mut self.run_bytes),
+            timers: mem::take(&mut self.timers),
+            counters: mem::take(&mut self.counters),
+            codes,
+            needs,
+        }
+    }
+}

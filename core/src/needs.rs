@@ -1,0 +1,51 @@
+//! What a program asks of the board's pins (NC-18).
+
+use crate::Cause;
+use crate::isa::{Kind, Opcode};
+
+/// What a program uses of what not every program uses, a bit for each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Needs {
+    /// Inputs, bit 0 input 01. Those from 05 on share pins with analogue inputs.
+    pub inputs: u8,
+    /// Analogue inputs, bit 0 A 00.
+    pub analogue: u8,
+    /// Outputs that are named, bit 0 output 01.
+    pub outputs: u8,
+    /// Outputs that are PWM, bit 0 output 01.
+    pub pwm: u8,
+    /// The time of the input filter, ms (NC-18).
+    pub filter: u8,
+}
+
+/// The outputs that can be PWM: 01 and 04.
+const PWM: u8 = 0b1001;
+
+impl Needs {
+    /// Notes an instruction with its XX.
+    pub(crate) fn note(&mut self, stored: u8, kind: Kind, xx: u8) -> Result<(), Cause> {
+        match kind {
+            Kind::Input => self.inputs |= bit(xx),
+            Kind::Analogue => self.analogue |= bit(xx.wrapping_add(1)),
+            Kind::Output => self.outputs |= bit(xx),
+            Kind::Pwm if bit(xx) & PWM == 0 => return Err(Cause::NoSuchPoint),
+            Kind::Pwm => self.pwm |= bit(xx),
+            Kind::Time => self.filter = xx,
+            _ if stored == Opcode::LoadInputs as u8 => self.inputs |= 0x0F,
+            _ => {}
+        }
+        if (self.inputs >> 4) & self.analogue | self.outputs & self.pwm != 0 {
+            return Err(Cause::PinUsedTwice);
+        }
+        Ok(())
+    }
+}
+
+/// The bit of the point with this number, 1–8.
+fn bit(number: u8) -> u8 {
+    let mut bit = 1;
+    for _ in 1..number {
+        bit <<= 1;
+    }
+    bit
+}

@@ -1,0 +1,80 @@
+//! What comes into a scan, and the input filter (NC-18).
+
+use crate::isa::ANALOGUE;
+use crate::{Image, Millis};
+
+/// What a scan reads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Inputs {
+    /// The inputs as the pins show them.
+    pub points: Image,
+    /// The readings of A 00 … A 04, 0 to 1023.
+    pub analogue: [u16; ANALOGUE as usize],
+    /// How long the last scan took, µs.
+    pub scan_time: u16,
+}
+
+impl From<Image> for Inputs {
+    fn from(points: Image) -> Inputs {
+        Inputs {
+            points,
+            ..Inputs::default()
+        }
+    }
+}
+
+/// The input image, which takes a level once an input has kept it for the filter's time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Debounce {
+    image: Image,
+    /// Time stamp of the scan before.
+    before: Millis,
+    /// ms since each input was first seen at the other level; 0 where it is not.
+    differs: [u8; 8],
+}
+
+impl Debounce {
+    pub(super) const fn new() -> Debounce {
+        Debounce {
+            image: Image(0),
+            before: 0,
+            differs: [0; 8],
+        }
+    }
+
+    pub(super) fn image(&self) -> Image {
+        self.image
+    }
+
+    /// The image of this scan. The first one takes the inputs as they are.
+    pub(super) fn scan(&mut self, points: Image, time: u8, first: bool, now: Millis) {
+        let passed = now.wrapping_sub(self.before).min(Millis::from(MOST)) as u8;
+        let mut other = 0;
+        for (index, differs) in self.differs.iter_mut().enumerate() {
+            let bit = 1 << index;
+            if (points.0 ^ self.image.0) & bit == 0 {
+                *differs = 0;
+                continue;
+            }
+            // In the scan that first sees it, no time has passed: it is kept as 1, and counted from there.
+            *differs = match *differs {
+                0 => 1,
+                differs => differs.saturating_add(passed),
+            };
+            if *differs > time {
+                *differs = 0;
+                other |= bit;
+            }
+        }
+        if first || time == 0 {
+            self.image = points;
+            self.differs = [0; 8];
+        } else {
+            self.image.0 ^= other;
+        }
+        self.before = now;
+    }
+}
+
+/// More ms than any filter waits.
+const MOST: u8 = 100;
