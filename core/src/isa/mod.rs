@@ -14,8 +14,8 @@ mod packed;
 mod table;
 
 pub use instruction::{Instruction, Operand, Value};
-pub use packed::{PACKED, PackedTable, read_packed};
 pub(crate) use packed::{Entry, find_code, find_stored};
+pub use packed::{PACKED, PackedTable, read_packed};
 pub use table::{Opcode, TABLE};
 
 use crate::{Cause, Profile};

@@ -45,9 +45,7 @@ impl Loader<'_> {
         let more = match line {
             // The room of all steps, taken at once.
             Line::Steps => self.room.reserve(bytes[0].into(), bytes[0].into()),
-            Line::Target => self
-                .room
-                .reserve(0, line.more_run_bytes(bytes[0]).into()),
+            Line::Target => self.room.reserve(0, line.more_run_bytes(bytes[0]).into()),
             _ => Ok(()),
         };
         for &byte in bytes.iter().take(line.bytes().into()) {
@@ -78,7 +76,7 @@ impl Loader<'_> {
 
     /// A timer drives this output.
     fn needs_output(&mut self, index: u8) -> Result<(), Cause> {
-        self.needs.note(0, Kind::Output, index + 1)
+        self.needs.note(Kind::Output, index + 1)
     }
 
     fn check_line(&mut self, line: Line, number: i32) -> Result<(), Cause> {
@@ -132,7 +130,11 @@ impl Loader<'_> {
             Line::FromLow | Line::ToLow | Line::ToHigh => number as i16 as i32 == number,
             Line::FilterTime => (0..=FILTER_TIME).contains(&number),
         };
-        if right { Ok(()) } else { Err(Cause::BadOperand) }
+        if right {
+            Ok(())
+        } else {
+            Err(Cause::BadOperand)
+        }
     }
 }
 

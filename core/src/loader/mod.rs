@@ -69,11 +69,7 @@ impl<'m> Loader<'m> {
     // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
     // one goes by its address.
     #[inline(never)]
-    pub fn with_table(
-        memory: &'m mut [u8],
-        profile: Profile,
-        table: PackedTable,
-    ) -> Loader<'m> {
+    pub fn with_table(memory: &'m mut [u8], profile: Profile, table: PackedTable) -> Loader<'m> {
         Loader {
             text: Text::new(),
             rung: Rung::new(),
@@ -241,13 +237,7 @@ impl<'m> Loader<'m> {
 
     /// Checks an instruction with its XX, and stores it.
     #[inline(never)]
-    fn checked(
-        &mut self,
-        entry: Entry,
-        xx: u8,
-        expected: Expect,
-        line: u16,
-    ) -> Result<(), Cause> {
+    fn checked(&mut self, entry: Entry, xx: u8, expected: Expect, line: u16) -> Result<(), Cause> {
         self.codes = self.codes.saturating_add(1);
         let kind = entry.kind;
         let mut stored = entry.stored;
@@ -261,7 +251,7 @@ impl<'m> Loader<'m> {
         if kind.has_number() && (xx < first || xx > last) {
             return Err(cause);
         }
-        self.needs.note(stored, kind, xx)?;
+        self.needs.note(kind, xx)?;
         match kind {
             Kind::None => self.balance(stored)?,
             Kind::Branch => {
