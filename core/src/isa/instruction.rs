@@ -60,7 +60,7 @@ pub enum Operand<'c> {
     Filter {
         /// 1–8: each sample counts one part in 2 to this power.
         strength: u8,
-        /// ms from sample to sample, 0–60000.
+        /// ms from sample to sample, 0–30000.
         time: u16,
     },
     /// A jump ([`Kind::Jump`]).
