@@ -6,7 +6,7 @@
 
 use crate::board::Board;
 use crate::board::clock;
-use crate::board::flash::{FlashText, flash_text};
+use crate::board::flash::{Codes, FlashText, flash_codes};
 use crate::card::Place;
 use crate::card::writer::{CardFailed, Progress, Writer};
 use crate::decimal::{DIGITS, decimal};
@@ -156,7 +156,7 @@ struct Text {
 impl Text {
     fn new(images: Images, times: ScanTimes, uptime: [u8; DIGITS]) -> Text {
         Text {
-            template: flash_text!(TEMPLATE),
+            template: flash_codes!(Codes::plain(TEMPLATE)),
             images,
             times,
             uptime,
