@@ -7,8 +7,8 @@
 use crate::board::Board;
 use crate::board::clock;
 use crate::board::flash::{Codes, FlashText, flash_codes};
-use crate::card::Place;
-use crate::card::writer::{CardFailed, Progress, Writer};
+use crate::card::writer::{Progress, Writer};
+use crate::card::{CardFailed, Place};
 use crate::decimal::{DIGITS, decimal};
 use crate::diagnosis::ScanTimes;
 use unoclp_core::Image;
