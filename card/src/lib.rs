@@ -57,7 +57,10 @@ pub trait Device {
     ///
     /// # Errors
     /// Where the card does not give it.
-    fn read(&mut self, number: u32) -> Result<&Block, Self::Error>;
+    fn read(&mut self, number: u32) -> Result<(), Self::Error>;
+
+    /// The block that was read last.
+    fn block(&self) -> &Block;
 }
 
 /// Why a file cannot be read.
@@ -119,8 +122,8 @@ impl File {
         *self = File::default();
         self.walk.find(device)?;
         loop {
-            let block = self.walk.read_next(device)?;
-            for entry in block.as_chunks().0 {
+            self.walk.read_next(device)?;
+            for entry in device.block().as_chunks().0 {
                 // FAT, "FAT Directory Structure": name at 0, attributes at 11, cluster at 26
                 // (upper half at 20), size at 28. A deleted entry starts with 0xE5, which no name of ASCII matches.
                 let entry: &[u8; 32] = entry;
@@ -152,14 +155,14 @@ impl File {
         if self.left == 0 {
             return Ok(None);
         }
-        let block = self.walk.read_next(device).map_err(|error| match error {
+        self.walk.read_next(device).map_err(|error| match error {
             // The chain has ended before the file.
             Error::NotFound => Error::Damaged,
             error => error,
         })?;
         let length = self.left.min(BLOCK_BYTES);
         self.left -= length;
-        Ok(block.get(..length as usize))
+        Ok(device.block().get(..length as usize))
     }
 
     /// The number on the card of the first block of a file just opened, where it may be overwritten:
@@ -189,6 +192,6 @@ const NO_FILE: u8 = 0x08 | 0x10;
 const READ_ONLY: u8 = 0x01;
 
 /// Every access to the card goes through here.
-fn read<D: Device>(device: &mut D, number: u32) -> Result<&Block, Error<D::Error>> {
+fn read<D: Device>(device: &mut D, number: u32) -> Result<(), Error<D::Error>> {
     device.read(number).map_err(Error::Device)
 }

@@ -52,12 +52,14 @@ impl Walk {
         for place in 0..5 {
             let mut start = 0;
             if place > 0 {
-                match fat_partition(read(device, 0)?, place - 1) {
+                read(device, 0)?;
+                match fat_partition(device.block(), place - 1) {
                     Some(first) => start = first,
                     None => continue,
                 }
             }
-            if self.parse(read(device, start)?, start).is_some() {
+            read(device, start)?;
+            if self.parse(device.block(), start).is_some() {
                 return Ok(());
             }
         }
@@ -142,10 +144,7 @@ impl Walk {
     /// [`Error::Device`]; [`Error::NotFound`] where the row has ended; [`Error::Damaged`] where
     /// its chain leads to a cluster that is free, bad or outside the volume, runs in a circle, or
     /// is longer than 65,535 clusters.
-    pub fn read_next<'d, D: Device>(
-        &mut self,
-        device: &'d mut D,
-    ) -> Result<&'d Block, Error<D::Error>> {
+    pub fn read_next<D: Device>(&mut self, device: &mut D) -> Result<(), Error<D::Error>> {
         if self.left == 0 {
             if self.next >= END {
                 return Err(Error::NotFound);
@@ -197,18 +196,18 @@ impl Walk {
         }
         self.block = self.data.wrapping_add(index);
 
-        if self.fat32 {
-            let block = read(device, self.fat.wrapping_add(cluster >> 7))?;
-            let entry = block.as_chunks().0[cluster as usize & 127];
-            self.next = u32::from_le_bytes(entry) & 0x0FFF_FFFF;
-        } else {
-            let block = read(device, self.fat.wrapping_add(cluster >> 8))?;
-            let entry = block.as_chunks().0[cluster as usize & 255];
-            self.next = match u16::from_le_bytes(entry) {
-                0xFFF8.. => END,
-                next => next.into(),
-            };
-        }
+        // The FAT in words: on FAT32 two for a cluster, the lower one first.
+        let word = if self.fat32 { cluster << 1 } else { cluster };
+        read(device, self.fat.wrapping_add(word >> 8))?;
+        let words = device.block().as_chunks().0;
+        let word = word as u8;
+        let low = u16::from_le_bytes(words[usize::from(word)]);
+        let high = match low {
+            _ if self.fat32 => u16::from_le_bytes(words[usize::from(word | 1)]) & 0x0FFF,
+            0xFFF8.. => (END >> 16) as u16,
+            _ => 0,
+        };
+        self.next = u32::from(high) << 16 | u32::from(low);
         Ok(())
     }
 }

@@ -97,10 +97,13 @@ impl<'a> Reader<'a> {
 impl Device for Reader<'_> {
     type Error = NoBlock;
 
-    fn read(&mut self, number: u32) -> Result<&[u8; 512], NoBlock> {
+    fn read(&mut self, number: u32) -> Result<(), NoBlock> {
         let blocks = std::slice::from_mut(&mut self.block);
-        self.card.read(blocks, BlockIdx(number))?;
-        Ok(&self.block.contents)
+        self.card.read(blocks, BlockIdx(number))
+    }
+
+    fn block(&self) -> &[u8; 512] {
+        &self.block
     }
 }
 

@@ -21,22 +21,29 @@ pub struct CardFailed;
 #[inline(never)]
 pub fn command(bus: CardBus<'_>, number: u8, argument: u32) -> u8 {
     let [a, b, c, d] = argument.to_be_bytes();
-    // CRC-7 (4.5) in the upper bits.
-    let mut crc = 0u8;
     bus.exchange(SILENCE);
-    for byte in [0x40 | number, a, b, c, d] {
-        bus.exchange(byte);
-        crc ^= byte;
-        for _ in 0..8 {
-            let carry = crc & 0x80 != 0;
-            crc <<= 1;
-            if carry {
-                crc ^= 0x09 << 1;
-            }
-        }
-    }
+    let mut crc = send(bus, 0, 0x40 | number);
+    crc = send(bus, crc, a);
+    crc = send(bus, crc, b);
+    crc = send(bus, crc, c);
+    crc = send(bus, crc, d);
     bus.exchange(crc | 1);
     answer(bus)
+}
+
+/// Sends a byte of a command; gives the CRC-7 (4.5) up to here, in its upper bits.
+#[inline(never)]
+fn send(bus: CardBus<'_>, mut crc: u8, byte: u8) -> u8 {
+    bus.exchange(byte);
+    crc ^= byte;
+    for _ in 0..8u8 {
+        let carry = crc & 0x80 != 0;
+        crc <<= 1;
+        if carry {
+            crc ^= 0x09 << 1;
+        }
+    }
+    crc
 }
 
 /// The next byte that is not just an idle line, or [`SILENCE`].

@@ -36,8 +36,8 @@ pub enum StateFile {
     Found(Place),
 }
 
-/// Reads `PROGRAM.TXT` through the loader into run memory, twice: once to check all of it, and
-/// once to be sure that the card gives the same again. Then looks for `STATE.TXT`, too on a card
+/// Reads `PROGRAM.TXT` twice: once through the loader into run memory, and once to be sure that the
+/// card gives the same again. Then looks for `STATE.TXT`, too on a card
 /// that holds no program. The blocks of the card go through `block`.
 ///
 /// An empty slot is known within 300 ms; a card that dies is given up within 2 s.
@@ -48,59 +48,83 @@ pub fn load<'m>(
     memory: &'m mut [u8],
     state: &mut StateFile,
 ) -> Result<Program<'m>, Fault> {
-    let mut card = Card::start(board, block).map_err(Fault::without_line)?;
-    let program = read_twice(&mut card, memory);
+    let by_number = reader::start(board).map_err(Fault::without_line)?;
+    let mut card = Card::new(board, block, by_number);
+    let program = read(&mut card, memory);
     let no_fault = match &program {
         Ok(_) => true,
         Err(fault) => fault.cause == Cause::NoProgramFile,
     };
     if no_fault {
-        *state = find_state(&mut card);
+        find_state(&mut card, state);
     }
     program
 }
 
-fn read_twice<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let first = Crc16::of(read(card, memory)?.stored());
-    let program = read(card, memory)?;
-    if Crc16::of(program.stored()) == first {
-        Ok(program)
-    } else {
-        Err(Fault::without_line(Cause::FileChanged))
+#[inline(never)]
+fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
+    let mut loader = Loader::new(memory, Profile::UNO);
+    match check(card, &mut loader) {
+        Ok(()) => loader.finish(),
+        Err(cause) => Err(Fault::without_line(cause)),
     }
 }
 
+/// Gives the loader the file, up to the first fault. Apart from [`read`], whose frame holds the loader:
+/// what lies beyond it in the same frame could be reached only by detours.
 #[inline(never)]
-fn find_state(card: &mut Card<'_>) -> StateFile {
+fn check(card: &mut Card<'_>, loader: &mut Loader<'_>) -> Result<(), Cause> {
+    let (mut first, mut again) = (Crc16::default(), Crc16::default());
+    let whole = pass(card, Some(loader), &mut first).map_err(cause)?;
+    if whole {
+        pass(card, None, &mut again).map_err(cause)?;
+        if first != again {
+            return Err(Cause::FileChanged);
+        }
+    }
+    Ok(())
+}
+
+/// One passage through the file: gives its check sum, and whether the loader has taken all of it.
+#[inline(never)]
+fn pass(
+    card: &mut Card<'_>,
+    mut loader: Option<&mut Loader<'_>>,
+    sum: &mut Crc16,
+) -> Result<bool, Error<CardFailed>> {
+    let mut file = File::default();
+    file.open(card, PROGRAM)?;
+    while let Some(bytes) = file.next_block(card)? {
+        sum.extend(bytes);
+        if let Some(loader) = &mut loader {
+            for &byte in bytes {
+                if loader.push(byte).is_err() {
+                    return Ok(false);
+                }
+            }
+        }
+    }
+    Ok(true)
+}
+
+#[inline(never)]
+fn find_state(card: &mut Card<'_>, state: &mut StateFile) {
     let mut file = File::default();
     let place = file.open(card, STATE).and_then(|()| file.first_block(card));
-    match place {
+    *state = match place {
         Ok(Some(number)) => StateFile::Found(card.place(number)),
         Ok(None) => StateFile::Unfit,
         Err(Error::NotFound) => StateFile::Missing,
         Err(_) => StateFile::Unreadable,
-    }
+    };
 }
 
-/// Reads the file through the loader.
 #[inline(never)]
-fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut file = File::default();
-    file.open(card, PROGRAM).map_err(fault)?;
-    let mut loader = Loader::new(memory, Profile::UNO);
-    while let Some(bytes) = file.next_block(card).map_err(fault)? {
-        for &byte in bytes {
-            loader.push(byte)?;
-        }
-    }
-    loader.finish()
-}
-
-fn fault<E>(error: Error<E>) -> Fault {
-    Fault::without_line(match error {
+fn cause(error: Error<CardFailed>) -> Cause {
+    match error {
         Error::Device(_) => Cause::CardReadError,
         Error::NoVolume => Cause::NoVolume,
         Error::NotFound => Cause::NoProgramFile,
         Error::Damaged => Cause::VolumeDamaged,
-    })
+    }
 }

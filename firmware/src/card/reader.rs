@@ -39,48 +39,50 @@ const HIGH_CAPACITY: u32 = 1 << 30;
 /// In the first byte of the OCR: ready, and such a card.
 const BY_NUMBER: u8 = 0xC0;
 
+/// Wakes the card until it is ready; where it answers nonsense, again from the beginning. Gives whether it
+/// has its blocks by their number, and not by their first byte.
+#[inline(never)]
+pub fn start(board: &Board) -> Result<bool, Cause> {
+    let bus = board.card_bus();
+    let (silent, ready) = (Deadline::after(SILENT), Deadline::after(START));
+    let mut answered = false;
+    loop {
+        bus.wake();
+        let answer = commands::command(bus, GO_IDLE, 0);
+        if answer == IDLE
+            && let Some(by_number) = get_ready(bus, ready)
+        {
+            return Ok(by_number);
+        }
+        answered |= answer != SILENCE;
+        if answered && ready.has_passed() {
+            return Err(Cause::CardDead);
+        }
+        if !answered && silent.has_passed() {
+            return Err(Cause::NoCard);
+        }
+    }
+}
+
 /// A card that is ready, and room for a block of it.
 pub struct Card<'b> {
     bus: CardBus<'b>,
     block: &'b mut Block,
-    /// Whether blocks are asked for by their number, and not by their first byte.
     by_number: bool,
 }
 
 impl<'b> Card<'b> {
-    /// Wakes the card until it is ready; where it answers nonsense, again from the beginning.
-    #[inline(never)]
-    pub fn start(board: &'b Board, block: &'b mut Block) -> Result<Card<'b>, Cause> {
-        let bus = board.card_bus();
-        let (silent, start) = (Deadline::after(SILENT), Deadline::after(START));
-        let mut answered = false;
-        loop {
-            bus.wake();
-            match commands::command(bus, GO_IDLE, 0) {
-                SILENCE => {}
-                IDLE => {
-                    answered = true;
-                    if let Some(by_number) = get_ready(bus, start) {
-                        bus.full_speed();
-                        return Ok(Card {
-                            bus,
-                            block,
-                            by_number,
-                        });
-                    }
-                }
-                _ => answered = true,
-            }
-            if answered && start.has_passed() {
-                return Err(Cause::CardDead);
-            }
-            if !answered && silent.has_passed() {
-                return Err(Cause::NoCard);
-            }
+    /// A card that [`start`] has left ready.
+    pub fn new(board: &'b Board, block: &'b mut Block, by_number: bool) -> Card<'b> {
+        Card {
+            bus: board.resume_card(),
+            block,
+            by_number,
         }
     }
 
     /// Where the block of this number is, as the card's commands have it.
+    #[inline(never)]
     pub fn place(&self, number: u32) -> Place {
         let argument = if self.by_number { number } else { number << 9 };
         Place { argument }
@@ -100,15 +102,13 @@ impl<'b> Card<'b> {
                 _ => return Err(CardFailed),
             }
         }
-        let mut crc = Crc16::starting_at(0);
         for byte in self.block.iter_mut() {
             *byte = self.bus.exchange(SILENCE);
-            crc.push(*byte);
         }
-        // With its own check sum behind it, the check sum of a block is 0.
-        crc.push(self.bus.exchange(SILENCE));
-        crc.push(self.bus.exchange(SILENCE));
-        if crc.value() == 0 {
+        let mut crc = Crc16::starting_at(0);
+        crc.extend(self.block);
+        let [high, low] = crc.value().to_be_bytes();
+        if self.bus.exchange(SILENCE) == high && self.bus.exchange(SILENCE) == low {
             Ok(())
         } else {
             Err(CardFailed)
@@ -120,14 +120,18 @@ impl Device for Card<'_> {
     type Error = CardFailed;
 
     #[inline(never)]
-    fn read(&mut self, number: u32) -> Result<&Block, CardFailed> {
+    fn read(&mut self, number: u32) -> Result<(), CardFailed> {
         for _ in 0..READS {
             if self.read_once(number).is_ok() {
-                return Ok(self.block);
+                return Ok(());
             }
             self.bus.end_packet();
         }
         Err(CardFailed)
+    }
+
+    fn block(&self) -> &Block {
+        self.block
     }
 }
 
@@ -166,7 +170,7 @@ fn get_ready(bus: CardBus<'_>, deadline: Deadline) -> Option<bool> {
 }
 
 fn last_of_four(bus: CardBus<'_>) -> u8 {
-    for _ in 0..3 {
+    for _ in 0..3u8 {
         bus.exchange(SILENCE);
     }
     bus.exchange(SILENCE)
