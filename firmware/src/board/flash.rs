@@ -132,7 +132,8 @@ impl Default for FlashText {
 impl Iterator for FlashText {
     type Item = u8;
 
-    #[inline(never)]
+    // A call would take more, and its caller's text would have to stand in memory.
+    #[inline(always)]
     fn next(&mut self) -> Option<u8> {
         let byte = load(self.0);
         if byte == 0 {
