@@ -109,7 +109,7 @@ impl<'b> Card<'b> {
         }
         let mut crc = Crc16::starting_at(0);
         crc.extend(self.block);
-        let [high, low] = crc.value().to_be_bytes();
+        let [high, low] = crc.to_be_bytes();
         if self.bus.exchange(SILENCE) == high && self.bus.exchange(SILENCE) == low {
             Ok(())
         } else {
