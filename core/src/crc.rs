@@ -45,6 +45,11 @@ impl Crc16 {
         u16::from_le_bytes([self.low, self.high])
     }
 
+    /// The check sum of the bytes so far, as memory cards send it: the high byte first.
+    pub const fn to_be_bytes(self) -> [u8; 2] {
+        [self.high, self.low]
+    }
+
     /// The check sum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc16 {
         let mut crc = Crc16::default();

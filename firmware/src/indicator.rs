@@ -1,20 +1,20 @@
 //! LED L while a fault lasts: its number, tens as long flashes, units as short ones.
 
-use crate::board::clock;
+use crate::board::clock::{self, Deadline};
 use crate::board::pins::Pins;
 use unoclp_core::Cause;
 
-// All in ms.
-const LONG: u16 = 800;
-const SHORT: u16 = 200;
+// All in tenths of a second.
+const LONG: u8 = 8;
+const SHORT: u8 = 2;
 /// Dark between two flashes.
-const GAP: u16 = 300;
+const GAP: u8 = 3;
 /// Dark between tens and units.
-const BETWEEN: u16 = 700;
+const BETWEEN: u8 = 7;
 /// Dark before the number comes again.
-const PAUSE: u16 = 2000;
+const PAUSE: u8 = 20;
 
-/// The flash of STOP, one a second.
+/// The flash of STOP, one a second, ms.
 const STOP_FLASH: u16 = 100;
 const STOP_DARK: u16 = 900;
 
@@ -42,7 +42,7 @@ pub fn show(pins: &Pins, cause: Cause) -> ! {
     }
 }
 
-fn flash(pins: &Pins, times: u8, on: u16) {
+fn flash(pins: &Pins, times: u8, on: u8) {
     for _ in 0..times {
         pins.led(true);
         wait(on);
@@ -51,9 +51,12 @@ fn flash(pins: &Pins, times: u8, on: u16) {
     }
 }
 
-fn wait(time: u16) {
-    let since = now();
-    while now().wrapping_sub(since) < time {}
+#[inline(never)]
+fn wait(tenths: u8) {
+    for _ in 0..tenths {
+        let end = Deadline::after(100);
+        while !end.has_passed() {}
+    }
 }
 
 /// ms, wrapping after a minute: the times above are shorter.

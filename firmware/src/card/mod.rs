@@ -37,8 +37,8 @@ pub enum StateFile {
 }
 
 /// Reads `PROGRAM.TXT` twice: once through the loader into run memory, and once to be sure that the
-/// card gives the same again. Then looks for `STATE.TXT`, too on a card
-/// that holds no program. The blocks of the card go through `block`.
+/// card gives the same again. Then looks for `STATE.TXT`, too on a card that holds no program. The
+/// blocks of the card go through `block`.
 ///
 /// An empty slot is known within 300 ms; a card that dies is given up within 2 s.
 #[inline(never)]
@@ -61,6 +61,7 @@ pub fn load<'m>(
     program
 }
 
+/// Apart from [`load`], so that its program is made where it stays.
 #[inline(never)]
 fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
     let mut loader = Loader::new(memory, Profile::UNO);
