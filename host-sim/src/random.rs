@@ -293,7 +293,7 @@ mod tests {
         let (mut smallest, mut largest) = (usize::MAX, 0);
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed), BOARD);
-            let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+            let mut memory = vec![0; BOARD.plc_bytes()];
             let program = engine::load(text.as_bytes(), &mut memory)
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             smallest = smallest.min(program.stored_bytes());

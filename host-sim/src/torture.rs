@@ -23,7 +23,7 @@ const SCANS: u32 = 8;
 pub fn torture(seed: u64, tally: &mut Tally) -> Result<(), String> {
     let mut random = Random::new(seed);
     let file = random_file(&mut random);
-    let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+    let mut memory = vec![0; BOARD.plc_bytes()];
     let mut loader = Loader::new(&mut memory, BOARD);
     let mut first_fault = None;
     for &byte in &file {

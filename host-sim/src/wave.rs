@@ -1,7 +1,7 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
 use crate::engine::{HostEngine, Machine};
-use crate::scenario::{Engine, Outcome, Refusal, inputs, outputs};
+use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
@@ -182,6 +182,26 @@ impl<W: Write> Engine for RecordedEngine<W> {
                 .record(at, &Sample::of(machine, inputs.points, now))?;
         }
         Ok(outcome)
+    }
+
+    fn restart(&mut self) -> io::Result<()> {
+        let Ok(()) = self.engine.restart();
+        Ok(())
+    }
+
+    fn look(&mut self, cell: Cell) -> io::Result<i32> {
+        let Ok(value) = self.engine.look(cell);
+        Ok(value)
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> io::Result<()> {
+        let Ok(()) = self.engine.poke(cell, value);
+        Ok(())
+    }
+
+    fn pwm(&mut self, output: u8) -> io::Result<u8> {
+        let Ok(duty) = self.engine.pwm(output);
+        Ok(duty)
     }
 }
 
