@@ -36,6 +36,13 @@ impl<const N: usize> InFlash<N> {
 #[derive(Clone)]
 pub struct FlashText(*const u8);
 
+impl FlashText {
+    /// The byte at this place, up to the NUL; none for that.
+    pub fn at(&self, index: u8) -> Option<u8> {
+        FlashText(self.0.wrapping_add(index.into())).next()
+    }
+}
+
 impl Iterator for FlashText {
     type Item = u8;
 

@@ -18,6 +18,7 @@ const OVERDUE: u8 = 110;
 /// What the board is doing, in values that power-up does not leave by accident.
 const STARTING: u16 = 0xC19A;
 const SCANNING: u16 = 0x3AC7;
+const COMMANDED: u16 = 0x653C;
 
 /// What stands in the guard as long as nothing has overwritten it.
 const WHOLE: u16 = 0x5AC3;
@@ -60,6 +61,8 @@ pub enum Start {
     /// The chip has gone to the reset vector by itself, because run memory or flash has changed
     /// under a scan.
     Astray,
+    /// A command over Modbus.
+    Command,
 }
 
 /// The watchdog.
@@ -80,7 +83,8 @@ impl Watchdog {
         watchdog.stop();
         GUARD.store(WHOLE, Relaxed);
 
-        if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING {
+        let commanded = doing == COMMANDED;
+        if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING && !commanded {
             RESTARTS.store(0, Relaxed);
             FAULTS.store(0, Relaxed);
             return (watchdog, Start::Power);
@@ -88,6 +92,8 @@ impl Watchdog {
         RESTARTS.store(watchdog.restarts().saturating_add(1), Relaxed);
         if astray {
             (watchdog, Start::Astray)
+        } else if commanded {
+            (watchdog, Start::Command)
         } else if record.wdrf().bit_is_set() || overdue {
             (watchdog, Start::Watchdog)
         } else {
@@ -123,6 +129,14 @@ impl Watchdog {
     pub fn stop(&self) {
         DOING.store(STARTING, Relaxed);
         self.set(|w| w);
+    }
+
+    /// Resets the chip, after 16 ms or thereabouts.
+    #[allow(clippy::empty_loop, reason = "the watchdog ends it")]
+    pub fn restart(&self) -> ! {
+        DOING.store(COMMANDED, Relaxed);
+        self.set(|w| w.wde().set_bit());
+        loop {}
     }
 
     fn set(&self, value: impl Fn(&mut W) -> &mut W) {
