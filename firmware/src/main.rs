@@ -76,6 +76,7 @@ fn serve(
 ) -> ! {
     let mut fault = outcome.err();
     if let Some(fault) = fault {
+        stop_for(fault, board, server);
         report::fault(&board.serial, fault);
     } else {
         report::state_file(&board.serial, &file);
@@ -87,27 +88,32 @@ fn serve(
     });
     server.start(board);
     loop {
-        if fault.is_none() {
-            fault = run(board, memory, &mut state, server).map(Fault::without_line);
-        }
-        board.pins.write_outputs(Image::default());
-        board.watchdog.stop();
         if let Some(fault) = fault {
-            if server.panel.state != server::State::Fault {
-                board.release_card();
-                board.watchdog.count_fault();
-                server.panel.state = server::State::Fault;
-                server.panel.fault = Some(fault);
-                server.panel.images.outputs = Image::default();
-            }
             indicator::show(&board.pins, fault.cause, || {
                 server.panel.images.inputs = board.pins.inputs();
                 server.step(board, None, server::AT_ONCE);
                 server.panel.command == Some(Command::Upload)
             });
+        } else {
+            fault = run(board, memory, &mut state, server).map(Fault::without_line);
+            board.pins.write_outputs(Image::default());
+            board.watchdog.stop();
+            if let Some(fault) = fault {
+                stop_for(fault, board, server);
+            }
         }
         upload::receive(board, server, memory);
     }
+}
+
+/// FAULT, until the next start.
+#[inline(never)]
+fn stop_for(fault: Fault, board: &Board, server: &mut Server<'_>) {
+    board.release_card();
+    board.watchdog.count_fault();
+    server.panel.state = server::State::Fault;
+    server.panel.fault = Some(fault);
+    server.panel.images.outputs = Image::default();
 }
 
 /// Scans the program that is kept, until the diagnosis finds a fault, or in STOP an upload is to begin.

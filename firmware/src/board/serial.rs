@@ -148,7 +148,7 @@ impl Serial {
     /// frame, and the port is deaf until [`send`](Serial::send). Anything else is dropped.
     pub fn received(&self, frame: &Frame) -> Option<u8> {
         let listens = self.usart.ucsr0b().read().bits() & RECEIVING != 0;
-        if !listens || self.timer.tifr2().read().bits() & SILENCE == 0 {
+        if self.is_quiet() || !listens || self.timer.tifr2().read().bits() & SILENCE == 0 {
             return None;
         }
         self.control(ONLY_SEND);

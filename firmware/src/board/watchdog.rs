@@ -49,7 +49,7 @@ unsafe extern "C" {
     safe static GUARD: AtomicU16;
 }
 
-/// Why the board has started.
+/// Why the board has started. In the order of the causes in `docs/modbus.md`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Start {
     /// Power came.

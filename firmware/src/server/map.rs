@@ -40,7 +40,7 @@ impl Map<'_, '_> {
             0 => return panel.state as u16,
             1 => return self.bits().into(),
             2 => return panel.fault.map_or(0, |fault| fault.cause.number().into()),
-            3 => return board.start as u16,
+            3 => return board.start as u16 + 1,
             4 | 5 => line,
             6 | 7 => clock::now(),
             8 => return panel.times.last,
