@@ -21,7 +21,12 @@ pub struct Program<'m> {
     pub(crate) needs: Needs,
 }
 
-impl Program<'_> {
+impl<'m> Program<'m> {
+    /// Gives its run memory back, for another program.
+    pub fn into_memory(self) -> &'m mut [u8] {
+        self.memory
+    }
+
     /// How many codes the file holds, program start and each code with its operand lines as one.
     pub fn codes(&self) -> u16 {
         self.codes

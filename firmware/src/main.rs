@@ -2,7 +2,8 @@
 //!
 //! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader,
 //! is kept in the EEPROM, and taken from there into run memory; the card is released. Then scans
-//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off.
+//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off; and beside either
+//! the Modbus server.
 //!
 //! Only `board` touches registers. What can go wrong is a value until it is shown; nothing here
 //! panics, and if the compiler's checks ever found otherwise, [`halt`] turns the outputs off.
@@ -23,6 +24,8 @@ mod engine;
 mod halt;
 mod indicator;
 mod report;
+mod server;
+mod settings;
 mod state;
 mod store;
 
@@ -34,9 +37,11 @@ use board::watchdog::{self, Start};
 use card::StateFile;
 use diagnosis::{Diagnosis, Turn};
 use engine::Linked;
+use server::upload;
+use server::{Command, Server};
 use state::{Images, State};
 use unoclp_card::Block;
-use unoclp_core::{Cause, Fault, Image, Profile, Program};
+use unoclp_core::{Cause, Fault, Image, Profile};
 
 /// Run memory: the code of the program and the data of its timers, and a byte for the end.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
@@ -46,101 +51,188 @@ fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
     static mut PAGE: Block = [0; 512];
 
-    let mut board = Board::take();
-    report::banner(&mut board);
-    let mut state = StateFile::Missing;
-    let program = start(&mut board, PAGE, MEMORY, &mut state);
+    let board = Board::take();
+    report::banner(&board);
+    let mut file = StateFile::Missing;
+    let outcome = start(&board, PAGE, MEMORY, &mut file);
     board.release_card();
-    let fault = match program {
-        Ok(program) => {
-            report::program(&mut board.serial, &program);
-            report::state_file(&mut board.serial, &state);
-            report::run(&mut board.serial);
-            Fault::without_line(run(&mut board, program, state))
-        }
-        Err(fault) => fault,
-    };
-    board.pins.write_outputs(Image::default());
-    board.release_card();
-    board.watchdog.stop();
-    board.watchdog.count_fault();
-    report::fault(&mut board.serial, fault);
-    indicator::show(&board.pins, fault.cause)
+    operate(&board, MEMORY, file, outcome)
 }
 
-/// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
+/// RUN, STOP and FAULT, for ever. The frame stands on the stack, where the block of the card has been.
 #[inline(never)]
-fn run(board: &mut Board, program: Program<'_>, state: StateFile) -> Cause {
-    let Some(mut plc) = Linked::link(program) else {
-        return Cause::RunMemoryFull;
-    };
-    let mut diagnosis = Diagnosis::new(plc.code());
-    let mut state = State::new(match state {
+fn operate(board: &Board, memory: &mut [u8], file: StateFile, outcome: Result<(), Fault>) -> ! {
+    let mut frame = [0; FRAME_BYTES];
+    serve(board, memory, file, outcome, &mut Server::new(&mut frame))
+}
+
+/// Apart from [`operate`], whose frame is large.
+#[inline(never)]
+fn serve(
+    board: &Board,
+    memory: &mut [u8],
+    file: StateFile,
+    outcome: Result<(), Fault>,
+    server: &mut Server<'_>,
+) -> ! {
+    let mut fault = outcome.err();
+    if let Some(fault) = fault {
+        stop_for(fault, board, server);
+        report::fault(&board.serial, fault);
+    } else {
+        report::state_file(&board.serial, &file);
+        report::ready(&board.serial, board.pins.stop());
+    }
+    let mut state = State::new(match file {
         StateFile::Found(place) => Some(place),
         _ => None,
     });
+    server.start(board);
+    loop {
+        if let Some(fault) = fault {
+            indicator::show(&board.pins, fault.cause, || {
+                server.panel.images.inputs = board.pins.inputs();
+                server.step(board, None, server::AT_ONCE);
+                server.panel.command == Some(Command::Upload)
+            });
+        } else {
+            fault = run(board, memory, &mut state, server).map(Fault::without_line);
+            board.pins.write_outputs(Image::default());
+            board.watchdog.stop();
+            if let Some(fault) = fault {
+                stop_for(fault, board, server);
+            }
+        }
+        upload::receive(board, server, memory);
+    }
+}
+
+/// FAULT, until the next start.
+#[inline(never)]
+fn stop_for(fault: Fault, board: &Board, server: &mut Server<'_>) {
+    board.release_card();
+    board.watchdog.count_fault();
+    server.panel.state = server::State::Fault;
+    server.panel.fault = Some(fault);
+    server.panel.images.outputs = Image::default();
+}
+
+/// Scans the program that is kept, until the diagnosis finds a fault, or in STOP an upload is to begin.
+#[inline(never)]
+fn run(
+    board: &Board,
+    memory: &mut [u8],
+    state: &mut State,
+    server: &mut Server<'_>,
+) -> Option<Cause> {
+    let Some(program) = store::load(&board.eeprom, memory) else {
+        return Some(Cause::NoStoredProgram);
+    };
+    let Some(mut plc) = Linked::link(program) else {
+        return Some(Cause::RunMemoryFull);
+    };
+    let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
-    board.pins.led(true);
+    server.panel.state = server::State::Run;
     let mut begun = board.moment().forgotten();
     loop {
-        if board.pins.stop() {
-            stop(board, &diagnosis, &mut state);
-            plc.restart();
+        if server.panel.stopped || board.pins.stop() {
+            server.panel.times = diagnosis.times();
+            stop(board, &mut plc, state, server);
+            if server.panel.command == Some(Command::Upload) {
+                return None;
+            }
             begun = board.moment().forgotten();
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = board.pins.inputs();
+        let inputs = server.panel.inputs.apply(board.pins.inputs());
         let now = board.moment();
         diagnosis.scanned(begun, now);
         begun = now;
-        let outputs = plc.scan(inputs, now.millis);
-        board.pins.write_outputs(outputs);
+        let outputs = server.panel.outputs.apply(plc.scan(inputs, now.millis));
+        plc.set_outputs(outputs);
+        if server.panel.state == server::State::Run {
+            board.pins.write_outputs(outputs);
+        }
+        let images = Images { inputs, outputs };
+        if !board.serial.is_quiet() {
+            server.panel.times = diagnosis.times();
+            server.panel.images = images;
+            server.panel.card_failed = state.has_failed();
+            server.step(board, None, server::SLICE);
+            plc.set_outputs(server.panel.images.outputs);
+        }
         match diagnosis.slice(board) {
-            Ok(Turn::Free) if state.is_kept() => {
-                state.step(board, Images { inputs, outputs }, diagnosis.times());
+            Ok(Turn::Free) => {
+                indicator::show_run(&board.pins, server.panel.forces());
+                if state.is_kept() {
+                    state.step(board, images, diagnosis.times());
+                }
             }
-            Ok(_) => {}
-            Err(cause) => return cause,
+            Ok(Turn::Taken) => {}
+            Err(cause) => {
+                server.panel.times = diagnosis.times();
+                return Some(cause);
+            }
         }
     }
 }
 
-/// STOP, until A5 is open again: outputs off, program kept.
+/// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.
 #[inline(never)]
-fn stop(board: &mut Board, diagnosis: &Diagnosis<'_>, state: &mut State) {
+fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Server<'_>) {
     board.pins.write_outputs(Image::default());
-    report::stop(board, diagnosis.times(), state);
-    indicator::show_stop(&board.pins, || {
+    if server.panel.state != server::State::Stop {
+        server.panel.state = server::State::Stop;
+        plc.restart();
+    }
+    server.panel.images.outputs = plc.outputs();
+    let pins = &board.pins;
+    indicator::show_stop(pins, || {
         watchdog::feed();
+        let panel = &mut server.panel;
+        let inputs = panel.inputs.apply(pins.inputs());
+        panel.images.inputs = inputs;
+        panel.card_failed = state.has_failed();
         let images = Images {
-            inputs: board.pins.inputs(),
+            inputs,
             outputs: Image::default(),
         };
-        state.step(board, images, diagnosis.times());
+        state.step(board, images, panel.times);
+        server.step(board, None, server::AT_ONCE);
+        let panel = &mut server.panel;
+        plc.set_outputs(panel.images.outputs);
+        if panel.takes(Command::SingleScan) || panel.command == Some(Command::Upload) {
+            return true;
+        }
+        let over = !panel.stopped && !pins.stop();
+        if over {
+            plc.restart();
+            panel.state = server::State::Run;
+        }
+        over
     });
-    board.pins.led(true);
-    report::run(&mut board.serial);
 }
 
-/// The program to run. What the card holds is kept in program memory, and what is kept there is
-/// what runs; so it runs too where there is no card, or none with a program on it. Any other
-/// failure is a fault: what the user wants now was refused, or cannot be known.
-fn start<'m>(
-    board: &mut Board,
+/// Takes the program into program memory: what the card holds is kept there, and what is kept there is what
+/// runs; so it runs too where there is no card, or none with a program on it. Any other failure is a
+/// fault: what the user wants now was refused, or cannot be known.
+fn start(
+    board: &Board,
     page: &mut Block,
-    memory: &'m mut [u8],
-    state: &mut StateFile,
-) -> Result<Program<'m>, Fault> {
+    memory: &mut [u8],
+    file: &mut StateFile,
+) -> Result<(), Fault> {
     match board.start {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
-        Start::Power | Start::Reset => {}
+        Start::Power | Start::Reset | Start::Command => {}
     }
     if board.supply.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
-    let missing = match card::load(board, page, memory, state) {
+    let missing = match card::load(board, page, memory, file) {
         Ok(program) => {
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None
@@ -150,8 +242,11 @@ fn start<'m>(
     };
     match missing {
         Some(fault) if store::is_blank(&board.eeprom) => return Err(fault),
-        Some(fault) => report::without_card(&mut board.serial, fault.cause),
+        Some(fault) => report::without_card(&board.serial, fault.cause),
         None => {}
     }
-    store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))
+    let program = store::load(&board.eeprom, memory)
+        .ok_or(Fault::without_line(Cause::NoStoredProgram))?;
+    report::program(&board.serial, &program);
+    Ok(())
 }

@@ -68,6 +68,15 @@ fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> 
     pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(program)
 }
 
+/// The length of the program that is kept, in the high word, and its check sum; 0 where there is none.
+#[inline(never)]
+pub fn kept(eeprom: &Eeprom) -> u32 {
+    if eeprom.read(MARK) != VALID {
+        return 0;
+    }
+    u32::from_le_bytes([6, 7, 2, 3].map(|address| eeprom.read(address)))
+}
+
 /// Whether a program was ever kept.
 pub fn is_blank(eeprom: &Eeprom) -> bool {
     eeprom.read(MARK) == 0xFF

@@ -129,6 +129,13 @@ impl Default for FlashText {
     }
 }
 
+impl FlashText {
+    /// The code at this place, up to the NUL; none for that.
+    pub fn at(&self, index: u8) -> Option<u8> {
+        FlashText(self.0.wrapping_add(index.into())).next()
+    }
+}
+
 impl Iterator for FlashText {
     type Item = u8;
 

@@ -6,7 +6,8 @@
 //! | outputs 01–04 | D6–D9 | PD6, PD7, PB0, PB1 |
 //! | card | D10–D13 | PB2 CS, PB3 MOSI, PB4 MISO, PB5 SCK |
 //! | LED L | D13 | PB5, when the card does not use it |
-//! | serial | D0, D1 | USART0 |
+//! | serial | D0, D1 | USART0, timer 2 |
+//! | direction of RS-485, where it is set | A4 | PC4 |
 //! | STOP | A5 | PC5 |
 
 pub mod clock;
@@ -15,9 +16,11 @@ pub mod flash;
 pub mod pins;
 pub mod serial;
 pub mod spi;
+pub mod stack;
 pub mod supply;
 pub mod watchdog;
 
+use crate::settings::Settings;
 use avr_device::atmega328p::{Peripherals, SPI, TC1};
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
@@ -48,13 +51,18 @@ impl Board {
         // each peripheral.
         let chip = unsafe { Peripherals::steal() };
         let pins = pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
+        stack::paint();
         let (watchdog, start) =
             watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
+        let eeprom = eeprom::Eeprom::new(chip.EEPROM);
+        let settings = Settings::load(&eeprom, pins.ask_for_defaults());
+        // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
+        let direction = unsafe { Peripherals::steal() }.PORTC;
         Board {
             pins,
-            serial: serial::Serial::new(chip.USART0),
-            eeprom: eeprom::Eeprom::new(chip.EEPROM),
+            serial: serial::Serial::new(chip.USART0, chip.TC2, direction, &settings),
+            eeprom,
             supply: supply::Supply::start(chip.ADC),
             watchdog,
             start,
@@ -84,6 +92,12 @@ impl Board {
         let bus = spi::CardBus::new(&self.spi, &self.pins);
         bus.full_speed();
         bus
+    }
+
+    /// Begins anew, as after a reset, once all has been sent.
+    pub fn restart(&self) -> ! {
+        while !self.serial.is_quiet() {}
+        self.watchdog.restart()
     }
 
     /// Gives D10 to D13 back: the card is no longer selected, and LED L is ours.

@@ -48,6 +48,11 @@ impl Pins {
         self.c.pinc().read().pc5().bit_is_clear()
     }
 
+    /// Whether A5 and all inputs are connected to GND: the way back to the default settings.
+    pub fn ask_for_defaults(&self) -> bool {
+        self.stop() && self.d.pind().read().bits() & INPUTS == 0
+    }
+
     /// The input image: a closed button pulls its pin low and reads as 1.
     pub fn inputs(&self) -> Image {
         Image(u16::from((!self.d.pind().read().bits() & INPUTS) >> 2))

@@ -28,12 +28,17 @@ impl Supply {
 
     /// Whether the supply is below 4.3 V.
     pub fn is_low(&self) -> bool {
-        self.adc.adc().read().bits() > LOW
+        self.reading() > LOW
+    }
+
+    /// The reading of the reference, which is less the more supply there is.
+    pub fn reading(&self) -> u16 {
+        self.adc.adc().read().bits()
     }
 
     /// The supply in hundredths of a volt; by subtraction, since a division takes 1.5 KB of flash.
     pub fn centivolts(&self) -> u16 {
-        let reading = self.adc.adc().read().bits().max(1);
+        let reading = self.reading().max(1);
         let (mut rest, mut centivolts) = (CENTIVOLTS, 0);
         while rest >= u32::from(reading) && centivolts < 1000 {
             rest -= u32::from(reading);

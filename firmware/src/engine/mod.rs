@@ -64,6 +64,17 @@ impl<'m> Linked<'m> {
         self.images = 0;
     }
 
+    /// The output image.
+    pub fn outputs(&self) -> Image {
+        Image(u16::from(self.images >> POINTS))
+    }
+
+    /// Writes the output image from outside of the program.
+    #[inline(always)]
+    pub fn set_outputs(&mut self, outputs: Image) {
+        self.images = self.images & INPUTS | (outputs.0 as u8) << POINTS;
+    }
+
     /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives
     /// the output image. It cannot fail.
     #[inline(always)]
