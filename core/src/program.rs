@@ -22,11 +22,6 @@ pub struct Program<'m> {
 }
 
 impl<'m> Program<'m> {
-    /// Gives its run memory back, for another program.
-    pub fn into_memory(self) -> &'m mut [u8] {
-        self.memory
-    }
-
     /// How many codes the file holds, program start and each code with its operand lines as one.
     pub fn codes(&self) -> u16 {
         self.codes
@@ -55,6 +50,12 @@ impl<'m> Program<'m> {
     /// What it asks of the board's pins.
     pub fn needs(&self) -> Needs {
         self.needs
+    }
+
+    /// All of the memory that it was loaded into: a board that links a program from elsewhere has use
+    /// for it.
+    pub fn into_memory(self) -> &'m mut [u8] {
+        self.memory
     }
 
     /// The instructions in order.
