@@ -229,7 +229,7 @@ fn start(
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
         Start::Power | Start::Reset | Start::Command => {}
     }
-    if board.supply.is_low() {
+    if board.analogue.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
     let missing = match card::load(board, page, memory, file) {

@@ -29,7 +29,7 @@ pub fn banner(board: &Board) {
         count(serial, board.watchdog.faults(), flash_text!(" fault"));
         end_line(serial);
     }
-    let centivolts = board.supply.centivolts();
+    let centivolts = board.analogue.centivolts();
     if centivolts < WEAK {
         value(
             serial,

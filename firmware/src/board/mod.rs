@@ -3,6 +3,8 @@
 //! | point | pin | port |
 //! | --- | --- | --- |
 //! | inputs 01–04 | D2–D5 | PD2–PD5 |
+//! | inputs 05–08, analogue inputs A 00–03 | A0–A3 | PC0–PC3 |
+//! | analogue input A 04, direction of RS-485 | A4 | PC4 |
 //! | outputs 01–04 | D6–D9 | PD6, PD7, PB0, PB1 |
 //! | card | D10–D13 | PB2 CS, PB3 MOSI, PB4 MISO, PB5 SCK |
 //! | LED L | D13 | PB5, when the card does not use it |
@@ -10,18 +12,19 @@
 //! | direction of RS-485, where it is set | A4 | PC4 |
 //! | STOP | A5 | PC5 |
 
+pub mod analogue;
 pub mod clock;
 pub mod eeprom;
 pub mod flash;
 pub mod pins;
+pub mod pwm;
 pub mod serial;
 pub mod spi;
 pub mod stack;
-pub mod supply;
 pub mod watchdog;
 
 use crate::settings::Settings;
-use avr_device::atmega328p::{Peripherals, SPI, TC1};
+use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
 pub const CLOCK_HZ: u32 = 16_000_000;
@@ -34,14 +37,15 @@ pub struct Board {
     pub serial: serial::Serial,
     /// The EEPROM.
     pub eeprom: eeprom::Eeprom,
-    /// The supply voltage.
-    pub supply: supply::Supply,
+    /// Analogue inputs and the supply voltage.
+    pub analogue: analogue::Analogue,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
     /// Why the board has started.
     pub start: watchdog::Start,
     spi: SPI,
     timer: TC1,
+    pwm: TC0,
 }
 
 impl Board {
@@ -63,11 +67,25 @@ impl Board {
             pins,
             serial: serial::Serial::new(chip.USART0, chip.TC2, direction, &settings),
             eeprom,
-            supply: supply::Supply::start(chip.ADC),
+            analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
             start,
             spi: chip.SPI,
             timer: chip.TC1,
+            pwm: chip.TC0,
+        }
+    }
+
+    /// Makes outputs PWM, 0 to 255 of each; at 0 the pin is as its port has it. Only 01 and 04 can be, and
+    /// only those that are among these, bit 0 output 01.
+    #[inline(never)]
+    pub fn write_pwm(&self, among: u8, duty: &[u8; 4]) {
+        let [first, _, _, last] = *duty;
+        if among & 1 != 0 {
+            pwm::set_d6(&self.pwm, first);
+        }
+        if among & 8 != 0 {
+            pwm::set_d9(&self.timer, last);
         }
     }
 

@@ -1,15 +1,27 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
 use super::upload::Upload;
-use super::{Command, Panel, State};
-use crate::board::{Board, clock, stack};
+use super::{Command, Memory, Panel, State};
 use crate::board::flash::{Codes, flash_codes};
+use crate::board::{Board, clock, stack};
+use crate::engine::data::ON;
 use crate::{settings, store};
 use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, COUNTER_DATA, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
 use unoclp_modbus::{Access, Device, Exception, Table};
 
 const INPUTS: u16 = Profile::UNO.inputs as u16;
 const OUTPUTS: u16 = Profile::UNO.outputs as u16;
+
+// Coils.
+const MARKER: u16 = 16;
+
+// Input and holding registers of 32 bits: the high word first, at an even address.
+const TIMER: u16 = 128;
+const TIMER_COUNT: u16 = 2 * 87;
+const COUNTER: u16 = 320;
+const COUNTER_COUNT: u16 = 2 * COUNTERS as u16;
+const REGISTER_COUNT: u16 = 2 * REGISTERS as u16;
 
 // Input registers.
 const DIAGNOSTICS: u16 = 16;
@@ -23,10 +35,13 @@ const SETTINGS: u16 = 410;
 const SETTINGS_COUNT: u16 = settings::COUNT as u16;
 const WINDOW: u16 = 1000;
 
+const _: () = assert!(TIMER_DATA == COUNTER_DATA);
+
 /// The board as the server shows it, for one step.
 pub struct Map<'a, 'm> {
     pub board: &'a Board,
     pub panel: &'a mut Panel,
+    pub memory: Memory<'a>,
     pub upload: Option<&'a mut Upload<'m>>,
 }
 
@@ -48,7 +63,7 @@ impl Map<'_, '_> {
             10 => return panel.times.most,
             11 => return stack::free(),
             12 | 13 => store::kept(&board.eeprom),
-            14 => return board.supply.reading(),
+            14 => return board.analogue.reference(),
             15 => return board.watchdog.restarts(),
             _ => return board.watchdog.faults(),
         };
@@ -56,6 +71,31 @@ impl Map<'_, '_> {
             (pair >> 16) as u16
         } else {
             pair as u16
+        }
+    }
+
+    /// A word of the values of 32 bits that input and holding registers have at the same addresses: what
+    /// has elapsed of a timer or its preset, what a counter has counted or its preset; and of registers.
+    /// 0 where the program does not have it.
+    #[inline(never)]
+    fn half(&self, input: bool, address: u16) -> u16 {
+        let memory = &self.memory;
+        let (area, at) = place(input, address);
+        let bytes = match area {
+            Area::Registers => memory.data.registers.as_flattened(),
+            Area::Timers => &*memory.timers,
+            Area::Counters => &*memory.counters,
+        };
+        let bytes = bytes.get(at..).unwrap_or_default();
+        let long = if input && area == Area::Timers {
+            elapsed(bytes)
+        } else {
+            u32_of(bytes)
+        };
+        if address & 1 == 0 {
+            (long >> 16) as u16
+        } else {
+            long as u16
         }
     }
 
@@ -90,6 +130,17 @@ impl Map<'_, '_> {
         }
     }
 
+    /// Whether the program has the timer or counter whose preset is at this address.
+    fn has_presets(&self, address: u16) -> bool {
+        let (first, memory) = if address >= COUNTER {
+            (COUNTER, &*self.memory.counters)
+        } else {
+            (TIMER, &*self.memory.timers)
+        };
+        // Both have data of the same size.
+        usize::from((address - first) >> 1) * TIMER_DATA < memory.len()
+    }
+
     /// The byte of a force by its number from 0, and how many points it is for.
     fn force(&mut self, number: u16) -> &mut u8 {
         let force = if number < 2 {
@@ -105,6 +156,47 @@ impl Map<'_, '_> {
     }
 }
 
+/// Where values of 32 bits stand.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Area {
+    Registers,
+    Timers,
+    Counters,
+}
+
+/// Where the value of this address and its neighbour stands, low byte first; of a timer that is elapsed its
+/// state stands there, and its time behind it.
+#[inline(never)]
+fn place(input: bool, address: u16) -> (Area, usize) {
+    let (area, first, size, preset) = if address >= COUNTER {
+        (Area::Counters, COUNTER, COUNTER_DATA, 4)
+    } else if address >= TIMER {
+        (Area::Timers, TIMER, TIMER_DATA, 5)
+    } else {
+        (Area::Registers, 0, 4, 0)
+    };
+    let at = usize::from((address - first) >> 1) * size;
+    (area, if input { at } else { at + preset })
+}
+
+/// The first four bytes as a number.
+fn u32_of(bytes: &[u8]) -> u32 {
+    match bytes.first_chunk() {
+        Some(bytes) => u32::from_le_bytes(*bytes),
+        None => 0,
+    }
+}
+
+/// What has elapsed of the timer with this data, ms: see `engine/timers.s`.
+fn elapsed(data: &[u8]) -> u32 {
+    let [state, rest @ ..] = data else { return 0 };
+    let mut time = u32_of(rest);
+    if state & 1 != 0 {
+        time = clock::now().wrapping_sub(time);
+    }
+    time.min(u32_of(rest.get(4..).unwrap_or_default()))
+}
+
 /// Whether all addresses of a request lie in this range.
 #[inline(never)]
 fn within(first: u16, count: u16, start: u16, length: u16) -> bool {
@@ -113,15 +205,22 @@ fn within(first: u16, count: u16, start: u16, length: u16) -> bool {
 }
 
 impl Device for Map<'_, '_> {
-    fn has(&self, table: Table, first: u16, count: u16, _: Access) -> bool {
+    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
+        let within = |start, length| within(first, count, start, length);
+        let long = || within(TIMER, TIMER_COUNT) || within(COUNTER, COUNTER_COUNT);
         match table {
-            Table::Coils => within(first, count, 0, OUTPUTS),
-            Table::DiscreteInputs => within(first, count, 0, INPUTS),
-            Table::InputRegisters => within(first, count, DIAGNOSTICS, DIAGNOSTICS_COUNT),
+            Table::Coils => within(0, OUTPUTS) || within(MARKER, MARKERS.into()),
+            Table::DiscreteInputs => within(0, INPUTS),
+            Table::InputRegisters => {
+                within(0, ANALOGUE.into()) || within(DIAGNOSTICS, DIAGNOSTICS_COUNT) || long()
+            }
             Table::HoldingRegisters => {
-                within(first, count, COMMAND, 1)
-                    || within(first, count, FORCES, FORCES_COUNT)
-                    || within(first, count, SETTINGS, SETTINGS_COUNT)
+                within(0, REGISTER_COUNT)
+                    || within(COMMAND, 1)
+                    || within(FORCES, FORCES_COUNT)
+                    || within(SETTINGS, SETTINGS_COUNT)
+                    || long()
+                        && (access == Access::Read || self.has_presets(first.wrapping_add(count - 1)))
             }
         }
     }
@@ -129,6 +228,10 @@ impl Device for Map<'_, '_> {
     fn bit(&self, table: Table, address: u16) -> bool {
         let images = self.panel.images;
         let image = match table {
+            Table::Coils if address >= MARKER => {
+                let marker = self.memory.data.markers.get(usize::from(address - MARKER));
+                return marker.is_some_and(|cell| cell & ON != 0);
+            }
             Table::Coils => images.outputs,
             _ => images.inputs,
         };
@@ -136,8 +239,16 @@ impl Device for Map<'_, '_> {
     }
 
     fn word(&self, table: Table, address: u16) -> u16 {
-        if table == Table::InputRegisters {
+        let input = table == Table::InputRegisters;
+        if input && address < DIAGNOSTICS {
+            let reading = self.memory.data.analogue.get(usize::from(address));
+            return reading.copied().unwrap_or_default();
+        }
+        if input && address < TIMER {
             return self.diagnostic(address - DIAGNOSTICS);
+        }
+        if address < COMMAND {
+            return self.half(input, address);
         }
         let panel = &self.panel;
         match address {
@@ -151,6 +262,13 @@ impl Device for Map<'_, '_> {
     }
 
     fn set_bit(&mut self, address: u16, on: bool) {
+        if address >= MARKER {
+            let index = usize::from(address - MARKER);
+            if let Some(cell) = self.memory.data.markers.get_mut(index) {
+                *cell = if on { ON } else { 0 };
+            }
+            return;
+        }
         let outputs = &mut self.panel.images.outputs.0;
         let bit = u16::from(bit(address));
         *outputs = if on { *outputs | bit } else { *outputs & !bit };
@@ -160,7 +278,10 @@ impl Device for Map<'_, '_> {
         if address == COMMAND {
             return self.command(value).map(|_| ());
         }
-        let sound = if address < SETTINGS {
+        let sound = if address < COMMAND {
+            // A preset is not negative: its high word tells.
+            address < TIMER || address & 1 != 0 || value < 0x8000
+        } else if address < SETTINGS {
             let points = if address - FORCES < 2 { INPUTS } else { OUTPUTS };
             value < 1 << points
         } else if self.panel.state == State::Run {
@@ -176,7 +297,19 @@ impl Device for Map<'_, '_> {
     }
 
     fn set_word(&mut self, address: u16, value: u16) {
-        if address == COMMAND {
+        if address < COMMAND {
+            let memory = &mut self.memory;
+            let (area, at) = place(false, address);
+            let bytes = match area {
+                Area::Registers => memory.data.registers.as_flattened_mut(),
+                Area::Timers => &mut *memory.timers,
+                Area::Counters => &mut *memory.counters,
+            };
+            let at = if address & 1 == 0 { at + 2 } else { at };
+            if let Some([low, high, ..]) = bytes.get_mut(at..) {
+                [*low, *high] = value.to_le_bytes();
+            }
+        } else if address == COMMAND {
             if let Ok(command) = self.command(value) {
                 self.panel.stopped = match command {
                     Command::Run => false,

@@ -8,6 +8,7 @@ pub mod upload;
 
 use crate::board::Board;
 use crate::diagnosis::ScanTimes;
+use crate::engine::Data;
 use crate::state::Images;
 use map::Map;
 use unoclp_core::{Fault, Image};
@@ -98,6 +99,27 @@ impl Panel {
     }
 }
 
+/// What the program works on, for one step.
+pub struct Memory<'a> {
+    /// Markers, registers and readings.
+    pub data: &'a mut Data,
+    /// The data of the timers, and of the counters; empty where no program runs.
+    pub timers: &'a mut [u8],
+    /// See `timers`.
+    pub counters: &'a mut [u8],
+}
+
+impl<'a> Memory<'a> {
+    /// Where no program runs.
+    pub fn idle(data: &'a mut Data) -> Memory<'a> {
+        Memory {
+            data,
+            timers: &mut [],
+            counters: &mut [],
+        }
+    }
+}
+
 /// The server.
 pub struct Server<'f> {
     frame: &'f mut Frame,
@@ -136,10 +158,17 @@ impl<'f> Server<'f> {
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. `most`
     /// is the size of a slice. Where an upload is under way it comes along.
     #[inline(never)]
-    pub fn step(&mut self, board: &Board, upload: Option<&mut Upload<'_>>, most: u8) {
+    pub fn step(
+        &mut self,
+        board: &Board,
+        memory: Memory<'_>,
+        upload: Option<&mut Upload<'_>>,
+        most: u8,
+    ) {
         let mut map = Map {
             board,
             panel: &mut self.panel,
+            memory,
             upload,
         };
         let length = match &mut self.exchange {

@@ -1,7 +1,8 @@
 //! A program that comes over Modbus, through the loader that reads the card: twice, as from there.
 
-use super::{Command, Panel, Server};
+use super::{Command, Memory, Panel, Server};
 use crate::board::Board;
+use crate::engine::{self, Data};
 use crate::server::AT_ONCE;
 use crate::store;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
@@ -19,20 +20,24 @@ pub struct Upload<'m> {
 /// Takes a program into program memory, or leaves there what there is; the panel has the outcome. Run memory is
 /// overwritten either way.
 #[inline(never)]
-pub fn receive(board: &Board, server: &mut Server<'_>, memory: &mut [u8]) {
+pub fn receive(board: &Board, server: &mut Server<'_>, memory: &mut [u8], data: &mut Data) {
     while server.panel.takes(Command::Upload) {
         server.panel.uploading = true;
         server.panel.fault = None;
         let mut upload = Upload {
-            loader: Loader::new(memory, Profile::UNO),
+            loader: loader(memory),
             next: 0,
             first: None,
         };
         while server.panel.uploading && server.panel.command.is_none() {
-            server.step(board, Some(&mut upload), AT_ONCE);
+            server.step(board, Memory::idle(data), Some(&mut upload), AT_ONCE);
         }
         server.panel.uploading = false;
     }
+}
+
+fn loader(memory: &mut [u8]) -> Loader<'_> {
+    Loader::with_table(memory, Profile::UNO, engine::instruction_table)
 }
 
 impl Upload<'_> {
@@ -81,7 +86,7 @@ impl Upload<'_> {
         let sum = Crc16::of(program.stored());
         let Some(first) = self.first else {
             self.first = Some(sum);
-            self.loader = Loader::new(program.into_memory(), Profile::UNO);
+            self.loader = loader(program.into_memory());
             return Ok(());
         };
         if sum != first {
