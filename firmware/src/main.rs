@@ -33,12 +33,13 @@ use board::Board;
 use board::watchdog::{self, Start};
 use card::StateFile;
 use diagnosis::{Diagnosis, Turn};
-use engine::Linked;
+use engine::{Data, Linked};
 use state::{Images, State};
+use store::Kept;
 use unoclp_card::Block;
-use unoclp_core::{Cause, Fault, Image, Profile, Program};
+use unoclp_core::{Cause, Fault, Image, Profile};
 
-/// Run memory: the code of the program and the data of its timers, and a byte for the end.
+/// Run memory: the code of the program and the data of its instructions, and a byte for the end.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 
 #[avr_device::entry]
@@ -52,11 +53,13 @@ fn main() -> ! {
     let program = start(&mut board, PAGE, MEMORY, &mut state);
     board.release_card();
     let fault = match program {
-        Ok(program) => {
-            report::program(&mut board.serial, &program);
+        Ok(kept) => {
+            report::program(&mut board.serial, &kept.program);
             report::state_file(&mut board.serial, &state);
             report::run(&mut board.serial);
-            Fault::without_line(run(&mut board, program, state))
+            // SAFETY: nobody else uses it, and this is done once.
+            let data = unsafe { &mut *(&raw mut engine::data::DATA) };
+            run(&mut board, kept, data, state)
         }
         Err(fault) => fault,
     };
@@ -70,10 +73,11 @@ fn main() -> ! {
 
 /// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
 #[inline(never)]
-fn run(board: &mut Board, program: Program<'_>, state: StateFile) -> Cause {
-    let Some(mut plc) = Linked::link(program) else {
-        return Cause::RunMemoryFull;
+fn run(board: &mut Board, kept: Kept<'_>, data: &mut Data, state: StateFile) -> Fault {
+    let Some(mut plc) = Linked::link(&board.eeprom, kept, data) else {
+        return Fault::without_line(Cause::NoStoredProgram);
     };
+    board.pins.pull_up(plc.needs().inputs);
     let mut diagnosis = Diagnosis::new(plc.code());
     let mut state = State::new(match state {
         StateFile::Found(place) => Some(place),
@@ -85,23 +89,28 @@ fn run(board: &mut Board, program: Program<'_>, state: StateFile) -> Cause {
     loop {
         if board.pins.stop() {
             stop(board, &diagnosis, &mut state);
-            plc.restart();
+            if let Err(cause) = plc.restart(&board.eeprom) {
+                return Fault::without_line(cause);
+            }
             begun = board.moment().forgotten();
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = board.pins.inputs();
+        let inputs = board.pins.inputs(plc.needs().inputs);
         let now = board.moment();
         diagnosis.scanned(begun, now);
         begun = now;
-        let outputs = plc.scan(inputs, now.millis);
+        let outputs = match plc.scan(inputs, now.millis) {
+            Ok(outputs) => outputs,
+            Err(fault) => return fault,
+        };
         board.pins.write_outputs(outputs);
         match diagnosis.slice(board) {
             Ok(Turn::Free) if state.is_kept() => {
                 state.step(board, Images { inputs, outputs }, diagnosis.times());
             }
             Ok(_) => {}
-            Err(cause) => return cause,
+            Err(cause) => return Fault::without_line(cause),
         }
     }
 }
@@ -114,7 +123,7 @@ fn stop(board: &mut Board, diagnosis: &Diagnosis<'_>, state: &mut State) {
     indicator::show_stop(&board.pins, || {
         watchdog::feed();
         let images = Images {
-            inputs: board.pins.inputs(),
+            inputs: board.pins.inputs(0),
             outputs: Image::default(),
         };
         state.step(board, images, diagnosis.times());
@@ -131,7 +140,7 @@ fn start<'m>(
     page: &mut Block,
     memory: &'m mut [u8],
     state: &mut StateFile,
-) -> Result<Program<'m>, Fault> {
+) -> Result<Kept<'m>, Fault> {
     match board.start {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
