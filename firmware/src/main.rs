@@ -23,7 +23,9 @@ mod diagnosis;
 mod engine;
 mod halt;
 mod indicator;
+mod page;
 mod report;
+mod retentive;
 mod server;
 mod settings;
 mod state;
@@ -32,41 +34,39 @@ mod store;
 // What the compiler calls: products, and blocks of memory.
 core::arch::global_asm!(include_str!("runtime.s"));
 
-use board::Board;
 use board::watchdog::{self, Start};
+use board::{Board, clock};
 use card::StateFile;
 use diagnosis::{Diagnosis, Turn};
-use engine::Linked;
+use engine::{Data, Linked};
+use page::Running;
+use retentive::Retentive;
 use server::upload;
-use server::{Command, Server};
+use server::{Command, Memory, Server};
 use state::{Images, State};
 use unoclp_card::Block;
 use unoclp_core::{Cause, Fault, Image, Profile};
 
-/// Run memory: the code of the program and the data of its timers, and a byte for the end.
+/// Run memory: the code of the program and the data of its instructions, and a byte for the end.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 
 #[avr_device::entry]
 fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
-    static mut PAGE: Block = [0; 512];
 
+    // SAFETY: once.
+    let page = unsafe { page::take() };
     let board = Board::take();
     report::banner(&board);
     let mut file = StateFile::Missing;
-    let outcome = start(&board, PAGE, MEMORY, &mut file);
+    let outcome = start(&board, page, MEMORY, &mut file);
     board.release_card();
-    operate(&board, MEMORY, file, outcome)
+    let Running { frame, data } = page::running(page);
+    serve(&board, MEMORY, file, outcome, &mut Server::new(frame), data)
 }
 
-/// RUN, STOP and FAULT, for ever. The frame stands on the stack, where the block of the card has been.
-#[inline(never)]
-fn operate(board: &Board, memory: &mut [u8], file: StateFile, outcome: Result<(), Fault>) -> ! {
-    let mut frame = [0; FRAME_BYTES];
-    serve(board, memory, file, outcome, &mut Server::new(&mut frame))
-}
-
-/// Apart from [`operate`], whose frame is large.
+/// RUN, STOP and FAULT, for ever.
+// Apart from `main`, whose frame is there while a card is read.
 #[inline(never)]
 fn serve(
     board: &Board,
@@ -74,7 +74,10 @@ fn serve(
     file: StateFile,
     outcome: Result<(), Fault>,
     server: &mut Server<'_>,
+    data: &mut Data,
 ) -> ! {
+    let mut retentive = Retentive::find(&board.eeprom, clock::now() as u16);
+    data.retain(retentive.markers());
     let mut fault = outcome.err();
     if let Some(fault) = fault {
         stop_for(fault, board, server);
@@ -91,19 +94,20 @@ fn serve(
     loop {
         if let Some(fault) = fault {
             indicator::show(&board.pins, fault.cause, || {
-                server.panel.images.inputs = board.pins.inputs();
-                server.step(board, None, server::AT_ONCE);
+                server.panel.images.inputs = board.pins.inputs(0);
+                server.step(board, Memory::idle(data), None, server::AT_ONCE);
+                retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
                 server.panel.command == Some(Command::Upload)
             });
         } else {
-            fault = run(board, memory, &mut state, server).map(Fault::without_line);
-            board.pins.write_outputs(Image::default());
+            fault = run(board, memory, data, &mut state, &mut retentive, server);
+            board.switch_outputs_off();
             board.watchdog.stop();
             if let Some(fault) = fault {
                 stop_for(fault, board, server);
             }
         }
-        upload::receive(board, server, memory);
+        upload::receive(board, server, memory, data);
     }
 }
 
@@ -117,20 +121,23 @@ fn stop_for(fault: Fault, board: &Board, server: &mut Server<'_>) {
     server.panel.images.outputs = Image::default();
 }
 
-/// Scans the program that is kept, until the diagnosis finds a fault, or in STOP an upload is to begin.
+/// Scans the program that is kept, until there is a fault, or in STOP an upload is to begin.
 #[inline(never)]
 fn run(
     board: &Board,
     memory: &mut [u8],
+    data: &mut Data,
     state: &mut State,
+    retentive: &mut Retentive,
     server: &mut Server<'_>,
-) -> Option<Cause> {
-    let Some(program) = store::load(&board.eeprom, memory) else {
-        return Some(Cause::NoStoredProgram);
+) -> Option<Fault> {
+    let kept = store::load(&board.eeprom, memory);
+    let Some(mut plc) = kept.and_then(|kept| Linked::link(&board.eeprom, kept, data)) else {
+        return Some(Fault::without_line(Cause::NoStoredProgram));
     };
-    let Some(mut plc) = Linked::link(program) else {
-        return Some(Cause::RunMemoryFull);
-    };
+    let needs = plc.needs();
+    board.pins.pull_up(needs.inputs);
+    board.analogue.measure(needs.analogue);
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;
@@ -138,7 +145,9 @@ fn run(
     loop {
         if server.panel.stopped || board.pins.stop() {
             server.panel.times = diagnosis.times();
-            stop(board, &mut plc, state, server);
+            if let Err(cause) = stop(board, &mut plc, state, retentive, server) {
+                return Some(Fault::without_line(cause));
+            }
             if server.panel.command == Some(Command::Upload) {
                 return None;
             }
@@ -146,53 +155,72 @@ fn run(
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = server.panel.inputs.apply(board.pins.inputs());
+        let inputs = server.panel.inputs.apply(board.pins.inputs(needs.inputs));
         let now = board.moment();
         diagnosis.scanned(begun, now);
+        let new_millisecond = now.millis as u8 != begun.millis as u8;
         begun = now;
-        let outputs = server.panel.outputs.apply(plc.scan(inputs, now.millis));
+        let outputs = match plc.scan(inputs, now.millis) {
+            Ok(outputs) => server.panel.outputs.apply(outputs),
+            Err(fault) => return Some(fault),
+        };
         plc.set_outputs(outputs);
         if server.panel.state == server::State::Run {
             board.pins.write_outputs(outputs);
+            if needs.pwm != 0 {
+                board.write_pwm(needs.pwm, &plc.data().pwm);
+            }
         }
+        board.analogue.step(&mut plc.data().analogue);
         let images = Images { inputs, outputs };
-        if !board.serial.is_quiet() {
+        // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
+        if !board.serial.is_quiet() && !board.eeprom.is_busy() {
             server.panel.times = diagnosis.times();
             server.panel.images = images;
             server.panel.card_failed = state.has_failed();
-            server.step(board, None, server::SLICE);
+            server.step(board, plc.memory(), None, server::SLICE);
             plc.set_outputs(server.panel.images.outputs);
         }
+        if new_millisecond {
+            indicator::show_run(&board.pins, server.panel.forces());
+            let data = plc.data();
+            data.scan_time(diagnosis.times().last);
+            retentive.step(&board.eeprom, data.retained(), now.millis as u16);
+        }
         match diagnosis.slice(board) {
-            Ok(Turn::Free) => {
-                indicator::show_run(&board.pins, server.panel.forces());
-                if state.is_kept() {
-                    state.step(board, images, diagnosis.times());
-                }
-            }
-            Ok(Turn::Taken) => {}
+            Ok(Turn::Free) if state.is_kept() => state.step(board, images, diagnosis.times()),
+            Ok(_) => {}
             Err(cause) => {
                 server.panel.times = diagnosis.times();
-                return Some(cause);
+                return Some(Fault::without_line(cause));
             }
         }
     }
 }
 
 /// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.
+///
+/// # Errors
+/// Where the program cannot begin anew.
 #[inline(never)]
-fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Server<'_>) {
-    board.pins.write_outputs(Image::default());
+fn stop(
+    board: &Board,
+    plc: &mut Linked<'_>,
+    state: &mut State,
+    retentive: &mut Retentive,
+    server: &mut Server<'_>,
+) -> Result<(), Cause> {
+    board.switch_outputs_off();
     if server.panel.state != server::State::Stop {
         server.panel.state = server::State::Stop;
-        plc.restart();
+        plc.restart(&board.eeprom)?;
     }
     server.panel.images.outputs = plc.outputs();
     let pins = &board.pins;
     indicator::show_stop(pins, || {
         watchdog::feed();
         let panel = &mut server.panel;
-        let inputs = panel.inputs.apply(pins.inputs());
+        let inputs = panel.inputs.apply(pins.inputs(plc.needs().inputs));
         panel.images.inputs = inputs;
         panel.card_failed = state.has_failed();
         let images = Images {
@@ -200,19 +228,20 @@ fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Ser
             outputs: Image::default(),
         };
         state.step(board, images, panel.times);
-        server.step(board, None, server::AT_ONCE);
+        board.analogue.step(&mut plc.data().analogue);
+        retentive.step(&board.eeprom, plc.data().retained(), clock::now() as u16);
+        server.step(board, plc.memory(), None, server::AT_ONCE);
         let panel = &mut server.panel;
         plc.set_outputs(panel.images.outputs);
-        if panel.takes(Command::SingleScan) || panel.command == Some(Command::Upload) {
-            return true;
-        }
-        let over = !panel.stopped && !pins.stop();
-        if over {
-            plc.restart();
-            panel.state = server::State::Run;
-        }
-        over
+        panel.takes(Command::SingleScan)
+            || panel.command == Some(Command::Upload)
+            || !panel.stopped && !pins.stop()
     });
+    if !server.panel.stopped && !pins.stop() {
+        server.panel.state = server::State::Run;
+        plc.restart(&board.eeprom)?;
+    }
+    Ok(())
 }
 
 /// Takes the program into program memory: what the card holds is kept there, and what is kept there is what
@@ -245,8 +274,8 @@ fn start(
         Some(fault) => report::without_card(&board.serial, fault.cause),
         None => {}
     }
-    let program = store::load(&board.eeprom, memory)
+    let kept = store::load(&board.eeprom, memory)
         .ok_or(Fault::without_line(Cause::NoStoredProgram))?;
-    report::program(&board.serial, &program);
+    report::program(&board.serial, &kept.program);
     Ok(())
 }

@@ -16,6 +16,7 @@
 //! program that was written in part never runs.
 
 use crate::board::eeprom::Eeprom;
+use crate::engine;
 use unoclp_core::{Cause, Crc16, Loader, Profile, Program};
 
 const MARK: u16 = 0;
@@ -47,17 +48,37 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     Ok(())
 }
 
+/// A program that is kept and has been checked.
+pub struct Kept<'m> {
+    /// It, in run memory.
+    pub program: Program<'m>,
+    /// Where it is kept.
+    pub stored: Stored,
+}
+
+/// What is known of the program that is kept since it was checked.
+#[derive(Clone, Copy)]
+pub struct Stored {
+    /// Bytes.
+    length: u16,
+    /// The check sum of the header and of the program.
+    sum: u16,
+}
+
 /// Takes the program that is kept into run memory; none where there is none, or it is damaged.
 #[inline(never)]
-pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Program<'m>> {
-    restore(eeprom, &mut Loader::new(memory, Profile::UNO))
+pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Kept<'m>> {
+    restore(
+        eeprom,
+        &mut Loader::with_table(memory, Profile::UNO, engine::instruction_table),
+    )
 }
 
 /// Apart from [`load`], whose frame holds the loader: what lies beyond it in the same frame could be
 /// reached only by detours.
 #[inline(never)]
-fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> {
-    let length = u16::from_le_bytes([eeprom.read(2), eeprom.read(3)]);
+fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Kept<'m>> {
+    let [length, sum] = [2, 6].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
@@ -65,7 +86,60 @@ fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> 
     loader.restore(&mut stored).ok()?;
     let program = loader.finish().ok()?;
     // Its bytes have just come from there: only the check sum can differ.
-    pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(program)
+    pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(Kept {
+        program,
+        stored: Stored { length, sum },
+    })
+}
+
+impl Stored {
+    /// Reads it again.
+    pub fn read(self, eeprom: &Eeprom) -> Reader<'_> {
+        Reader {
+            eeprom,
+            stored: self,
+            position: 0,
+            sum: Crc16::of(&self.head()),
+        }
+    }
+
+    /// The header up to the check sum.
+    fn head(self) -> [u8; HEADER - 2] {
+        let [low, high] = self.length.to_le_bytes();
+        [VERSION, low, high, 0, 0]
+    }
+}
+
+/// Reads the program that is kept.
+pub struct Reader<'e> {
+    eeprom: &'e Eeprom,
+    stored: Stored,
+    position: u16,
+    sum: Crc16,
+}
+
+impl Reader<'_> {
+    /// The next byte.
+    #[inline(never)]
+    pub fn next(&mut self) -> Option<u8> {
+        if self.position == self.stored.length {
+            return None;
+        }
+        let byte = self.eeprom.read(PROGRAM + self.position);
+        self.position += 1;
+        self.sum.push(byte);
+        Some(byte)
+    }
+
+    /// How many bytes have been read.
+    pub fn position(&self) -> u16 {
+        self.position
+    }
+
+    /// Whether the program that was checked has been read, all of it.
+    pub fn is_whole(&self) -> bool {
+        self.position == self.stored.length && self.sum.value() == self.stored.sum
+    }
 }
 
 /// The length of the program that is kept, in the high word, and its check sum; 0 where there is none.

@@ -38,6 +38,30 @@ impl<const N: usize> InFlash<N> {
     }
 }
 
+/// A table that stands in program memory.
+#[repr(transparent)]
+pub struct Table<T, const N: usize>([T; N]);
+
+impl<T, const N: usize> Table<T, N> {
+    /// These.
+    pub const fn new(table: [T; N]) -> Table<T, N> {
+        Table(table)
+    }
+
+    /// The byte at this place of the table; 0 beyond its end.
+    ///
+    /// # Safety
+    ///
+    /// `self` must be a static in section `.progmem.data`.
+    #[inline(never)]
+    pub unsafe fn byte(&'static self, at: usize) -> u8 {
+        if at >= size_of::<[T; N]>() {
+            return 0;
+        }
+        load((&raw const self.0).cast::<u8>().wrapping_add(at))
+    }
+}
+
 /// The most codes that a text may have before it is packed.
 const LONGEST: usize = 4096;
 

@@ -25,6 +25,7 @@ pub mod watchdog;
 
 use crate::settings::Settings;
 use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
+use unoclp_core::Image;
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
 pub const CLOCK_HZ: u32 = 16_000_000;
@@ -87,6 +88,13 @@ impl Board {
         if among & 8 != 0 {
             pwm::set_d9(&self.timer, last);
         }
+    }
+
+    /// All outputs off, those that are PWM too (NC-7).
+    #[inline(never)]
+    pub fn switch_outputs_off(&self) {
+        self.write_pwm(u8::MAX, &[0; 4]);
+        self.pins.write_outputs(Image::default());
     }
 
     /// This moment.

@@ -7,6 +7,7 @@ mod reader;
 pub mod writer;
 
 use crate::board::Board;
+use crate::engine;
 pub use commands::CardFailed;
 use reader::Card;
 use unoclp_card::{Block, Error, File};
@@ -64,7 +65,7 @@ pub fn load<'m>(
 /// Apart from [`load`], so that its program is made where it stays.
 #[inline(never)]
 fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut loader = Loader::new(memory, Profile::UNO);
+    let mut loader = Loader::with_table(memory, Profile::UNO, engine::instruction_table);
     match check(card, &mut loader) {
         Ok(()) => loader.finish(),
         Err(cause) => Err(Fault::without_line(cause)),
