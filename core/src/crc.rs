@@ -33,11 +33,18 @@ impl Crc16 {
     }
 
     /// Takes the next bytes.
-    #[inline(never)]
+    #[inline(always)]
     pub fn extend(&mut self, bytes: &[u8]) {
+        *self = self.and(bytes);
+    }
+
+    // Given and returned by value, a check sum stays in registers.
+    #[inline(never)]
+    fn and(mut self, bytes: &[u8]) -> Crc16 {
         for &byte in bytes {
             self.push(byte);
         }
+        self
     }
 
     /// The check sum of the bytes so far.
@@ -52,8 +59,6 @@ impl Crc16 {
 
     /// The check sum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc16 {
-        let mut crc = Crc16::default();
-        crc.extend(bytes);
-        crc
+        Crc16::default().and(bytes)
     }
 }

@@ -144,6 +144,7 @@ impl Codes {
 }
 
 /// What is left of a text in program memory: gives its codes in order, up to the NUL, and stays there.
+#[derive(Clone)]
 pub struct FlashText(*const u8);
 
 impl Default for FlashText {
