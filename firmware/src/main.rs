@@ -62,7 +62,7 @@ fn main() -> ! {
 #[inline(never)]
 fn operate(board: &Board, memory: &mut [u8], file: StateFile, outcome: Result<(), Fault>) -> ! {
     let mut frame = [0; FRAME_BYTES];
-    serve(board, memory, file, outcome, &mut Server::new(&mut frame))
+    serve(board, memory, file, outcome, &mut Server::new(&mut frame, board.settings))
 }
 
 /// Apart from [`operate`], whose frame is large.

@@ -107,8 +107,9 @@ fn reads(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) -> bool {
     true
 }
 
+/// Writes bytes where they differ from what is there.
 #[inline(never)]
-fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
+pub fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
     for &byte in bytes {
         eeprom.write(address, byte);
         address += 1;

@@ -241,7 +241,7 @@ fn a_power_cut_leaves_no_half_program() {
         uno.send_serial(&with_crc(&block(3, b"")));
         uno.run_ms(1 + cut).unwrap();
         uno.power_up();
-        let said = ms_until(&mut uno, &["RUN\r\n", "fault 65: "]).1;
+        let said = ms_until(&mut uno, &["RUN\r\n", "\r\nfault "]).1;
         if said.contains("fault") {
             none += 1;
             continue;

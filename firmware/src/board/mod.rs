@@ -38,6 +38,8 @@ pub struct Board {
     pub supply: supply::Supply,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
+    /// The settings that the serial line has until the next start.
+    pub settings: Settings,
     /// Why the board has started.
     pub start: watchdog::Start,
     spi: SPI,
@@ -65,6 +67,7 @@ impl Board {
             eeprom,
             supply: supply::Supply::start(chip.ADC),
             watchdog,
+            settings,
             start,
             spi: chip.SPI,
             timer: chip.TC1,

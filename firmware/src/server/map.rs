@@ -146,7 +146,7 @@ impl Device for Map<'_, '_> {
             403 => panel.inputs.values.into(),
             404 => panel.outputs.points.into(),
             405 => panel.outputs.values.into(),
-            _ => settings::read(&self.board.eeprom, (address - SETTINGS) as u8),
+            _ => panel.settings.get((address - SETTINGS) as u8),
         }
     }
 
@@ -188,7 +188,9 @@ impl Device for Map<'_, '_> {
         } else if address < SETTINGS {
             *self.force(address - FORCES) = value as u8;
         } else {
-            settings::write(&self.board.eeprom, (address - SETTINGS) as u8, value);
+            let settings = &mut self.panel.settings;
+            settings.set((address - SETTINGS) as u8, value);
+            settings.save(&self.board.eeprom);
         }
     }
 

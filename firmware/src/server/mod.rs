@@ -8,6 +8,7 @@ pub mod upload;
 
 use crate::board::Board;
 use crate::diagnosis::ScanTimes;
+use crate::settings::Settings;
 use crate::state::Images;
 use map::Map;
 use unoclp_core::{Fault, Image};
@@ -79,6 +80,8 @@ pub struct Panel {
     pub images: Images,
     /// How long scans take.
     pub times: ScanTimes,
+    /// The settings that are kept.
+    pub settings: Settings,
 }
 
 impl Panel {
@@ -109,7 +112,7 @@ pub struct Server<'f> {
 
 impl<'f> Server<'f> {
     /// A server with this memory for its frames, before the first scan.
-    pub fn new(frame: &'f mut Frame) -> Server<'f> {
+    pub fn new(frame: &'f mut Frame, settings: Settings) -> Server<'f> {
         Server {
             frame,
             exchange: None,
@@ -124,6 +127,7 @@ impl<'f> Server<'f> {
                 outputs: Force::default(),
                 images: Images::default(),
                 times: ScanTimes::default(),
+                settings,
             },
         }
     }
