@@ -74,10 +74,11 @@ fn serve(
     outcome: Result<(), Fault>,
     server: &mut Server<'_>,
 ) -> ! {
-    let mut fault = outcome.err();
-    if let Some(fault) = fault {
-        stop_for(fault, board, server);
-        report::fault(&board.serial, fault);
+    let mut fault = None;
+    if let Err(first) = outcome {
+        fault = Some(first.cause);
+        fail(board, server, first);
+        report::fault(&board.serial, first);
     } else {
         report::state_file(&board.serial, &file);
         report::ready(&board.serial, board.pins.stop());
@@ -88,27 +89,27 @@ fn serve(
     });
     server.start(board);
     loop {
-        if let Some(fault) = fault {
-            indicator::show(&board.pins, fault.cause, || {
+        if let Some(cause) = fault {
+            indicator::show(&board.pins, cause, || {
                 server.panel.images.inputs = board.pins.inputs();
                 server.step(board, None, server::AT_ONCE);
                 server.panel.command == Some(Command::Upload)
             });
         } else {
-            fault = run(board, memory, &mut state, server).map(Fault::without_line);
+            fault = run(board, memory, &mut state, server);
             board.pins.write_outputs(Image::default());
             board.watchdog.stop();
-            if let Some(fault) = fault {
-                stop_for(fault, board, server);
+            if let Some(cause) = fault {
+                fail(board, server, Fault::without_line(cause));
             }
         }
         upload::receive(board, server, memory);
     }
 }
 
-/// FAULT, until the next start.
+/// FAULT begins, and lasts until the next start.
 #[inline(never)]
-fn stop_for(fault: Fault, board: &Board, server: &mut Server<'_>) {
+fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
     board.release_card();
     board.watchdog.count_fault();
     server.panel.state = server::State::Fault;
@@ -133,7 +134,7 @@ fn run(
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;
-    let mut begun = board.moment().forgotten();
+    let mut begun = board.forgotten();
     loop {
         if server.panel.stopped || board.pins.stop() {
             server.panel.times = diagnosis.times();
@@ -141,15 +142,15 @@ fn run(
             if server.panel.command == Some(Command::Upload) {
                 return None;
             }
-            begun = board.moment().forgotten();
+            begun = board.forgotten();
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = server.panel.inputs.apply(board.pins.inputs());
+        let inputs = server.panel.forces.inputs(board.pins.inputs());
         let now = board.moment();
         diagnosis.scanned(begun, now);
         begun = now;
-        let outputs = server.panel.outputs.apply(plc.scan(inputs, now.millis));
+        let outputs = server.panel.forces.outputs(plc.scan(inputs, now.millis));
         plc.set_outputs(outputs);
         if server.panel.state == server::State::Run {
             board.pins.write_outputs(outputs);
@@ -164,7 +165,7 @@ fn run(
         }
         match diagnosis.slice(board) {
             Ok(Turn::Free) => {
-                indicator::show_run(&board.pins, server.panel.forces());
+                indicator::show_run(&board.pins, server.panel.forces.any());
                 if state.is_kept() {
                     state.step(board, images, diagnosis.times());
                 }
@@ -191,7 +192,7 @@ fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Ser
     indicator::show_stop(pins, || {
         watchdog::feed();
         let panel = &mut server.panel;
-        let inputs = panel.inputs.apply(pins.inputs());
+        let inputs = panel.forces.inputs(pins.inputs());
         panel.images.inputs = inputs;
         panel.card_failed = state.has_failed();
         let images = Images {

@@ -80,6 +80,12 @@ impl Board {
         clock::moment(&self.timer)
     }
 
+    /// A moment that no time is measured from.
+    #[inline(never)]
+    pub fn forgotten(&self) -> clock::Moment {
+        self.moment().forgotten()
+    }
+
     /// The bus to the card, switched on; the card still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
         let mut bus = spi::CardBus::start(&self.spi, &self.pins);
