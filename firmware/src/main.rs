@@ -62,7 +62,13 @@ fn main() -> ! {
 #[inline(never)]
 fn operate(board: &Board, memory: &mut [u8], file: StateFile, outcome: Result<(), Fault>) -> ! {
     let mut frame = [0; FRAME_BYTES];
-    serve(board, memory, file, outcome, &mut Server::new(&mut frame, board.settings))
+    serve(
+        board,
+        memory,
+        file,
+        outcome,
+        &mut Server::new(&mut frame, board.settings),
+    )
 }
 
 /// Apart from [`operate`], whose frame is large.
@@ -240,8 +246,8 @@ fn start(board: &Board, memory: &mut [u8], file: &mut StateFile) -> Result<(), F
         Some(fault) => report::without_card(&board.serial, fault.cause),
         None => {}
     }
-    let program = store::load(&board.eeprom, memory)
-        .ok_or(Fault::without_line(Cause::NoStoredProgram))?;
+    let program =
+        store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))?;
     report::program(&board.serial, &program);
     Ok(())
 }

@@ -42,7 +42,10 @@ fn what_is_wrong_gets_silence() {
     for length in 1..whole.len() {
         assert_eq!(exchange(&mut uno, &whole[..length], 4), None, "{length}");
     }
-    assert_eq!(exchange(&mut uno, &[whole.clone(), vec![1]].concat(), 4), None);
+    assert_eq!(
+        exchange(&mut uno, &[whole.clone(), vec![1]].concat(), 4),
+        None
+    );
     assert_eq!(exchange(&mut uno, &[vec![0; 300], whole].concat(), 4), None);
     // A check sum that is right, and no function.
     assert_eq!(exchange(&mut uno, &with_crc(&[1]), 4), None);
@@ -56,7 +59,11 @@ fn a_flaw_in_one_byte_gets_silence() {
     for flawed in 0..whole.len() {
         uno.send_serial(&whole[..flawed]);
         uno.send_serial_flawed(&whole[flawed..=flawed], Flaw::Framing);
-        assert_eq!(exchange(&mut uno, &whole[flawed + 1..], 4), None, "{flawed}");
+        assert_eq!(
+            exchange(&mut uno, &whole[flawed + 1..], 4),
+            None,
+            "{flawed}"
+        );
         assert_answers(&mut uno, "after a flaw");
     }
 }

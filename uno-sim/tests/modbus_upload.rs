@@ -183,9 +183,18 @@ fn a_block_says_how_long_it_is() {
         }
     }
     // Only from the first address on, and only by function 16.
-    assert_eq!(ask(&mut uno, &[1, 16, 3, 0xE9, 0, 1, 2, 0, 0]), Some(vec![1, 0x90, 2]));
-    assert_eq!(ask(&mut uno, &[1, 6, 3, 0xE8, 0, 0]), Some(vec![1, 0x86, 2]));
-    assert_eq!(ask(&mut uno, &[1, 3, 3, 0xE8, 0, 1]), Some(vec![1, 0x83, 2]));
+    assert_eq!(
+        ask(&mut uno, &[1, 16, 3, 0xE9, 0, 1, 2, 0, 0]),
+        Some(vec![1, 0x90, 2])
+    );
+    assert_eq!(
+        ask(&mut uno, &[1, 6, 3, 0xE8, 0, 0]),
+        Some(vec![1, 0x86, 2])
+    );
+    assert_eq!(
+        ask(&mut uno, &[1, 3, 3, 0xE8, 0, 1]),
+        Some(vec![1, 0x83, 2])
+    );
     assert!(outcome(&mut uno).0);
 }
 

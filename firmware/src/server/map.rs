@@ -2,8 +2,8 @@
 
 use super::upload::Upload;
 use super::{Command, Panel, State};
-use crate::board::{Board, clock, stack};
 use crate::board::flash::flash_text;
+use crate::board::{Board, clock, stack};
 use crate::{settings, store};
 use unoclp_core::Profile;
 use unoclp_modbus::{Access, Device, Exception, Table};
@@ -147,7 +147,11 @@ impl Device for Map<'_, '_> {
             return self.command(value).map(|_| ());
         }
         let sound = if address < SETTINGS {
-            let points = if address - FORCES < 2 { INPUTS } else { OUTPUTS };
+            let points = if address - FORCES < 2 {
+                INPUTS
+            } else {
+                OUTPUTS
+            };
             value < 1 << points
         } else if self.panel.state == State::Run {
             return Err(Exception::ServerDeviceFailure);
