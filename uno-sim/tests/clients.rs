@@ -92,7 +92,14 @@ fn mbpoll(serve: &Serve, options: &str, values: &str) -> String {
 
 /// The values of lines such as `[402]:	1`.
 fn values(said: &str) -> Vec<u16> {
-    let line = |line: &str| line.strip_prefix('[')?.split_once("]:")?.1.trim().parse().ok();
+    let line = |line: &str| {
+        line.strip_prefix('[')?
+            .split_once("]:")?
+            .1
+            .trim()
+            .parse()
+            .ok()
+    };
     said.lines().filter_map(line).collect()
 }
 
@@ -102,7 +109,10 @@ fn mbpoll_calls_every_function() {
     // 6, 16 and 3
     mbpoll(&serve, "-t 4 -r 402", "1");
     mbpoll(&serve, "-t 4 -r 402", "1 1 2 2");
-    assert_eq!(values(&mbpoll(&serve, "-t 4 -r 402 -c 4", "")), [1, 1, 2, 2]);
+    assert_eq!(
+        values(&mbpoll(&serve, "-t 4 -r 402 -c 4", "")),
+        [1, 1, 2, 2]
+    );
     // 2
     assert_eq!(values(&mbpoll(&serve, "-t 1 -r 0 -c 4", "")), [1, 0, 0, 0]);
     // 5, 15 and 1

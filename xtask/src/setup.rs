@@ -77,10 +77,14 @@ const TESTS: &[Need] = &[
         "checking the file systems of card images",
         |_| has_fsck(),
     ),
-    need("mbpoll", "asking the Modbus server", |_| exists("mbpoll")),
-    need("python3-venv", "asking the Modbus server by pymodbus", |_| {
-        output(Command::new("python3").args(["-c", "import ensurepip, venv"])).is_some()
+    need("mbpoll", "asking the Modbus server", |_| {
+        output(Command::new("mbpoll").arg("-V")).is_some()
     }),
+    need(
+        "python3-venv",
+        "asking the Modbus server by pymodbus",
+        |_| output(Command::new("python3").args(["-c", "import ensurepip, venv"])).is_some(),
+    ),
 ];
 
 /// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
