@@ -58,6 +58,7 @@ impl<'m> Diagnosis<'m> {
     }
 
     /// How long scans have taken; zeros before the first has ended.
+    #[inline(never)]
     pub fn times(&self) -> ScanTimes {
         ScanTimes {
             last: self.times.last / 2,

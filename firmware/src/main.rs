@@ -62,7 +62,7 @@ fn main() -> ! {
     let outcome = start(&board, page, MEMORY, &mut file);
     board.release_card();
     let Running { frame, data } = page::running(page);
-    serve(&board, MEMORY, file, outcome, &mut Server::new(frame), data)
+    serve(&board, MEMORY, file, outcome, &mut Server::new(frame, board.settings), data)
 }
 
 /// RUN, STOP and FAULT, for ever.
@@ -80,7 +80,7 @@ fn serve(
     data.retain(retentive.markers());
     let mut fault = outcome.err();
     if let Some(fault) = fault {
-        stop_for(fault, board, server);
+        fail(board, server, fault);
         report::fault(&board.serial, fault);
     } else {
         report::state_file(&board.serial, &file);
@@ -104,16 +104,16 @@ fn serve(
             board.switch_outputs_off();
             board.watchdog.stop();
             if let Some(fault) = fault {
-                stop_for(fault, board, server);
+                fail(board, server, fault);
             }
         }
         upload::receive(board, server, memory, data);
     }
 }
 
-/// FAULT, until the next start.
+/// FAULT begins, and lasts until the next start.
 #[inline(never)]
-fn stop_for(fault: Fault, board: &Board, server: &mut Server<'_>) {
+fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
     board.release_card();
     board.watchdog.count_fault();
     server.panel.state = server::State::Fault;
@@ -141,7 +141,7 @@ fn run(
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;
-    let mut begun = board.moment().forgotten();
+    let mut begun = board.forgotten();
     loop {
         if server.panel.stopped || board.pins.stop() {
             server.panel.times = diagnosis.times();
@@ -151,17 +151,17 @@ fn run(
             if server.panel.command == Some(Command::Upload) {
                 return None;
             }
-            begun = board.moment().forgotten();
+            begun = board.forgotten();
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = server.panel.inputs.apply(board.pins.inputs(needs.inputs));
+        let inputs = server.panel.forces.inputs(board.pins.inputs(needs.inputs));
         let now = board.moment();
         diagnosis.scanned(begun, now);
         let new_millisecond = now.millis as u8 != begun.millis as u8;
         begun = now;
         let outputs = match plc.scan(inputs, now.millis) {
-            Ok(outputs) => server.panel.outputs.apply(outputs),
+            Ok(outputs) => server.panel.forces.outputs(outputs),
             Err(fault) => return Some(fault),
         };
         plc.set_outputs(outputs);
@@ -182,7 +182,7 @@ fn run(
             plc.set_outputs(server.panel.images.outputs);
         }
         if new_millisecond {
-            indicator::show_run(&board.pins, server.panel.forces());
+            indicator::show_run(&board.pins, server.panel.forces.any());
             let data = plc.data();
             data.scan_time(diagnosis.times().last);
             retentive.step(&board.eeprom, data.retained(), now.millis as u16);
@@ -220,7 +220,7 @@ fn stop(
     indicator::show_stop(pins, || {
         watchdog::feed();
         let panel = &mut server.panel;
-        let inputs = panel.inputs.apply(pins.inputs(plc.needs().inputs));
+        let inputs = panel.forces.inputs(pins.inputs(plc.needs().inputs));
         panel.images.inputs = inputs;
         panel.card_failed = state.has_failed();
         let images = Images {

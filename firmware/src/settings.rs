@@ -3,77 +3,102 @@
 //! | byte | |
 //! | --- | --- |
 //! | 908 … 915 | address, rate, parity, direction: a word each, low byte first |
-//! | 916, 917 | CRC-16 of these, low byte first |
+//! | 916, 917 | CRC-16 of these, high byte first |
 //!
-//! What is damaged or was written in part are the defaults.
+//! What is damaged or was written in part counts as the defaults.
 
 use crate::board::eeprom::Eeprom;
+use crate::store;
 use unoclp_core::Crc16;
 
 const PLACE: u16 = 908;
-/// How many settings there are; they have the numbers 0 address, 1 rate, 2 parity, 3 direction.
+/// How many settings there are.
 pub const COUNT: u8 = 4;
+/// Bytes of all of them, and with the check sum behind them.
+const VALUES: usize = 2 * COUNT as usize;
+const BYTES: usize = VALUES + 2;
 
 /// Clock cycles of 8 in a second, in hundreds.
 const EIGHTHS: u16 = (crate::board::CLOCK_HZ / 8 / 100) as u16;
 
-/// The settings that the line has until the next start.
-pub struct Settings {
-    /// The server's address.
-    pub address: u8,
-    /// In 100 baud.
-    rate: u16,
-    /// 0 none, 1 even, 2 odd.
-    parity: u8,
-    /// Whether A4 is the direction of an RS-485 driver.
-    pub direction: bool,
-}
+/// The server's address; the rate in 100 baud; parity, 0 none, 1 even, 2 odd; whether A4 is the direction of
+/// an RS-485 driver.
+#[derive(Clone, Copy)]
+pub struct Settings([u8; BYTES]);
 
 impl Settings {
     /// What is kept, or the defaults.
+    #[inline(never)]
     pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
-        let setting = |number| {
-            if defaults {
-                default(number)
-            } else {
-                read(eeprom, number)
-            }
-        };
-        Settings {
-            address: setting(0) as u8,
-            rate: setting(1),
-            parity: setting(2) as u8,
-            direction: setting(3) != 0,
+        let mut settings = Settings([0; BYTES]);
+        let mut address = PLACE;
+        for byte in &mut settings.0 {
+            *byte = eeprom.read(address);
+            address += 1;
         }
+        if defaults || Crc16::of(&settings.0).value() != 0 || settings.address() == 0 {
+            settings.0.fill(0);
+            settings.set(0, 1);
+            settings.set(1, 1152);
+        }
+        settings
+    }
+
+    /// Keeps them. Takes 34 ms at most.
+    #[inline(never)]
+    pub fn save(&mut self, eeprom: &Eeprom) {
+        let [values @ .., high, low] = &mut self.0;
+        [*high, *low] = Crc16::of(values).value().to_be_bytes();
+        store::write(eeprom, PLACE, &self.0);
+    }
+
+    /// A setting, by its number.
+    #[inline(never)]
+    pub fn get(&self, number: u8) -> u16 {
+        match self.0.get(usize::from(number) * 2..) {
+            Some([low, high, ..]) => u16::from_le_bytes([*low, *high]),
+            _ => 0,
+        }
+    }
+
+    /// Sets one.
+    #[inline(never)]
+    pub fn set(&mut self, number: u8, value: u16) {
+        if let Some([low, high, ..]) = self.0.get_mut(usize::from(number) * 2..) {
+            [*low, *high] = value.to_le_bytes();
+        }
+    }
+
+    /// The server's address.
+    pub fn address(&self) -> u8 {
+        self.0[0]
     }
 
     /// The divider of the rate with U2X, rounded: at 115200 baud 17, which is 117647 baud, 2.1 % fast, as the
     /// Arduino core has it. By subtraction, since a division would cost flash.
     pub fn divider(&self) -> u16 {
-        let mut rest = EIGHTHS + self.rate / 2;
+        let rate = self.get(1);
+        let mut rest = EIGHTHS + rate / 2;
         let mut divider = 0;
-        while rest >= self.rate {
-            rest -= self.rate;
+        while rest >= rate {
+            rest -= rate;
             divider += 1;
         }
         divider
     }
 
-    /// UPM0.
+    /// UPM0, in its place.
     pub fn parity_bits(&self) -> u8 {
-        match self.parity {
+        match self.0[4] {
             0 => 0,
             1 => 0b10 << 4,
             _ => 0b11 << 4,
         }
     }
-}
 
-fn default(number: u8) -> u16 {
-    match number {
-        0 => 1,
-        1 => 1152,
-        _ => 0,
+    /// Whether there is a direction pin.
+    pub fn has_direction(&self) -> bool {
+        self.0[6] != 0
     }
 }
 
@@ -87,60 +112,4 @@ pub fn allows(number: u8, value: u16) -> bool {
         _ => (0, 1),
     };
     value >= least && value <= most
-}
-
-/// A setting that is kept, or its default.
-#[inline(never)]
-pub fn read(eeprom: &Eeprom, number: u8) -> u16 {
-    let mut crc = Crc16::default();
-    let mut sound = true;
-    let mut found = 0;
-    for index in 0..COUNT {
-        let value = word(eeprom, index);
-        let [low, high] = value.to_le_bytes();
-        crc.push(low);
-        crc.push(high);
-        sound &= allows(index, value);
-        if index == number {
-            found = value;
-        }
-    }
-    if sound && word(eeprom, COUNT) == crc.value() {
-        found
-    } else {
-        default(number)
-    }
-}
-
-/// Keeps a setting. It takes up to 14 ms.
-#[inline(never)]
-pub fn write(eeprom: &Eeprom, number: u8, value: u16) {
-    let mut values = [0; COUNT as usize];
-    let mut index = 0;
-    for place in &mut values {
-        *place = if index == number {
-            value
-        } else {
-            read(eeprom, index)
-        };
-        index += 1;
-    }
-    let mut crc = Crc16::default();
-    let mut address = PLACE;
-    for value in values {
-        for byte in value.to_le_bytes() {
-            crc.push(byte);
-            eeprom.write(address, byte);
-            address += 1;
-        }
-    }
-    for byte in crc.value().to_le_bytes() {
-        eeprom.write(address, byte);
-        address += 1;
-    }
-}
-
-fn word(eeprom: &Eeprom, index: u8) -> u16 {
-    let address = PLACE + u16::from(index) * 2;
-    u16::from_le_bytes([eeprom.read(address), eeprom.read(address + 1)])
 }

@@ -179,3 +179,12 @@ fn pass(eeprom: &Eeprom, mut address: u16, bytes: &[u8], write: bool) -> bool {
     }
     true
 }
+
+/// Writes bytes where they differ from what is there.
+#[inline(never)]
+pub fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
+    for &byte in bytes {
+        eeprom.write(address, byte);
+        address += 1;
+    }
+}

@@ -18,7 +18,11 @@ fn running() -> Uno {
 }
 
 fn expect_fault(uno: Uno, case: &str, fault: u16) {
-    assert_eq!(fault_within(20, uno, case), (String::new(), fault), "{case}");
+    assert_eq!(
+        fault_within(20, uno, case),
+        (String::new(), fault),
+        "{case}"
+    );
 }
 
 /// The fault that turns the outputs off within this time, for good; and what the serial port says, where the
@@ -71,7 +75,10 @@ fn a_program_that_changes_in_run_memory_is_a_fault() {
             if said.contains("restart 1") {
                 let hung = said.contains("by the watchdog") && said.contains("fault 61: a scan");
                 let began_anew = said.contains("without a reset") && said.contains("fault 62: ");
-                assert!(hung && fault == 61 || began_anew && fault == 62, "{case}: {said:?}");
+                assert!(
+                    hung && fault == 61 || began_anew && fault == 62,
+                    "{case}: {said:?}"
+                );
                 astray += 1;
             } else {
                 assert_eq!((said.as_str(), fault), ("", 62), "{case}");
@@ -144,6 +151,9 @@ fn scan_times_are_those_of_the_chip() {
     assert!(least <= last && last <= most);
     // The moment is taken a little after the symbol; the interrupt may fall in between.
     for (told, cycles) in [(least, shortest), (most, longest)] {
-        assert!((u64::from(told) * 16).abs_diff(cycles) <= 60, "{cycles}: {told}");
+        assert!(
+            (u64::from(told) * 16).abs_diff(cycles) <= 60,
+            "{cycles}: {told}"
+        );
     }
 }

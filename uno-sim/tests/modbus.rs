@@ -60,7 +60,11 @@ fn every_function_in_every_state() {
         let reply = ask(&mut uno, &[1, 0x2B, 14, 1, 0]).unwrap();
         assert_eq!(reply[..8], [1, 0x2B, 14, 1, 0x81, 0, 0, 3]);
         let version = env!("CARGO_PKG_VERSION");
-        let texts = [&b"\x00\x06unoclp\x01\x0Aunoclp UNO\x02"[..], &[version.len() as u8]].concat();
+        let texts = [
+            &b"\x00\x06unoclp\x01\x0Aunoclp UNO\x02"[..],
+            &[version.len() as u8],
+        ]
+        .concat();
         assert_eq!(reply[8..], [&texts, version.as_bytes()].concat());
         // Any other.
         assert_eq!(ask(&mut uno, &[1, 7]), Some(vec![1, 0x87, 1]));
@@ -83,7 +87,11 @@ fn diagnostics() {
     assert!(now - ms < 10, "{now} {ms}");
     // Free stack: what the simulator has seen, but for what happened to look like the paint.
     let free = i32::from(told[11]);
-    assert!((free - uno.stack_free()).abs() <= 4, "{free} {}", uno.stack_free());
+    assert!(
+        (free - uno.stack_free()).abs() <= 4,
+        "{free} {}",
+        uno.stack_free()
+    );
     // Five codes behind the start, and their check sum as in the EEPROM.
     let header = uno.read_eeprom(0, 8).unwrap();
     assert_eq!(told[12], 5);
@@ -179,7 +187,10 @@ fn a_restart_is_the_whole_start_up() {
         assert_eq!(uno.outputs(), 0b1011);
         write(&mut uno, 400, RESTART).unwrap();
         let said = to_run(&mut uno);
-        assert!(said.contains("restart 1 since power-up, by command, 0 faults"), "{said:?}");
+        assert!(
+            said.contains("restart 1 since power-up, by command, 0 faults"),
+            "{said:?}"
+        );
         assert!(said.contains("program: 6 codes"), "{said:?}");
         uno.run_ms(2).unwrap();
         assert_eq!(uno.outputs(), 0);

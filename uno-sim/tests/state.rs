@@ -2,11 +2,11 @@
 
 mod common;
 
+use common::modbus::words;
 use common::state::{
     FOLLOW, KEPT, Saved, assert_only_state_changed, run_to_save, running, saves, state_card,
     template,
 };
-use common::modbus::words;
 use common::{card, firmware, to_run};
 use unoclp_card::image::{Fat, Image};
 use unoclp_uno_sim::sd::{Kind, SdCard};

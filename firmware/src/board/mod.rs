@@ -42,6 +42,8 @@ pub struct Board {
     pub analogue: analogue::Analogue,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
+    /// The settings that the serial line has until the next start.
+    pub settings: Settings,
     /// Why the board has started.
     pub start: watchdog::Start,
     spi: SPI,
@@ -70,6 +72,7 @@ impl Board {
             eeprom,
             analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
+            settings,
             start,
             spi: chip.SPI,
             timer: chip.TC1,
@@ -101,6 +104,12 @@ impl Board {
     #[inline(always)]
     pub fn moment(&self) -> clock::Moment {
         clock::moment(&self.timer)
+    }
+
+    /// A moment that no time is measured from.
+    #[inline(never)]
+    pub fn forgotten(&self) -> clock::Moment {
+        self.moment().forgotten()
     }
 
     /// The bus to the card, which still sleeps.

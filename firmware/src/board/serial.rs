@@ -94,7 +94,7 @@ impl Serial {
                 .ucsr0c()
                 .write(|w| w.bits(settings.parity_bits() | EIGHT_BITS));
             usart.ucsr0b().write(|w| w.bits(ONLY_SEND));
-            if settings.direction {
+            if settings.has_direction() {
                 pins.ddrc().write(|w| w.bits(DIRECTION));
             }
         }
@@ -104,7 +104,7 @@ impl Serial {
             usart,
             timer,
             pins,
-            address: settings.address,
+            address: settings.address(),
         }
     }
 

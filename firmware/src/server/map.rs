@@ -103,7 +103,7 @@ impl Map<'_, '_> {
         let panel = &self.panel;
         u8::from(self.board.pins.stop())
             | u8::from(panel.stopped) << 1
-            | u8::from(panel.forces()) << 2
+            | u8::from(panel.forces.any()) << 2
             | u8::from(panel.uploading) << 3
             | u8::from(panel.card_failed) << 4
     }
@@ -141,19 +141,6 @@ impl Map<'_, '_> {
         usize::from((address - first) >> 1) * TIMER_DATA < memory.len()
     }
 
-    /// The byte of a force by its number from 0, and how many points it is for.
-    fn force(&mut self, number: u16) -> &mut u8 {
-        let force = if number < 2 {
-            &mut self.panel.inputs
-        } else {
-            &mut self.panel.outputs
-        };
-        if number & 1 == 0 {
-            &mut force.points
-        } else {
-            &mut force.values
-        }
-    }
 }
 
 /// Where values of 32 bits stand.
@@ -253,11 +240,11 @@ impl Device for Map<'_, '_> {
         let panel = &self.panel;
         match address {
             COMMAND => panel.state as u16,
-            402 => panel.inputs.points.into(),
-            403 => panel.inputs.values.into(),
-            404 => panel.outputs.points.into(),
-            405 => panel.outputs.values.into(),
-            _ => settings::read(&self.board.eeprom, (address - SETTINGS) as u8),
+            FORCES..SETTINGS => {
+                let forces = panel.forces.0.get(usize::from(address - FORCES));
+                forces.copied().unwrap_or(0).into()
+            }
+            _ => panel.settings.get((address - SETTINGS) as u8),
         }
     }
 
@@ -319,9 +306,14 @@ impl Device for Map<'_, '_> {
                 self.panel.command = Some(command);
             }
         } else if address < SETTINGS {
-            *self.force(address - FORCES) = value as u8;
+            let forces = &mut self.panel.forces.0;
+            if let Some(place) = forces.get_mut(usize::from(address - FORCES)) {
+                *place = value as u8;
+            }
         } else {
-            settings::write(&self.board.eeprom, (address - SETTINGS) as u8, value);
+            let settings = &mut self.panel.settings;
+            settings.set((address - SETTINGS) as u8, value);
+            settings.save(&self.board.eeprom);
         }
     }
 

@@ -9,6 +9,7 @@ pub mod upload;
 use crate::board::Board;
 use crate::diagnosis::ScanTimes;
 use crate::engine::Data;
+use crate::settings::Settings;
 use crate::state::Images;
 use map::Map;
 use unoclp_core::{Fault, Image};
@@ -40,21 +41,31 @@ pub enum Command {
     Upload = 5,
 }
 
-/// Points that are forced.
+/// Points that are forced, and to what: inputs, values of inputs, outputs, values of outputs, as the map has
+/// them; bit 0 is point 01.
 #[derive(Clone, Copy, Default)]
-pub struct Force {
-    /// Which, bit 0 point 01.
-    pub points: u8,
-    /// To what.
-    pub values: u8,
-}
+pub struct Forces(pub [u8; 4]);
 
-impl Force {
-    /// The image with the forced points as they are forced.
+impl Forces {
+    /// Whether there are any.
     #[inline(always)]
-    pub fn apply(self, image: Image) -> Image {
-        let image = image.0 as u8 & !self.points | self.values & self.points;
-        Image(image.into())
+    pub fn any(self) -> bool {
+        let [inputs, _, outputs, _] = self.0;
+        inputs | outputs != 0
+    }
+
+    /// The input image with the forced inputs as they are forced.
+    #[inline(always)]
+    pub fn inputs(self, image: Image) -> Image {
+        let [points, values, ..] = self.0;
+        Image((image.0 as u8 & !points | values & points).into())
+    }
+
+    /// The same of the output image.
+    #[inline(always)]
+    pub fn outputs(self, image: Image) -> Image {
+        let [.., points, values] = self.0;
+        Image((image.0 as u8 & !points | values & points).into())
     }
 }
 
@@ -72,23 +83,17 @@ pub struct Panel {
     pub fault: Option<Fault>,
     /// The card has failed; the state is no longer kept.
     pub card_failed: bool,
-    /// Inputs that are forced.
-    pub inputs: Force,
-    /// Outputs that are forced.
-    pub outputs: Force,
+    /// What is forced.
+    pub forces: Forces,
     /// As the last scan left them.
     pub images: Images,
     /// How long scans take.
     pub times: ScanTimes,
+    /// The settings that are kept.
+    pub settings: Settings,
 }
 
 impl Panel {
-    /// Whether anything is forced.
-    #[inline(always)]
-    pub fn forces(&self) -> bool {
-        self.inputs.points | self.outputs.points != 0
-    }
-
     /// Takes this command, if it is the one that was given.
     pub fn takes(&mut self, command: Command) -> bool {
         let given = self.command == Some(command);
@@ -131,7 +136,9 @@ pub struct Server<'f> {
 
 impl<'f> Server<'f> {
     /// A server with this memory for its frames, before the first scan.
-    pub fn new(frame: &'f mut Frame) -> Server<'f> {
+    // Apart from who makes it, whose frame is large.
+    #[inline(never)]
+    pub fn new(frame: &'f mut Frame, settings: Settings) -> Server<'f> {
         Server {
             frame,
             exchange: None,
@@ -142,10 +149,10 @@ impl<'f> Server<'f> {
                 command: None,
                 fault: None,
                 card_failed: false,
-                inputs: Force::default(),
-                outputs: Force::default(),
+                forces: Forces::default(),
                 images: Images::default(),
                 times: ScanTimes::default(),
+                settings,
             },
         }
     }

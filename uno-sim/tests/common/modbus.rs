@@ -28,7 +28,10 @@ pub fn exchange(uno: &mut Uno, bytes: &[u8], patience_ms: u64) -> Option<Vec<u8>
     loop {
         uno.run_cycles(CYCLES_PER_MS / 10).unwrap();
         for sent in uno.take_serial_log() {
-            assert!(sent.start >= last || !reply.is_empty(), "a reply without silence");
+            assert!(
+                sent.start >= last || !reply.is_empty(),
+                "a reply without silence"
+            );
             reply.push(sent.byte);
             last = sent.end;
         }
@@ -61,9 +64,15 @@ fn request(function: u8, first: u16, word: u16) -> Vec<u8> {
 pub fn words(uno: &mut Uno, function: u8, first: u16, count: u16) -> Vec<u16> {
     let request = request(function, first, count);
     let reply = ask(uno, &request).expect("a reply");
-    assert_eq!(reply[..3], [1, function, count as u8 * 2], "{request:02x?}: {reply:02x?}");
+    assert_eq!(
+        reply[..3],
+        [1, function, count as u8 * 2],
+        "{request:02x?}: {reply:02x?}"
+    );
     let words = reply[3..].chunks(2);
-    words.map(|pair| u16::from_be_bytes([pair[0], pair[1]])).collect()
+    words
+        .map(|pair| u16::from_be_bytes([pair[0], pair[1]]))
+        .collect()
 }
 
 /// An input register.
