@@ -11,5 +11,6 @@ pub mod flash;
 pub mod r0check;
 pub mod setup;
 pub mod shell;
+pub mod shorten;
 pub mod test;
 pub mod toolchain;
