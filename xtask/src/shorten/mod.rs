@@ -2,9 +2,13 @@
 
 pub mod assembly;
 pub mod body;
+mod copies;
 pub mod effects;
 pub mod frame;
 mod jumps;
+pub mod link;
+mod liveness;
+mod order;
 mod parts;
 mod reach;
 mod saves;
@@ -27,18 +31,21 @@ pub fn shorten(text: &str) -> String {
             eprintln!("not understood: {}", f.name);
         }
     }
-    saves::share(&mut unit);
+    if std::env::var("ST").map_or(true, |v| v.contains('c')) {copies::drop_superfluous(&mut unit);}
+    eprintln!("copies {}", size(&unit));
+    let on = |c| std::env::var("ST").map_or(true, |v| v.contains(c));
+    if on('s') { saves::share(&mut unit); }
     eprintln!("saves {}", size(&unit));
-    jumps::shorten(&mut unit);
+    if on('j') {jumps::shorten(&mut unit);}
     eprintln!("jumps {}", size(&unit));
     let mut tails = 0;
     let mut parts = 0;
-    while tails::merge(&mut unit, &mut tails) {
+    while on('t') && tails::merge(&mut unit, &mut tails) {
         eprintln!("tails {}", size(&unit));
         jumps::shorten(&mut unit);
         eprintln!("jumps {}", size(&unit));
     }
-    while parts::take_out(&mut unit, &mut parts) {
+    while on('p') && parts::take_out(&mut unit, &mut parts) {
         eprintln!("parts {}", size(&unit));
         jumps::shorten(&mut unit);
         eprintln!("jumps {}", size(&unit));
@@ -48,5 +55,6 @@ pub fn shorten(text: &str) -> String {
     }
     reach::mend(&mut unit);
     eprintln!("reach {}", size(&unit));
+    order::arrange(&mut unit);
     unit.to_string()
 }

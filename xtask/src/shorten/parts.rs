@@ -86,7 +86,8 @@ fn parts(unit: &Unit) -> Vec<Part> {
                 break;
             };
             let last = window[length - 1];
-            if last == 0 || window[0] == 0 {
+            let first_calls = || matches!(flow(code(window[0])), Flow::Call(_));
+            if last == 0 || window[0] == 0 || first_calls() {
                 break;
             }
             found.entry(window).or_default().push(start);
