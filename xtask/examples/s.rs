@@ -1,1 +1,1 @@
-fn main() { let t = std::fs::read_to_string(std::env::args().nth(1).unwrap()).unwrap(); print!("{}", xtask::shorten::shorten(&t)); }
+fn main() { let t = std::fs::read_to_string(std::env::args().nth(1).unwrap()).unwrap(); let s = xtask::shorten::shorten(&t); eprintln!("{s}"); print!("{}", s.text); }

@@ -61,7 +61,8 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     let printed = fs::read_to_string(&arguments)
         .with_context(|| format!("cannot read {}", arguments.display()))?;
     let shortened = target_folder().join("shortened/unoclp.elf");
-    shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    let rules = shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    println!("{rules}");
     let elf =
         fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
 

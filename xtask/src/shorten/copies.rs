@@ -1,11 +1,10 @@
 //! Copies and constants: what a register holds already is not put there again, a copy is taken from the
-//! register that had the value first, and what nothing needs any more is not put anywhere.
-
-use std::collections::BTreeMap;
+//! register that will hold the value longest, and what nothing needs any more is not put anywhere.
 
 use super::assembly::{Code, Function, Line, Unit};
-use super::effects::{ALL, CLOBBERED, Flow, Set, effects, flow, register};
+use super::effects::{Flow, effects, flow, register};
 use super::liveness::needed_behind;
+use super::values::{Registers, Walk};
 
 /// Drops copies and constants in all functions. The functions must still be as the compiler made them:
 /// its convention of calls tells what a call changes.
@@ -19,141 +18,51 @@ pub fn drop_superfluous(unit: &mut Unit) -> bool {
     changed
 }
 
-/// Something that a register may hold; equal numbers are equal values.
-type Value = u32;
-
-/// What is known of the registers at a place.
-#[derive(Default)]
-struct Registers {
-    values: [Value; 32],
-    next: Value,
-    constants: BTreeMap<String, Value>,
-}
-
-impl Registers {
-    fn forget(&mut self, set: Set) {
-        for (n, value) in self.values.iter_mut().enumerate() {
-            if set >> n & 1 == 1 {
-                self.next += 1;
-                *value = self.next;
-            }
-        }
-    }
-
-    fn constant(&mut self, text: &str) -> Value {
-        if let Some(&value) = self.constants.get(text) {
-            return value;
-        }
-        self.next += 1;
-        self.constants.insert(text.to_owned(), self.next);
-        self.next
-    }
-
-    fn get(&self, n: u32) -> Value {
-        self.values[n as usize]
-    }
-
-    fn set(&mut self, n: u32, value: Value) {
-        self.values[n as usize] = value;
-    }
-
-    /// The registers that are written by a copy, each with its value; `None` if it is none.
-    fn copied(&mut self, code: &Code) -> Option<Vec<(u32, Value)>> {
-        let to = register(code.operand(0))?;
-        match code.name.as_str() {
-            "mov" => Some(vec![(to, self.get(register(code.operand(1))?))]),
-            "movw" => {
-                let from = register(code.operand(1))?;
-                Some(vec![(to, self.get(from)), (to + 1, self.get(from + 1))])
-            }
-            "ldi" => {
-                let text = code.operand(1);
-                let number = text.parse::<i32>().ok();
-                let text = number.map_or(text.to_owned(), |n| (n & 0xff).to_string());
-                Some(vec![(to, self.constant(&text))])
-            }
-            _ => None,
-        }
-    }
-
-    /// Another register, or pair, that had the value of this one first and can take its place in a copy.
-    fn first(&self, code: &Code) -> Option<u32> {
-        let from = register(code.operand(1))?;
-        let wide = code.name == "movw";
-        let same = |&n: &u32| {
-            self.get(n) == self.get(from)
-                && (!wide || n % 2 == 0 && self.get(n + 1) == self.get(from + 1))
-        };
-        // Those that calls leave alone hold a value longest.
-        let lasting = (2..18).chain([28]);
-        lasting.filter(same).next().filter(|&n| n != from)
-    }
-}
-
-/// Goes through the code forward, from label to label.
+/// Goes through the code forward.
 fn drop_known(function: &mut Function) -> bool {
-    let mut registers = Registers::default();
-    let start = |registers: &mut Registers| {
-        registers.forget(ALL);
-        // r1 is 0 in all code of the compiler, which makes no products.
-        let zero = registers.constant("0");
-        registers.set(1, zero);
-    };
-    start(&mut registers);
-    let mut changed = false;
-    let mut after_skip = false;
+    let mut walk = Walk::of(function);
     let mut kept = Vec::new();
     for line in &function.body {
-        let (Line::Code(code) | Line::Fixed(code)) = line else {
-            if matches!(line, Line::Label(_)) {
-                start(&mut registers);
+        match line {
+            Line::Code(code) if !walk.may_be_skipped() => {
+                let copied = walk.copied(code);
+                let holds = |&(to, value): &_| walk.registers.get(to) == value;
+                if !copied.is_some_and(|copied| copied.iter().all(holds)) {
+                    let source = lasting(&walk.registers, code);
+                    kept.push(source.unwrap_or_else(|| line.clone()));
+                }
             }
-            kept.push(line.clone());
-            continue;
-        };
-        let mut code = code.clone();
-        let own = matches!(line, Line::Code(_)) && !after_skip;
-        let certain = !after_skip;
-        after_skip = flow(&code) == Flow::Skip;
-        if let Some(copied) = registers.copied(&code).filter(|_| certain) {
-            if own && copied.iter().all(|&(to, value)| registers.get(to) == value) {
-                changed = true;
-                continue;
-            }
-            if own && let Some(first) = registers.first(&code) {
-                code.operands[1] = format!("r{first}");
-                changed = true;
-            }
-            for (to, value) in copied {
-                registers.set(to, value);
-            }
-        } else {
-            let by_hand = matches!(line, Line::Fixed(_));
-            match flow(&code) {
-                Flow::Call(_) | Flow::CallPointer if by_hand => start(&mut registers),
-                Flow::Call(_) | Flow::CallPointer => registers.forget(CLOBBERED & !2),
-                _ => registers.forget(effects(&code).writes),
-            }
-            let clears = code.name == "clr"
-                || code.name == "eor" && code.operand(0) == code.operand(1);
-            if let (true, true, Some(n)) = (clears, certain, register(code.operand(0))) {
-                let zero = registers.constant("0");
-                registers.set(n, zero);
-            }
+            _ => kept.push(line.clone()),
         }
-        kept.push(match line {
-            Line::Fixed(_) => line.clone(),
-            _ => Line::Code(code),
-        });
+        walk.pass(line);
     }
+    let changed = kept != function.body;
     function.body = kept;
     changed
+}
+
+/// A copy of the same value from a register, or a pair, that calls leave alone.
+fn lasting(registers: &Registers, copy: &Code) -> Option<Line> {
+    let wide = match copy.name.as_str() {
+        "mov" => false,
+        "movw" => true,
+        _ => return None,
+    };
+    let from = register(copy.operand(1))?;
+    let same = |&n: &u32| {
+        let next = registers.get(n + 1) == registers.get(from + 1);
+        registers.get(n) == registers.get(from) && (!wide || n % 2 == 0 && next)
+    };
+    let first = (2..18).find(same).filter(|&n| n != from)?;
+    Some(Line::Code(Code {
+        name: copy.name.clone(),
+        operands: vec![copy.operand(0).to_owned(), format!("r{first}")],
+    }))
 }
 
 /// Goes through the code backward.
 fn drop_unneeded(function: &mut Function) -> bool {
     let needed = needed_behind(function);
-    let mut changed = false;
     let mut after_skip = false;
     let mut kept = Vec::new();
     for (line, needed) in function.body.iter().zip(needed) {
@@ -166,12 +75,11 @@ fn drop_unneeded(function: &mut Function) -> bool {
         if let Some(code) = line.instruction() {
             after_skip = flow(code) == Flow::Skip;
         }
-        if drop {
-            changed = true;
-        } else {
+        if !drop {
             kept.push(line.clone());
         }
     }
+    let changed = kept.len() < function.body.len();
     function.body = kept;
     changed
 }
@@ -184,6 +92,7 @@ fn is_only_a_value(code: &Code) -> bool {
     ];
     // A slot of the stack is plain memory.
     let slot = code.name == "ldd" && code.operand(1).starts_with("Y+");
-    let y = matches!(code.operand(0), "r28" | "r29" | "r0" | "r1");
-    !y && (slot || NAMES.contains(&code.name.as_str()))
+    // Of the frame and of r0, which the stack pointer's change needs, nothing is dropped.
+    let kept = matches!(code.operand(0), "r28" | "r29" | "r0" | "r1");
+    !kept && (slot || NAMES.contains(&code.name.as_str()))
 }

@@ -59,6 +59,14 @@ pub fn bytes(code: &Code) -> usize {
     }
 }
 
+/// The bytes of an instruction, at least.
+pub fn short_bytes(code: &Code) -> usize {
+    match code.name.as_str() {
+        "call" | "jmp" => 2,
+        _ => bytes(code),
+    }
+}
+
 /// Where an instruction leads.
 pub fn flow(code: &Code) -> Flow<'_> {
     let target = code.operand(0);

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use super::shorten;
+use super::{Shortened, shorten};
 use crate::shell;
 
 /// How rustc has called the linker.
@@ -94,18 +94,20 @@ impl Link {
 ///
 /// # Errors
 /// If a file is missing, or the assembler or the linker refuses something.
-pub fn link(link: &Link, elf: &Path) -> Result<()> {
+pub fn link(link: &Link, elf: &Path) -> Result<Shortened> {
     let assembly = link.assembly()?;
     let text = fs::read_to_string(&assembly)
         .with_context(|| format!("cannot read {}", assembly.display()))?;
     let (short, object) = (elf.with_extension("s"), elf.with_extension("o"));
     shell::make_folder_of(elf)?;
-    fs::write(&short, shorten(&text))
+    let shortened = shorten(&text);
+    fs::write(&short, &shortened.text)
         .with_context(|| format!("cannot write {}", short.display()))?;
     let mut assembler = Command::new("avr-gcc");
     assembler.args(["-mmcu=atmega328p", "-c"]);
     shell::run(assembler.arg(&short).arg("-o").arg(&object))?;
-    shell::run(&mut link.command(&object, elf)?)
+    shell::run(&mut link.command(&object, elf)?)?;
+    Ok(shortened)
 }
 
 #[cfg(test)]

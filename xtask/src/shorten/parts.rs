@@ -15,7 +15,7 @@ use super::saves::routine;
 /// The longest part that is looked for, in instructions.
 const LONGEST: usize = 40;
 /// The bytes of a call, before the linker looks at it.
-const CALL: usize = 4;
+const CALL: usize = 2;
 
 /// A row of instructions and where it stands: item, and its first line.
 struct Part {
@@ -107,7 +107,7 @@ fn parts(unit: &Unit) -> Vec<Part> {
         let last = window.last().map(|&number| flow(code(number)));
         let end = if matches!(last, Some(Flow::Call(_))) { 0 } else { 2 };
         let gain = (apart.len() * length).checked_sub(apart.len() * CALL + length + end)?;
-        (apart.len() > 1 && gain > 0).then(|| Part {
+        (apart.len() > 1 && gain > 4).then(|| Part {
             gain,
             codes: window.iter().map(|&number| code(number).clone()).collect(),
             places: apart.iter().map(|&start| places[start]).collect(),

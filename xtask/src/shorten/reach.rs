@@ -5,8 +5,8 @@ use super::assembly::{Code, Function, Line, Unit};
 use super::body::{is_scan, labels, offsets};
 use super::effects::{Flow, flow, opposite};
 
-/// Makes all branches reach.
-pub fn mend(unit: &mut Unit) {
+/// Makes all branches reach. Says whether one did not.
+pub fn mend(unit: &mut Unit) -> bool {
     let mut count = 0;
     for function in unit.functions_mut() {
         while let Some((n, target)) = too_far(function) {
@@ -17,6 +17,7 @@ pub fn mend(unit: &mut Unit) {
             }
         }
     }
+    count > 0
 }
 
 /// Whether a branch at one byte reaches another.

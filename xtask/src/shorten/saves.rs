@@ -22,7 +22,7 @@ struct Entries {
 }
 
 /// Makes all functions share their entries and exits where that is shorter.
-pub fn share(unit: &mut Unit) {
+pub fn share(unit: &mut Unit) -> bool {
     let mut entries = Entries::default();
     for function in unit.functions_mut() {
         if !is_understood(function) {
@@ -32,7 +32,9 @@ pub fn share(unit: &mut Unit) {
             replace(function, &frame, &mut entries);
         }
     }
+    let before = unit.items.len();
     unit.items.extend(entries.routines().map(Item::Function));
+    unit.items.len() > before
 }
 
 fn replace(function: &mut Function, frame: &Frame, entries: &mut Entries) {
