@@ -11,17 +11,68 @@ use crate::budget::thousands;
 /// belongs to the first path in its name: `<unoclp_card::Walk>::enter::<unoclp_firmware::card::Card>` to
 /// the card.
 const PARTS: &[(&str, &[&str])] = &[
-    ("scan and linked engine", &["unoclp_firmware::engine", "unoclp_firmware::run", "unoclp_core::linking", "engine_"]),
+    (
+        "scan and linked engine",
+        &[
+            "unoclp_firmware::engine",
+            "unoclp_firmware::run",
+            "unoclp_core::linking",
+            "engine_",
+        ],
+    ),
     ("loader and checks", &["unoclp_core"]),
-    ("card and bus", &["unoclp_card", "unoclp_firmware::card", "unoclp_firmware::board::spi", "embedded_sdmmc"]),
+    (
+        "card and bus",
+        &[
+            "unoclp_card",
+            "unoclp_firmware::card",
+            "unoclp_firmware::board::spi",
+            "embedded_sdmmc",
+        ],
+    ),
     ("state file", &["unoclp_firmware::state"]),
-    ("program memory", &["unoclp_firmware::store", "unoclp_firmware::board::eeprom"]),
+    (
+        "program memory",
+        &["unoclp_firmware::store", "unoclp_firmware::board::eeprom"],
+    ),
     ("Modbus", &["unoclp_modbus", "unoclp_firmware::modbus"]),
-    ("reports", &["unoclp_firmware::report", "unoclp_firmware::decimal", "unoclp_firmware::board::serial", "unoclp_firmware::board::flash"]),
-    ("diagnosis, faults, STOP", &["unoclp_firmware::diagnosis", "unoclp_firmware::indicator", "unoclp_firmware::stop", "unoclp_firmware::halt", "unoclp_firmware::board::watchdog", "unoclp_firmware::board::supply"]),
+    (
+        "reports",
+        &[
+            "unoclp_firmware::report",
+            "unoclp_firmware::decimal",
+            "unoclp_firmware::board::serial",
+            "unoclp_firmware::board::flash",
+        ],
+    ),
+    (
+        "diagnosis, faults, STOP",
+        &[
+            "unoclp_firmware::diagnosis",
+            "unoclp_firmware::indicator",
+            "unoclp_firmware::stop",
+            "unoclp_firmware::halt",
+            "unoclp_firmware::board::watchdog",
+            "unoclp_firmware::board::supply",
+        ],
+    ),
     ("start-up and the rest", &["unoclp_firmware", "__", "main"]),
-    ("runtime and interrupts", &["__vector", "__mulqi3", "__mulhi3", "memcpy", "memset", "_critical_section", "critical_section"]),
-    ("shared entries, exits, parts", &["__save", "__frame", "__unframe", "__part"]),
+    (
+        "runtime and interrupts",
+        &[
+            "__vector",
+            "__mulqi3",
+            "__mulhi3",
+            "memcpy",
+            "memset",
+            "_critical_section",
+            "critical_section",
+        ],
+    ),
+    (
+        "shared entries, exits, parts",
+        &["__save", "__frame", "__unframe", "__part"],
+    ),
 ];
 
 /// The row of the texts, which belong to no part.
@@ -79,7 +130,10 @@ pub fn table(elf: &[u8]) -> Result<String> {
     let mut lines = vec![format!("{:<30}{:>7} B", "flash by part", thousands(all))];
     for (name, bytes) in parts {
         let per_cent = (100 * bytes + all / 2) / all.max(1);
-        lines.push(format!("  {name:<28}{:>7} B {per_cent:>3} %", thousands(bytes)));
+        lines.push(format!(
+            "  {name:<28}{:>7} B {per_cent:>3} %",
+            thousands(bytes)
+        ));
     }
     Ok(lines.join("\n"))
 }
@@ -103,7 +157,10 @@ mod tests {
                 "<unoclp_core::loader::Loader>::restore::<unoclp_firmware::store::Bytes>",
                 Some("loader and checks"),
             ),
-            ("<unoclp_core::linking::Linking>::put", Some("scan and linked engine")),
+            (
+                "<unoclp_core::linking::Linking>::put",
+                Some("scan and linked engine"),
+            ),
             ("__frame_r2", Some("shared entries, exits, parts")),
             ("__init", Some("start-up and the rest")),
             ("__vector_13", Some("runtime and interrupts")),

@@ -69,7 +69,10 @@ pub fn check(code: &Code, entry: u32) -> Result<Report> {
             for callee in paths.values().filter_map(|(i, _)| callee(i)) {
                 next.entry(callee).or_default();
             }
-            for handler in paths.iter().filter_map(|(&at, (i, _))| behind_jump(code, at, i)) {
+            for handler in paths
+                .iter()
+                .filter_map(|(&at, (i, _))| behind_jump(code, at, i))
+            {
                 next.entry(handler).or_default();
             }
             next.insert(function, summarise(&paths, &summaries));

@@ -172,7 +172,7 @@ fn function_at(lines: &[&str], n: usize, between: &mut Vec<String>) -> Option<(F
 }
 
 /// The lines of a body; `None` if there is a directive among them that takes room.
-fn body_of(lines: &[&str]) -> Option<Vec<Line>> {
+pub(super) fn body_of(lines: &[&str]) -> Option<Vec<Line>> {
     let mut by_hand = false;
     lines
         .iter()
@@ -215,8 +215,7 @@ impl fmt::Display for Unit {
                 Item::Verbatim(lines) => write(lines)?,
                 Item::Function(function) => {
                     write(&function.head)?;
-                    let body: Vec<String> =
-                        function.body.iter().map(ToString::to_string).collect();
+                    let body: Vec<String> = function.body.iter().map(ToString::to_string).collect();
                     write(&body)?;
                     write(&function.foot)?;
                 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::assembly::{Code, Function, Item, Line, Unit};
-use super::effects::{Flow, bytes, flow};
+use super::effects::{Flow, bytes, flow, is_timed};
 
 /// The label in the scan. The function around it runs in every scan.
 const SCAN: &str = "scan_begin";
@@ -63,13 +63,27 @@ pub fn may_be_skipped(body: &[Line], n: usize) -> bool {
         .is_some_and(|code| flow(code) == Flow::Skip)
 }
 
+/// Whether the instruction on line `n` belongs to the one before it: that one may skip it, or turns
+/// interrupts on, which takes effect only behind line `n`, where the stack pointer is whole again.
+pub fn is_bound(body: &[Line], n: usize) -> bool {
+    let before = body.iter().take(n).rev().find_map(Line::instruction);
+    let turns_on =
+        |code: &Code| code.name == "sei" || code.name == "out" && code.operand(0) == "63";
+    may_be_skipped(body, n) || before.is_some_and(turns_on)
+}
+
 /// Whether control never goes from line `n` to the next.
 pub fn is_end(body: &[Line], n: usize) -> bool {
     let leaves = |code| matches!(flow(code), Flow::Jump(_) | Flow::Leave);
-    body.get(n)
-        .and_then(Line::instruction)
-        .is_some_and(leaves)
-        && !may_be_skipped(body, n)
+    body.get(n).and_then(Line::instruction).is_some_and(leaves) && !may_be_skipped(body, n)
+}
+
+/// For each line, whether it must run right before a write that is allowed for some cycles only, or is one.
+pub fn in_time(body: &[Line]) -> Vec<bool> {
+    const LINES: usize = 8;
+    let timed = |line: &Line| line.instruction().is_some_and(is_timed);
+    let soon = |n| body.iter().skip(n).take(LINES).any(timed);
+    (0..body.len()).map(soon).collect()
 }
 
 /// The byte that each line begins at, at most, and the length of all.

@@ -31,7 +31,8 @@ fn superfluous(function: &Function) -> Option<usize> {
         let zero = compares.is(&format!("cpi {}, 0", sets.operand(0)))
             || compares.is(&format!("tst {}", sets.operand(0)));
         let own = matches!(body.get(at), Some(Line::Code(_)));
-        (zero && own && SETS.contains(&sets.name.as_str()) && !may_be_skipped(body, n)).then_some(at)
+        (zero && own && SETS.contains(&sets.name.as_str()) && !may_be_skipped(body, n))
+            .then_some(at)
     });
     let candidates: Vec<usize> = candidates.collect();
     if candidates.is_empty() {

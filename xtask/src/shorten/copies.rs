@@ -48,7 +48,8 @@ fn lasting(registers: &Registers, copy: &Code) -> Option<Line> {
         "movw" => true,
         _ => return None,
     };
-    let from = register(copy.operand(1))?;
+    // Of r1 everyone knows that it is 0.
+    let from = register(copy.operand(1)).filter(|&n| n > 1)?;
     let same = |&n: &u32| {
         let next = registers.get(n + 1) == registers.get(from + 1);
         registers.get(n) == registers.get(from) && (!wide || n % 2 == 0 && next)

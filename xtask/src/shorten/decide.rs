@@ -50,7 +50,9 @@ fn decided(function: &Function, count: &mut usize) -> Option<Vec<Line>> {
     for (n, line) in body.iter().enumerate() {
         let leads = match line {
             Line::Code(code) if !walk.may_be_skipped() => match flow(code) {
-                Flow::Jump(label) | Flow::Branch(label) => decisions.iter().find(|d| d.name == label),
+                Flow::Jump(label) | Flow::Branch(label) => {
+                    decisions.iter().find(|d| d.name == label)
+                }
                 _ => None,
             },
             Line::Label(_) if !n.checked_sub(1).is_some_and(|n| is_end(body, n)) => {
@@ -79,7 +81,10 @@ fn decisions(function: &Function) -> Vec<Decision<'_>> {
             return None;
         };
         let behind = body.iter().enumerate().skip(label);
-        let first = behind.take_while(|(_, line)| line.instruction().is_none()).count() + label;
+        let first = behind
+            .take_while(|(_, line)| line.instruction().is_none())
+            .count()
+            + label;
         let (mut at, mut code) = code_from(body, first)?;
         let number = register(code.operand(0))?;
         let lowest = code.is(&format!("andi r{number}, 1"));

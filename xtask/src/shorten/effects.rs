@@ -102,6 +102,19 @@ pub fn opposite(name: &str) -> Option<&'static str> {
     })
 }
 
+/// Whether an instruction writes a register that unlocks another write for four cycles: of the watchdog,
+/// the clock, the EEPROM, the program memory, the vectors (ATmega328P datasheet DS40002061, sections 8.6.3,
+/// 9.12.2, 11.9.2, 12.5.1, 27.9.1).
+pub fn is_timed(code: &Code) -> bool {
+    let place = code.operand(0);
+    match code.name.as_str() {
+        "sts" => matches!(place, "96" | "97"),
+        "out" | "sbi" | "cbi" => matches!(place, "31" | "53" | "55"),
+        "spm" => true,
+        _ => false,
+    }
+}
+
 /// The number of a register operand.
 pub fn register(operand: &str) -> Option<u32> {
     let number = operand.strip_prefix('r')?.parse().ok()?;
@@ -148,14 +161,24 @@ fn known(code: &Code) -> Option<Effects> {
         "set" | "clt" => (0, T),
         "sec" | "clc" => (0, CARRY),
         "sbrc" | "sbrs" => (one(0)?, 0),
-        "sbi" | "cbi" | "sbic" | "sbis" | "cli" | "sei" | "wdr" | "nop" | "sleep" | "rjmp" => (0, 0),
+        "sbi" | "cbi" | "sbic" | "sbis" | "cli" | "sei" | "wdr" | "nop" | "sleep" | "rjmp" => {
+            (0, 0)
+        }
         "in" => (
-            if code.operand(1) == "63" { ALL ^ 0xffff_ffff } else { 0 },
+            if code.operand(1) == "63" {
+                ALL ^ 0xffff_ffff
+            } else {
+                0
+            },
             one(0)?,
         ),
         "out" => (
             one(1)?,
-            if code.operand(0) == "63" { ALL ^ 0xffff_ffff } else { 0 },
+            if code.operand(0) == "63" {
+                ALL ^ 0xffff_ffff
+            } else {
+                0
+            },
         ),
         "push" => (one(0)?, 0),
         "pop" => (0, one(0)?),

@@ -68,7 +68,11 @@ fn exit(body: &[Line], ret: usize, frame: &Frame) -> Option<Range<usize>> {
         Some(0..=63) => 1,
         Some(_) => 2,
     };
-    let sets = if frame.room.is_some() { SET_STACK.len() } else { 0 };
+    let sets = if frame.room.is_some() {
+        SET_STACK.len()
+    } else {
+        0
+    };
     let start = ret.checked_sub(frame.pushed.len() + moves + sets)?;
     let mut at = start;
     if let Some(room) = frame.room {
@@ -162,7 +166,9 @@ pub fn is_understood(function: &Function) -> bool {
                 }
             }),
             "movw" if code.operand(1) == "r28" => copy_is_understood(body, at, code, &within),
-            "push" | "pop" | "in" | "out" if code.operands.iter().any(|o| o == SPL || o == "62") => {
+            "push" | "pop" | "in" | "out"
+                if code.operands.iter().any(|o| o == SPL || o == "62") =>
+            {
                 false
             }
             "push" | "pop" => false,
@@ -177,7 +183,12 @@ pub fn is_understood(function: &Function) -> bool {
 }
 
 /// Whether an address that begins as a copy of Y stays within the frame: what is added comes soon.
-fn copy_is_understood(body: &[Line], at: usize, copy: &Code, within: &impl Fn(u16) -> bool) -> bool {
+fn copy_is_understood(
+    body: &[Line],
+    at: usize,
+    copy: &Code,
+    within: &impl Fn(u16) -> bool,
+) -> bool {
     const SOON: usize = 4;
     let Some(low) = register(copy.operand(0)) else {
         return false;

@@ -190,12 +190,8 @@ fn pull_up(function: &mut Function, references: &BTreeMap<String, usize>) -> boo
             .find(|&n| !matches!(body.get(n), Some(Line::Other(_))))
             .is_some_and(|n| is_end(body, n));
         let end = (start..body.len()).find(|&n| is_end(body, n))?;
-        (jump.name == "rjmp"
-            && alone
-            && closed
-            && is_end(body, n)
-            && !(start..=end).contains(&n))
-        .then_some((n, start, end))
+        (jump.name == "rjmp" && alone && closed && is_end(body, n) && !(start..=end).contains(&n))
+            .then_some((n, start, end))
     };
     let Some((jump, start, end)) = (0..body.len()).find_map(block) else {
         return false;

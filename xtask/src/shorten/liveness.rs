@@ -1,7 +1,7 @@
 //! Which registers and flags are still needed behind each line of a function.
 
 use super::assembly::{Code, Function, Line};
-use super::body::{is_end, labels};
+use super::body::{code_from, is_end, labels};
 use super::effects::{ALL, Flow, RETURNED, Set, effects, flow};
 
 /// For each line, what may be read behind it before it is written.
@@ -25,7 +25,10 @@ pub fn needed_behind(function: &Function) -> Vec<Set> {
                 Flow::Jump(label) => target(label) | skipped(body, n, next),
                 Flow::Branch(label) => target(label) | next,
                 Flow::Leave => RETURNED | skipped(body, n, next),
-                Flow::Skip => next | before.get(n + 2).copied().unwrap_or(ALL),
+                Flow::Skip => {
+                    let over = code_from(body, n + 1).map(|(over, _)| before[over + 1]);
+                    next | over.unwrap_or(ALL)
+                }
                 Flow::Next | Flow::Call(_) | Flow::CallPointer => next,
             };
             let needed = needs(&body[n], code, behind[n]);

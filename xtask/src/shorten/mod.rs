@@ -20,6 +20,8 @@ mod parts;
 mod reach;
 mod saves;
 mod tails;
+#[cfg(test)]
+mod tests;
 mod values;
 
 use std::fmt;

@@ -90,7 +90,9 @@ fn add(line: &Line, found: &mut [Section], current: Option<usize>) {
         Line::Label(name) => section.labels.push((name.clone(), section.length)),
         Line::Code(code) | Line::Fixed(code) => {
             if is_long(code) {
-                section.calls.push((code.operand(0).to_owned(), section.length));
+                section
+                    .calls
+                    .push((code.operand(0).to_owned(), section.length));
             }
             // Most calls will be short.
             section.length += if is_long(code) { 2 } else { bytes(code) as i64 };

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::assembly::{Code, Item, Line, Unit};
-use super::body::{is_scan, may_be_skipped, with_stack_arguments};
+use super::body::{in_time, is_bound, is_scan, with_stack_arguments};
 use super::effects::{Flow, bytes, flow};
 use super::saves::routine;
 
@@ -57,17 +57,18 @@ fn parts(unit: &Unit) -> Vec<Part> {
         let Item::Function(function) = function else {
             continue;
         };
+        let in_time = in_time(&function.body);
+        let scan = is_scan(function);
         for (line, this) in function.body.iter().enumerate() {
+            let may_be = |code| !scan && !in_time[line] && may_be_in_a_part(code, &by_stack);
             let number = match this {
-                Line::Code(code) if !is_scan(function) && may_be_in_a_part(code, &by_stack) => {
-                    *numbers.entry(code).or_insert_with(|| {
-                        codes.push(code);
-                        codes.len() as u32
-                    })
-                }
+                Line::Code(code) if may_be(code) => *numbers.entry(code).or_insert_with(|| {
+                    codes.push(code);
+                    codes.len() as u32
+                }),
                 _ => 0,
             };
-            if may_be_skipped(&function.body, line) {
+            if is_bound(&function.body, line) {
                 row.push(0);
                 places.push((item, line));
             }
@@ -105,7 +106,11 @@ fn parts(unit: &Unit) -> Vec<Part> {
         }
         let length: usize = window.iter().map(|&number| bytes(code(number))).sum();
         let last = window.last().map(|&number| flow(code(number)));
-        let end = if matches!(last, Some(Flow::Call(_))) { 0 } else { 2 };
+        let end = if matches!(last, Some(Flow::Call(_))) {
+            0
+        } else {
+            2
+        };
         let gain = (apart.len() * length).checked_sub(apart.len() * CALL + length + end)?;
         (apart.len() > 1 && gain > 4).then(|| Part {
             gain,
@@ -141,7 +146,9 @@ fn apply(unit: &mut Unit, part: Part, name: &str) {
     }
     let mut body: Vec<Line> = part.codes.into_iter().map(Line::Code).collect();
     match body.last_mut() {
-        Some(Line::Code(code)) if matches!(flow(code), Flow::Call(_)) => code.name = "jmp".to_owned(),
+        Some(Line::Code(code)) if matches!(flow(code), Flow::Call(_)) => {
+            code.name = "jmp".to_owned()
+        }
         _ => body.push(Line::code("ret")),
     }
     unit.items.push(Item::Function(routine(name, body)));

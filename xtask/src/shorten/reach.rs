@@ -40,7 +40,9 @@ fn too_far(function: &Function) -> Option<(usize, String)> {
         let Flow::Branch(target) = flow(code) else {
             return None;
         };
-        let near = labels.get(target).is_some_and(|&at| reaches(offsets[n], offsets[at]));
+        let near = labels
+            .get(target)
+            .is_some_and(|&at| reaches(offsets[n], offsets[at]));
         (!near).then(|| (n, target.to_owned()))
     })
 }

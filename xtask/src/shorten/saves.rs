@@ -69,7 +69,12 @@ fn replace(function: &mut Function, frame: &Frame, entries: &mut Entries) {
         }
         _ => return,
     }
-    let lines = |codes: &[String]| codes.iter().map(|code| Line::code(code)).collect::<Vec<_>>();
+    let lines = |codes: &[String]| {
+        codes
+            .iter()
+            .map(|code| Line::code(code))
+            .collect::<Vec<_>>()
+    };
     for range in frame.exits.iter().rev() {
         function.body.splice(range.clone(), lines(&exit));
     }

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::assembly::{Code, Item, Line, Unit};
-use super::body::{is_end, is_scan, may_be_skipped};
+use super::body::{in_time, is_bound, is_end, is_scan};
 use super::effects::bytes;
 
 /// The end of a path: how it goes on, and the line where that stands.
@@ -16,8 +16,9 @@ struct End<'a> {
     line: usize,
     /// Where the path goes on by falling into a label, there is no such instruction.
     falls: bool,
-    /// What is before, the last first.
-    codes: Vec<&'a Code>,
+    /// What is before, the last first, and whether a jump may lead there in its place: none may come
+    /// between two instructions that belong together.
+    codes: Vec<(&'a Code, bool)>,
     scan: bool,
 }
 
@@ -48,6 +49,7 @@ fn ends(unit: &Unit) -> BTreeMap<String, Vec<End<'_>>> {
             continue;
         };
         let body = &function.body;
+        let in_time = in_time(body);
         for (line, this) in body.iter().enumerate() {
             let (key, falls) = match this {
                 Line::Code(code) if is_end(body, line) => (code.to_string(), false),
@@ -57,19 +59,15 @@ fn ends(unit: &Unit) -> BTreeMap<String, Vec<End<'_>>> {
                 _ => continue,
             };
             let before = (0..line).rev().map_while(|n| match body.get(n) {
-                Some(Line::Code(code)) => Some((n, code)),
+                Some(Line::Code(code)) if !in_time[n] => Some((code, !is_bound(body, n))),
                 _ => None,
             });
-            let mut codes: Vec<_> = before.collect();
-            // A path that begins with what may be skipped is another one.
-            while codes.last().is_some_and(|&(n, _)| may_be_skipped(body, n)) {
-                codes.pop();
-            }
+            let codes = before.collect();
             found.entry(key).or_default().push(End {
                 item,
                 line,
                 falls,
-                codes: codes.into_iter().map(|(_, code)| code).collect(),
+                codes,
                 scan: is_scan(function),
             });
         }
@@ -86,18 +84,24 @@ fn best(unit: &Unit) -> Option<Merge> {
         let last = bytes(&Code::parse(&key));
         let mut groups = vec![ends.iter().collect::<Vec<_>>()];
         for length in 1.. {
-            groups = groups.iter().flat_map(|group| split(group, length)).collect();
+            groups = groups
+                .iter()
+                .flat_map(|group| split(group, length))
+                .collect();
             if groups.is_empty() {
                 break;
             }
             for group in &groups {
-                let Some((&first, others)) = group.split_first() else {
+                let free = |end: &&&End<'_>| end.codes.get(length - 1).is_some_and(|code| code.1);
+                let mut free = group.iter().filter(free);
+                let Some(first) = free.next() else {
                     continue;
                 };
-                let saved: usize = first.codes.iter().take(length).map(|code| bytes(code)).sum();
+                let codes = first.codes.iter().take(length);
+                let saved: usize = codes.map(|(code, _)| bytes(code)).sum();
                 let mut ends = vec![(first.item, first.line, first.falls)];
                 let mut gain = 0;
-                for other in others.iter().filter(|other| !other.scan) {
+                for other in free.filter(|other| !other.scan) {
                     let jump = if other.item == first.item { 2 } else { 4 };
                     let last = if other.falls { 0 } else { last };
                     if saved + last > jump {
@@ -118,13 +122,11 @@ fn best(unit: &Unit) -> Option<Merge> {
 fn split<'a, 'b>(group: &[&'b End<'a>], length: usize) -> Vec<Vec<&'b End<'a>>> {
     let mut parts: Vec<Vec<&End<'a>>> = Vec::new();
     for &end in group {
-        let Some(code) = end.codes.get(length - 1) else {
+        let code = |end: &End<'a>| end.codes.get(length - 1).map(|&(code, _)| code);
+        let Some(this) = code(end) else {
             continue;
         };
-        match parts
-            .iter_mut()
-            .find(|part| part[0].codes.get(length - 1) == Some(code))
-        {
+        match parts.iter_mut().find(|part| code(part[0]) == Some(this)) {
             Some(part) => part.push(end),
             None => parts.push(vec![end]),
         }
