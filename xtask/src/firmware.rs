@@ -10,8 +10,9 @@ use unoclp_core::isa::Opcode;
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
+use crate::shorten::link::Link;
 use crate::toolchain::Toolchain;
-use crate::{r0check, setup};
+use crate::{parts, r0check, setup, shorten};
 
 /// A build that is within its limits and has passed the check for wrong code.
 pub struct Firmware {
@@ -52,13 +53,23 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     }
 
     say("firmware: compiling for the ATmega328P");
-    shell::run(&mut cargo(toolchain, "build"))?;
-    let linked = target_folder().join("avr-none/firmware/unoclp-firmware.elf");
-    let elf = fs::read(&linked).with_context(|| format!("cannot read {}", linked.display()))?;
+    let arguments = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc");
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", arguments.display())))?;
+
+    say("firmware: shortening what the compiler has made");
+    let printed = fs::read_to_string(&arguments)
+        .with_context(|| format!("cannot read {}", arguments.display()))?;
+    let shortened = target_folder().join("shortened/unoclp.elf");
+    let rules = shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    println!("{rules}");
+    let elf =
+        fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;
-    println!("{size}\n{}", program_room());
+    println!("{size}\n{}\n{}", parts::table(&elf)?, program_room());
     let exceeded = size.exceeded();
     ensure!(
         exceeded.is_empty(),

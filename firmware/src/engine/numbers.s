@@ -560,7 +560,9 @@ integrate:
 
 ; Nothing reads these bytes: the linker refuses them, as "relocation truncated to fit: R_AVR_8", where
 ; the handlers do not begin in the first 512 and 1024 bytes of flash.
+        .type   engine_pages_fit, @object
+engine_pages_fit:
         .byte   engine_page_end - 257
         .byte   more_page_end - 769
-        .p2align 1
+        .size   engine_pages_fit, . - engine_pages_fit
         .text
