@@ -81,6 +81,9 @@ struct Memory {
     readings: Option<u32>,
 }
 
+/// A marker that is 1: the firmware looks at this bit alone.
+const MARKER: u8 = 0x80;
+
 impl Memory {
     fn of(program: &Program) -> Memory {
         let place = |name| {
@@ -284,7 +287,10 @@ impl Engine for UnoEngine {
     fn poke(&mut self, cell: Cell, value: i32) -> Result<(), EngineError> {
         let (address, size) = self.memory.cell(cell)?;
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        let bytes = value.to_le_bytes();
+        let bytes = match cell {
+            Cell::Marker(_) => [if value != 0 { MARKER } else { 0 }, 0, 0, 0],
+            Cell::Register(_) => value.to_le_bytes(),
+        };
         Ok(uno.write_ram(address, bytes.get(..size).unwrap_or_default())?)
     }
 

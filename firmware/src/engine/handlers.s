@@ -34,7 +34,8 @@
         .equ    ENGINE_INPUTS, ENGINE + 8
         .equ    ENGINE_BUDGET, ENGINE + 9
         .equ    ENGINE_LINE, ENGINE + 11
-        .global MARKERS, REGISTERS
+        .global READINGS, MARKERS, REGISTERS
+        .equ    READINGS, ENGINE + 17
         .equ    MARKERS, ENGINE + 35
         .equ    REGISTERS, ENGINE + 99
 

@@ -343,9 +343,7 @@ impl Linker<'_, '_> {
             Kind::Pwm => (at(data.pwm.as_ptr()), 1),
             Kind::Reading => (at(data.readings.as_ptr().cast()), 4),
             Kind::TimerQ => (self.layout.timer(0), TIMER_DATA as u16),
-            Kind::Counter | Kind::Count => {
-                (at(self.layout.counters.as_ptr()), COUNTER_DATA as u16)
-            }
+            Kind::Counter | Kind::Count => (at(self.layout.counters.as_ptr()), COUNTER_DATA as u16),
             _ => (at(data.registers.as_flattened().as_ptr()), 4),
         };
         let place = u16::from(number.wrapping_sub(1)) * size;

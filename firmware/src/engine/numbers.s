@@ -2,7 +2,7 @@
 
 ; a * b, of two bytes, in r1:r0. The assembler is told of a chip without it, hence the word.
 .macro  mul_    a, b
-        .word   0x9C00 | (\b & 16) << 5 | \a << 4 | \b & 15
+        .word   0x9C00 + ((\b & 16) << 5) + (\a << 4) + (\b & 15)
 .endm
 
 ; Z := the next operand, an address. Where acc = 0, the handler that asks where to store ends here.
@@ -260,7 +260,8 @@ square_root:
         sbrs    r22, 0
         rjmp    2b
         brcs    5f
-        cp      r8, r24
+        lsl     r23             ; half a bit of the argument
+        cpc     r8, r24
         cpc     r9, r25
         brcc    6f
 5:      inc     r8
