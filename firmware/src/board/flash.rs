@@ -144,12 +144,20 @@ impl Codes {
 }
 
 /// What is left of a text in program memory: gives its codes in order, up to the NUL, and stays there.
+#[derive(Clone)]
 pub struct FlashText(*const u8);
 
 impl Default for FlashText {
     /// An empty text.
     fn default() -> FlashText {
         flash_text!("")
+    }
+}
+
+impl FlashText {
+    /// The code at this place, up to the NUL; none for that.
+    pub fn at(&self, index: u8) -> Option<u8> {
+        FlashText(self.0.wrapping_add(index.into())).next()
     }
 }
 

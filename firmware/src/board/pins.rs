@@ -1,6 +1,7 @@
 //! Inputs, outputs, STOP, LED L and the card's select line (ATmega328P datasheet, section 14).
 
 use avr_device::atmega328p::{PORTB, PORTC, PORTD};
+use avr_device::interrupt;
 use unoclp_core::Image;
 
 /// PD2–PD5: inputs 01–04.
@@ -50,10 +51,22 @@ impl Pins {
         self.c.pinc().read().pc5().bit_is_clear()
     }
 
+    /// Whether A5 and all inputs are connected to GND: the way back to the default settings.
+    pub fn ask_for_defaults(&self) -> bool {
+        self.stop() && self.d.pind().read().bits() & INPUTS == 0
+    }
+
     /// Pull-ups on those of inputs 05 to 08 that are among these, bit 0 input 01.
     pub fn pull_up(&self, inputs: u8) {
-        // SAFETY: any value may be written to the port; pins of the other inputs float.
-        unsafe { self.c.portc().write(|w| w.bits(STOP | inputs >> 4)) };
+        // The serial port's interrupt writes A4.
+        interrupt::free(|_| {
+            // SAFETY: any value may be written to the port; pins of the other inputs float.
+            unsafe {
+                self.c
+                    .portc()
+                    .modify(|r, w| w.bits(r.bits() & !(MORE >> 4) | inputs >> 4))
+            };
+        });
     }
 
     /// The input image: a closed button pulls its pin low and reads as 1. Of inputs 05 to 08 only those

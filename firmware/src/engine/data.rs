@@ -1,4 +1,5 @@
-//! What the engine keeps outside of run memory, at a fixed place: the handlers know it by address.
+//! What the engine keeps outside of run memory, at a fixed place in the page: the handlers know it by
+//! address.
 
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, RETENTIVE};
 
@@ -32,21 +33,6 @@ pub struct Data {
     pub registers: [[u8; 4]; REGISTERS as usize],
 }
 
-/// The one there is; `main` lends it.
-#[unsafe(export_name = "ENGINE")]
-pub static mut DATA: Data = Data {
-    system: [0; 4],
-    inputs: [0; 4],
-    image: 0,
-    budget: 0,
-    line: 0,
-    pwm: [0; 4],
-    analogue: [0; ANALOGUE as usize],
-    readings: [0; 2],
-    markers: [0; MARKERS as usize],
-    registers: [[0; 4]; REGISTERS as usize],
-};
-
 // `handlers.s` has these by number.
 const _: () = {
     assert!(core::mem::offset_of!(Data, system) + 3 == 3);
@@ -65,6 +51,11 @@ impl Data {
         let kept = usize::from(RETENTIVE) - 1;
         self.markers.iter_mut().take(kept).for_each(|cell| *cell = 0);
         self.registers.as_flattened_mut().fill(0);
+    }
+
+    /// How long the last scan took, µs.
+    pub fn scan_time(&mut self, time: u16) {
+        self.readings[0] = time.into();
     }
 
     /// The retentive markers, bit 0 M 57.

@@ -28,7 +28,8 @@
         ijmp
 .endm
 
-; Of `Data` in `data.rs`.
+; Of `Data` in `data.rs`, which stands behind the frame in the page.
+        .equ    ENGINE, PAGE + 256
         .equ    ENGINE_ERROR, ENGINE + 3
         .equ    ENGINE_INPUTS, ENGINE + 8
         .equ    ENGINE_BUDGET, ENGINE + 9

@@ -24,6 +24,7 @@ pub use data::Data;
 pub use rows::instruction_table;
 
 use crate::board::eeprom::Eeprom;
+use crate::server::Memory;
 use crate::store::{Kept, Stored};
 use core::arch::{asm, global_asm};
 use data::{Cell, ON};
@@ -150,14 +151,13 @@ impl<'m> Linked<'m> {
         self.layout.data
     }
 
-    /// The data of the timers, [`TIMER_DATA`] bytes each, in file order; see `timers.s`.
-    pub fn timers(&mut self) -> &mut [u8] {
-        self.layout.timers
-    }
-
-    /// The data of the counters, [`COUNTER_DATA`] bytes each: the value, the preset, a byte of its own.
-    pub fn counters(&mut self) -> &mut [u8] {
-        self.layout.counters
+    /// What a program works on, for one step of the server.
+    pub fn memory(&mut self) -> Memory<'_> {
+        Memory {
+            data: self.layout.data,
+            timers: self.layout.timers,
+            counters: self.layout.counters,
+        }
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
@@ -206,6 +206,17 @@ impl<'m> Linked<'m> {
         data.budget = JUMP_BUDGET as i16;
         self.first = false;
         inputs
+    }
+
+    /// The output image.
+    pub fn outputs(&self) -> Image {
+        Image(u16::from(self.images >> POINTS))
+    }
+
+    /// Writes the output image from outside of the program.
+    #[inline(always)]
+    pub fn set_outputs(&mut self, outputs: Image) {
+        self.images = self.images & INPUTS | (outputs.0 as u8) << POINTS;
     }
 
     /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives
