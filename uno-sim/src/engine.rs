@@ -3,7 +3,7 @@
 use crate::sd::{Kind, SdCard};
 use crate::{Analogue, CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::{Image, Inputs, Millis};
+use unoclp_core::{Image, Inputs, Millis, isa::ANALOGUE};
 use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
@@ -37,8 +37,8 @@ pub struct UnoEngine {
     tick: u32,
     millis: u32,
     memory: Memory,
-    /// Whether analogue inputs have been set.
-    analogue: bool,
+    /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
+    analogue: [bool; ANALOGUE as usize],
     uno: Option<Uno>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
@@ -128,7 +128,7 @@ impl UnoEngine {
             tick: symbol("__vector_13", Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
             memory: Memory::of(&program),
-            analogue: false,
+            analogue: Default::default(),
             program,
             clock,
             uno: None,
@@ -209,16 +209,19 @@ impl UnoEngine {
     fn set_inputs(&mut self, inputs: &Inputs) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
         uno.set_inputs(inputs.points.0 as u8);
-        if inputs.analogue == Inputs::default().analogue && !self.analogue {
+        if inputs.analogue == Inputs::default().analogue && !self.analogue.contains(&true) {
             return Ok(());
         }
-        self.analogue = true;
         let readings = self
             .memory
             .readings
             .ok_or(EngineError::NoSymbol("READINGS"))?;
         for (index, &reading) in inputs.analogue.iter().enumerate() {
-            uno.set_analogue(index, Analogue::Reading(reading));
+            let driven = &mut self.analogue[index];
+            *driven |= reading != 0;
+            if *driven {
+                uno.set_analogue(index, Analogue::Reading(reading));
+            }
             let place = readings + 2 * index as u32;
             if self.clock == Clock::Lockstep {
                 uno.write_ram(place, &reading.to_le_bytes())?;
@@ -256,7 +259,7 @@ impl Engine for UnoEngine {
             .file("PROGRAM.TXT", file)
             .build()?;
         let card = SdCard::new(Kind::Sdhc, image)?;
-        self.analogue = false;
+        self.analogue = Default::default();
         self.start(Slot::Card(card))
     }
 
