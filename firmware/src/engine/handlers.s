@@ -202,6 +202,9 @@ over:
 
 ; Nothing reads this byte: the linker refuses it, as "relocation truncated to fit: R_AVR_8", where the
 ; page of the handlers ends behind the first 512 bytes of flash.
+        .type   engine_page_fits, @object
+engine_page_fits:
         .byte   engine_page_end - 257
         .p2align 1
+        .size   engine_page_fits, . - engine_page_fits
         .text
