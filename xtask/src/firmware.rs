@@ -10,7 +10,7 @@ use unoclp_core::{Profile, isa};
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
 use crate::toolchain::Toolchain;
-use crate::{r0check, setup};
+use crate::{parts, r0check, setup};
 
 /// A build that is within its limits and has passed the check for wrong code.
 pub struct Firmware {
@@ -57,7 +57,7 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;
-    println!("{size}\n{}", program_room());
+    println!("{size}\n{}\n{}", parts::table(&elf)?, program_room());
     let exceeded = size.exceeded();
     ensure!(
         exceeded.is_empty(),
