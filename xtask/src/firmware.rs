@@ -9,8 +9,9 @@ use unoclp_core::{Profile, isa};
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
+use crate::shorten::link::Link;
 use crate::toolchain::Toolchain;
-use crate::{parts, r0check, setup};
+use crate::{parts, r0check, setup, shorten};
 
 /// A build that is within its limits and has passed the check for wrong code.
 pub struct Firmware {
@@ -51,9 +52,19 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     }
 
     say("firmware: compiling for the ATmega328P");
-    shell::run(&mut cargo(toolchain, "build"))?;
-    let linked = target_folder().join("avr-none/firmware/unoclp-firmware.elf");
-    let elf = fs::read(&linked).with_context(|| format!("cannot read {}", linked.display()))?;
+    let arguments = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc");
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", arguments.display())))?;
+
+    say("firmware: shortening what the compiler has made");
+    let printed = fs::read_to_string(&arguments)
+        .with_context(|| format!("cannot read {}", arguments.display()))?;
+    let shortened = target_folder().join("shortened/unoclp.elf");
+    let rules = shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    println!("{rules}");
+    let elf =
+        fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;

@@ -12,5 +12,6 @@ pub mod parts;
 pub mod r0check;
 pub mod setup;
 pub mod shell;
+pub mod shorten;
 pub mod test;
 pub mod toolchain;
