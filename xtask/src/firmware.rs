@@ -52,16 +52,11 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     }
 
     say("firmware: compiling for the ATmega328P");
-    let arguments = target_folder().join("link-args");
-    let mut rustc = cargo(toolchain, "rustc");
-    rustc.args(["--", "--emit=asm,link"]);
-    shell::run(rustc.arg(format!("--print=link-args={}", arguments.display())))?;
+    let link = compile(toolchain)?;
 
     say("firmware: shortening what the compiler has made");
-    let printed = fs::read_to_string(&arguments)
-        .with_context(|| format!("cannot read {}", arguments.display()))?;
     let shortened = target_folder().join("shortened/unoclp.elf");
-    let rules = shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    let rules = shorten::link::link(&link, &shortened)?;
     println!("{rules}");
     let elf =
         fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
@@ -83,6 +78,26 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     objcopy.args(["-O", "ihex", "-R", ".eeprom"]);
     shell::run(objcopy.arg(&firmware.elf).arg(&firmware.hex))?;
     Ok(firmware)
+}
+
+/// Has the firmware compiled to assembly, and says how rustc has linked it.
+fn compile(toolchain: &Toolchain) -> Result<Link> {
+    // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
+    // may be of a build with others.
+    let results = target_folder().join("avr-none/firmware/deps");
+    for file in fs::read_dir(&results).into_iter().flatten() {
+        let path = file?.path();
+        if path.extension().is_some_and(|extension| extension == "elf") {
+            fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
+        }
+    }
+    let printed = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc");
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
+    let text = fs::read_to_string(&printed)
+        .with_context(|| format!("cannot read {}", printed.display()))?;
+    Link::parse(&text)
 }
 
 /// A cargo command on the firmware.
