@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use unoclp_core::Profile;
-use unoclp_core::isa::Opcode;
+use unoclp_core::{Profile, isa};
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
@@ -53,16 +52,11 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     }
 
     say("firmware: compiling for the ATmega328P");
-    let arguments = target_folder().join("link-args");
-    let mut rustc = cargo(toolchain, "rustc");
-    rustc.args(["--", "--emit=asm,link"]);
-    shell::run(rustc.arg(format!("--print=link-args={}", arguments.display())))?;
+    let link = compile(toolchain)?;
 
     say("firmware: shortening what the compiler has made");
-    let printed = fs::read_to_string(&arguments)
-        .with_context(|| format!("cannot read {}", arguments.display()))?;
     let shortened = target_folder().join("shortened/unoclp.elf");
-    let rules = shorten::link::link(&Link::parse(&printed)?, &shortened)?;
+    let rules = shorten::link::link(&link, &shortened)?;
     println!("{rules}");
     let elf =
         fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
@@ -84,6 +78,26 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     objcopy.args(["-O", "ihex", "-R", ".eeprom"]);
     shell::run(objcopy.arg(&firmware.elf).arg(&firmware.hex))?;
     Ok(firmware)
+}
+
+/// Has the firmware compiled to assembly, and says how rustc has linked it.
+fn compile(toolchain: &Toolchain) -> Result<Link> {
+    // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
+    // may be of a build with others.
+    let results = target_folder().join("avr-none/firmware/deps");
+    for file in fs::read_dir(&results).into_iter().flatten() {
+        let path = file?.path();
+        if path.extension().is_some_and(|extension| extension == "elf") {
+            fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
+        }
+    }
+    let printed = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc");
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
+    let text = fs::read_to_string(&printed)
+        .with_context(|| format!("cannot read {}", printed.display()))?;
+    Link::parse(&text)
 }
 
 /// A cargo command on the firmware.
@@ -121,11 +135,8 @@ fn program_room() -> String {
 /// How many contacts, coils and branches, of one byte each, there is room for beside so many timers
 /// (NC-10).
 fn codes_beside(timers: usize, profile: &Profile) -> usize {
-    let row = Opcode::OnDelay.row();
-    // Its code, its preset and its output.
-    let (stored_bytes, linked_bytes) = (6, usize::from(row.run));
-    let stored = usize::from(profile.stored_bytes).checked_sub(timers * stored_bytes);
-    let linked = usize::from(profile.linked_bytes).checked_sub(timers * linked_bytes);
+    let stored = usize::from(profile.stored_bytes).checked_sub(timers * isa::STORED_TIMER_BYTES);
+    let linked = usize::from(profile.linked_bytes).checked_sub(timers * isa::LINKED_TIMER_BYTES);
     stored.min(linked).unwrap_or(0)
 }
 

@@ -99,11 +99,13 @@ pub fn offsets(body: &[Line]) -> Vec<usize> {
 
 /// Where each label stands.
 pub fn labels(body: &[Line]) -> BTreeMap<&str, usize> {
-    let label = |(n, line)| match line {
-        &Line::Label(ref name) => Some((name.as_str(), n)),
-        _ => None,
-    };
-    body.iter().enumerate().filter_map(label).collect()
+    let lines = body.iter().enumerate();
+    lines
+        .filter_map(|(n, line)| match line {
+            Line::Label(name) => Some((name.as_str(), n)),
+            _ => None,
+        })
+        .collect()
 }
 
 /// The functions that find arguments on the stack, behind their return address: how far it is to them

@@ -2,7 +2,7 @@
 //!
 //! LLVM's AVR back end has no shared prologues, does not merge equal ends of functions, takes no equal
 //! parts out of them, and branches by way of jumps that are not needed. This module does that to its
-//! assembly: each rule is a file, [`assembly`] is what they work on, [`link()`] has the result assembled and
+//! assembly: each rule is a file, [`assembly`] is what they work on, [`mod@link`] has the result assembled and
 //! linked. What each rule relies on, and how the result is checked, stands in `docs/avr-codegen.md`.
 
 pub mod assembly;

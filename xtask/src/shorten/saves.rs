@@ -46,7 +46,7 @@ fn replace(function: &mut Function, frame: &Frame, entries: &mut Entries) {
     let entry: Vec<String>;
     let exit: Vec<String>;
     match frame.room {
-        Some(room @ 1..=255) if returns == !frame.exits.is_empty() => {
+        Some(room @ 1..=255) if returns != frame.exits.is_empty() => {
             entry = vec![format!("ldi r26, {room}"), format!("call __frame_r{first}")];
             exit = leave(room, first);
             entries.frame.insert(first);
