@@ -158,9 +158,8 @@ impl Naive {
         };
         for xx in 1..=8 {
             let level = world.inputs[xx - 1] && (xx <= 4 || named(xx));
-            if self.first || self.inputs[xx] == level {
-                (self.inputs[xx], self.differs[xx]) = (level, None);
-            } else if now - *self.differs[xx].get_or_insert(now) >= self.filter {
+            let since = *self.differs[xx].get_or_insert(now);
+            if self.first || self.inputs[xx] == level || now - since >= self.filter {
                 (self.inputs[xx], self.differs[xx]) = (level, None);
             }
         }
