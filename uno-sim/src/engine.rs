@@ -13,8 +13,8 @@ const LONGEST_SCAN: u64 = 50 * CYCLES_PER_MS;
 /// How long a refused program is watched with all buttons pressed, ms.
 const WATCH: u64 = 20;
 
-/// The longest that a fault takes to be told on the serial port, ms.
-const FAULT_TOLD: u64 = 100;
+/// Cycles in which a board answers a short request at 115200 baud.
+const ANSWER: u64 = 10 * CYCLES_PER_MS;
 /// How long a board is left alone before its power is cut, ms: it writes retentive markers to its EEPROM
 /// beside its scans.
 const BEFORE_CUT: u64 = 30;
@@ -70,44 +70,38 @@ pub enum EngineError {
     NoProgram,
 }
 
-/// Where the firmware keeps what scenarios look at and set, in data space; what a firmware lacks is none.
+/// Where the firmware keeps what scenarios look at and set: in `PAGE`, from there so many bytes on
+/// (`firmware/src/engine/data.rs`).
 #[derive(Clone, Copy)]
 struct Memory {
-    /// A byte for each marker, M 01 first: 0 or not.
-    markers: Option<u32>,
-    /// Four bytes for each register, D 01 first.
-    registers: Option<u32>,
-    /// Two bytes for each reading of an analogue input, A 00 first.
-    readings: Option<u32>,
+    page: Option<u32>,
 }
 
-/// A marker that is 1: the firmware looks at this bit alone.
-const MARKER: u8 = 0x80;
+/// The data of the program in the page, behind the frame of the Modbus server.
+const DATA: u32 = 256;
+/// Two bytes for each reading of an analogue input, A 00 first.
+const READINGS: u32 = DATA + 17;
+/// A byte for each marker, M 01 first; its highest bit counts.
+const MARKERS: u32 = DATA + 35;
+/// Four bytes for each register, D 01 first.
+const REGISTERS: u32 = DATA + 99;
+/// A marker that is 1.
+const ON: u8 = 0x80;
 
 impl Memory {
     fn of(program: &Program) -> Memory {
-        let place = |name| {
-            let symbol = program.symbol(name);
-            symbol
-                .filter(|symbol| symbol.space == Space::Data)
-                .map(|symbol| symbol.address)
-        };
+        let page = program.symbol("PAGE");
+        let page = page.filter(|symbol| symbol.space == Space::Data);
         Memory {
-            markers: place("MARKERS"),
-            registers: place("REGISTERS"),
-            readings: place("READINGS"),
+            page: page.map(|symbol| symbol.address),
         }
     }
 
-    /// Address and length of a cell.
-    fn cell(self, cell: Cell) -> Result<(u32, usize), EngineError> {
-        let (first, number, size, name) = match cell {
-            Cell::Marker(number) => (self.markers, number, 1, "MARKERS"),
-            Cell::Register(number) => (self.registers, number, 4, "REGISTERS"),
-        };
-        let first = first.ok_or(EngineError::NoSymbol(name))?;
-        let offset = u32::from(number).saturating_sub(1) * size;
-        Ok((first + offset, size as usize))
+    /// The address of this place in the page.
+    fn at(self, place: u32) -> Result<u32, EngineError> {
+        self.page
+            .map(|page| page + place)
+            .ok_or(EngineError::NoSymbol("PAGE"))
     }
 }
 
@@ -212,10 +206,7 @@ impl UnoEngine {
         if inputs.analogue == Inputs::default().analogue && !self.analogue.contains(&true) {
             return Ok(());
         }
-        let readings = self
-            .memory
-            .readings
-            .ok_or(EngineError::NoSymbol("READINGS"))?;
+        let readings = self.memory.at(READINGS)?;
         for (index, &reading) in inputs.analogue.iter().enumerate() {
             let driven = &mut self.analogue[index];
             *driven |= reading != 0;
@@ -236,20 +227,17 @@ impl UnoEngine {
         let Err(halt) = uno.run_until(address, LONGEST_SCAN) else {
             return Ok(None);
         };
-        // A scan that ends in a fault is the last: the board tells it, and that takes a while.
-        let limit = uno.cycles() + FAULT_TOLD * CYCLES_PER_MS;
-        while uno.cycles() < limit {
-            if let Some(refusal) = fault(&uno.serial())? {
-                return match uno.outputs() {
-                    0 => Ok(Some(refusal)),
-                    outputs => Err(EngineError::OutputMoved(outputs.trailing_zeros() as u8)),
-                };
-            }
-            uno.run_ms(1).map_err(|halt| told(uno, halt))?;
+        // A scan that ends in a fault is the last; from then on the board serves Modbus.
+        match served_fault(uno).map_err(|halt| told(uno, halt))? {
+            Some(refusal) => match uno.outputs() {
+                0 => Ok(Some(refusal)),
+                outputs => Err(EngineError::OutputMoved(outputs.trailing_zeros() as u8)),
+            },
+            None => Err(told(uno, halt)),
         }
-        Err(told(uno, halt))
     }
 }
+
 
 impl Engine for UnoEngine {
     type Error = EngineError;
@@ -278,23 +266,34 @@ impl Engine for UnoEngine {
     }
 
     fn look(&mut self, cell: Cell) -> Result<i32, EngineError> {
-        let (address, size) = self.memory.cell(cell)?;
         let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
-        Ok(match *uno.read_ram(address, size)? {
-            [a, b, c, d] => i32::from_le_bytes([a, b, c, d]),
-            [marker] => i32::from(marker != 0),
-            _ => 0,
-        })
+        match cell {
+            Cell::Marker(number) => {
+                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                let on = uno.read_ram(place, 1)?.iter().any(|cell| cell & ON != 0);
+                Ok(on.into())
+            }
+            Cell::Register(number) => {
+                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                let bytes = uno.read_ram(place, 4)?.first_chunk();
+                Ok(bytes.map_or(0, |bytes| i32::from_le_bytes(*bytes)))
+            }
+        }
     }
 
     fn poke(&mut self, cell: Cell, value: i32) -> Result<(), EngineError> {
-        let (address, size) = self.memory.cell(cell)?;
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        let bytes = match cell {
-            Cell::Marker(_) => [if value != 0 { MARKER } else { 0 }, 0, 0, 0],
-            Cell::Register(_) => value.to_le_bytes(),
-        };
-        Ok(uno.write_ram(address, bytes.get(..size).unwrap_or_default())?)
+        match cell {
+            Cell::Marker(number) => {
+                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                uno.write_ram(place, &[if value == 0 { 0 } else { ON }])?;
+            }
+            Cell::Register(number) => {
+                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                uno.write_ram(place, &value.to_le_bytes())?;
+            }
+        }
+        Ok(())
     }
 
     /// From the pulses that the timers make: of a count of 256, or nearly so of another.
@@ -337,6 +336,27 @@ impl Engine for UnoEngine {
 
 fn told(uno: &Uno, halt: Halt) -> EngineError {
     EngineError::Halt(halt, uno.serial().into_owned())
+}
+
+/// The fault that a board in FAULT tells over Modbus (`docs/modbus.md`); none where it does not answer, or
+/// is in another state.
+fn served_fault(uno: &mut Uno) -> Result<Option<Refusal>, Halt> {
+    // Of server 1: input registers 16 to 21.
+    let request = [1, 4, 0, 16, 0, 6];
+    uno.take_serial();
+    uno.send_serial(&[&request[..], &Crc::of(&request).to_bytes()].concat());
+    uno.run_cycles(ANSWER)?;
+    let reply = uno.take_serial();
+    let [1, 4, 12, words @ .., _, _] = &reply[..] else {
+        return Ok(None);
+    };
+    let word = |index: usize| u16::from_be_bytes([words[2 * index], words[2 * index + 1]]);
+    let in_fault = words.len() == 12 && word(0) == 3;
+    let line = || u32::from(word(4)) << 16 | u32::from(word(5));
+    Ok(in_fault.then(|| Refusal {
+        number: word(2) as u8,
+        line: Some(line()).filter(|&line| line != 0),
+    }))
 }
 
 /// The fault that the serial port tells, once its line is complete.
