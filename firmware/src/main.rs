@@ -40,8 +40,8 @@ use engine::Linked;
 use server::upload;
 use server::{Command, Server};
 use state::{Images, State};
+use unoclp_card::Block;
 use unoclp_core::{Cause, Fault, Image, Profile};
-use unoclp_modbus::FRAME_BYTES;
 
 /// Run memory: the code of the program and the data of its timers, and a byte for the end.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
@@ -49,29 +49,24 @@ const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 #[avr_device::entry]
 fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
+    static mut PAGE: Block = [0; 512];
 
     let board = Board::take();
     report::banner(&board);
     let mut file = StateFile::Missing;
-    let outcome = start(&board, MEMORY, &mut file);
+    let outcome = start(&board, PAGE, MEMORY, &mut file);
     board.release_card();
-    operate(&board, MEMORY, file, outcome)
+    // From now on the page is the server's.
+    match PAGE.first_chunk_mut() {
+        Some(frame) => {
+            let mut server = Server::new(frame, board.settings);
+            serve(&board, MEMORY, file, outcome, &mut server)
+        }
+        None => unreachable!(),
+    }
 }
 
-/// RUN, STOP and FAULT, for ever. The frame stands on the stack, where the block of the card has been.
-#[inline(never)]
-fn operate(board: &Board, memory: &mut [u8], file: StateFile, outcome: Result<(), Fault>) -> ! {
-    let mut frame = [0; FRAME_BYTES];
-    serve(
-        board,
-        memory,
-        file,
-        outcome,
-        &mut Server::new(&mut frame, board.settings),
-    )
-}
-
-/// Apart from [`operate`], whose frame is large.
+/// RUN, STOP and FAULT, for ever.
 #[inline(never)]
 fn serve(
     board: &Board,
@@ -224,7 +219,12 @@ fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Ser
 /// Takes the program into program memory: what the card holds is kept there, and what is kept there is what
 /// runs; so it runs too where there is no card, or none with a program on it. Any other failure is a
 /// fault: what the user wants now was refused, or cannot be known.
-fn start(board: &Board, memory: &mut [u8], file: &mut StateFile) -> Result<(), Fault> {
+fn start(
+    board: &Board,
+    page: &mut Block,
+    memory: &mut [u8],
+    file: &mut StateFile,
+) -> Result<(), Fault> {
     match board.start {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
@@ -233,7 +233,7 @@ fn start(board: &Board, memory: &mut [u8], file: &mut StateFile) -> Result<(), F
     if board.supply.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
-    let missing = match card::load(board, memory, file) {
+    let missing = match card::load(board, page, memory, file) {
         Ok(program) => {
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None

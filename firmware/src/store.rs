@@ -34,13 +34,13 @@ const PROGRAM: u16 = 1 + HEADER as u16;
 #[inline(never)]
 pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     let header = header(stored);
-    if eeprom.read(MARK) == VALID && holds(eeprom, &header, stored) {
+    let whole =
+        |write| pass(eeprom, MARK + 1, &header, write) && pass(eeprom, PROGRAM, stored, write);
+    if eeprom.read(MARK) == VALID && whole(false) {
         return Ok(());
     }
     eeprom.write(MARK, INVALID);
-    write(eeprom, MARK + 1, &header);
-    write(eeprom, PROGRAM, stored);
-    if !holds(eeprom, &header, stored) {
+    if !(whole(true) && whole(false)) {
         return Err(Cause::StoreFailed);
     }
     eeprom.write(MARK, VALID);
@@ -64,7 +64,8 @@ fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> 
     let mut stored = (PROGRAM..PROGRAM + length).map(|address| eeprom.read(address));
     loader.restore(&mut stored).ok()?;
     let program = loader.finish().ok()?;
-    holds(eeprom, &header(program.stored()), program.stored()).then_some(program)
+    // Its bytes have just come from there: only the check sum can differ.
+    pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(program)
 }
 
 /// The length of the program that is kept, in the high word, and its check sum; 0 where there is none.
@@ -91,15 +92,13 @@ fn header(stored: &[u8]) -> [u8; HEADER] {
     header
 }
 
-/// Whether everything behind the mark is this.
-fn holds(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8]) -> bool {
-    reads(eeprom, MARK + 1, header) && reads(eeprom, PROGRAM, stored)
-}
-
+/// Writes these bytes here, or tells whether they stand here.
 #[inline(never)]
-fn reads(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) -> bool {
+fn pass(eeprom: &Eeprom, mut address: u16, bytes: &[u8], write: bool) -> bool {
     for &byte in bytes {
-        if eeprom.read(address) != byte {
+        if write {
+            eeprom.write(address, byte);
+        } else if eeprom.read(address) != byte {
             return false;
         }
         address += 1;
@@ -108,10 +107,6 @@ fn reads(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) -> bool {
 }
 
 /// Writes bytes where they differ from what is there.
-#[inline(never)]
-pub fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
-    for &byte in bytes {
-        eeprom.write(address, byte);
-        address += 1;
-    }
+pub fn write(eeprom: &Eeprom, address: u16, bytes: &[u8]) {
+    pass(eeprom, address, bytes, true);
 }

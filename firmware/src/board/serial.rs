@@ -3,7 +3,7 @@
 //!
 //! The interrupts of `port.s` move the bytes of a frame; what is here begins and ends that.
 
-use super::flash::FlashText;
+use super::flash::{self, FlashText};
 use crate::decimal::{DIGITS, decimal};
 use crate::settings::Settings;
 use avr_device::atmega328p::{PORTC, TC2, USART0};
@@ -110,9 +110,19 @@ impl Serial {
 
     /// Sends a text that stands in program memory.
     pub fn text(&self, text: FlashText) {
-        for byte in text {
-            self.byte(byte);
+        for code in text {
+            self.code(code);
         }
+    }
+
+    /// Sends what a code of a text stands for.
+    #[inline(never)]
+    pub fn code(&self, mut code: u8) {
+        while let Some([first, second]) = flash::pair(code) {
+            self.code(first);
+            code = second;
+        }
+        self.byte(code);
     }
 
     /// Sends a number in decimal.

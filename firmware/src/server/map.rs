@@ -2,7 +2,7 @@
 
 use super::upload::Upload;
 use super::{Command, Panel, State};
-use crate::board::flash::flash_text;
+use crate::board::flash::{Codes, flash_codes};
 use crate::board::{Board, clock, stack};
 use crate::{settings, store};
 use unoclp_core::Profile;
@@ -199,9 +199,9 @@ impl Device for Map<'_, '_> {
 
     fn identification(&self, object: u8, index: u8) -> Option<u8> {
         let text = match object {
-            0 => flash_text!("unoclp"),
-            1 => flash_text!("unoclp UNO"),
-            _ => flash_text!(env!("CARGO_PKG_VERSION")),
+            0 => flash_codes!(Codes::plain("unoclp")),
+            1 => flash_codes!(Codes::plain("unoclp UNO")),
+            _ => flash_codes!(Codes::plain(env!("CARGO_PKG_VERSION"))),
         };
         text.at(index)
     }
