@@ -24,11 +24,6 @@ impl<'m> Program<'m> {
         Linking::new(self)
     }
 
-    /// Gives its run memory back, for another program.
-    pub fn into_memory(self) -> &'m mut [u8] {
-        self.memory
-    }
-
     /// How many codes the file holds, program start and timer blocks each as one.
     pub fn codes(&self) -> u16 {
         self.codes

@@ -57,7 +57,7 @@ pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Program<'m>> {
 /// reached only by detours.
 #[inline(never)]
 fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Program<'m>> {
-    let length = u16::from_le_bytes([eeprom.read(2), eeprom.read(3)]);
+    let length = word(eeprom, 2);
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
@@ -74,7 +74,12 @@ pub fn kept(eeprom: &Eeprom) -> u32 {
     if eeprom.read(MARK) != VALID {
         return 0;
     }
-    u32::from_le_bytes([6, 7, 2, 3].map(|address| eeprom.read(address)))
+    u32::from(word(eeprom, 2)) << 16 | u32::from(word(eeprom, 6))
+}
+
+#[inline(never)]
+fn word(eeprom: &Eeprom, address: u16) -> u16 {
+    u16::from_le_bytes([eeprom.read(address), eeprom.read(address + 1)])
 }
 
 /// Whether a program was ever kept.
