@@ -73,7 +73,7 @@ fn serve(
     memory: &mut [u8],
     file: StateFile,
     outcome: Result<(), Fault>,
-    server: &mut Server<'_>,
+    server: &mut Server,
 ) -> ! {
     let mut fault = None;
     if let Err(first) = outcome {
@@ -110,7 +110,7 @@ fn serve(
 
 /// FAULT begins, and lasts until the next start.
 #[inline(never)]
-fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
+fn fail(board: &Board, server: &mut Server, fault: Fault) {
     board.release_card();
     board.watchdog.count_fault();
     server.panel.state = server::State::Fault;
@@ -120,12 +120,7 @@ fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
 
 /// Scans the program that is kept, until the diagnosis finds a fault, or in STOP an upload is to begin.
 #[inline(never)]
-fn run(
-    board: &Board,
-    memory: &mut [u8],
-    state: &mut State,
-    server: &mut Server<'_>,
-) -> Option<Cause> {
+fn run(board: &Board, memory: &mut [u8], state: &mut State, server: &mut Server) -> Option<Cause> {
     let Some(program) = store::load(&board.eeprom, memory) else {
         return Some(Cause::NoStoredProgram);
     };
@@ -182,7 +177,7 @@ fn run(
 
 /// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.
 #[inline(never)]
-fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Server<'_>) {
+fn stop(board: &Board, plc: &mut Linked<'_>, state: &mut State, server: &mut Server) {
     board.pins.write_outputs(Image::default());
     if server.panel.state != server::State::Stop {
         server.panel.state = server::State::Stop;

@@ -142,8 +142,9 @@ impl Serial {
         self.usart.udr0().write(|w| w.set(byte));
     }
 
-    /// From now on there are only frames, and they stand here.
-    pub fn serve(&self, frame: &mut Frame) {
+    /// From now on there are only frames, and they stand here: the interrupts write there, except between
+    /// [`received`](Serial::received) and [`send`](Serial::send).
+    pub fn serve(&self, frame: &mut &'static mut Frame) {
         FRAME.set(frame.as_mut_ptr() as usize);
         self.listen();
     }

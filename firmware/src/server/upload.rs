@@ -22,7 +22,7 @@ pub struct Upload<'m> {
 /// Takes a program into program memory, or leaves there what there is; the panel has the outcome. Run memory is
 /// overwritten either way.
 #[inline(never)]
-pub fn receive(board: &Board, server: &mut Server<'_>, memory: &mut [u8]) {
+pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8]) {
     while server.panel.takes(Command::Upload) {
         server.panel.uploading = true;
         server.panel.fault = None;
