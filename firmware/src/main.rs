@@ -73,7 +73,7 @@ fn serve(
     memory: &mut [u8],
     file: StateFile,
     outcome: Result<(), Fault>,
-    server: &mut Server<'_>,
+    server: &mut Server,
     data: &mut Data,
 ) -> ! {
     let mut retentive = Retentive::find(&board.eeprom, clock::now() as u16);
@@ -113,7 +113,7 @@ fn serve(
 
 /// FAULT begins, and lasts until the next start.
 #[inline(never)]
-fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
+fn fail(board: &Board, server: &mut Server, fault: Fault) {
     board.release_card();
     board.watchdog.count_fault();
     server.panel.state = server::State::Fault;
@@ -129,7 +129,7 @@ fn run(
     data: &mut Data,
     state: &mut State,
     retentive: &mut Retentive,
-    server: &mut Server<'_>,
+    server: &mut Server,
 ) -> Option<Fault> {
     let kept = store::load(&board.eeprom, memory);
     let Some(mut plc) = kept.and_then(|kept| Linked::link(&board.eeprom, kept, data)) else {
@@ -208,7 +208,7 @@ fn stop(
     plc: &mut Linked<'_>,
     state: &mut State,
     retentive: &mut Retentive,
-    server: &mut Server<'_>,
+    server: &mut Server,
 ) -> Result<(), Cause> {
     board.switch_outputs_off();
     if server.panel.state != server::State::Stop {

@@ -31,10 +31,8 @@ impl Settings {
     #[inline(never)]
     pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
         let mut settings = Settings([0; BYTES]);
-        let mut address = PLACE;
-        for byte in &mut settings.0 {
+        for (address, byte) in (PLACE..).zip(&mut settings.0) {
             *byte = eeprom.read(address);
-            address += 1;
         }
         if defaults || Crc16::of(&settings.0).value() != 0 || settings.address() == 0 {
             settings.0.fill(0);

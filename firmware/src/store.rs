@@ -148,7 +148,12 @@ pub fn kept(eeprom: &Eeprom) -> u32 {
     if eeprom.read(MARK) != VALID {
         return 0;
     }
-    u32::from_le_bytes([6, 7, 2, 3].map(|address| eeprom.read(address)))
+    u32::from(word(eeprom, 2)) << 16 | u32::from(word(eeprom, 6))
+}
+
+#[inline(never)]
+fn word(eeprom: &Eeprom, address: u16) -> u16 {
+    u16::from_le_bytes([eeprom.read(address), eeprom.read(address + 1)])
 }
 
 /// Whether a program was ever kept.
@@ -181,10 +186,6 @@ fn pass(eeprom: &Eeprom, mut address: u16, bytes: &[u8], write: bool) -> bool {
 }
 
 /// Writes bytes where they differ from what is there.
-#[inline(never)]
-pub fn write(eeprom: &Eeprom, mut address: u16, bytes: &[u8]) {
-    for &byte in bytes {
-        eeprom.write(address, byte);
-        address += 1;
-    }
+pub fn write(eeprom: &Eeprom, address: u16, bytes: &[u8]) {
+    pass(eeprom, address, bytes, true);
 }

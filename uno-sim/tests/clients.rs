@@ -90,7 +90,7 @@ fn mbpoll(serve: &Serve, options: &str, values: &str) -> String {
     said
 }
 
-/// The values of lines such as `[402]:	1`.
+/// The values of lines such as `[402]: 1`, with a tab in place of the blank.
 fn values(said: &str) -> Vec<u16> {
     let line = |line: &str| {
         line.strip_prefix('[')?

@@ -85,7 +85,7 @@ impl Serial {
     /// that text does not reach the bus.
     pub fn new(usart: USART0, timer: TC2, pins: PORTC, settings: &Settings) -> Serial {
         let divider = settings.divider();
-        let silence = (divider.max(SHORTEST_SILENCE) * SILENCE_PER_DIVIDER >> 8) as u8 + 2;
+        let silence = ((divider.max(SHORTEST_SILENCE) * SILENCE_PER_DIVIDER) >> 8) as u8 + 2;
         usart.ubrr0().write(|w| w.set(divider - 1));
         // SAFETY: any value may be written to these; the reserved bits are 0.
         unsafe {
@@ -142,8 +142,9 @@ impl Serial {
         self.usart.udr0().write(|w| w.set(byte));
     }
 
-    /// From now on there are only frames, and they stand here.
-    pub fn serve(&self, frame: &mut Frame) {
+    /// From now on there are only frames, and they stand here: the interrupts write there, except between
+    /// [`received`](Serial::received) and [`send`](Serial::send).
+    pub fn serve(&self, frame: &mut &'static mut Frame) {
         FRAME.set(frame.as_mut_ptr() as usize);
         self.listen();
     }

@@ -126,19 +126,19 @@ impl<'a> Memory<'a> {
 }
 
 /// The server.
-pub struct Server<'f> {
-    frame: &'f mut Frame,
+pub struct Server {
+    frame: &'static mut Frame,
     /// The request that is being done.
     exchange: Option<Exchange>,
     /// What it sees and changes.
     pub panel: Panel,
 }
 
-impl<'f> Server<'f> {
+impl Server {
     /// A server with this memory for its frames, before the first scan.
     // Apart from who makes it, whose frame is large.
     #[inline(never)]
-    pub fn new(frame: &'f mut Frame, settings: Settings) -> Server<'f> {
+    pub fn new(frame: &'static mut Frame, settings: Settings) -> Server {
         Server {
             frame,
             exchange: None,
@@ -159,7 +159,7 @@ impl<'f> Server<'f> {
 
     /// From now on the serial port serves.
     pub fn start(&mut self, board: &Board) {
-        board.serial.serve(self.frame);
+        board.serial.serve(&mut self.frame);
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. `most`

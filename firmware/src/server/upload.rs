@@ -3,8 +3,10 @@
 use super::{Command, Memory, Panel, Server};
 use crate::board::Board;
 use crate::engine::{self, Data};
+use crate::board::eeprom::Eeprom;
 use crate::server::AT_ONCE;
 use crate::store;
+use core::mem;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
 use unoclp_modbus::Exception;
 
@@ -13,20 +15,22 @@ pub struct Upload<'m> {
     loader: Loader<'m>,
     /// The number of the next block.
     next: u8,
-    /// The check sum of what came the first time, once all of it has.
+    /// The check sum of the text so far, and of all of it when it came for the first time.
+    sum: Crc16,
     first: Option<Crc16>,
 }
 
 /// Takes a program into program memory, or leaves there what there is; the panel has the outcome. Run memory is
 /// overwritten either way.
 #[inline(never)]
-pub fn receive(board: &Board, server: &mut Server<'_>, memory: &mut [u8], data: &mut Data) {
+pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8], data: &mut Data) {
     while server.panel.takes(Command::Upload) {
         server.panel.uploading = true;
         server.panel.fault = None;
         let mut upload = Upload {
             loader: loader(memory),
             next: 0,
+            sum: Crc16::default(),
             first: None,
         };
         while server.panel.uploading && server.panel.command.is_none() {
@@ -67,33 +71,35 @@ impl Upload<'_> {
         }
         self.next = self.next.wrapping_add(1);
         board.pins.led(number & 1 == 0);
-        let taken = if text.is_empty() {
-            self.end(board, panel)
+        self.sum.extend(text);
+        let again = self.first.is_some();
+        let over = if !text.is_empty() {
+            !again && text.iter().any(|&byte| self.loader.push(byte).is_err())
+        } else if again {
+            true
         } else {
-            text.iter().try_for_each(|&byte| self.loader.push(byte))
+            self.first = Some(mem::take(&mut self.sum));
+            self.loader.end().is_err()
         };
-        taken.map_err(|fault| {
-            panel.fault = Some(fault);
+        if over {
             panel.uploading = false;
-            Exception::ServerDeviceFailure
-        })
+            self.conclude(&board.eeprom, &mut panel.fault);
+            if panel.fault.is_some() {
+                return Err(Exception::ServerDeviceFailure);
+            }
+        }
+        Ok(())
     }
 
-    /// All of the text has come, once or twice.
+    /// All of the text has come twice, or it has a fault: stores the program, or says what is wrong.
     #[inline(never)]
-    fn end(&mut self, board: &Board, panel: &mut Panel) -> Result<(), Fault> {
-        let program = self.loader.finish()?;
-        let sum = Crc16::of(program.stored());
-        let Some(first) = self.first else {
-            self.first = Some(sum);
-            self.loader = loader(program.into_memory());
-            return Ok(());
+    fn conclude(&mut self, eeprom: &Eeprom, fault: &mut Option<Fault>) {
+        *fault = match self.loader.finish() {
+            Ok(_) if self.first != Some(self.sum) => Some(Fault::without_line(Cause::FileChanged)),
+            Ok(program) => store::save(eeprom, program.stored())
+                .err()
+                .map(Fault::without_line),
+            Err(fault) => Some(fault),
         };
-        if sum != first {
-            return Err(Fault::without_line(Cause::FileChanged));
-        }
-        store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
-        panel.uploading = false;
-        Ok(())
     }
 }
