@@ -10,8 +10,9 @@ use unoclp_core::isa::Opcode;
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
+use crate::shorten::link::Link;
 use crate::toolchain::Toolchain;
-use crate::{r0check, setup};
+use crate::{parts, r0check, setup, shorten};
 
 /// A build that is within its limits and has passed the check for wrong code.
 pub struct Firmware {
@@ -52,13 +53,18 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     }
 
     say("firmware: compiling for the ATmega328P");
-    shell::run(&mut cargo(toolchain, "build"))?;
-    let linked = target_folder().join("avr-none/firmware/unoclp-firmware.elf");
-    let elf = fs::read(&linked).with_context(|| format!("cannot read {}", linked.display()))?;
+    let link = compile(toolchain)?;
+
+    say("firmware: shortening what the compiler has made");
+    let shortened = target_folder().join("shortened/unoclp.elf");
+    let rules = shorten::link::link(&link, &shortened)?;
+    println!("{rules}");
+    let elf =
+        fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;
-    println!("{size}\n{}", program_room());
+    println!("{size}\n{}\n{}", parts::table(&elf)?, program_room());
     let exceeded = size.exceeded();
     ensure!(
         exceeded.is_empty(),
@@ -73,6 +79,26 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     objcopy.args(["-O", "ihex", "-R", ".eeprom"]);
     shell::run(objcopy.arg(&firmware.elf).arg(&firmware.hex))?;
     Ok(firmware)
+}
+
+/// Has the firmware compiled to assembly, and says how rustc has linked it.
+fn compile(toolchain: &Toolchain) -> Result<Link> {
+    // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
+    // may be of a build with others.
+    let results = target_folder().join("avr-none/firmware/deps");
+    for file in fs::read_dir(&results).into_iter().flatten() {
+        let path = file?.path();
+        if path.extension().is_some_and(|extension| extension == "elf") {
+            fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
+        }
+    }
+    let printed = target_folder().join("link-args");
+    let mut rustc = cargo(toolchain, "rustc");
+    rustc.args(["--", "--emit=asm,link"]);
+    shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
+    let text = fs::read_to_string(&printed)
+        .with_context(|| format!("cannot read {}", printed.display()))?;
+    Link::parse(&text)
 }
 
 /// A cargo command on the firmware.

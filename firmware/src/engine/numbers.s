@@ -157,14 +157,14 @@ multiply:
         adc     r15, r21
         ret
 
-; value := value / b, c := the rest without its sign, which is bit 7 of r0. By 0: an error.
+; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
 divide:
         mov     r0, r8
         or      r0, r9
         or      r0, r10
         or      r0, r11
         breq    no_quotient
-        mov     r0, r25
+        push    r25
         mov     r1, r25
         eor     r1, r11
         sbrc    r25, 7
@@ -175,6 +175,7 @@ divide:
         sbrc    r1, 7
         rcall   negate
         clr     r1
+        pop     r21
         ret
 
 ; The same without signs, in 640 cycles.
@@ -225,7 +226,7 @@ modulo:
         rcall   divide
         movw    r22, r12
         movw    r24, r14
-        sbrc    r0, 7
+        sbrc    r21, 7
         rcall   negate
         rjmp    back
 
@@ -537,7 +538,7 @@ integrate:
         clr     r10
         clr     r11
         rcall   divide
-        sbrs    r0, 7
+        sbrs    r21, 7
         rjmp    4f
         com     r13             ; the rest has the sign of the sum
         neg     r12
@@ -561,7 +562,9 @@ integrate:
 
 ; Nothing reads these bytes: the linker refuses them, as "relocation truncated to fit: R_AVR_8", where
 ; the handlers do not begin in the first 512 and 1024 bytes of flash.
+        .type   engine_pages_fit, @object
+engine_pages_fit:
         .byte   engine_page_end - 257
         .byte   more_page_end - 769
-        .p2align 1
+        .size   engine_pages_fit, . - engine_pages_fit
         .text

@@ -12,6 +12,8 @@ pub struct Code {
     blocks: Vec<(u32, Vec<u8>)>,
     labels: BTreeMap<u32, String>,
     functions: Vec<u32>,
+    /// Constants among the code: start address and end.
+    constants: Vec<(u32, u32)>,
 }
 
 impl Code {
@@ -40,7 +42,11 @@ impl Code {
             for symbol in file.symbols().filter(inside) {
                 let name = format!("{:#}", rustc_demangle::demangle(symbol.name()?));
                 let function = symbol.kind() == SymbolKind::Text;
-                code.add_label(u32::try_from(symbol.address())?, &name, function);
+                let address = u32::try_from(symbol.address())?;
+                code.add_label(address, &name, function);
+                if symbol.kind() == SymbolKind::Data {
+                    code.add_constant(address, u32::try_from(symbol.size())?);
+                }
             }
         }
         ensure!(
@@ -66,6 +72,10 @@ impl Code {
         }
     }
 
+    pub(super) fn add_constant(&mut self, start: u32, bytes: u32) {
+        self.constants.push((start, start + bytes));
+    }
+
     /// Byte addresses of the functions: from here code is reached that nothing calls directly.
     pub fn functions(&self) -> &[u32] {
         &self.functions
@@ -77,6 +87,28 @@ impl Code {
             let offset = usize::try_from(address.checked_sub(*start)?).ok()?;
             bytes.get(offset..).filter(|rest| !rest.is_empty())
         })
+    }
+
+    /// Byte addresses of the labels that are no constants: hand-written code may be reached there.
+    pub fn entries(&self) -> impl Iterator<Item = u32> {
+        let labels = self.labels.keys().copied();
+        labels.filter(|&address| !self.is_constant(address) && self.at(address).is_some())
+    }
+
+    /// Whether a constant stands at an address.
+    pub fn is_constant(&self, address: u32) -> bool {
+        self.constants
+            .iter()
+            .any(|&(start, end)| (start..end).contains(&address))
+    }
+
+    /// The bytes of all that is no constant.
+    pub fn bytes(&self) -> usize {
+        let code = |(start, bytes): &(u32, Vec<u8>)| {
+            let addresses = (*start..).take(bytes.len());
+            addresses.filter(|&at| !self.is_constant(at)).count()
+        };
+        self.blocks.iter().map(code).sum()
     }
 
     /// The label that stands at an address or last before it.

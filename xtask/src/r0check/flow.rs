@@ -53,12 +53,14 @@ type Summaries = BTreeMap<u32, Summary>;
 /// One function's instructions, each with what r0 may hold before it.
 type Paths = BTreeMap<u32, (Instruction, Origins)>;
 
-/// Checks all code that can be reached from `entry` or from a function symbol.
+/// Checks all code that can be reached from `entry` or from a symbol, and what stands behind an `ijmp`:
+/// in a row of handlers, each of which ends so, the next one begins there.
 ///
 /// # Errors
 /// If a path leads to something that is not code.
 pub fn check(code: &Code, entry: u32) -> Result<Report> {
-    let roots = code.functions().iter().copied().chain([entry]);
+    let functions = code.functions().iter().copied();
+    let roots = functions.chain(code.entries()).chain([entry]);
     let mut summaries: Summaries = roots.map(|root| (root, Summary::default())).collect();
     loop {
         let mut next = summaries.clone();
@@ -66,6 +68,12 @@ pub fn check(code: &Code, entry: u32) -> Result<Report> {
             let paths = follow(code, function, &summaries)?;
             for callee in paths.values().filter_map(|(i, _)| callee(i)) {
                 next.entry(callee).or_default();
+            }
+            for handler in paths
+                .iter()
+                .filter_map(|(&at, (i, _))| behind_jump(code, at, i))
+            {
+                next.entry(handler).or_default();
             }
             next.insert(function, summarise(&paths, &summaries));
         }
@@ -91,11 +99,14 @@ pub fn check(code: &Code, entry: u32) -> Result<Report> {
                     origins: lost.into_iter().collect(),
                 });
             }
-            seen.insert(address, instruction.write == Some(Write::Product));
+            let product = instruction.write == Some(Write::Product);
+            seen.insert(address, (instruction.length as usize, product));
         }
     }
     report.instructions = seen.len();
-    report.products = seen.values().filter(|&&product| product).count();
+    report.products = seen.values().filter(|(_, product)| *product).count();
+    report.followed = seen.values().map(|(length, _)| length).sum();
+    report.code = code.bytes();
     Ok(report)
 }
 
@@ -173,6 +184,13 @@ fn after(
         Some(Write::Status) => Origins::from([Origin::Status(address)]),
         Some(Write::Other) => Origins::from([Origin::Other(address)]),
     }
+}
+
+/// The address behind a jump to a pointer, if there is code.
+fn behind_jump(code: &Code, address: u32, instruction: &Instruction) -> Option<u32> {
+    let next = address + instruction.length;
+    let jumps = instruction.flow == Flow::JumpIndirect;
+    (jumps && !code.is_constant(next) && code.at(next).is_some()).then_some(next)
 }
 
 fn callee(instruction: &Instruction) -> Option<u32> {

@@ -44,10 +44,15 @@ pub fn run(args: &Args) -> Result<()> {
     Ok(())
 }
 
+/// The least share of the code, in per cent, that must have been followed: what the check has not seen it
+/// cannot vouch for. The rest is code that nothing leads to.
+const FOLLOWED: usize = 98;
+
 /// Checks an ELF and prints the result.
 ///
 /// # Errors
-/// If it is hit by the error, or is not an AVR ELF with symbols.
+/// If it is hit by the error, or is not an AVR ELF with symbols, or too much of its code leads nowhere
+/// that is known.
 pub fn accept(elf: &[u8]) -> Result<()> {
     let report = check(elf)?;
     println!("{report}");
@@ -55,6 +60,10 @@ pub fn accept(elf: &[u8]) -> Result<()> {
         report.findings.is_empty(),
         "the compiler made wrong code: see docs/avr-codegen.md. Do not run this build; build it \
          with the flags of .cargo/config.toml"
+    );
+    ensure!(
+        100 * report.followed >= FOLLOWED * report.code,
+        "the check has followed less than {FOLLOWED} % of the code, so its verdict says too little"
     );
     Ok(())
 }
@@ -71,10 +80,14 @@ pub fn check(elf: &[u8]) -> Result<Report> {
 /// What the check has seen and found.
 #[derive(Debug, Default)]
 pub struct Report {
-    /// Functions followed, by symbol or because they are called.
+    /// Functions and handlers followed, by symbol, because they are called, or behind an `ijmp`.
     pub functions: usize,
     /// Instructions on their paths, each counted once.
     pub instructions: usize,
+    /// The bytes of these instructions.
+    pub followed: usize,
+    /// The bytes of all code: what is in flash and is no constant.
+    pub code: usize,
     /// Multiplications among them.
     pub products: usize,
     /// The instructions that get a wrong value from r0.
@@ -106,8 +119,8 @@ impl fmt::Display for Report {
         };
         write!(
             f,
-            "r0 check: {} functions, {} instructions, {} of them mul: {verdict}",
-            self.functions, self.instructions, self.products
+            "r0 check: {} functions, {} instructions, {} of them mul; {} of {} B followed: {verdict}",
+            self.functions, self.instructions, self.products, self.followed, self.code
         )
     }
 }

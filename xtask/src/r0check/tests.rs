@@ -125,6 +125,22 @@ fn what_is_no_code_is_refused() {
 }
 
 #[test]
+fn code_is_followed_from_symbols_and_behind_jumps_to_pointers() {
+    // ld r30,X+; ijmp; 1: ld r30,X+; ijmp; 2: ret; .byte 1; 3: ret
+    let words = [0x91ed, 0x9409, 0x91ed, 0x9409, 0x9508, 0x0001, 0x9508];
+    let mut code = Code::default();
+    code.add_block(0, &bytes(&words));
+    code.add_constant(10, 2);
+    code.add_label(10, "constant", false);
+    let report = flow::check(&code, 0).expect("code");
+    assert_eq!((report.followed, report.code), (10, 12));
+
+    code.add_label(12, "by_hand", false);
+    let report = flow::check(&code, 0).expect("code");
+    assert_eq!((report.followed, report.code), (12, 12));
+}
+
+#[test]
 fn a_finding_names_place_instruction_and_cause() {
     let mut code = Code::default();
     code.add_block(0x100, &bytes(CASES[0].1));
@@ -133,7 +149,8 @@ fn a_finding_names_place_instruction_and_cause() {
     assert_eq!(
         report.to_string(),
         "0x010e in case: `add r24, r0` reads r0, which by then holds the status register, saved at \
-         0x0104\nr0 check: 1 functions, 9 instructions, 1 of them mul: 1 value in r0 IS LOST"
+         0x0104\nr0 check: 1 functions, 9 instructions, 1 of them mul; 18 of 18 B followed: \
+         1 value in r0 IS LOST"
     );
 }
 
