@@ -135,6 +135,18 @@ fn run(
     let Some(mut plc) = kept.and_then(|kept| Linked::link(&board.eeprom, kept, data)) else {
         return Some(Fault::without_line(Cause::NoStoredProgram));
     };
+    scan_on(board, &mut plc, state, retentive, server)
+}
+
+/// Apart from [`run`]: its frame must not stand below that of the loader.
+#[inline(never)]
+fn scan_on(
+    board: &Board,
+    plc: &mut Linked<'_>,
+    state: &mut State,
+    retentive: &mut Retentive,
+    server: &mut Server<'_>,
+) -> Option<Fault> {
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board.analogue.measure(needs.analogue);
@@ -145,7 +157,7 @@ fn run(
     loop {
         if server.panel.stopped || board.pins.stop() {
             server.panel.times = diagnosis.times();
-            if let Err(cause) = stop(board, &mut plc, state, retentive, server) {
+            if let Err(cause) = stop(board, plc, state, retentive, server) {
                 return Some(Fault::without_line(cause));
             }
             if server.panel.command == Some(Command::Upload) {

@@ -131,11 +131,6 @@ impl Reader<'_> {
         Some(byte)
     }
 
-    /// How many bytes have been read.
-    pub fn position(&self) -> u16 {
-        self.position
-    }
-
     /// Whether the program that was checked has been read, all of it.
     pub fn is_whole(&self) -> bool {
         self.position == self.stored.length && self.sum.value() == self.stored.sum

@@ -58,28 +58,27 @@ impl Debounce {
     /// are.
     pub fn scan(&mut self, points: Image, time: u8, first: bool, now: Millis) {
         let passed = now.wrapping_sub(self.before).min(Millis::from(MOST)) as u8;
-        let mut other = 0;
-        for (index, differs) in self.differs.iter_mut().enumerate() {
-            let bit = 1 << index;
-            if (points.0 ^ self.image.0) & bit == 0 {
-                *differs = 0;
-                continue;
-            }
+        let mut changed = (points.0 ^ self.image.0) as u8;
+        let (mut bit, mut other) = (1u8, 0u8);
+        for differs in &mut self.differs {
             // In the scan that first sees it, no time has passed: it is kept as 1, and counted from there.
-            *differs = match *differs {
-                0 => 1,
-                differs => differs.saturating_add(passed),
+            *differs = match (changed & 1, *differs) {
+                (0, _) => 0,
+                (_, 0) => 1,
+                (_, differs) => differs.saturating_add(passed),
             };
             if *differs > time {
                 *differs = 0;
                 other |= bit;
             }
+            bit <<= 1;
+            changed >>= 1;
         }
         if first || time == 0 {
             self.image = points;
             self.differs = [0; 8];
         } else {
-            self.image.0 ^= other;
+            self.image.0 ^= u16::from(other);
         }
         self.before = now;
     }

@@ -49,7 +49,10 @@ impl Data {
     pub fn restart(&mut self) {
         self.pwm.fill(0);
         let kept = usize::from(RETENTIVE) - 1;
-        self.markers.iter_mut().take(kept).for_each(|cell| *cell = 0);
+        self.markers
+            .iter_mut()
+            .take(kept)
+            .for_each(|cell| *cell = 0);
         self.registers.as_flattened_mut().fill(0);
     }
 
@@ -61,7 +64,9 @@ impl Data {
     /// The retentive markers, bit 0 M 57.
     pub fn retained(&self) -> u8 {
         let kept = self.markers.last_chunk::<8>();
-        kept.into_iter().flatten().fold(0, |bits, cell| bits >> 1 | cell & ON)
+        kept.into_iter()
+            .flatten()
+            .fold(0, |bits, cell| bits >> 1 | cell & ON)
     }
 
     /// Brings back what was kept over a power cut, before the first scan.

@@ -37,7 +37,8 @@ global_asm!(
         include_str!("handlers.s"),
         include_str!("more.s"),
         include_str!("timers.s"),
-        include_str!("numbers.s")
+        include_str!("numbers.s"),
+        include_str!("link.s")
     ),
     options(raw)
 );
@@ -192,8 +193,11 @@ impl<'m> Linked<'m> {
             self.debounce.scan(points, needs.filter, self.first, now);
             inputs = self.debounce.image().0 as u8;
         }
-        for (index, cell) in data.inputs.iter_mut().enumerate() {
-            *cell = on(inputs >> (POINTS + index as u8) & 1 != 0);
+        // From the highest on: the bit of each comes to where a cell has it.
+        let mut bits = inputs;
+        for cell in data.inputs.iter_mut().rev() {
+            *cell = bits & ON;
+            bits <<= 1;
         }
         self.clocks.scan(self.first, now);
         data.system = [

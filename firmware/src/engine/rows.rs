@@ -3,7 +3,7 @@
 use crate::board::flash::Table;
 use unoclp_core::isa::{self, Opcode};
 
-/// The address of a handler; it is never called from here.
+/// A handler; it is never called from here.
 pub type Handler = unsafe extern "C" fn();
 
 /// Declares the handlers of `handlers.s` and `more.s`, and gives them as the instruction table has their
@@ -14,6 +14,7 @@ macro_rules! handlers {
 
         /// The handlers in the order of the instruction table.
         #[unsafe(link_section = ".progmem.data")]
+        #[unsafe(export_name = "ENGINE_HANDLERS")]
         static HANDLERS: Table<Handler, { isa::TABLE.len() }> = Table::new([$(symbols::$handler,)*]);
     };
 }
@@ -30,21 +31,21 @@ pub mod symbols {
         };
     }
     symbols! {
-        engine_new_rung engine_open_branch engine_close_branch engine_on_delay engine_off_delay engine_not
-        engine_rise engine_fall engine_return engine_return_not engine_negate engine_square_root
-        engine_pulse engine_contact engine_contact_not engine_contacts engine_coil engine_coil_new_rung
-        engine_set_coil engine_reset_coil engine_store_branch engine_recall_branch engine_retentive
-        engine_coil_not engine_cell engine_cell_not engine_reached engine_reached_not engine_zero
-        engine_zero_not engine_xor engine_xor_not engine_xor_cell engine_xor_cell_not engine_cell_coil
+        engine_new_rung engine_open_branch engine_close_branch engine_on_delay engine_off_delay
+        engine_not engine_rise engine_fall engine_return engine_return_not engine_negate
+        engine_square_root engine_pulse engine_contact engine_contact_not engine_coil engine_set_coil
+        engine_reset_coil engine_store_branch engine_recall_branch engine_retentive engine_coil_not
+        engine_cell engine_cell_not engine_reached engine_reached_not engine_zero engine_zero_not
+        engine_xor engine_xor_not engine_xor_cell engine_xor_cell_not engine_cell_coil
         engine_cell_coil_not engine_cell_set engine_cell_reset engine_reset_timer engine_reset_counter
         engine_load_counter engine_count_up engine_count_down engine_load engine_load_word
         engine_load_timer engine_load_markers engine_load_inputs engine_load_outputs engine_load_bit
         engine_store engine_store_pwm engine_store_markers engine_store_outputs engine_preset engine_add
         engine_subtract engine_multiply engine_divide engine_modulo engine_and engine_or engine_exor
         engine_shift_left engine_shift_right engine_greater engine_greater_or_equal engine_equal
-        engine_not_equal engine_less_or_equal engine_less engine_bit engine_bit_not engine_move engine_drum
-        engine_scale engine_filter engine_integrate engine_label engine_jump engine_jump_not
-        engine_jump_back engine_jump_back_not engine_close_and engine_close_xor engine_escape engine_end
+        engine_not_equal engine_less_or_equal engine_less engine_bit engine_bit_not engine_move
+        engine_drum engine_scale engine_filter engine_integrate engine_label engine_jump engine_jump_not
+        engine_end
     }
 }
 
@@ -154,14 +155,9 @@ const _: () = {
     }
 };
 
-/// The word address of the handler of the instruction in this row of the instruction table.
-pub fn handler(row: usize) -> u16 {
-    // SAFETY: the static stands in that section.
-    let [low, high] = unsafe { [HANDLERS.byte(2 * row), HANDLERS.byte(2 * row + 1)] };
-    u16::from_le_bytes([low, high])
-}
-
+/// The instruction table of the core.
 #[unsafe(link_section = ".progmem.data")]
+#[unsafe(export_name = "ENGINE_ROWS")]
 static INSTRUCTIONS: Table<u8, { isa::PACKED.len() }> = Table::new(isa::PACKED);
 
 /// The byte of the instruction table at this index.

@@ -1,0 +1,678 @@
+; From stored bytes to linked bytes: one passage through the stored form.
+;
+; In assembly because it takes a third of what it took in Rust. Y is the job, as `link.rs` has it; the
+; other registers are
+;
+;   r12      the kind of the instruction's operand
+;   r14-r15  its handler
+;   r16      its first stored byte
+;   r17      its number
+;
+; What calls `next` keeps nothing in r18-r27 and Z. Bytes that are missing are 0: the check sum
+; tells, at the end.
+
+        .equ    JOB_READER, 0
+        .equ    JOB_PUT, 2
+        .equ    JOB_LIMIT, 4
+        .equ    JOB_OWN, 6
+        .equ    JOB_TIMER, 8
+        .equ    JOB_TIMERS, 10
+        .equ    JOB_TIMERS_END, 12
+        .equ    JOB_COUNTERS, 14
+        .equ    JOB_COUNTERS_END, 16
+        .equ    JOB_POSITION, 18
+        .equ    JOB_CLOSING, 20
+        .equ    JOB_OUTPUTS, 22
+        .equ    JOB_JUMPS_BACK, 23
+        .equ    JOB_PENDING, 24
+        .equ    JOB_ONES, 25
+        .equ    JOB_ZEROS, 26
+        .equ    JOB_COUNT, 27
+
+; `Kind` of the core.
+        .equ    KIND_INPUT, 1
+        .equ    KIND_OUTPUT, 2
+        .equ    KIND_MARKER, 4
+        .equ    KIND_SYSTEM, 5
+        .equ    KIND_TIMER_Q, 6
+        .equ    KIND_COUNTER, 7
+        .equ    KIND_ANALOGUE, 9
+        .equ    KIND_PWM, 10
+        .equ    KIND_READING, 11
+        .equ    KIND_GROUP, 12
+        .equ    KIND_BIT, 13
+        .equ    KIND_TIME, 14
+        .equ    KIND_LABEL, 15
+        .equ    KIND_JUMP, 16
+        .equ    KIND_TIMER, 17
+        .equ    KIND_COUNT, 18
+        .equ    KIND_VALUE, 19
+        .equ    KIND_MOVE, 20
+        .equ    KIND_DRUM, 21
+        .equ    KIND_SCALE, 22
+        .equ    KIND_FILTER, 23
+
+; What has been read and not been put yet, because it depends on what follows: a rung has begun, and acc
+; is 1; a coil, whose output is in JOB_ONES; contacts in a row, so many, of images that must be 1 and 0.
+        .equ    NOTHING, 0
+        .equ    RUNG, 1
+        .equ    COIL, 2
+        .equ    CONTACTS, 3
+
+        .section .text.engine_link, "ax", @progbits
+        .global engine_link
+        .type   engine_link, @function
+engine_link:
+        push    r12
+        push    r14
+        push    r15
+        push    r16
+        push    r17
+        push    r28
+        push    r29
+        movw    r28, r24
+link_all:
+        rcall   link_next
+        sbrc    r25, 7
+        rjmp    1f
+        mov     r16, r24
+        rcall   link_one
+        rjmp    link_all
+1:      ldi     r24, pm_lo8(engine_end)
+        rcall   link_fast
+        pop     r29
+        pop     r28
+        pop     r17
+        pop     r16
+        pop     r15
+        pop     r14
+        pop     r12
+        ret
+
+; r24 := the next stored byte; at the end r25 is less than 0.
+link_next:
+        ldd     r24, Y+JOB_POSITION
+        ldd     r25, Y+JOB_POSITION+1
+        adiw    r24, 1
+        std     Y+JOB_POSITION, r24
+        std     Y+JOB_POSITION+1, r25
+        ldd     r24, Y+JOB_READER
+        ldd     r25, Y+JOB_READER+1
+        call    engine_next
+        sbrc    r25, 7
+        clr     r24
+        ret
+
+; Puts the byte r24; beyond the limit it is only counted.
+link_put:
+        ldd     r30, Y+JOB_PUT
+        ldd     r31, Y+JOB_PUT+1
+        ldd     r18, Y+JOB_LIMIT
+        ldd     r19, Y+JOB_LIMIT+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    1f
+        st      Z, r24
+1:      adiw    r30, 1
+        std     Y+JOB_PUT, r30
+        std     Y+JOB_PUT+1, r31
+        ret
+
+; Puts the address r25:r24.
+link_address:
+        push    r24
+        mov     r24, r25
+        rcall   link_put
+        pop     r24
+        rjmp    link_put
+
+; Puts r17 of the next stored bytes.
+link_copy:
+        rcall   link_next
+        rcall   link_put
+        dec     r17
+        brne    link_copy
+        ret
+
+; Puts the handler r24 of the first page, after what is pending.
+link_fast:
+        mov     r14, r24
+        clr     r15
+; Puts the handler r15:r14, likewise.
+link_handler:
+        rcall   link_flush
+        ldi     r24, pm_lo8(engine_escape)
+        sbrc    r15, 0
+        rcall   link_put
+        mov     r24, r14
+        rjmp    link_put
+
+; Puts what is pending.
+link_flush:
+        ldd     r25, Y+JOB_PENDING
+        std     Y+JOB_PENDING, r1
+        cpi     r25, COIL
+        brcs    3f
+        ldd     r24, Y+JOB_ONES
+        brne    1f
+        mov     r18, r24
+        lsl     r18
+        add     r24, r18
+        ldi     r18, pm_lo8(engine_coil)
+        add     r24, r18
+        rjmp    link_put
+1:      ldd     r25, Y+JOB_COUNT
+        cpi     r25, 3
+        brcs    2f
+        ldi     r24, pm_lo8(engine_contacts)
+        rcall   link_put
+        ldd     r24, Y+JOB_ONES
+        ldd     r25, Y+JOB_ZEROS
+        eor     r24, r25        ; one that must be 1 and 0 is left out, so it is never 1
+        rcall   link_put
+        ldd     r24, Y+JOB_ONES
+        rjmp    link_put
+2:      mov     r20, r24
+        ldi     r21, pm_lo8(engine_contact)
+        rcall   4f
+        ldd     r20, Y+JOB_ZEROS
+        ldi     r21, pm_lo8(engine_contact_not)
+4:      lsr     r20
+        brcc    5f
+        mov     r24, r21
+        rcall   link_put
+5:      subi    r21, -4
+        tst     r20
+        brne    4b
+3:      ret
+
+; r24 := 1 shifted left by r24, 0 to 7.
+link_bit:
+        mov     r25, r24
+        ldi     r24, 1
+        rjmp    2f
+1:      lsl     r24
+2:      dec     r25
+        brpl    1b
+        ret
+
+; The instruction that begins with r16.
+link_one:
+        mov     r24, r16        ; the place of its row
+        cpi     r24, 0xA0
+        brcc    2f
+        cpi     r24, 0x10
+        brcc    1f
+        dec     r24
+        rjmp    3f
+1:      swap    r24
+        andi    r24, 0x0F
+        subi    r24, -14
+        rjmp    3f
+2:      subi    r24, 0xA0 - 24
+3:      clr     r25
+        movw    r30, r24
+        lsl     r30
+        rol     r31
+        subi    r30, lo8(-(ENGINE_HANDLERS))
+        sbci    r31, hi8(-(ENGINE_HANDLERS))
+        lpm     r14, Z+
+        lpm     r15, Z
+        ldi     r18, 7          ; bytes of a row
+        mul_    24, 18
+        movw    r30, r0
+        clr     r1
+        subi    r30, lo8(-(ENGINE_ROWS + 4))
+        sbci    r31, hi8(-(ENGINE_ROWS + 4))
+        lpm     r12, Z
+        mov     r17, r16
+        andi    r17, 0x0F
+        mov     r24, r16
+        andi    r24, 0xF0
+        breq    2f
+        cpi     r24, 0x50
+        brcs    link_contact
+        breq    link_coil
+        cpi     r24, 0x80
+        brcs    3f
+        cpi     r24, 0xA0
+        brcc    2f
+        andi    r17, 7          ; branch points, 3 words each
+        add     r14, r17
+        rjmp    4f
+3:      andi    r17, 3          ; set and reset coils, 4 words each
+        lsl     r17
+4:      add     r14, r17
+        add     r14, r17
+        rjmp    link_handler
+2:      mov     r25, r12
+        tst     r25
+        brne    1f
+        rjmp    link_plain
+1:      cpi     r25, KIND_TIMER
+        brne    1f
+        rjmp    link_timer
+1:      cpi     r25, KIND_SCALE
+        brne    1f
+        ldi     r17, 8
+        rcall   link_handler
+        rjmp    link_copy
+1:      rjmp    link_numbered
+
+; A coil of output r17.
+link_coil:
+        rcall   link_flush
+        andi    r17, 3
+        std     Y+JOB_ONES, r17
+        ldi     r24, COIL
+        std     Y+JOB_PENDING, r24
+        ret
+
+; A contact of input or output r17.
+link_contact:
+        sbrs    r16, 5          ; 0x10 and 0x20 are of inputs, 0x30 and 0x40 of outputs
+        rjmp    1f
+        sbrs    r16, 4
+        rjmp    2f
+        rjmp    3f
+1:      sbrc    r16, 6
+        rjmp    3f
+2:      cpi     r17, 4
+        brcs    4f
+        inc     r17             ; inputs from 05 on
+        ldi     r24, pm_lo8(engine_cell)
+        sbrs    r16, 4
+        ldi     r24, pm_lo8(engine_cell_not)
+        rcall   link_fast
+        rjmp    link_object
+3:      ori     r17, 4
+4:      ldd     r24, Y+JOB_PENDING
+        cpi     r24, CONTACTS
+        breq    5f
+        rcall   link_flush
+        std     Y+JOB_ONES, r1
+        std     Y+JOB_ZEROS, r1
+        std     Y+JOB_COUNT, r1
+        ldi     r24, CONTACTS
+        std     Y+JOB_PENDING, r24
+5:      ldd     r24, Y+JOB_COUNT
+        cpi     r24, 3
+        adc     r24, r1         ; it goes on to 3
+        std     Y+JOB_COUNT, r24
+        mov     r24, r17
+        rcall   link_bit
+        ldd     r25, Y+JOB_ZEROS
+        sbrs    r16, 4
+        rjmp    6f
+        ldd     r25, Y+JOB_ONES
+        or      r25, r24
+        std     Y+JOB_ONES, r25
+        ret
+6:      or      r25, r24
+        std     Y+JOB_ZEROS, r25
+        ret
+
+; An instruction without an operand.
+link_plain:
+        cpi     r16, 0x01
+        breq    link_new_rung
+        ldd     r24, Y+JOB_CLOSING
+        ldd     r25, Y+JOB_CLOSING+1
+        cpi     r16, 0x03
+        breq    2f
+        ldi     r18, 0
+        cpi     r16, 0x02
+        breq    1f
+        ldi     r18, 1
+        cpi     r16, 0x09
+        breq    1f
+        ldi     r18, 2
+        cpi     r16, 0x0A
+        breq    1f
+        rcall   link_handler
+        ldi     r17, 1
+        cpi     r16, 0x07
+        breq    link_own
+        cpi     r16, 0x08
+        breq    link_own
+        ldd     r24, Y+JOB_OUTPUTS
+        cpi     r16, 0xC8
+        breq    link_put_far
+        ret
+1:      lsl     r24             ; how what is opened is closed
+        rol     r25
+        lsl     r24
+        rol     r25
+        or      r24, r18
+        rjmp    5f
+2:      mov     r18, r24
+        andi    r18, 3
+        breq    4f
+        ldi     r19, pm_lo8(engine_close_and)
+        cpi     r18, 1
+        breq    3f
+        ldi     r19, pm_lo8(engine_close_xor)
+3:      mov     r14, r19
+        ldi     r19, 1
+        mov     r15, r19
+4:      lsr     r25
+        ror     r24
+        lsr     r25
+        ror     r24
+5:      std     Y+JOB_CLOSING, r24
+        std     Y+JOB_CLOSING+1, r25
+        rjmp    link_handler
+link_put_far:
+        rjmp    link_put
+
+link_new_rung:
+        ldd     r24, Y+JOB_PENDING
+        cpi     r24, RUNG
+        breq    2f
+        cpi     r24, COIL
+        brne    1f
+        ldd     r24, Y+JOB_ONES
+        lsl     r24
+        lsl     r24
+        ldi     r18, pm_lo8(engine_coil_new_rung)
+        add     r24, r18
+        std     Y+JOB_PENDING, r1
+        mov     r14, r24
+1:      rcall   link_handler
+2:      ldi     r24, RUNG
+        std     Y+JOB_PENDING, r24
+        ret
+
+; Puts the address of r17 bytes of own data.
+link_own:
+        ldd     r24, Y+JOB_OWN
+        ldd     r25, Y+JOB_OWN+1
+        sub     r24, r17
+        sbc     r25, r1
+        std     Y+JOB_OWN, r24
+        std     Y+JOB_OWN+1, r25
+        rjmp    link_address
+
+; A timer: its data, then its coil.
+link_timer:
+        rcall   link_handler
+        ldi     r17, 9
+1:      clr     r24
+        cpi     r17, 5
+        brcc    2f
+        rcall   link_next
+2:      ldd     r30, Y+JOB_TIMER
+        ldd     r31, Y+JOB_TIMER+1
+        ldd     r18, Y+JOB_TIMERS_END
+        ldd     r19, Y+JOB_TIMERS_END+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    3f
+        st      Z+, r24
+        std     Y+JOB_TIMER, r30
+        std     Y+JOB_TIMER+1, r31
+3:      dec     r17
+        brne    1b
+        rcall   link_next
+        mov     r17, r24
+        cpi     r17, 0x40       ; markers from here on
+        brcc    4f
+        rjmp    link_coil
+4:      subi    r17, 0x40 - 1
+        ldi     r24, pm_lo8(engine_cell_coil)
+        rcall   link_fast
+        ldi     r24, KIND_MARKER
+        mov     r12, r24
+        rjmp    link_object
+
+; An instruction with a number.
+link_numbered:
+        rcall   link_next
+        mov     r17, r24
+        mov     r25, r12
+        cpi     r25, KIND_TIME
+        brne    1f
+        ret
+1:      cpi     r25, KIND_LABEL
+        brne    1f
+        rjmp    link_label
+1:      cpi     r25, KIND_JUMP
+        brne    1f
+        rjmp    link_jump
+1:      cpi     r25, KIND_INPUT
+        brne    1f
+        cpi     r17, 5
+        brcs    1f
+        ldi     r24, pm_lo8(engine_xor_cell)
+        sbrc    r16, 0          ; 0xAC, or 0xAD where it is inverted
+        ldi     r24, pm_lo8(engine_xor_cell_not)
+        mov     r14, r24
+1:      rcall   link_handler
+        mov     r25, r12
+        mov     r24, r17
+        cpi     r25, KIND_BIT
+        brne    1f
+        rjmp    link_put
+1:      cpi     r25, KIND_INPUT
+        brne    1f
+        cpi     r17, 5
+        brcc    8f
+        rjmp    2f
+1:      cpi     r25, KIND_OUTPUT
+        brne    3f
+        subi    r24, -4
+2:      dec     r24
+        rcall   link_bit
+        rjmp    link_put
+3:      cpi     r25, KIND_FILTER
+        brne    4f
+        ldi     r17, 9
+        push    r24
+        rcall   link_own
+        pop     r24
+        rcall   link_put
+        ldi     r17, 2
+        rjmp    link_copy
+4:      cpi     r25, KIND_VALUE
+        brne    5f
+        tst     r17
+        brne    8f
+        rcall   link_put        ; 0
+        ldi     r17, 4
+        rjmp    link_copy
+5:      cpi     r16, 0xE1       ; INT
+        brne    6f
+        push    r17
+        ldi     r17, 7
+        rcall   link_own
+        pop     r17
+        rjmp    8f
+6:      cpi     r25, KIND_COUNT
+        brne    7f
+        rjmp    link_count
+7:      cpi     r25, KIND_MOVE
+        brne    7f
+        rcall   link_object
+        rcall   link_next
+        mov     r17, r24
+        rcall   link_object
+        rcall   link_next
+        lsl     r24
+        lsl     r24
+        rjmp    link_put
+7:      cpi     r25, KIND_DRUM
+        brne    8f
+        rcall   link_object
+        rcall   link_next
+        mov     r17, r24
+        rcall   link_put
+1:      rcall   link_next
+        swap    r24
+        ldd     r25, Y+JOB_OUTPUTS
+        and     r24, r25
+        rcall   link_put
+        dec     r17
+        brne    1b
+        ret
+8:      rjmp    link_object
+
+link_label:
+        rcall   link_flush
+        ldd     r24, Y+JOB_PUT
+        ldd     r25, Y+JOB_PUT+1
+        rcall   link_place
+        st      Z+, r24
+        st      Z+, r25
+        ldd     r24, Y+JOB_POSITION
+        ldd     r25, Y+JOB_POSITION+1
+        sbiw    r24, 2
+        st      Z+, r24
+        st      Z+, r25
+        rcall   link_handler
+        ldi     r24, RUNG
+        std     Y+JOB_PENDING, r24
+        ldd     r24, Y+JOB_TIMER
+        ldd     r25, Y+JOB_TIMER+1
+        rjmp    link_address
+
+; Z := the place of label r17: where it stands in the linked and in the stored form.
+link_place:
+        mov     r30, r17
+        dec     r30
+        andi    r30, 31
+        lsl     r30
+        lsl     r30
+        clr     r31
+        subi    r30, lo8(-(REGISTERS))
+        sbci    r31, hi8(-(REGISTERS))
+        ret
+
+link_jump:
+        rcall   link_place
+        ldd     r18, Z+2
+        ldd     r19, Z+3
+        ldd     r24, Y+JOB_POSITION
+        ldd     r25, Y+JOB_POSITION+1
+        adiw    r24, 2          ; behind the line
+        sub     r24, r18
+        sbc     r25, r19
+        brcs    1f
+        push    r24
+        push    r25
+        ldi     r24, 1
+        std     Y+JOB_JUMPS_BACK, r24
+        ldi     r24, pm_lo8(engine_jump_back)
+        sbrc    r16, 0          ; 0xE4, or 0xE5 where acc must be 0
+        ldi     r24, pm_lo8(engine_jump_back_not)
+        mov     r14, r24
+        rcall   2f
+        pop     r25
+        pop     r24
+        rcall   3f              ; the cost
+        ldi     r17, 2
+        rjmp    link_copy
+1:      rcall   2f
+        rcall   link_next
+        rjmp    link_next
+2:      rcall   link_handler
+        rcall   link_place
+        ld      r24, Z
+        ldd     r25, Z+1
+        rjmp    link_address
+3:      push    r25
+        rcall   link_put
+        pop     r24
+        rjmp    link_put
+
+; A counter: its preset, then its address.
+link_count:
+        mov     r24, r17
+        dec     r24
+        ldi     r25, 9
+        mul_    24, 25
+        movw    r14, r0
+        clr     r1
+        ldd     r24, Y+JOB_COUNTERS
+        ldd     r25, Y+JOB_COUNTERS+1
+        adiw    r24, 4
+        add     r14, r24
+        adc     r15, r25
+        ldi     r16, 4
+1:      rcall   link_next
+        movw    r30, r14
+        ldd     r18, Y+JOB_COUNTERS_END
+        ldd     r19, Y+JOB_COUNTERS_END+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    2f
+        st      Z+, r24
+2:      movw    r14, r30
+        dec     r16
+        brne    1b
+
+; Puts the address of what has this kind and number.
+link_object:
+        ldi     r24, lo8(REGISTERS)
+        ldi     r25, hi8(REGISTERS)
+        ldi     r18, 4
+        mov     r19, r12
+        cpi     r19, KIND_MARKER
+        breq    1f
+        cpi     r19, KIND_GROUP
+        brne    2f
+        ldi     r18, 8
+        rjmp    3f
+1:      ldi     r18, 1
+3:      subi    r24, 64
+        sbc     r25, r1
+        rjmp    9f
+2:      cpi     r19, KIND_TIMER_Q
+        brne    3f
+        ldd     r24, Y+JOB_TIMERS
+        ldd     r25, Y+JOB_TIMERS+1
+        cpi     r16, 0xCA       ; PVT
+        brne    4f
+        adiw    r24, 5
+4:      ldi     r18, 9
+        rjmp    9f
+3:      cpi     r19, KIND_COUNT
+        breq    5f
+        cpi     r19, KIND_COUNTER
+        brne    3f
+5:      ldd     r24, Y+JOB_COUNTERS
+        ldd     r25, Y+JOB_COUNTERS+1
+        cpi     r16, 0xC9       ; PVC
+        brne    4b
+        adiw    r24, 4
+        rjmp    4b
+3:      cpi     r19, KIND_READING
+        brne    3f
+        subi    r24, 72
+        rjmp    8f
+3:      cpi     r19, KIND_ANALOGUE
+        brne    3f
+        inc     r17             ; from 00
+        subi    r24, 82
+        ldi     r18, 2
+        rjmp    8f
+3:      cpi     r19, KIND_SYSTEM
+        brne    3f
+        subi    r24, 99
+        rjmp    7f
+3:      cpi     r19, KIND_INPUT ; those from 05 on
+        brne    3f
+        subi    r24, 99
+        rjmp    7f
+3:      cpi     r19, KIND_PWM
+        brne    9f
+        subi    r24, 86
+7:      ldi     r18, 1
+8:      sbc     r25, r1
+9:      mov     r19, r17
+        dec     r19
+        mul_    18, 19
+        add     r24, r0
+        adc     r25, r1
+        clr     r1
+        rjmp    link_address
+        .text
