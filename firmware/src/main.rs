@@ -145,7 +145,7 @@ fn scan_on(
     plc: &mut Linked<'_>,
     state: &mut State,
     retentive: &mut Retentive,
-    server: &mut Server<'_>,
+    server: &mut Server,
 ) -> Option<Fault> {
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
