@@ -230,7 +230,11 @@ impl<'m> Loader<'m> {
             for place in bytes.iter_mut().take(line.bytes().into()) {
                 *place = next()?;
             }
-            self.stored_line(line, i32::from_le_bytes(bytes))?;
+            let number = match (line.bytes(), bytes) {
+                (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                _ => i32::from_le_bytes(bytes),
+            };
+            self.stored_line(line, number)?;
         }
         Ok(())
     }
