@@ -1,6 +1,6 @@
 //! Rectangles of characters that are put beside each other along a wire.
 
-use crate::power::Net;
+use crate::power::{Net, Power};
 use unicode_width::UnicodeWidthChar;
 
 /// A character of a drawing.
@@ -32,9 +32,17 @@ impl Cell {
         Cell::new('─', Some(net))
     }
 
-    /// The character with heavy lines, as it is drawn where its net carries power.
-    pub fn heavy(self) -> char {
+    /// The character as it is drawn with this power, and whether it carries some.
+    pub fn shown(self, power: &Power) -> (char, bool) {
+        let on = self.net.is_some_and(|net| power.at(net));
+        (if on { self.heavy() } else { self.ch }, on)
+    }
+
+    /// The character with heavy lines. Of contacts only the wire is heavy.
+    fn heavy(self) -> char {
         match self.ch {
+            '├' if self.element.is_some() => '┝',
+            '┤' if self.element.is_some() => '┥',
             '─' => '━',
             '│' => '┃',
             '┌' => '┏',

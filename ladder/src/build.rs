@@ -4,7 +4,7 @@
 //! closes, its frame becomes a path beside what the frame around it holds.
 
 use crate::element::{Element, Load, Role, asks_for_value};
-use crate::power::{Net, Nets, Source};
+use crate::power::{Net, Nets, Feed};
 use crate::tree::{Gate, Join, Node, Origin, Path, Series, Start, Store};
 use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
@@ -423,9 +423,9 @@ fn energise(
         match node {
             Node::Element(index) => {
                 let element = &mut elements[*index];
-                net = nets.add(Source::Step(element.conducts));
+                net = nets.add(Feed::Step(element.conducts));
                 if let Some(block) = block {
-                    net = nets.add(Source::Both(block, net));
+                    net = nets.add(Feed::Both(block, net));
                 }
                 element.net = net;
             }
@@ -434,18 +434,18 @@ fn energise(
                 let mut end: Option<Net> = None;
                 for path in &mut join.paths {
                     path.net = match path.start {
-                        Start::At(_, step) => nets.add(Source::Step(step)),
+                        Start::At(_, step) => nets.add(Feed::Step(step)),
                         _ => net,
                     };
                     let one = energise(&mut path.series, path.net, block, elements, nets);
                     end = Some(match end {
                         None => one,
-                        Some(other) => nets.add(Source::Either(other, one)),
+                        Some(other) => nets.add(Feed::Either(other, one)),
                     });
                 }
                 net = match (join.gate, end) {
                     (Gate::Or, Some(end)) => end,
-                    _ => nets.add(Source::Step(join.close)),
+                    _ => nets.add(Feed::Step(join.close)),
                 };
                 if let Some(element) = join.element {
                     elements[element].net = net;

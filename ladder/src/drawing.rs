@@ -2,7 +2,7 @@
 
 use crate::block::{Block, Cell};
 use crate::face::Face;
-use crate::power::{Nets, Power};
+use crate::power::Power;
 use crate::wrap::Wrap;
 use crate::{Element, Ladder, Names};
 use std::fmt;
@@ -88,9 +88,7 @@ fn between_rails(mut row: Vec<Cell>, width: usize, rail: crate::Net) -> Vec<Cell
         row.splice(at..at, vec![cell; more]);
     }
     row.resize(width, Cell::BLANK);
-    let is_wire = |cell: Option<&Cell>| {
-        cell.is_some_and(|cell| cell.net.is_some() && !matches!(cell.ch, ' ' | '│'))
-    };
+    let is_wire = |cell: Option<&Cell>| cell.is_some_and(|cell| cell.ch == '─');
     let left = if is_wire(row.first()) { '├' } else { '│' };
     let right = if is_wire(row.last()) { '┤' } else { '│' };
     row.insert(0, Cell::new(left, Some(rail)));
@@ -102,27 +100,15 @@ impl Picture {
     /// A row as text, with what carries power in heavy lines.
     pub fn row(&self, row: usize, power: &Power) -> String {
         let cells = self.rows.get(row).map_or(&[][..], |row| row);
-        cells
-            .iter()
-            .filter(|cell| cell.ch != '\0')
-            .map(|cell| match cell.net {
-                Some(net) if power.at(net) => cell.heavy_in(cells),
-                _ => cell.ch,
-            })
-            .collect()
-    }
-}
-
-impl Cell {
-    fn heavy_in(self, _row: &[Cell]) -> char {
-        self.heavy()
+        let cells = cells.iter().filter(|cell| cell.ch != '\0');
+        cells.map(|cell| cell.shown(power).0).collect()
     }
 }
 
 impl fmt::Display for Picture {
     /// The rung as lines of text, without power.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let none = Nets::new().power(&[]);
+        let none = Power::default();
         for row in 0..self.rows.len() {
             writeln!(f, "{}", self.row(row, &none))?;
         }

@@ -64,7 +64,9 @@ pub enum Symbol {
 pub(crate) enum Role {
     /// It conducts or does not, whatever stands before it.
     Condition,
-    /// It looks at what stands before it.
+    /// It makes a result of what stands before it.
+    Logic,
+    /// It does something, depending on what stands before it.
     Function,
     /// It looks at what stands before it, and passes it on: what follows may stand on a branch of its own.
     Output,
@@ -140,7 +142,7 @@ impl Element {
         let coil = |letter, point| Element::coil(step, letter, point);
         let xor = |inverted, point: Address| {
             let not = if inverted { "/" } else { "" };
-            Element::boxed(step, Role::Function, format!("XOR {not}{point}"), Some(point))
+            Element::boxed(step, Role::Logic, format!("XOR {not}{point}"), Some(point))
         };
         let condition =
             |text: String, point| Element::boxed(step, Role::Condition, text, Some(point));
@@ -184,9 +186,9 @@ impl Element {
             Opcode::XorOutputNot => xor(true, Output(xx)),
             Opcode::XorMarker => xor(false, Marker(xx)),
             Opcode::XorMarkerNot => xor(true, Marker(xx)),
-            Opcode::Not => Element::new(step, Role::Function, Symbol::Inline("NOT"), None),
-            Opcode::RisingEdge => Element::new(step, Role::Function, Symbol::Inline("P"), None),
-            Opcode::FallingEdge => Element::new(step, Role::Function, Symbol::Inline("N"), None),
+            Opcode::Not => Element::new(step, Role::Logic, Symbol::Inline("NOT"), None),
+            Opcode::RisingEdge => Element::new(step, Role::Logic, Symbol::Inline("P"), None),
+            Opcode::FallingEdge => Element::new(step, Role::Logic, Symbol::Inline("N"), None),
             Opcode::Jump | Opcode::JumpNot => {
                 let point = Address::Label(xx);
                 let symbol = Symbol::Leave {
@@ -202,7 +204,7 @@ impl Element {
                 };
                 Element::new(step, Role::Output, symbol, None)
             }
-            Opcode::LoadBit => function("LDB".to_owned(), None),
+            Opcode::LoadBit => Element::boxed(step, Role::Logic, "LD RESULT".to_owned(), None),
             Opcode::LoadInputs
             | Opcode::LoadOutputs
             | Opcode::LoadAnalogue
@@ -309,7 +311,7 @@ impl Element {
 
     /// Whether it may stand at the right rail.
     pub(crate) fn ends_a_rung(&self) -> bool {
-        self.role != Role::Condition
+        matches!(self.role, Role::Function | Role::Output)
     }
 }
 

@@ -6,6 +6,9 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 /// The longest name that is shown whole, in columns.
 const LONGEST_NAME: usize = 20;
 
+/// How far notes stand in.
+pub(crate) const INDENT: usize = 2;
+
 /// An element in characters.
 #[derive(Clone, Debug)]
 pub(crate) struct Face {
@@ -41,8 +44,9 @@ impl Face {
         };
         let name = element.point.and_then(|point| names.get(&point));
         let name = name.map(|name| shorten(name, LONGEST_NAME));
-        let texts = notes.iter().chain(&name).chain([&symbol]);
-        let width = texts.map(|text| text.width()).max().unwrap_or(0);
+        let indented = notes.iter().map(|note| INDENT + note.width());
+        let texts = name.iter().chain([&symbol]).map(|text| text.width());
+        let width = texts.chain(indented).max().unwrap_or(0);
         Face {
             name,
             symbol,

@@ -1,6 +1,7 @@
 //! From the lines of a rung to cells.
 
 use crate::block::{Block, Cell, cells};
+use crate::face::INDENT;
 use crate::power::Net;
 use crate::tree::{Gate, Join, Node, Path, Series, Start};
 use crate::wrap::{Line, WIRE, Wrap};
@@ -33,6 +34,9 @@ impl Wrap<'_> {
             at_end: true,
         };
         block.append(self.series(&line.series, line.net, place).0);
+        if block.rows.is_empty() {
+            block = Block::wire(WIRE, line.net);
+        }
         block
     }
 
@@ -83,7 +87,11 @@ impl Wrap<'_> {
             Node::Join(join) if join.gate == Gate::Or => self.join(join, net, place.at_rail),
             Node::Join(join) => self.gate(join, net, place.at_rail),
             Node::Fork(branches) => self.fork(branches, net),
-            Node::Goto(name) => Block::text(name, net),
+            Node::Goto(name) => {
+                let mut block = Block::text(name, net);
+                block.append(Block::row(vec![Cell::BLANK]));
+                block
+            }
         }
     }
 
@@ -93,8 +101,12 @@ impl Wrap<'_> {
             return Block::default();
         };
         let net = self.ladder.elements[index].net;
-        let spare = face.width.saturating_sub(face.symbol.width());
-        let mut row = vec![Cell::wire(before); spare / 2];
+        // Notes stand below the beginning, names above the middle.
+        let spare = match face.notes[..] {
+            [] => face.width.saturating_sub(face.symbol.width()) / 2,
+            _ => 0,
+        };
+        let mut row = vec![Cell::wire(before); spare];
         row.extend(cells(&face.symbol, Some(net), Some(index)));
         row.resize(face.width, Cell::wire(net));
         let mut block = Block::row(row);
@@ -106,7 +118,7 @@ impl Wrap<'_> {
             block.axis = 1;
         }
         for note in &face.notes {
-            let mut row = vec![Cell::BLANK; 2.min(face.width.saturating_sub(note.width()))];
+            let mut row = vec![Cell::BLANK; INDENT];
             row.extend(cells(note, None, None));
             block.rows.push(row);
         }

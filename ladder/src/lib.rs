@@ -13,7 +13,10 @@ mod drawing;
 mod element;
 mod face;
 mod layout;
+mod listing;
 mod power;
+mod source;
+mod svg_page;
 mod tree;
 mod wrap;
 
@@ -21,10 +24,13 @@ pub use address::{Address, Names};
 pub use block::Cell;
 pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
+pub use listing::listing;
 pub use power::{Net, Nets, Power};
+pub use source::{Place, Source};
+pub use svg_page::to_svg;
 
 use build::Builder;
-use power::Source;
+use power::Feed;
 use tree::{Node, Origin, Series, Start};
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Delay, Instruction};
@@ -81,10 +87,10 @@ impl Ladder {
         let mut builder = Builder::new(&mut self.elements);
         for (step, instruction) in (first..).zip(steps) {
             match instruction.opcode {
-                Opcode::NewRung => rail = self.nets.add(Source::Step(step)),
+                Opcode::NewRung => rail = self.nets.add(Feed::Step(step)),
                 Opcode::Label => {
                     labels.extend(instruction.number());
-                    rail = self.nets.add(Source::Step(step));
+                    rail = self.nets.add(Feed::Step(step));
                 }
                 opcode => {
                     *timers += u8::from(Delay::of(opcode).is_some());

@@ -6,7 +6,7 @@ pub struct Net(u32);
 
 /// Where the power of a net comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Source {
+pub(crate) enum Feed {
     /// The left rail: power in every scan.
     Rail,
     /// acc behind this step.
@@ -19,17 +19,17 @@ pub(crate) enum Source {
 
 /// The nets of a ladder. Each is made of nets before it, so one pass tells the state of all.
 #[derive(Clone, Debug)]
-pub struct Nets(Vec<Source>);
+pub struct Nets(Vec<Feed>);
 
 impl Nets {
     /// The net that never lacks power while the program runs.
     pub(crate) const RAIL: Net = Net(0);
 
     pub(crate) fn new() -> Nets {
-        Nets(vec![Source::Rail])
+        Nets(vec![Feed::Rail])
     }
 
-    pub(crate) fn add(&mut self, source: Source) -> Net {
+    pub(crate) fn add(&mut self, source: Feed) -> Net {
         self.0.push(source);
         Net(self.0.len() as u32 - 1)
     }
@@ -40,10 +40,10 @@ impl Nets {
         let mut power = Power(Vec::with_capacity(self.0.len()));
         for source in &self.0 {
             power.0.push(match *source {
-                Source::Rail => !flow.is_empty(),
-                Source::Step(step) => flow.get(step).copied().unwrap_or(false),
-                Source::Both(one, other) => power.at(one) && power.at(other),
-                Source::Either(one, other) => power.at(one) || power.at(other),
+                Feed::Rail => !flow.is_empty(),
+                Feed::Step(step) => flow.get(step).copied().unwrap_or(false),
+                Feed::Both(one, other) => power.at(one) && power.at(other),
+                Feed::Either(one, other) => power.at(one) || power.at(other),
             });
         }
         power

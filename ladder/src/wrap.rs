@@ -13,8 +13,8 @@ use unicode_width::UnicodeWidthStr;
 /// Columns from element to element.
 pub(crate) const WIRE: usize = 2;
 
-/// What is kept free to go on elsewhere: a wire and `→aaa`.
-const GOTO: usize = WIRE + 4;
+/// What is kept free to go on elsewhere: a wire, `→aaa`, and a blank.
+const GOTO: usize = WIRE + 5;
 
 /// A line of a rung.
 #[derive(Clone, Debug)]
@@ -64,7 +64,8 @@ impl Wrap<'_> {
             rest.names = next.names;
             next.lines.append(&mut rest.lines);
             rest.lines = next.lines;
-            if series.iter().any(Node::is_visible) || lines.is_empty() {
+            let alone = lines.is_empty() && rest.lines.is_empty();
+            if series.iter().any(Node::is_visible) || alone {
                 lines.push(Line { series, ..line });
             }
         }
@@ -233,7 +234,7 @@ impl Wrap<'_> {
                 let branch = |branch: &Series| self.series_width(branch) + 1;
                 1 + branches.iter().map(branch).max().unwrap_or(0)
             }
-            Node::Goto(name) => name.width(),
+            Node::Goto(name) => name.width() + 1,
         }
     }
 
