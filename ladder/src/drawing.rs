@@ -27,6 +27,8 @@ pub struct Drawing<'l> {
     pub rungs: Vec<Picture>,
     /// The columns of every row.
     pub width: usize,
+    /// The columns that it might have taken.
+    pub(crate) limit: usize,
 }
 
 /// A rung in cells.
@@ -71,6 +73,7 @@ impl<'l> Drawing<'l> {
             ladder,
             rungs: rungs.collect(),
             width: width + 2,
+            limit,
         }
     }
 

@@ -34,14 +34,14 @@ impl Nets {
         Net(self.0.len() as u32 - 1)
     }
 
-    /// Which nets carry power after a scan: `flow` is acc behind each step of the program, false for
-    /// steps that were not run, and empty before the first scan.
-    pub fn power(&self, flow: &[bool]) -> Power {
+    /// Which nets carry power after a scan: `flow` is acc behind each step of the program, none for steps
+    /// that were not run, and empty before the first scan.
+    pub fn power(&self, flow: &[Option<bool>]) -> Power {
         let mut power = Power(Vec::with_capacity(self.0.len()));
         for source in &self.0 {
             power.0.push(match *source {
                 Feed::Rail => !flow.is_empty(),
-                Feed::Step(step) => flow.get(step).copied().unwrap_or(false),
+                Feed::Step(step) => flow.get(step).copied().flatten().unwrap_or(false),
                 Feed::Both(one, other) => power.at(one) && power.at(other),
                 Feed::Either(one, other) => power.at(one) || power.at(other),
             });

@@ -62,18 +62,31 @@ fn codes(file: &[u8]) -> Vec<Place> {
     for (line, text) in (1..).zip(text.split('\n')) {
         let (code, comment) = text.split_once('/').unwrap_or((text, ""));
         if code.trim().is_empty() {
+            let comment = comment.trim_start_matches('/').trim_end();
             // Rules made of dashes and the like say nothing.
-            let comment = comment.trim_matches(|c: char| c == '/' || c.is_whitespace());
-            if comment.chars().any(char::is_alphanumeric) {
+            if comment.is_empty() || comment.chars().any(char::is_alphanumeric) {
+                let comment = comment.strip_prefix(' ').unwrap_or(comment);
                 comments.push(comment.to_owned());
             }
         } else {
             codes.push(Place {
                 first: line,
                 last: line,
-                comments: std::mem::take(&mut comments),
+                comments: paragraphs(std::mem::take(&mut comments)),
             });
         }
     }
     codes
+}
+
+/// The lines without the empty ones at the ends and those that follow another.
+fn paragraphs(mut lines: Vec<String>) -> Vec<String> {
+    lines.dedup_by(|line, before| line.is_empty() && before.is_empty());
+    while lines.last().is_some_and(String::is_empty) {
+        lines.pop();
+    }
+    if lines.first().is_some_and(String::is_empty) {
+        lines.remove(0);
+    }
+    lines
 }

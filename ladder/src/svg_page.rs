@@ -39,7 +39,7 @@ pub fn to_svg(drawing: &Drawing<'_>, source: &Source, names: &Names, title: &str
     page.text(MARGIN, page.y + 16.0, title, &Font::TITLE);
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for (line, text) in heading(drawing, source, names, index).lines.iter().enumerate() {
+        for (line, text) in heading(drawing, source, names, index).iter().enumerate() {
             let font = if line == 0 { Font::HEADING } else { Font::REMARK };
             page.text(MARGIN, page.y + 12.0, text, &font);
             page.y += HEADING;
@@ -111,8 +111,7 @@ impl Page<'_> {
             .set("font-family", font.family)
             .set("font-size", font.size)
             .set("font-weight", if font.bold { "bold" } else { "normal" })
-            .set("text-anchor", if font.centred { "middle" } else { "start" })
-            .set("xml:space", "preserve");
+            .set("text-anchor", if font.centred { "middle" } else { "start" });
         self.add(text);
     }
 
@@ -201,13 +200,7 @@ impl Page<'_> {
                 }
                 self.text(middle, above - 4.0, text, &Font::POINT);
             }
-            Symbol::Inline(text) => {
-                let half = 4.0 + 5.0 * text.len() as f32;
-                let (a, b) = (middle - half, middle + half);
-                self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
-                self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
-                self.text(middle, y + 4.5, text, &Font::LETTER);
-            }
+            Symbol::Inline(text) => self.inline(text, (left, right), y),
             Symbol::Coil { letter, text } => {
                 let (a, b) = (middle - 8.0, middle + 8.0);
                 self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
@@ -234,12 +227,27 @@ impl Page<'_> {
                 self.add(edge);
                 self.text(middle, y + 4.5, inside, &Font::BOXED);
             }
-            Symbol::Leave { .. } => {
-                // The wire and the NOT before it are characters like all others here.
-                let text = text.replace('─', " ");
-                self.text(left, y + 4.5, &text, &Font::NOTE);
+            Symbol::Leave { inverted, text } => {
+                let start = right - text.len() as f32 * COLUMN;
+                if *inverted {
+                    let behind = left + 5.0 * COLUMN;
+                    self.inline("NOT", (left, behind), y);
+                    self.line(format!("M{behind} {y}H{}", start - 2.0), 1.4);
+                }
+                self.text(start, y + 4.5, text, &Font::NOTE);
             }
         }
+    }
+
+    /// Letters between two bars.
+    fn inline(&mut self, text: &str, (left, right): (f32, f32), y: f32) {
+        let (above, below) = (y - HALF, y + HALF);
+        let middle = (left + right) / 2.0;
+        let half = 4.0 + 5.0 * text.len() as f32;
+        let (a, b) = (middle - half, middle + half);
+        self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
+        self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
+        self.text(middle, y + 4.5, text, &Font::LETTER);
     }
 }
 
@@ -309,7 +317,12 @@ fn horizontal(row: &[Cell], y: f32, path: &mut String) {
 /// The wires from a row to the next.
 fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, path: &mut String) {
     for (column, (&above, &below)) in row.iter().zip(next).enumerate() {
-        if arms(above)[3] && arms(below)[2] {
+        // A wire may also come to a box from below.
+        let from = match above.element {
+            Some(_) => from + HALF + 2.0,
+            None => from,
+        };
+        if arms(below)[2] && (arms(above)[3] || above.element.is_some()) {
             path.push_str(&format!("M{} {from}V{to}", x(column as f32 + 0.5)));
         }
     }
