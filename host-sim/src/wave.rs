@@ -208,7 +208,6 @@ impl<W: Write> Engine for RecordedEngine<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::BOARD;
     use crate::random::{Random, random_inputs, random_program};
     use std::collections::HashMap;
     use vcd::{Command, Parser};
@@ -264,21 +263,21 @@ mod tests {
     fn a_trace_reads_back_as_the_run_was() {
         let mut random = Random::new(3);
         for _ in 0..50 {
-            let program = random_program(&mut random, BOARD);
+            let program = random_program(&mut random);
             let mut trace = Vec::new();
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
             let mut reference = Machine::load(program.as_bytes()).unwrap();
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
-            let mut image = Image::default();
+            let mut image = Inputs::default();
             let mut run = Vec::new();
             for at in 0..60 {
-                image = random_inputs(&mut random, BOARD, image);
+                image = random_inputs(&mut random, reference.plc().needs(), image);
                 let now = start.wrapping_add(at);
-                let _ = engine.scan(&image.into(), now).unwrap();
-                let _ = reference.scan_observed(image.into(), now, |_, _| ());
-                run.push(Sample::of(&reference, image, now));
+                let _ = engine.scan(&image, now).unwrap();
+                let _ = reference.scan_observed(image, now, |_, _| ());
+                run.push(Sample::of(&reference, image.points, now));
             }
             engine.finish().unwrap();
 

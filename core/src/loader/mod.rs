@@ -168,7 +168,8 @@ impl<'m> Loader<'m> {
             Cause::EmptyFile => None,
             Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
             Cause::OperandsMissing => Some(self.block),
-            Cause::NoSuchTimer if self.timer == 0 => Some(self.timer_line),
+            // At the end of the file; a timer 00 is told where it stands.
+            Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
             Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
             _ => Some(self.line),
         };
