@@ -57,6 +57,8 @@ pub struct Rung {
     pub labels: Vec<u8>,
     /// The net of its left rail.
     pub(crate) rail: Net,
+    /// The steps that begin it: its code and its labels.
+    pub(crate) heads: Vec<usize>,
     pub(crate) series: Series,
 }
 
@@ -82,14 +84,17 @@ impl Ladder {
     }
 
     fn rung(&mut self, first: usize, steps: &[Instruction<'_>], timers: &mut u8) {
-        let mut labels = Vec::new();
+        let (mut heads, mut labels) = (Vec::new(), Vec::new());
         let mut rail = Nets::RAIL;
         let mut builder = Builder::new(&mut self.elements);
         for (step, instruction) in (first..).zip(steps) {
             match instruction.opcode {
-                Opcode::NewRung => rail = self.nets.add(Feed::Step(step)),
-                Opcode::Label => {
-                    labels.extend(instruction.number());
+                Opcode::NewRung | Opcode::Label => {
+                    if instruction.opcode == Opcode::Label {
+                        labels.extend(instruction.number());
+                    }
+                    heads.push(step);
+                    // A jump comes to a label, and not to the code before it.
                     rail = self.nets.add(Feed::Step(step));
                 }
                 opcode => {
@@ -104,8 +109,24 @@ impl Ladder {
             steps: steps.len(),
             labels,
             rail,
+            heads,
             series,
         });
+    }
+
+    /// The steps that a rung shows: as symbols, as joints of its wires, or at its head.
+    pub fn shown(&self, rung: &Rung) -> Vec<usize> {
+        let mut shown = rung.heads.clone();
+        for node in &rung.series {
+            node.visit(&mut |node| match node {
+                Node::Element(index) => shown.extend(&self.elements[*index].steps),
+                Node::Store(store) => shown.push(store.step),
+                Node::Block(_, steps) => shown.extend(steps),
+                Node::Join(join) => join.paths.iter().for_each(|path| shown.extend(&path.steps)),
+                Node::Fork(_) | Node::Goto(_) => {}
+            });
+        }
+        shown
     }
 
     /// Draws it.

@@ -52,6 +52,9 @@ pub(super) fn listing(program: &Program<'_>, source: &Source) -> String {
 fn with_comments(text: &str, steps: &[(Vec<Line>, Opcode)], source: &Source) -> String {
     let mut lines = text.lines();
     let mut all: String = source.title.iter().map(|line| comment(line)).collect();
+    if !all.is_empty() {
+        all.push('\n');
+    }
     all.extend(lines.next().map(|line| format!("{line}\n")));
     for (index, (step, opcode)) in steps.iter().enumerate() {
         let comments = source.places.get(index).map(|place| &place.comments[..]);

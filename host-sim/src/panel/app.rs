@@ -2,7 +2,7 @@
 //! so tests feed it both.
 
 use super::buttons::{Buttons, KeyUp};
-use super::ladder::{Flow, Rung};
+use super::ladder::{Flow, Rungs};
 use crate::BOARD;
 use crate::engine::Machine;
 use crate::wave::{Recorder, Sample};
@@ -24,7 +24,7 @@ pub struct App {
     pub(super) name: String,
     file: Vec<u8>,
     machine: Machine,
-    pub(super) rungs: Vec<Rung>,
+    pub(super) rungs: Rungs,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -50,7 +50,7 @@ impl App {
         let machine = Machine::load(&file)?;
         Ok(App {
             name,
-            rungs: Rung::all(machine.plc().steps()),
+            rungs: Rungs::new(machine.plc().steps()),
             file,
             machine,
             flow: Flow::default(),

@@ -58,29 +58,31 @@ fn the_screen_shows_what_is_energised() {
     press(&mut app, '1');
     advance(&mut app, 15);
     let expected = " motor.txt                                                 RUN  15 ms  16 scans
-─ Inputs: 1 to 4 toggle ───────────────── Outputs ──────────────────────────────
- I1 ●   I2 ○   I3 ○   I4 ○               Q1 ○   Q2 ○   Q3 ○   Q4 ○
+─ Inputs: 1 to 8 toggle ───────────────── Outputs ──────────────────────────────
+ I1 ●   I2 ○   I3 ○   I4 ○   I5 ○   I6 ○ Q1 ○   Q2 ○   Q3 ○   Q4 ○
 ─ Timers (ms) ──────────────────────────────────────────────────────────────────
  T1   TON ████████████░░░░░ 15/20 Q1 ○
 ─ Rungs ────────────────────────────────────────────────────────────────────────
-  1 ┣━━┥ I1 ┝━━[T1 TON 15/20 Q1]
-  2 ┣━━┤ I2 ├──╭or━━┥/I3 ┝━━╯━━┤ Q1 ├──( Q2 )
+  1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
+  2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
+    ┣━━┥/I3 ┝━━┛                                           │
 
  q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
-    assert_eq!(screen(&mut app, 80, 10).join("\n"), expected);
+    assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
     let expected = " motor.txt                                                 RUN  20 ms  21 scans
-─ Inputs: 1 to 4 toggle ───────────────── Outputs ──────────────────────────────
- I1 ●   I2 ○   I3 ○   I4 ○               Q1 ●   Q2 ●   Q3 ○   Q4 ○
+─ Inputs: 1 to 8 toggle ───────────────── Outputs ──────────────────────────────
+ I1 ●   I2 ○   I3 ○   I4 ○   I5 ○   I6 ○ Q1 ●   Q2 ●   Q3 ○   Q4 ○
 ─ Timers (ms) ──────────────────────────────────────────────────────────────────
  T1   TON █████████████████ 20/20 Q1 ●
 ─ Rungs ────────────────────────────────────────────────────────────────────────
-  1 ┣━━┥ I1 ┝━━[T1 TON 20/20 Q1]
-  2 ┣━━┤ I2 ├──╭or━━┥/I3 ┝━━╯━━┥ Q1 ┝━━( Q2 )
+  1 ┣━━┥ I1 ┝━━[ TON T1 20/20 ms ]━━━━━━━━━━━━━━━━━━( Q1 )━┤
+  2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
+    ┣━━┥/I3 ┝━━┛                                           │
 
  q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
-    assert_eq!(screen(&mut app, 80, 10).join("\n"), expected);
+    assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 
 #[test]
@@ -283,15 +285,18 @@ fn timers_that_do_not_fit_are_on_further_pages() {
 }
 
 #[test]
-fn every_kind_of_instruction_is_drawn_and_long_rungs_wrap() {
+fn branches_are_drawn_and_long_rungs_wrap() {
     let program = "0\n827301\n404102\n40\n404102\n827302\n41\n-827901\n-827304\n\
         83877901\n82877902\n847970\n2147483647\n7903\n877904\n787600\n877901\n";
     let mut app = app(program);
     let lines = screen(&mut app, 64, 16);
     let rungs = [
-        "  1 ├──┤ I1 ├──•2──╭or•2──┤ I2 ├──╯──┤/Q1 ├──┤/I4 ├──(S Q1)",
-        "      ──(R Q2)──[T1 TOF          0/2147483647 Q3]──( Q4 )",
-        "  2 ├──( Q1 )",
+        "  1 ├──┤ I1 ├──┬──────────┬──┤/Q1 ├──┤/I4 ├──┬──────(S Q1)─┤",
+        "    │          └──┤ I2 ├──┘                  ├──────(R Q2)─┤",
+        "    │                                        └──→a         │",
+        "    │ a→──[ TOF T1 2147483647 ms ]──┬───────────────( Q3 )─┤",
+        "    │                               └───────────────( Q4 )─┤",
+        "  2 ├───────────────────────────────────────────────( Q1 )─┤",
     ];
     for rung in rungs {
         assert!(lines.iter().any(|line| line == rung), "{rung}\n{lines:#?}");
