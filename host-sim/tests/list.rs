@@ -74,7 +74,10 @@ fn every_instruction_is_listed() {
             }
             Opcode::OpenAnd => (format!("0\n827301\n{step}827302\n41\n"), "┤ I1 ├──┤ I2 ├"),
             Opcode::OpenXor => (format!("0\n827301\n{step}827302\n41\n"), "[ XOR ]"),
-            Opcode::RecallBranch => ("0\n827301\n404101\n827302\n40\n404101\n41\n".to_owned(), "┬"),
+            Opcode::RecallBranch => (
+                "0\n827301\n404101\n827302\n40\n404101\n41\n".to_owned(),
+                "┬",
+            ),
             // A jump needs its label, a contact of a timer its timer.
             Opcode::Jump | Opcode::JumpNot => (format!("0\n766601\n{step}"), ">> L1"),
             Opcode::Label => (format!("0\n{step}"), "L1:"),
@@ -91,10 +94,16 @@ fn every_instruction_is_listed() {
         assert!(ladder.contains(shown), "{opcode:?}:\n{ladder}");
         let first = ladder.lines().find(|line| line.starts_with('├')).unwrap();
         let alone = matches!(opcode, Opcode::Label);
-        assert!(alone || first.trim_matches(['├', '─', '│', ' ']) != "", "{opcode:?}:\n{ladder}");
+        assert!(
+            alone || !first.trim_matches(['├', '─', '│', ' ']).is_empty(),
+            "{opcode:?}:\n{ladder}"
+        );
         let letters = opcode.row().letters;
         let numeric = list(program.as_bytes(), Form::Numeric, 80).unwrap();
-        assert!(numeric.contains(&format!("/ {letters}")), "{opcode:?}:\n{numeric}");
+        assert!(
+            numeric.contains(&format!("/ {letters}")),
+            "{opcode:?}:\n{numeric}"
+        );
         assert!(!numeric.contains("XX"), "{opcode:?}:\n{numeric}");
     }
 }
@@ -125,7 +134,10 @@ fn random_programs_keep_every_step_once_at_every_width() {
         let mut symbols = Vec::new();
         for picture in &drawing.rungs {
             for row in &picture.rows {
-                assert!(row.len() == drawing.width && row.len() <= width, "{picture}");
+                assert!(
+                    row.len() == drawing.width && row.len() <= width,
+                    "{picture}"
+                );
                 let elements = row.chunk_by(|one, other| one.element == other.element);
                 symbols.extend(elements.filter_map(|cells| cells[0].element));
             }
@@ -161,7 +173,10 @@ fn a_numeric_listing_is_the_same_program() {
         let listing = list(&file, Form::Numeric, 80).unwrap();
         assert_eq!(stored(listing.as_bytes()), stored(&file), "{listing}");
         // A listing of a listing is the same once more.
-        assert_eq!(list(listing.as_bytes(), Form::Numeric, 80).unwrap(), listing);
+        assert_eq!(
+            list(listing.as_bytes(), Form::Numeric, 80).unwrap(),
+            listing
+        );
     }
     let expected = "\
 / Motor
@@ -179,6 +194,7 @@ fn a_numeric_listing_is_the_same_program() {
 716900   / GE 00   comparison: acc := acc AND (value >= -5)
 -5       /         the constant
 ";
-    let file = "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
+    let file =
+        "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
     assert_eq!(list(file.as_bytes(), Form::Numeric, 80).unwrap(), expected);
 }

@@ -3,9 +3,13 @@
 //! A frame is what one run of acc has gathered: the rung itself, or an open branch or block. Where a branch
 //! closes, its frame becomes a path beside what the frame around it holds.
 
-use crate::element::{Element, Load, Role, asks_for_value};
-use crate::power::{Net, Nets, Feed};
+use crate::element::{Element, Role};
+use crate::energise::energise;
+use crate::fork::fork;
+use crate::power::{Net, Nets};
+use crate::stores;
 use crate::tree::{Gate, Join, Node, Origin, Path, Series, Start, Store};
+use crate::value::{Load, asks_for_value};
 use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
 
@@ -77,7 +81,7 @@ impl<'e> Builder<'e> {
     /// The tree of the rung, with `rail` as the net at its beginning.
     pub(crate) fn finish(mut self, nets: &mut Nets, rail: Net) -> Series {
         let mut series = std::mem::take(&mut self.frame().series);
-        name_stores(&mut series);
+        stores::name(&mut series);
         fork(&mut series, self.elements);
         energise(&mut series, rail, None, self.elements, nets);
         series
@@ -103,12 +107,17 @@ impl<'e> Builder<'e> {
                     && self.is_load(load)
                 {
                     self.frame().series.pop();
-                    first.steps.splice(0..0, self.elements[load].steps.drain(..));
+                    first
+                        .steps
+                        .splice(0..0, self.elements[load].steps.drain(..));
                     first.point = self.elements[load].point.or(first.point);
                 }
             }
             self.value = match Load::of(instruction) {
-                None => self.value.take().filter(|load| load.survives(first, opcode)),
+                None => self
+                    .value
+                    .take()
+                    .filter(|load| load.survives(first, opcode)),
                 load => load,
             };
         }
@@ -140,10 +149,13 @@ impl<'e> Builder<'e> {
         match inner.gate {
             Gate::Or => {
                 for (origin, path) in inner.into_paths() {
-                    if let Err(path) = join(&mut outer.series, Some(outer.origin), origin, path, close)
+                    if let Err(path) =
+                        join(&mut outer.series, Some(outer.origin), origin, path, close)
                     {
                         let before = Path::here(std::mem::take(&mut outer.series));
-                        outer.series.push(Join::new(Gate::Or, vec![before, path], close, None));
+                        outer
+                            .series
+                            .push(Join::node(Gate::Or, vec![before, path], close, None));
                     }
                 }
             }
@@ -165,7 +177,7 @@ impl<'e> Builder<'e> {
                 let element = self.elements.len();
                 self.elements.push(Element::gate(close, gate));
                 let paths = vec![before, path];
-                let join = Join::new(gate, paths, close, Some(element));
+                let join = Join::node(gate, paths, close, Some(element));
                 self.frame().series.push(join);
             }
         }
@@ -265,7 +277,12 @@ fn join(
             join.close = close;
             series.append(&mut before);
         } else {
-            series.push(Join::new(Gate::Or, vec![Path::here(before), path], close, None));
+            series.push(Join::node(
+                Gate::Or,
+                vec![Path::here(before), path],
+                close,
+                None,
+            ));
         }
         return Ok(());
     }
@@ -283,182 +300,4 @@ fn join(
         }
     }
     Err(path)
-}
-
-/// Finds out which stores must be named: those that paths name, and those that none begins at.
-fn name_stores(series: &mut Series) {
-    let (mut named, mut joined) = (Vec::new(), Vec::new());
-    for node in series.iter() {
-        node.visit(&mut |node| {
-            if let Node::Join(join) = node {
-                for path in &join.paths {
-                    if let Start::At(Origin::Store(step), _) = path.start {
-                        named.push(step);
-                    }
-                }
-            }
-        });
-    }
-    followed_by_join(series, &mut joined);
-    mark_stores(series, &named, &joined);
-}
-
-/// The stores right behind which paths part.
-fn followed_by_join(series: &Series, joined: &mut Vec<usize>) {
-    for (index, node) in series.iter().enumerate() {
-        if let Node::Store(store) = node {
-            let next = series[index + 1..]
-                .iter()
-                .find(|node| !matches!(node, Node::Store(_)));
-            if matches!(next, Some(Node::Join(_))) {
-                joined.push(store.step);
-            }
-        }
-        inner(node).for_each(|series| followed_by_join(series, joined));
-    }
-}
-
-fn mark_stores(series: &mut Series, named: &[usize], joined: &[usize]) {
-    for node in series {
-        if let Node::Store(store) = node {
-            store.named = named.contains(&store.step) || !joined.contains(&store.step);
-        }
-        inner_mut(node).for_each(|series| mark_stores(series, named, joined));
-    }
-}
-
-/// The series within a node.
-fn inner(node: &Node) -> Box<dyn Iterator<Item = &Series> + '_> {
-    match node {
-        Node::Block(series, _) => Box::new(std::iter::once(series)),
-        Node::Join(join) => Box::new(join.paths.iter().map(|path| &path.series)),
-        Node::Fork(branches) => Box::new(branches.iter()),
-        _ => Box::new(std::iter::empty()),
-    }
-}
-
-fn inner_mut(node: &mut Node) -> Box<dyn Iterator<Item = &mut Series> + '_> {
-    match node {
-        Node::Block(series, _) => Box::new(std::iter::once(series)),
-        Node::Join(join) => Box::new(join.paths.iter_mut().map(|path| &mut path.series)),
-        Node::Fork(branches) => Box::new(branches.iter_mut()),
-        _ => Box::new(std::iter::empty()),
-    }
-}
-
-/// Gives each output that is not the last of a rung a branch of its own, as well as paths that all end
-/// in outputs.
-fn fork(series: &mut Series, elements: &[Element]) {
-    let is_output = |node: &Node| match node {
-        Node::Element(index) => elements[*index].is_output(),
-        _ => false,
-    };
-    let mut rest = Some(std::mem::take(series));
-    // From the front, without recursion: a rung may be one long chain of coils.
-    let mut levels: Vec<(Series, Node)> = Vec::new();
-    while let Some(mut now) = rest.take() {
-        let output = now.iter().position(is_output);
-        match output {
-            Some(index) if now[index + 1..].iter().any(Node::is_visible) => {
-                let behind = now.split_off(index + 1);
-                if let Some(output) = now.pop() {
-                    levels.push((now, output));
-                }
-                rest = Some(behind);
-            }
-            _ => {
-                fork_last(&mut now, elements);
-                *series = now;
-            }
-        }
-    }
-    for (mut before, output) in levels.into_iter().rev() {
-        let behind = std::mem::take(series);
-        let mut branches = vec![vec![output]];
-        match <[Node; 1]>::try_from(behind) {
-            Ok([Node::Fork(more)]) => branches.extend(more),
-            Ok([node]) => branches.push(vec![node]),
-            Err(behind) => branches.push(behind),
-        }
-        before.push(Node::Fork(branches));
-        *series = before;
-    }
-}
-
-/// Paths at the end of a rung need not come together again where each ends in an output.
-fn fork_last(series: &mut Series, elements: &[Element]) {
-    let ends = |path: &Path| {
-        let last = path.series.last();
-        let output = matches!(last, Some(Node::Element(index)) if elements[*index].is_output());
-        path.start == Start::Here && output
-    };
-    let last = series.last_mut().and_then(Node::as_or);
-    if last.is_some_and(|join| join.paths.iter().all(ends))
-        && let Some(Node::Join(join)) = series.pop()
-    {
-        let mut branches = Vec::new();
-        let mut steps = Vec::new();
-        for mut path in join.paths {
-            steps.append(&mut path.steps);
-            fork(&mut path.series, elements);
-            branches.push(path.series);
-        }
-        // The steps that were joints belong to the fork now.
-        series.push(Node::Block(Vec::new(), steps));
-        series.push(Node::Fork(branches));
-    }
-}
-
-/// Gives every wire its net; gives the one at the end. `block` is the net that an AND block stands behind,
-/// whose elements know only of acc inside it.
-fn energise(
-    series: &mut Series,
-    start: Net,
-    block: Option<Net>,
-    elements: &mut [Element],
-    nets: &mut Nets,
-) -> Net {
-    let mut net = start;
-    for node in series {
-        match node {
-            Node::Element(index) => {
-                let element = &mut elements[*index];
-                net = nets.add(Feed::Step(element.conducts));
-                if let Some(block) = block {
-                    net = nets.add(Feed::Both(block, net));
-                }
-                element.net = net;
-            }
-            Node::Block(series, _) => net = energise(series, net, Some(net), elements, nets),
-            Node::Join(join) => {
-                let mut end: Option<Net> = None;
-                for path in &mut join.paths {
-                    path.net = match path.start {
-                        Start::At(_, step) => nets.add(Feed::Step(step)),
-                        _ => net,
-                    };
-                    let one = energise(&mut path.series, path.net, block, elements, nets);
-                    end = Some(match end {
-                        None => one,
-                        Some(other) => nets.add(Feed::Either(other, one)),
-                    });
-                }
-                net = match (join.gate, end) {
-                    (Gate::Or, Some(end)) => end,
-                    _ => nets.add(Feed::Step(join.close)),
-                };
-                if let Some(element) = join.element {
-                    elements[element].net = net;
-                }
-                join.net = net;
-            }
-            Node::Fork(branches) => {
-                for branch in branches {
-                    energise(branch, net, block, elements, nets);
-                }
-            }
-            Node::Store(_) | Node::Goto(_) => {}
-        }
-    }
-    net
 }

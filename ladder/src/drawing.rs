@@ -66,7 +66,9 @@ impl<'l> Drawing<'l> {
         let rungs = rungs.into_iter().map(|(rung, blocks)| {
             let axis = blocks.first().map_or(0, |block| block.axis);
             let rows = blocks.into_iter().flat_map(|block| block.rows);
-            let rows = rows.map(|row| between_rails(row, width, rung.rail)).collect();
+            let rows = rows
+                .map(|row| between_rails(row, width, rung.rail))
+                .collect();
             Picture { rows, axis }
         });
         Drawing {

@@ -1,8 +1,36 @@
 //! From a checked program to a ladder diagram: as text, live in a terminal, and as vector graphics.
 //!
+//! The way of a program through this crate: `symbols` says what each instruction looks like; `build` makes a
+//! tree of each rung's elements; `fork` and `stores` arrange it, `energise` gives every wire its net; `wrap`
+//! breaks what is too wide; `layout` makes cells of it. Text, terminals and SVG all show those cells.
+//!
 //! # Rules
 //!
-//! TODO
+//! Numeric code is one accumulator, acc, and a stack (NC-6, NC-8); a ladder diagram is wires. Power on a wire is
+//! acc there, so:
+//!
+//! - **Contacts and comparisons** stand in series. A load right before a comparison is drawn with it:
+//!   `[ A0 >= 500 ]`. Where the source of the value is not known, it is called `V`.
+//! - **`40` … `41`** is a path beside all that its rung, or the branch around it, holds so far; with a recall,
+//!   beside what stands behind the stored point. Paths of one beginning and one end are one join, however they
+//!   were nested.
+//! - **`6540` … `41`** is its contents in series. Where they look at what stands before them – an edge, a NOT, a
+//!   timer, a recalled point – the two results meet in a box, `[ AND ]`, the second from below. **`8840` …
+//!   `41`** always is such a box, `[ XOR ]`.
+//! - **A path that begins where no wire leads without crossing another** begins by name: at `•1`, a point of the same
+//!   name, or at a left rail of its own, `├`. `•1.2` is point 01 as the rung has stored it the second time.
+//!   A point at which nothing begins is named too, so that nothing is lost.
+//! - **NOT, edges and `XI`** stand in series and act on all that stands before them in their path.
+//! - **Coils, jumps and returns** leave acc as it is. One that is not the last of its rung gets a branch of its
+//!   own, one below the other at the right rail; but between other elements of a path it stands in series.
+//!   Paths that end a rung and all end in outputs do not come together again.
+//! - **A timer** is its box, and behind it the coil that it drives, which is the same step.
+//! - **Functions** of numbers stand in series, as boxes in the order in which they are done.
+//! - **A rung that is too wide** goes on in another line: `→a`, `a→`. Ends of the same name join.
+//!
+//! Each step of a program is shown exactly once: as a symbol, as a joint of wires, or at the head of its rung. The
+//! power of a wire is found from acc behind the steps of a scan ([`Nets::power`]); it flows to the right, and up
+//! and down, never back.
 
 #![forbid(unsafe_code)]
 
@@ -11,13 +39,18 @@ mod block;
 mod build;
 mod drawing;
 mod element;
+mod energise;
 mod face;
+mod fork;
 mod layout;
 mod listing;
 mod power;
 mod source;
+mod stores;
 mod svg_page;
+mod symbols;
 mod tree;
+mod value;
 mod wrap;
 
 pub use address::{Address, Names};

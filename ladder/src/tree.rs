@@ -101,12 +101,8 @@ impl Path {
 }
 
 impl Join {
-    pub(crate) fn new(
-        gate: Gate,
-        paths: Vec<Path>,
-        close: usize,
-        element: Option<usize>,
-    ) -> Node {
+    /// A join as a piece of a series.
+    pub(crate) fn node(gate: Gate, paths: Vec<Path>, close: usize, element: Option<usize>) -> Node {
         Node::Join(Join {
             gate,
             paths,

@@ -156,7 +156,10 @@ impl Wrap<'_> {
             path.start = Start::Named(format!("{second}→"));
             path.net = join.paths.last().map_or(net, |path| self.end(path));
             let paths = vec![Path::here(Series::new()), path];
-            let mut gate = Join { paths, ..join.clone() };
+            let mut gate = Join {
+                paths,
+                ..join.clone()
+            };
             gate.paths[0].net = join.paths.first().map_or(net, |path| self.end(path));
             series.insert(0, Node::Join(gate));
             end = second;
@@ -178,7 +181,11 @@ impl Wrap<'_> {
         }
         rest.lines.push_back(Line {
             start: Some(format!("{name}→")),
-            net: if gate == Gate::Or { join.net } else { first_net },
+            net: if gate == Gate::Or {
+                join.net
+            } else {
+                first_net
+            },
             series,
         });
     }

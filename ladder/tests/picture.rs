@@ -241,10 +241,13 @@ impl<'w> Wires<'w> {
                 on.insert((row, column + 1), true);
             }
             // Through a name, to the wire behind it.
-            None if !" ─│├┤┬└┘".contains(cell.ch) && next.element.is_none() && next.ch != ' ' => {
-                if self.arms((row, column + 1)) == [false; 4] || self.arms((row, column + 1))[0] {
-                    on.insert((row, column + 1), true);
-                }
+            None if !" ─│├┤┬└┘".contains(cell.ch)
+                && next.element.is_none()
+                && next.ch != ' '
+                && (self.arms((row, column + 1)) == [false; 4]
+                    || self.arms((row, column + 1))[0]) =>
+            {
+                on.insert((row, column + 1), true);
             }
             // Into a symbol.
             None if self.arms(at)[1] && next.element.is_some() => {
@@ -266,7 +269,10 @@ impl<'w> Wires<'w> {
             return;
         };
         let mut end = column;
-        while self.cell((row, end)).is_some_and(|cell| cell.element == Some(index)) {
+        while self
+            .cell((row, end))
+            .is_some_and(|cell| cell.element == Some(index))
+        {
             end += 1;
         }
         let conducts = match &self.ladder.elements[index].symbol {

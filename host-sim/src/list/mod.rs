@@ -45,7 +45,12 @@ pub fn svg(file: &[u8], path: &Path, width: usize) -> Result<String, Fault> {
     let ladder = Ladder::new(program.steps());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let title = source.title.first().map_or(&*name, String::as_str);
-    Ok(to_svg(&draw(&ladder, &names, width), &source, &names, title))
+    Ok(to_svg(
+        &draw(&ladder, &names, width),
+        &source,
+        &names,
+        title,
+    ))
 }
 
 fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize) -> Drawing<'l> {

@@ -79,7 +79,9 @@ fn comment(line: &str) -> String {
 fn lines(step: Instruction<'_>) -> Vec<Line> {
     let row = step.opcode.row();
     let mut codes = step.codes();
-    let number = step.number().map_or_else(String::new, |n| format!("{n:02}"));
+    let number = step
+        .number()
+        .map_or_else(String::new, |n| format!("{n:02}"));
     let letters = match number.as_str() {
         "" => row.letters.to_owned(),
         number => format!("{} {number}", row.letters),

@@ -96,7 +96,9 @@ impl Rungs {
                 let digits = preset.to_string().len();
                 let letters = delay.letters();
                 let number = index + 1;
-                Some(format!("{letters} T{number} {elapsed:>digits$}/{preset} ms"))
+                Some(format!(
+                    "{letters} T{number} {elapsed:>digits$}/{preset} ms"
+                ))
             }
             Count::Events(index, letters) => {
                 let CounterState { value, preset, .. } = flow.counters.get(index)?;

@@ -1,10 +1,13 @@
 //! The same drawing as vector graphics, for a report.
 
+mod wires;
+
 use crate::block::Cell;
 use crate::listing::heading;
 use crate::{Drawing, Element, Names, Picture, Source, Symbol};
 use svg::Document;
 use svg::node::element::{Group, Path, Rectangle, Text};
+use wires::{arms, horizontal, is_rail, is_text, vertical};
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;
@@ -40,7 +43,11 @@ pub fn to_svg(drawing: &Drawing<'_>, source: &Source, names: &Names, title: &str
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {
         for (line, text) in heading(drawing, source, names, index).iter().enumerate() {
-            let font = if line == 0 { Font::HEADING } else { Font::REMARK };
+            let font = if line == 0 {
+                Font::HEADING
+            } else {
+                Font::REMARK
+            };
             page.text(MARGIN, page.y + 12.0, text, &font);
             page.y += HEADING;
         }
@@ -133,7 +140,9 @@ impl Page<'_> {
         let top = self.y;
         let mut axes = Vec::new();
         for row in &picture.rows {
-            let wired = row.iter().any(|cell| arms(*cell).iter().any(|&arm| arm) && !is_rail(cell));
+            let wired = row
+                .iter()
+                .any(|cell| arms(*cell).iter().any(|&arm| arm) && !is_rail(cell));
             axes.push(self.y + if wired { AXIS } else { TEXT_ROW / 2.0 });
             self.y += if wired { WIRE_ROW } else { TEXT_ROW };
         }
@@ -158,12 +167,20 @@ impl Page<'_> {
             let cell = row[column];
             let mut end = column + 1;
             if let Some(element) = cell.element {
-                while row.get(end).is_some_and(|cell| cell.element == Some(element)) {
+                while row
+                    .get(end)
+                    .is_some_and(|cell| cell.element == Some(element))
+                {
                     end += 1;
                 }
                 let drawing = self.drawing;
                 let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
-                self.symbol(&drawing.ladder().elements[element], &text, (column, end), axis);
+                self.symbol(
+                    &drawing.ladder().elements[element],
+                    &text,
+                    (column, end),
+                    axis,
+                );
             } else if cell.ch == '→' {
                 let (left, right) = (x(column as f32), x(end as f32));
                 let (tip, up, down) = (right - 2.0, axis - 4.0, axis + 4.0);
@@ -205,7 +222,9 @@ impl Page<'_> {
                 let (a, b) = (middle - 8.0, middle + 8.0);
                 self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
                 let (c, d) = (middle - 4.0, middle + 4.0);
-                let arcs = format!("M{c} {above}A11 11 0 0 0 {c} {below}M{d} {above}A11 11 0 0 1 {d} {below}");
+                let arcs = format!(
+                    "M{c} {above}A11 11 0 0 0 {c} {below}M{d} {above}A11 11 0 0 1 {d} {below}"
+                );
                 self.line(arcs, 1.8);
                 match letter {
                     ' ' => {}
@@ -254,76 +273,4 @@ impl Page<'_> {
 /// The left edge of a column.
 fn x(column: f32) -> f32 {
     MARGIN + column * COLUMN
-}
-
-/// Which ways a line goes from the middle of a cell: left, right, up, down.
-fn arms(cell: Cell) -> [bool; 4] {
-    if cell.element.is_some() {
-        return [false; 4];
-    }
-    match cell.ch {
-        '─' => [true, true, false, false],
-        '│' => [false, false, true, true],
-        '├' => [false, true, true, true],
-        '┤' => [true, false, true, true],
-        '┬' => [true, true, false, true],
-        '└' => [false, true, true, false],
-        '┘' => [true, false, true, false],
-        _ => [false; 4],
-    }
-}
-
-fn is_line(ch: char) -> bool {
-    matches!(ch, '─' | '│' | '├' | '┤' | '┬' | '└' | '┘')
-}
-
-/// Whether a cell belongs to a rail and to nothing else.
-fn is_rail(cell: &Cell) -> bool {
-    cell.ch == '│'
-}
-
-fn is_text(cell: Cell) -> bool {
-    cell.element.is_none() && !matches!(cell.ch, ' ' | '→') && !is_line(cell.ch)
-}
-
-/// The wires along a row, each as long as it goes on.
-fn horizontal(row: &[Cell], y: f32, path: &mut String) {
-    let mut begun: Option<f32> = None;
-    for (column, &cell) in row.iter().enumerate() {
-        let [left, right, ..] = arms(cell);
-        let (edge, middle) = (x(column as f32), x(column as f32 + 0.5));
-        let mut end = |at: f32, begun: &mut Option<f32>| {
-            if let Some(from) = begun.take() {
-                path.push_str(&format!("M{from} {y}H{at}"));
-            }
-        };
-        match (left, right) {
-            (true, true) => _ = begun.get_or_insert(edge),
-            (true, false) => {
-                begun.get_or_insert(edge);
-                end(middle, &mut begun);
-            }
-            (false, right) => {
-                end(edge, &mut begun);
-                begun = right.then_some(middle);
-            }
-        }
-    }
-    if let Some(from) = begun {
-        path.push_str(&format!("M{from} {y}H{}", x(row.len() as f32)));
-    }
-}
-
-/// The wires from a row to the next.
-fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, path: &mut String) {
-    for (column, (&above, &below)) in row.iter().zip(next).enumerate() {
-        // A wire may also come to a box from below.
-        let from = match above.element {
-            Some(_) => from + HALF + 2.0,
-            None => from,
-        };
-        if arms(below)[2] && (arms(above)[3] || above.element.is_some()) {
-            path.push_str(&format!("M{} {from}V{to}", x(column as f32 + 0.5)));
-        }
-    }
 }
