@@ -16,6 +16,8 @@ pub struct Needs {
     pub pwm: u8,
     /// The time of the input filter, ms (NC-18).
     pub filter: u8,
+    /// System markers, bit 0 S 01, and system readings, bit 4 reading 01.
+    pub system: u8,
 }
 
 /// The outputs that can be PWM: 01 and 04.
@@ -38,6 +40,8 @@ impl Needs {
             Kind::Pwm if bit(xx) & PWM == 0 => return Err(Cause::NoSuchPoint),
             Kind::Pwm => self.pwm |= bit(xx),
             Kind::Time => self.filter = xx,
+            Kind::System => self.system |= bit(xx),
+            Kind::Reading => self.system |= bit(xx.wrapping_add(4)),
             _ => {}
         }
         if self.twice() != before {

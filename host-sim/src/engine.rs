@@ -2,6 +2,7 @@
 
 use crate::BOARD;
 use crate::scenario::{Cell, Engine, Outcome, Refusal};
+use crate::used::Used;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program};
@@ -16,7 +17,10 @@ self_cell!(
 );
 
 /// A program that runs on this PC, in run memory of its own.
-pub struct Machine(Owned);
+pub struct Machine {
+    owned: Owned,
+    used: Used,
+}
 
 impl Machine {
     /// Loads a program file; gives its first fault where it has one.
@@ -25,17 +29,25 @@ impl Machine {
         Owned::try_new(MutBorrow::new(memory), |memory| {
             load(file, memory.borrow_mut()).map(Plc::new)
         })
-        .map(Machine)
+        .map(|owned| {
+            let used = Used::of_plc(owned.borrow_dependent());
+            Machine { owned, used }
+        })
     }
 
     /// The PLC, to look at.
     pub fn plc(&self) -> &Plc<'_> {
-        self.0.borrow_dependent()
+        self.owned.borrow_dependent()
+    }
+
+    /// What the program uses.
+    pub fn used(&self) -> &Used {
+        &self.used
     }
 
     /// The PLC, to set something in it between two scans.
     pub fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> T {
-        self.0.with_dependent_mut(|_, plc| with(plc))
+        self.owned.with_dependent_mut(|_, plc| with(plc))
     }
 
     /// What a cell holds.
@@ -57,7 +69,7 @@ impl Machine {
         now: Millis,
         observe: impl FnMut(usize, bool),
     ) -> Result<Image, Fault> {
-        self.0
+        self.owned
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
     }
 }

@@ -6,6 +6,7 @@
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
+//! - [`used`]: what a program uses of the board and its memory
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
 //!
 //! The PLC itself is `unoclp-core`; nothing here decides what a program means.
@@ -17,6 +18,7 @@ pub mod panel;
 pub mod random;
 pub mod scenario;
 pub mod torture;
+pub mod used;
 pub mod wave;
 
 use unoclp_core::Profile;

@@ -89,6 +89,8 @@ impl Loader<'_> {
             Line::MoveCount => {
                 // From and to, each with so many registers from it on.
                 let highest = self.room.before(1).max(self.room.before(2));
+                // Behind a line that was refused, something else stands there.
+                let highest = highest.filter(|&highest| highest <= isa::REGISTERS);
                 (1, i16::from(isa::REGISTERS + 1 - highest.unwrap_or(1)))
             }
             Line::Step => (0, 15),

@@ -2,13 +2,17 @@
 //!
 //! - `app`: what is shown and how keys and time change it; knows no terminal
 //! - `buttons`: the inputs, as buttons that keys press
+//! - `analogue`: the analogue inputs, as knobs that keys turn
+//! - `memory`: counters, registers, markers and the like
 //! - `ladder`: the rungs as lines of text, with what is energised
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
+mod analogue;
 mod app;
 mod buttons;
 mod ladder;
+mod memory;
 mod run;
 mod view;
 
