@@ -70,41 +70,38 @@ pub enum EngineError {
     NoProgram,
 }
 
-/// Where the firmware keeps what scenarios look at and set, in data space; what a firmware lacks is none.
+/// Where the firmware keeps what scenarios look at and set: in `PAGE`, from there so many bytes on
+/// (`firmware/src/engine/data.rs`).
 #[derive(Clone, Copy)]
 struct Memory {
-    /// A byte for each marker, M 01 first: 0 or not.
-    markers: Option<u32>,
-    /// Four bytes for each register, D 01 first.
-    registers: Option<u32>,
-    /// Two bytes for each reading of an analogue input, A 00 first.
-    readings: Option<u32>,
+    page: Option<u32>,
 }
+
+/// The data of the program in the page, behind the frame of the Modbus server.
+const DATA: u32 = 256;
+/// Two bytes for each reading of an analogue input, A 00 first.
+const READINGS: u32 = DATA + 17;
+/// A byte for each marker, M 01 first; its highest bit counts.
+const MARKERS: u32 = DATA + 35;
+/// Four bytes for each register, D 01 first.
+const REGISTERS: u32 = DATA + 99;
+/// A marker that is 1.
+const ON: u8 = 0x80;
 
 impl Memory {
     fn of(program: &Program) -> Memory {
-        let place = |name| {
-            let symbol = program.symbol(name);
-            symbol
-                .filter(|symbol| symbol.space == Space::Data)
-                .map(|symbol| symbol.address)
-        };
+        let page = program.symbol("PAGE");
+        let page = page.filter(|symbol| symbol.space == Space::Data);
         Memory {
-            markers: place("MARKERS"),
-            registers: place("REGISTERS"),
-            readings: place("READINGS"),
+            page: page.map(|symbol| symbol.address),
         }
     }
 
-    /// Address and length of a cell.
-    fn cell(self, cell: Cell) -> Result<(u32, usize), EngineError> {
-        let (first, number, size, name) = match cell {
-            Cell::Marker(number) => (self.markers, number, 1, "MARKERS"),
-            Cell::Register(number) => (self.registers, number, 4, "REGISTERS"),
-        };
-        let first = first.ok_or(EngineError::NoSymbol(name))?;
-        let offset = u32::from(number).saturating_sub(1) * size;
-        Ok((first + offset, size as usize))
+    /// The address of this place in the page.
+    fn at(self, place: u32) -> Result<u32, EngineError> {
+        self.page
+            .map(|page| page + place)
+            .ok_or(EngineError::NoSymbol("PAGE"))
     }
 }
 
@@ -210,10 +207,7 @@ impl UnoEngine {
             return Ok(());
         }
         self.analogue = true;
-        let readings = self
-            .memory
-            .readings
-            .ok_or(EngineError::NoSymbol("READINGS"))?;
+        let readings = self.memory.at(READINGS)?;
         for (index, &reading) in inputs.analogue.iter().enumerate() {
             uno.set_analogue(index, Analogue::Reading(reading));
             let place = readings + 2 * index as u32;
@@ -272,20 +266,34 @@ impl Engine for UnoEngine {
     }
 
     fn look(&mut self, cell: Cell) -> Result<i32, EngineError> {
-        let (address, size) = self.memory.cell(cell)?;
         let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
-        Ok(match *uno.read_ram(address, size)? {
-            [a, b, c, d] => i32::from_le_bytes([a, b, c, d]),
-            [marker] => i32::from(marker != 0),
-            _ => 0,
-        })
+        match cell {
+            Cell::Marker(number) => {
+                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                let on = uno.read_ram(place, 1)?.iter().any(|cell| cell & ON != 0);
+                Ok(on.into())
+            }
+            Cell::Register(number) => {
+                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                let bytes = uno.read_ram(place, 4)?.first_chunk();
+                Ok(bytes.map_or(0, |bytes| i32::from_le_bytes(*bytes)))
+            }
+        }
     }
 
     fn poke(&mut self, cell: Cell, value: i32) -> Result<(), EngineError> {
-        let (address, size) = self.memory.cell(cell)?;
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        let bytes = value.to_le_bytes();
-        Ok(uno.write_ram(address, bytes.get(..size).unwrap_or_default())?)
+        match cell {
+            Cell::Marker(number) => {
+                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                uno.write_ram(place, &[if value == 0 { 0 } else { ON }])?;
+            }
+            Cell::Register(number) => {
+                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                uno.write_ram(place, &value.to_le_bytes())?;
+            }
+        }
+        Ok(())
     }
 
     /// From the pulses that the timers make: of a count of 256, or nearly so of another.
