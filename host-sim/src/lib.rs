@@ -3,6 +3,7 @@
 //! - [`scenario`]: the one test format of the project, and the check that every engine passes
 //! - [`engine`]: the PLC of `unoclp-core` as an engine for scenarios
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
+//! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
 //! - [`used`]: what a program uses of the board and its memory
@@ -12,6 +13,7 @@
 
 pub mod diagnosis;
 pub mod engine;
+pub mod list;
 pub mod panel;
 pub mod random;
 pub mod scenario;

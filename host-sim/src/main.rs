@@ -1,10 +1,10 @@
-//! The command line: `unoclp check` and `unoclp sim`.
+//! The command line: `unoclp check`, `unoclp list` and `unoclp sim`.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
 
 use annotate_snippets::Renderer;
-use anstream::{eprintln, println};
+use anstream::{eprintln, print, println};
 use anyhow::{Context, anyhow, bail};
 use clap::{Parser, Subcommand};
 use ratatui::crossterm::terminal;
@@ -14,9 +14,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unoclp_host_sim::diagnosis::{Diagnosis, diagnose, show};
 use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::list::{self, Form};
 use unoclp_host_sim::panel::{self, App};
 use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
+use unoclp_ladder::NARROWEST;
 
 /// The unoclp PLC on this PC: check programs and simulate them
 #[derive(Parser)]
@@ -32,6 +34,21 @@ enum Command {
     Check {
         /// The program file, as it will stand on the card as PROGRAM.TXT
         file: PathBuf,
+    },
+    /// Show a program as a ladder diagram, or as numeric code with the meaning of each line
+    List {
+        /// The program file
+        file: PathBuf,
+        /// What to list it as
+        #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
+        form: Form,
+        /// Draw the ladder diagram into this file, as vector graphics
+        #[arg(long, value_name = "OUT.svg")]
+        svg: Option<PathBuf>,
+        /// The columns that a ladder diagram may take
+        #[arg(long, value_name = "N", default_value_t = 80,
+            value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
+        width: u16,
     },
     /// Simulate a program, by hand in this terminal or by a scenario
     Sim {
@@ -52,6 +69,12 @@ type Outcome = anyhow::Result<bool>;
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Check { file } => check_file(&file),
+        Command::List {
+            file,
+            form,
+            svg,
+            width,
+        } => list_file(&file, form, svg.as_deref(), width.into()),
         Command::Sim {
             file,
             scenario,
@@ -80,6 +103,26 @@ fn check_file(path: &Path) -> Outcome {
         Ok(size) => println!("{}: OK: {size}", program.name),
         Err(faults) => return Ok(refuse(&program, &faults)),
     }
+    Ok(true)
+}
+
+fn list_file(path: &Path, form: Form, svg: Option<&Path>, width: usize) -> Outcome {
+    if svg.is_some() && form != Form::Ladder {
+        bail!("--svg draws a ladder diagram; leave out --as, or --svg");
+    }
+    let program = read(path)?;
+    if let Err(faults) = diagnose(&program.bytes) {
+        return Ok(refuse(&program, &faults));
+    }
+    let Some(svg) = svg else {
+        print!("{}", list::list(&program.bytes, form, width)?);
+        return Ok(true);
+    };
+    let drawing = list::svg(&program.bytes, path, width)?;
+    create(svg)?
+        .write_all(drawing.as_bytes())
+        .with_context(|| cannot_write(svg))?;
+    println!("{}: drawn", svg.display());
     Ok(true)
 }
 

@@ -61,9 +61,9 @@ fn check_tells_what_a_program_uses() {
 }
 
 #[test]
-fn faults_are_exit_code_1_in_check_and_sim() {
+fn faults_are_exit_code_1_in_every_command() {
     let program = file("faulty.txt", "0\n827309\n");
-    for command in ["check", "sim"] {
+    for command in ["check", "sim", "list"] {
         let (code, out, err) = outcome(&[command, &program]);
         assert_eq!((code, err.as_str()), (1, ""));
         assert!(
@@ -89,6 +89,11 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["sim", "--scenario", &unknown], "error: "),
         (&["sim"], "error: nothing to simulate; name a program or a --scenario"),
         (&["sim", &program], "error: the simulator needs a terminal; without one, run a scenario: --scenario"),
+        (&["list", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["list"], "error: the following required arguments were not provided:\n  <FILE>"),
+        (&["list", &program, "--width", "20"], "error: invalid value '20' for '--width <N>': 20 is not in 56..=1000"),
+        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram; leave out --as, or --svg"),
+        (&["list", &program, "--svg", "no-such/o.svg"], "error: no-such/o.svg cannot be written: "),
         (&["fly"], "error: unrecognized subcommand 'fly'"),
         (&[], "The unoclp PLC on this PC"),
     ];
@@ -139,5 +144,37 @@ fn a_scenario_passes_or_fails_and_leaves_its_trace() {
     assert!(
         out.ends_with("\n\nFAIL\n  Q1 at 3 ms: expected 1, came 0\n"),
         "{out}"
+    );
+}
+
+#[test]
+fn a_program_is_listed_as_text_and_drawn() {
+    let program = file("listed.txt", "/ Lamp\n0\n827301\n877901\n");
+    let ladder = "\
+Lamp
+
+Rung 1, lines 3 to 4
+├──┤ I1 ├───────────────────────────────────────( Q1 )─┤
+";
+    for arguments in [
+        &["list", &program][..],
+        &["list", &program, "--as", "ladder"],
+    ] {
+        let outcome = outcome(arguments);
+        assert_eq!(outcome, (0, ladder.to_owned(), String::new()));
+    }
+    let (code, out, _) = outcome(&["list", &program, "--as", "numeric"]);
+    assert_eq!(code, 0);
+    assert!(
+        out.contains("827301  / RI 01  contact, normally open: "),
+        "{out}"
+    );
+    let drawing = file("listed.svg", "");
+    let outcome = outcome(&["list", &program, "--svg", &drawing]);
+    assert_eq!(outcome, (0, format!("{drawing}: drawn\n"), String::new()));
+    let drawing = fs::read_to_string(drawing).unwrap();
+    assert!(
+        drawing.contains("<svg ") && drawing.contains("Lamp"),
+        "{drawing}"
     );
 }

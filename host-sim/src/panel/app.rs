@@ -3,7 +3,7 @@
 
 use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
-use super::ladder::{Flow, Rung};
+use super::ladder::{Flow, Rungs};
 use crate::BOARD;
 use crate::engine::Machine;
 use crate::used::Quantity;
@@ -28,7 +28,7 @@ pub struct App {
     /// What the program is called.
     pub(super) name: String,
     machine: Machine,
-    pub(super) rungs: Vec<Rung>,
+    pub(super) rungs: Rungs,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -61,7 +61,7 @@ impl App {
             name,
             knobs: Knobs::new(machine.used().analogue.iter().copied()),
             fault: None,
-            rungs: Rung::all(machine.plc().steps()),
+            rungs: Rungs::new(machine.plc().steps()),
             machine,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),

@@ -1,30 +1,30 @@
-//! Rungs as lines of text, energised parts with heavy lines: `━━┥ I1 ┝━━┤/I2 ├──( Q1 )`.
-//!
-//! `╭or … ╯` is a branch: what stands between is an alternative to all that stands before it in
-//! the rung. `╭and` and `╭xor` are blocks. `•1` is branch point 01, and `╭or•1` an alternative to
-//! what stands after that point. `»3` goes on at label 3. What works on numbers stands in a box,
-//! `[ADD D3]`.
+//! The ladder diagram of a running program, energised parts with heavy lines: `┣━━┥ I1 ┝━━┤/I2 ├──( Q1 )─┤`.
 
 use super::ON;
-use super::symbol::Symbol;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
-use std::borrow::Cow;
-use unoclp_core::isa::Opcode;
-use unoclp_core::{Delay, Instruction, Plc};
+use unoclp_core::isa::Operand;
+use unoclp_core::{CounterState, Delay, Instruction, Plc, TimerState};
+use unoclp_ladder::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
 
-/// A rung of the program.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Rung {
-    elements: Vec<Element>,
+/// The columns before the left rail, for the number of the rung.
+const MARGIN: usize = 4;
+
+/// The rungs of a program.
+pub struct Rungs {
+    ladder: Ladder,
+    names: Names,
+    /// What the box of each step counts.
+    counts: Vec<Option<Count>>,
 }
 
-/// What is drawn as one piece.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Element {
-    symbol: Symbol,
-    /// Where the instruction stands in the program, counted from 0.
-    step: usize,
+/// What a box counts.
+#[derive(Clone, Copy)]
+enum Count {
+    /// The time of the timer with this index.
+    Time(usize),
+    /// The counter with this index, up or down.
+    Events(usize, &'static str),
 }
 
 /// What a program does at the moment, for its rungs to show.
@@ -32,78 +32,103 @@ struct Element {
 pub struct Flow {
     /// acc behind each instruction that the last scan has run; empty before the first scan.
     pub acc: Vec<Option<bool>>,
-    /// Elapsed time of each timer.
-    pub elapsed: Vec<u32>,
-    /// What each counter has counted to.
-    pub counted: Vec<i32>,
+    /// The timers as they stand.
+    timers: Vec<TimerState>,
+    /// The counters as they stand.
+    counters: Vec<CounterState>,
 }
 
 impl Flow {
     /// Takes up timers and counters as they stand at this time.
     pub fn look(&mut self, plc: &Plc<'_>, now: u32) {
-        self.elapsed = plc.timers(now).map(|timer| timer.elapsed).collect();
-        self.counted = plc.counters().map(|counter| counter.value).collect();
-    }
-
-    /// acc behind an instruction; 0 where it was not run.
-    fn power(&self, step: usize) -> bool {
-        self.acc.get(step).copied().flatten().unwrap_or(false)
+        self.timers = plc.timers(now).collect();
+        self.counters = plc.counters().collect();
     }
 }
 
-impl Rung {
-    /// The rungs of a program: what stands before its first new rung is one too.
-    pub fn all<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> Vec<Rung> {
-        let mut rungs = Vec::new();
-        let mut timers = 0;
-        for (step, instruction) in steps.enumerate() {
-            timers += usize::from(Delay::of(instruction.opcode).is_some());
-            let begins = instruction.opcode == Opcode::NewRung;
-            if begins || rungs.is_empty() {
-                rungs.push(Rung::default());
+impl Rungs {
+    /// The rungs of these steps.
+    pub fn new<'c>(steps: impl Iterator<Item = Instruction<'c>> + Clone) -> Rungs {
+        let mut timers = 0..;
+        let count = |step: Instruction<'_>| match step.operand {
+            Operand::Count { counter, .. } => {
+                let index = usize::from(counter).saturating_sub(1);
+                Some(Count::Events(index, step.opcode.row().letters))
             }
-            if let Some(Rung { elements }) = rungs.last_mut().filter(|_| !begins) {
-                let opening = match instruction.opcode {
-                    // Drawn together with the opening code that it belongs to.
-                    Opcode::RecallBranch => elements.pop().map(|opening| opening.symbol),
-                    _ => None,
-                };
-                let symbol = Symbol::new(&instruction, timers, opening);
-                elements.push(Element { symbol, step });
-            }
+            _ if Delay::of(step.opcode).is_some() => timers.next().map(Count::Time),
+            _ => None,
+        };
+        Rungs {
+            counts: steps.clone().map(count).collect(),
+            ladder: Ladder::new(steps),
+            names: Names::new(),
         }
-        rungs
     }
 
-    /// The lines that show the rung, none wider than `width` unless a single element is.
-    pub fn lines(&self, number: usize, flow: &Flow, width: usize) -> Vec<Line<'static>> {
-        let scanned = !flow.acc.is_empty();
-        let mut lines = vec![Line::from(vec![
-            Span::raw(format!("{number:>3} ")),
-            drawn("├", "┣", scanned),
-        ])];
-        let mut power = scanned;
-        for element in &self.elements {
-            let wire = drawn("──", "━━", power);
-            power = flow.power(element.step);
-            let symbol = styled(element.symbol.text(power, flow), power);
-            let room = |line: &Line| line.width() + wire.width() + symbol.width() <= width;
-            if !lines.last().is_some_and(room) {
-                lines.push(Line::raw("      "));
-            }
-            if let Some(line) = lines.last_mut() {
-                line.spans.extend([wire, symbol]);
-            }
+    /// All rungs as lines of text, of this width where that is enough for them.
+    pub fn lines(&self, flow: &Flow, width: usize) -> Vec<Line<'static>> {
+        let live = |step: usize| self.live(step, flow);
+        let drawing = self.ladder.draw(&Drawn {
+            width: width.saturating_sub(MARGIN),
+            names: &self.names,
+            live: &live,
+        });
+        let power = self.ladder.nets.power(&flow.acc);
+        let mut lines = Vec::new();
+        for (index, picture) in drawing.rungs.iter().enumerate() {
+            let labels = self.ladder.rungs[index].labels.iter();
+            lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));
+            lines.extend(rung(index + 1, picture, &power));
         }
         lines
     }
+
+    /// `TON T1  120/5000 ms`, `CTU C1 3/10`
+    fn live(&self, step: usize, flow: &Flow) -> Option<String> {
+        match (*self.counts.get(step)?)? {
+            Count::Time(index) => {
+                let TimerState {
+                    delay,
+                    preset,
+                    elapsed,
+                    ..
+                } = flow.timers.get(index)?;
+                let digits = preset.to_string().len();
+                let letters = delay.letters();
+                let number = index + 1;
+                Some(format!(
+                    "{letters} T{number} {elapsed:>digits$}/{preset} ms"
+                ))
+            }
+            Count::Events(index, letters) => {
+                let CounterState { value, preset, .. } = flow.counters.get(index)?;
+                let digits = preset.to_string().len();
+                let number = index + 1;
+                Some(format!("{letters} C{number} {value:>digits$}/{preset}"))
+            }
+        }
+    }
 }
 
-fn drawn(light: &'static str, heavy: &'static str, power: bool) -> Span<'static> {
-    styled(if power { heavy } else { light }, power)
-}
-
-fn styled(text: impl Into<Cow<'static, str>>, power: bool) -> Span<'static> {
-    let style = if power { ON } else { Style::new() };
-    Span::styled(text, style)
+/// The lines of a rung, its number before its first wire.
+fn rung(number: usize, picture: &Picture, power: &Power) -> Vec<Line<'static>> {
+    let line = |(row, cells): (usize, &Vec<Cell>)| {
+        let margin = match row == picture.axis {
+            true => format!("{number:>3} "),
+            false => " ".repeat(MARGIN),
+        };
+        let mut spans = vec![Span::raw(margin)];
+        let alike = |one: &Cell, other: &Cell| one.shown(power).1 == other.shown(power).1;
+        for cells in cells.chunk_by(alike) {
+            let shown = cells.iter().filter(|cell| cell.ch != '\0');
+            let text: String = shown.map(|cell| cell.shown(power).0).collect();
+            let style = match cells.first().is_some_and(|cell| cell.shown(power).1) {
+                true => ON,
+                false => Style::new(),
+            };
+            spans.push(Span::styled(text, style));
+        }
+        Line::from(spans)
+    };
+    picture.rows.iter().enumerate().map(line).collect()
 }

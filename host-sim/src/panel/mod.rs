@@ -4,8 +4,7 @@
 //! - `buttons`: the inputs, as buttons that keys press
 //! - `analogue`: the analogue inputs, as knobs that keys turn
 //! - `memory`: counters, registers, markers and the like
-//! - `ladder`: rungs as lines of text, with what is energised
-//! - `symbol`: how each instruction is drawn
+//! - `ladder`: the rungs as lines of text, with what is energised
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
@@ -15,7 +14,6 @@ mod buttons;
 mod ladder;
 mod memory;
 mod run;
-mod symbol;
 mod view;
 
 #[cfg(test)]

@@ -63,11 +63,12 @@ fn the_screen_shows_what_is_energised() {
 ─ Timers (ms) ──────────────────────────────────────────────────────────────────
  T1   TON ████████████░░░░░ 15/20 Q1 ○
 ─ Rungs ────────────────────────────────────────────────────────────────────────
-  1 ┣━━┥ I1 ┝━━[T1 TON 15/20 Q1]
-  2 ┣━━┤ I2 ├──╭or━━┥/I3 ┝━━╯━━┤ Q1 ├──( Q2 )
+  1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
+  2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
+    ┣━━┥/I3 ┝━━┛                                           │
 
  q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
-    assert_eq!(screen(&mut app, 80, 10).join("\n"), expected);
+    assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
     let expected = " motor.txt                                                 RUN  20 ms  21 scans
@@ -76,11 +77,12 @@ fn the_screen_shows_what_is_energised() {
 ─ Timers (ms) ──────────────────────────────────────────────────────────────────
  T1   TON █████████████████ 20/20 Q1 ●
 ─ Rungs ────────────────────────────────────────────────────────────────────────
-  1 ┣━━┥ I1 ┝━━[T1 TON 20/20 Q1]
-  2 ┣━━┤ I2 ├──╭or━━┥/I3 ┝━━╯━━┥ Q1 ┝━━( Q2 )
+  1 ┣━━┥ I1 ┝━━[ TON T1 20/20 ms ]━━━━━━━━━━━━━━━━━━( Q1 )━┤
+  2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
+    ┣━━┥/I3 ┝━━┛                                           │
 
  q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
-    assert_eq!(screen(&mut app, 80, 10).join("\n"), expected);
+    assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 
 #[test]
@@ -283,15 +285,18 @@ fn timers_that_do_not_fit_are_on_further_pages() {
 }
 
 #[test]
-fn every_kind_of_instruction_is_drawn_and_long_rungs_wrap() {
+fn branches_are_drawn_and_long_rungs_wrap() {
     let program = "0\n827301\n404102\n40\n404102\n827302\n41\n-827901\n-827304\n\
         83877901\n82877902\n847970\n2147483647\n7903\n877904\n787600\n877901\n";
     let mut app = app(program);
     let lines = screen(&mut app, 64, 16);
     let rungs = [
-        "  1 ├──┤ I1 ├──•2──╭or•2──┤ I2 ├──╯──┤/Q1 ├──┤/I4 ├──(S Q1)",
-        "      ──(R Q2)──[T1 TOF          0/2147483647 Q3]──( Q4 )",
-        "  2 ├──( Q1 )",
+        "  1 ├──┤ I1 ├──┬──────────┬──┤/Q1 ├──┤/I4 ├──┬──────(S Q1)─┤",
+        "    │          └──┤ I2 ├──┘                  ├──────(R Q2)─┤",
+        "    │                                        └──→a         │",
+        "    │ a→──[ TOF T1 2147483647 ms ]──┬───────────────( Q3 )─┤",
+        "    │                               └───────────────( Q4 )─┤",
+        "  2 ├───────────────────────────────────────────────( Q1 )─┤",
     ];
     for rung in rungs {
         assert!(lines.iter().any(|line| line == rung), "{rung}\n{lines:#?}");
@@ -328,10 +333,16 @@ fn the_new_instructions_are_drawn() {
     let mut app = app(program);
     let lines = screen(&mut app, 120, 20);
     let rungs = [
-        "  1 ├──LB 3:──┤ I1 ├──┤ ↑ ├──┤NOT├──┤ M12 ├──┤/S2 ├──┤ T1 ├──┤/C2 ├──┤ C3≤0 ├──╭and──┤⊕I2 ├──╯──╭xor──┤⊕/Q1 ├──╯──(/M2 )",
-        "      ──(S M4)──(R C1)──(L C1)",
-        "  2 ├──[LD -5]──[ADD D3]──┤ >7 ├──[ST D3]──┤ bit 31 ├──[C1 CTU 0/9]──[MOV 4 D1 to D3]",
-        "  3 ├──[T1 TP   0/500 M9]──»/3──«RET──[LDA A0]──[STP P4]──[FI 20 ms]",
+        "    L3:",
+        "  1 ├──┤ I1 ├──┤P├──┤NOT├──┤ M12 ├──┤/S2 ├──┤ T1 ├──┤/C2 ├──[ C3 <= 0 ]──[ AND ]──[ XOR ]──┬──(/M2 )─┤",
+        "    ├──[ XOR I2 ]───────────────────────────────────────────────────────────┘        │     ├──(S M4)─┤",
+        "    ├──[ XOR /Q1 ]───────────────────────────────────────────────────────────────────┘     ├──(R C1)─┤",
+        "    │                                                                                      └──(L C1)─┤",
+        "  2 ├──[ LD -5 ]──[ ADD D3 ]──[ V > 7 ]──[ ST D3 ]──┤ V.31 ├──[ CTU C1 9 ]──────[ MOV D1-4 to D3-6 ]─┤",
+        "  3 ├──[ TP T1 500 ms ]──┬────────────────────────────────────────────────────────────────────( M9 )─┤",
+        "    │                    ├──────────────────────────────────────────────────────────────┤NOT├──>> L3─┤",
+        "    │                    ├─────────────────────────────────────────────────────────────────────<RET>─┤",
+        "    │                    └──[ LD A0 ]──[ ST PWM Q4 ]──[ INPUT FILTER 20 ms ]                         │",
     ];
     for rung in rungs {
         assert!(lines.iter().any(|line| line == rung), "{rung}\n{lines:#?}");

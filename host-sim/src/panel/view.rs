@@ -3,14 +3,13 @@
 use super::ON;
 use super::app::App;
 use super::memory::MemoryPage;
-use super::symbol::name;
 use crate::scenario::{inputs, outputs};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
-use unoclp_core::TimerState;
+use unoclp_core::{Target, TimerState};
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
@@ -232,9 +231,7 @@ fn timer_spans(
 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
-    let numbered = (1..).zip(&app.rungs);
-    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &app.flow, width));
-    let lines: Vec<Line> = lines.collect();
+    let lines = app.rungs.lines(&app.flow, width);
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
@@ -248,4 +245,12 @@ fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
         "Rungs".to_owned()
     };
     draw_panel(title, shown, frame, area);
+}
+
+/// The short name of what a timer drives: `Q1`, `M12`.
+fn name(target: Target) -> String {
+    match target {
+        Target::Output(number) => format!("Q{number}"),
+        Target::Marker(number) => format!("M{number}"),
+    }
 }

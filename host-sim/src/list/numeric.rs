@@ -1,0 +1,133 @@
+//! Numeric code in columns: code, letters, meaning. It is a program file that means the same.
+
+use std::fmt::Write;
+use unoclp_core::isa::{self, Opcode, Operand, Value};
+use unoclp_core::{Instruction, Program};
+use unoclp_ladder::Source;
+
+/// A line of the listing.
+struct Line {
+    code: String,
+    letters: String,
+    meaning: String,
+}
+
+/// Lists a program. Of the file's comments it keeps those on lines of their own.
+pub(super) fn listing(program: &Program<'_>, source: &Source) -> String {
+    let steps: Vec<(Vec<Line>, Opcode)> = program
+        .steps()
+        .map(|step| (lines(step), step.opcode))
+        .collect();
+    let all = || steps.iter().flat_map(|(lines, _)| lines);
+    let longest = |length: fn(&Line) -> usize| all().map(length).max().unwrap_or(0);
+    let code_width = longest(|line| line.code.len());
+    let letters_width = longest(|line| line.letters.len());
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let mut put = |line: &Line| {
+        let Line {
+            code,
+            letters,
+            meaning,
+        } = line;
+        let _ = writeln!(
+            text,
+            "{code:<code_width$}  / {letters:<letters_width$}  {meaning}"
+        );
+    };
+    let start = Line {
+        code: isa::START.to_string(),
+        letters: String::new(),
+        meaning: "program start".to_owned(),
+    };
+    put(&start);
+    for (lines, _) in &steps {
+        lines.iter().for_each(&mut put);
+    }
+    with_comments(&text, &steps, source)
+}
+
+/// Puts the comments of the file before the codes that they stand before in it, and a blank line before
+/// each rung.
+fn with_comments(text: &str, steps: &[(Vec<Line>, Opcode)], source: &Source) -> String {
+    let mut lines = text.lines();
+    let mut all: String = source.title.iter().map(|line| comment(line)).collect();
+    if !all.is_empty() {
+        all.push('\n');
+    }
+    all.extend(lines.next().map(|line| format!("{line}\n")));
+    for (index, (step, opcode)) in steps.iter().enumerate() {
+        let comments = source.places.get(index).map(|place| &place.comments[..]);
+        let comments = comments.unwrap_or_default();
+        if *opcode == Opcode::NewRung || !comments.is_empty() {
+            all.push('\n');
+        }
+        all.extend(comments.iter().map(|line| comment(line)));
+        for line in lines.by_ref().take(step.len()) {
+            all.push_str(line);
+            all.push('\n');
+        }
+    }
+    all
+}
+
+fn comment(line: &str) -> String {
+    format!("{}\n", format!("/ {line}").trim_end())
+}
+
+/// The lines of an instruction: its code, then its operands.
+fn lines(step: Instruction<'_>) -> Vec<Line> {
+    let row = step.opcode.row();
+    let mut codes = step.codes();
+    let number = step
+        .number()
+        .map_or_else(String::new, |n| format!("{n:02}"));
+    let letters = match number.as_str() {
+        "" => row.letters.to_owned(),
+        number => format!("{} {number}", row.letters),
+    };
+    let operand = match step.operand {
+        Operand::Value(Value::Register(register)) => format!("D {register:02}"),
+        Operand::Value(Value::Constant(number)) => number.to_string(),
+        _ => "operand".to_owned(),
+    };
+    let meaning = match step.operand {
+        Operand::Value(Value::Constant(_)) => row.effect.replace("register XX", &operand),
+        _ => row.effect.replace("XX", &number),
+    };
+    let code = Line {
+        code: codes.next().unwrap_or(row.code).to_string(),
+        letters,
+        meaning: meaning.replace("operand", &operand),
+    };
+    let operands = codes.enumerate().map(|(index, code)| Line {
+        code: match (step.operand, index) {
+            // A digit for each output.
+            (Operand::Drum { .. }, 1..) => format!("{code:04}"),
+            _ => code.to_string(),
+        },
+        letters: String::new(),
+        meaning: operand_meaning(step.operand, index, code),
+    });
+    std::iter::once(code).chain(operands).collect()
+}
+
+/// What an operand line says; they are counted from 0.
+fn operand_meaning(operand: Operand<'_>, index: usize, code: i32) -> String {
+    match (operand, index) {
+        (Operand::Timer(_), 0) => format!("preset: {code} ms"),
+        (Operand::Timer(block), _) => format!("drives {}", block.target),
+        (Operand::Count { .. }, _) => format!("preset: {code}"),
+        (Operand::Value(_), _) => "the constant".to_owned(),
+        (Operand::Move { to, .. }, 0) => format!("to D {to:02} on"),
+        (Operand::Move { .. }, _) => "so many registers".to_owned(),
+        (Operand::Drum { .. }, 0) => "so many steps".to_owned(),
+        (Operand::Drum { .. }, index) => format!("step {}: outputs 01 02 03 04", index - 1),
+        (Operand::Scale { .. }, 0) => "from this …".to_owned(),
+        (Operand::Scale { .. }, 1) => "… to this".to_owned(),
+        (Operand::Scale { .. }, 2) => "becomes from this …".to_owned(),
+        (Operand::Scale { .. }, _) => "… to this".to_owned(),
+        (Operand::Filter { .. }, _) => format!("time: {code} ms"),
+        (Operand::None | Operand::Number(_) | Operand::Jump { .. }, _) => String::new(),
+    }
+}

@@ -1,0 +1,122 @@
+//! The finished drawing: rungs of cells between the rails, and the same as text.
+
+use crate::block::{Block, Cell};
+use crate::face::Face;
+use crate::power::Power;
+use crate::wrap::Wrap;
+use crate::{Element, Ladder, Names};
+use std::fmt;
+
+/// The narrowest drawing: the longest box between the rails, with room to go on behind it.
+pub const NARROWEST: usize = 56;
+
+/// How a ladder is drawn.
+pub struct Style<'s> {
+    /// The columns that a drawing may take, rails included; at least [`NARROWEST`].
+    pub width: usize,
+    /// What points are called.
+    pub names: &'s Names,
+    /// What the box of a step shows in place of its usual text, if not that.
+    pub live: &'s dyn Fn(usize) -> Option<String>,
+}
+
+/// A drawing of a ladder. All rungs are of the same width.
+pub struct Drawing<'l> {
+    ladder: &'l Ladder,
+    /// The rungs, in order.
+    pub rungs: Vec<Picture>,
+    /// The columns of every row.
+    pub width: usize,
+    /// The columns that it might have taken.
+    pub(crate) limit: usize,
+}
+
+/// A rung in cells.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The rows, from the left rail to the right.
+    pub rows: Vec<Vec<Cell>>,
+    /// The first row that has a wire.
+    pub axis: usize,
+}
+
+impl<'l> Drawing<'l> {
+    pub(crate) fn new(ladder: &'l Ladder, style: &Style<'_>) -> Drawing<'l> {
+        let face = |element: &Element| {
+            let live = element.steps.last().and_then(|&step| (style.live)(step));
+            Face::new(element, style.names, live)
+        };
+        let faces: Vec<Face> = ladder.elements.iter().map(face).collect();
+        let limit = style.width.max(NARROWEST);
+        let wrap = Wrap {
+            ladder,
+            faces: &faces,
+            room: limit - 2,
+        };
+        let mut rungs = Vec::new();
+        for rung in &ladder.rungs {
+            let lines = wrap.lines(&rung.series, rung.rail);
+            let blocks: Vec<Block> = lines.iter().map(|line| wrap.layout(line)).collect();
+            rungs.push((rung, blocks));
+        }
+        let widths = rungs.iter().flat_map(|(_, blocks)| blocks);
+        let width = widths.map(|block| block.width).max().unwrap_or(0);
+        // Even small programs get room between their contacts and coils.
+        let width = width.max(NARROWEST - 2);
+        let rungs = rungs.into_iter().map(|(rung, blocks)| {
+            let axis = blocks.first().map_or(0, |block| block.axis);
+            let rows = blocks.into_iter().flat_map(|block| block.rows);
+            let rows = rows
+                .map(|row| between_rails(row, width, rung.rail))
+                .collect();
+            Picture { rows, axis }
+        });
+        Drawing {
+            ladder,
+            rungs: rungs.collect(),
+            width: width + 2,
+            limit,
+        }
+    }
+
+    /// The ladder that is drawn.
+    pub fn ladder(&self) -> &'l Ladder {
+        self.ladder
+    }
+}
+
+/// A row between the rails, stretched to this width.
+fn between_rails(mut row: Vec<Cell>, width: usize, rail: crate::Net) -> Vec<Cell> {
+    let more = width.saturating_sub(row.len());
+    if let Some(at) = row.iter().position(|cell| cell.stretches) {
+        let cell = row[at];
+        row.splice(at..at, vec![cell; more]);
+    }
+    row.resize(width, Cell::BLANK);
+    let is_wire = |cell: Option<&Cell>| cell.is_some_and(|cell| cell.ch == '─');
+    let left = if is_wire(row.first()) { '├' } else { '│' };
+    let right = if is_wire(row.last()) { '┤' } else { '│' };
+    row.insert(0, Cell::new(left, Some(rail)));
+    row.push(Cell::new(right, None));
+    row
+}
+
+impl Picture {
+    /// A row as text, with what carries power in heavy lines.
+    pub fn row(&self, row: usize, power: &Power) -> String {
+        let cells = self.rows.get(row).map_or(&[][..], |row| row);
+        let cells = cells.iter().filter(|cell| cell.ch != '\0');
+        cells.map(|cell| cell.shown(power).0).collect()
+    }
+}
+
+impl fmt::Display for Picture {
+    /// The rung as lines of text, without power.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let none = Power::default();
+        for row in 0..self.rows.len() {
+            writeln!(f, "{}", self.row(row, &none))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,80 @@
+//! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
+
+use crate::{Address, Drawing, Names, Source};
+use unicode_width::UnicodeWidthStr;
+
+/// The listing of a drawing, for text: what the program is about, then its rungs.
+pub fn listing(drawing: &Drawing<'_>, source: &Source, names: &Names) -> String {
+    let mut text = String::new();
+    for line in &source.title {
+        // A line that fits stays as it is: it may be part of a table.
+        let lines = match line.width() <= drawing.limit {
+            true => vec![line.clone()],
+            false => wrapped(line, drawing.limit),
+        };
+        for line in lines {
+            text += &format!("{line}\n");
+        }
+    }
+    if !source.title.is_empty() {
+        text.push('\n');
+    }
+    for (index, picture) in drawing.rungs.iter().enumerate() {
+        for line in heading(drawing, source, names, index) {
+            text += &format!("{line}\n");
+        }
+        text += &picture.to_string();
+        if index + 1 < drawing.rungs.len() {
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// What stands above a rung: `Rung 3, lines 27 to 31: Turning, or running out`, as many lines as that takes;
+/// then its labels.
+pub(crate) fn heading(
+    drawing: &Drawing<'_>,
+    source: &Source,
+    names: &Names,
+    index: usize,
+) -> Vec<String> {
+    let rung = &drawing.ladder().rungs[index];
+    let mut first = format!("Rung {}", index + 1);
+    match source.lines(rung.first, rung.steps) {
+        Some((from, to)) if from == to => first += &format!(", line {from}"),
+        Some((from, to)) => first += &format!(", lines {from} to {to}"),
+        None => {}
+    }
+    let about: Vec<&str> = source.about(rung.first).collect();
+    if !about.is_empty() {
+        first += ": ";
+        first += &about.join(" ");
+    }
+    let mut lines = wrapped(&first, drawing.limit);
+    lines.extend(rung.labels.iter().map(|&label| {
+        let point = Address::Label(label);
+        match names.get(&point) {
+            Some(name) => format!("{point}: {name}"),
+            None => format!("{point}:"),
+        }
+    }));
+    lines
+}
+
+/// The words of a text in lines of so many columns.
+fn wrapped(text: &str, columns: usize) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() && line.width() + 1 + word.width() > columns {
+            lines.push(std::mem::take(&mut line));
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    lines.push(line);
+    lines
+}

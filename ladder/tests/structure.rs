@@ -1,0 +1,213 @@
+//! What each form of code looks like.
+
+use unoclp_core::{Loader, Profile};
+use unoclp_ladder::{Address, Ladder, Names, Source, Style, listing, to_svg};
+
+/// Draws the codes of one rung.
+fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
+    let file = format!("0\n{}\n", codes.replace(' ', "\n"));
+    let mut memory = vec![0; 2_000];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    file.bytes().for_each(|byte| loader.push(byte).unwrap());
+    let program = loader.finish().unwrap();
+    let ladder = Ladder::new(program.steps());
+    let names: Names = names
+        .iter()
+        .map(|(point, name)| (*point, (*name).to_owned()))
+        .collect();
+    let drawing = ladder.draw(&Style {
+        width,
+        names: &names,
+        live: &|_| None,
+    });
+    drawing.rungs[0].to_string()
+}
+
+#[test]
+fn each_form_of_code_has_its_picture() {
+    #[rustfmt::skip]
+    let cases = [
+        ("paths of one join, however nested",
+         "827301 40 827302 40 827303 41 41 40 827304 41 877901", "\
+├──┤ I1 ├──┬────────────────────────────────────( Q1 )─┤
+├──┤ I2 ├──┤                                           │
+├──┤ I3 ├──┤                                           │
+├──┤ I4 ├──┘                                           │
+"),
+        ("a path from a stored point",
+         "827303 404101 827301 40 404101 -827302 41 877901", "\
+├──┤ I3 ├──┬──┤ I1 ├──┬─────────────────────────( Q1 )─┤
+│          └──┤/I2 ├──┘                                │
+"),
+        ("the same within another join",
+         "827301 404101 827302 40 827303 41 40 404101 827304 41 877902", "\
+├──┤ I1 ├──┬──┤ I2 ├──┬──┬──────────────────────( Q2 )─┤
+│          └──┤ I4 ├──┘  │                             │
+├──┤ I3 ├────────────────┘                             │
+"),
+        ("a path that no wire leads to",
+         "827301 404101 827302 40 827303 41 -827901 40 404101 827304 41 877902", "\
+├──┤ I1 ├──•1──┤ I2 ├──┬──┤/Q1 ├──┬─────────────( Q2 )─┤
+├──┤ I3 ├──────────────┘          │                    │
+│ •1──┤ I4 ├──────────────────────┘                    │
+"),
+        ("a path from the rail within one from a point",
+         "827301 404101 827302 40 404101 827303 40 827304 41 828301 41 877901", "\
+├──┤ I1 ├──┬──┤ I2 ├──────────────────┬─────────( Q1 )─┤
+│          └─────┤ I3 ├────┬──┤ S1 ├──┘                │
+│               ├──┤ I4 ├──┘                           │
+"),
+        ("a point that nothing begins at",
+         "827301 404102 404102 877901", "\
+├──┤ I1 ├──•2──•2.2─────────────────────────────( Q1 )─┤
+"),
+        ("a block that is nothing but its contents in series",
+         "827301 6540 827302 40 -827303 41 41 877901", "\
+├──┤ I1 ├──┬──┤ I2 ├──┬─────────────────────────( Q1 )─┤
+│          └──┤/I3 ├──┘                                │
+"),
+        ("a block that looks at what stands before",
+         "827301 6540 827302 6985 41 877901", "\
+├──┤ I1 ├───────[ AND ]─────────────────────────( Q1 )─┤
+├──┤ I2 ├──┤P├─────┘                                   │
+"),
+        ("an exclusive OR",
+         "827301 8840 827302 40 827303 41 41 787984 6968 877901", "\
+├──┤ I1 ├─────[ XOR ]──┤NOT├──┤N├───────────────( Q1 )─┤
+├──┤ I2 ├──┬─────┘                                     │
+├──┤ I3 ├──┘                                           │
+"),
+        ("a chain of coils",
+         "827301 877901 -877902 827302 83877903 82877904", "\
+├──┤ I1 ├──┬────────────────────────────────────( Q1 )─┤
+│          ├────────────────────────────────────(/Q2 )─┤
+│          └──┤ I2 ├──┬─────────────────────────(S Q3)─┤
+│                     └─────────────────────────(R Q4)─┤
+"),
+        ("a coil within a path",
+         "827301 877901 40 827302 41 877902", "\
+├──┤ I1 ├──( Q1 )──┬────────────────────────────( Q2 )─┤
+├──┤ I2 ├──────────┘                                   │
+"),
+        ("paths that end in coils",
+         "827301 404101 827302 877901 40 404101 827303 877902 41", "\
+├──┤ I1 ├──┬──┤ I2 ├────────────────────────────( Q1 )─┤
+│          └──┤ I3 ├────────────────────────────( Q2 )─┤
+"),
+        ("timers in a row",
+         "827301 847978 5000 7901 8480 100 7702", "\
+├──┤ I1 ├──[ TON T1 5000 ms ]──┬────────────────────( Q1 )─┤
+│                              └──[ TP T2 100 ms ]──( M2 )─┤
+"),
+        ("a comparison together with its load, and one of the same value",
+         "76686500 716900 500 877901 768400 100 877902", "\
+├──[ A0 >= 500 ]──┬─────────────────────────────( Q1 )─┤
+│                 └──[ A0 < 100 ]───────────────( Q2 )─┤
+"),
+        ("jumps and returns",
+         "766601 827301 74778001 -74778001 826984 -826984", "\
+├──┤ I1 ├──┬─────────────────────────────────────>> L1─┤
+│          ├──────────────────────────────┤NOT├──>> L1─┤
+│          ├─────────────────────────────────────<RET>─┤
+│          └──────────────────────────────┤NOT├──<RET>─┤
+"),
+        ("a rung without an output", "827301", "\
+├──┤ I1 ├                                              │
+"),
+        ("an empty branch", "827301 40 41 877901", "\
+├──┤ I1 ├──┬────────────────────────────────────( Q1 )─┤
+├──────────┘                                           │
+"),
+    ];
+    for (what, codes, expected) in cases {
+        let picture = drawn(codes, &[], 80);
+        assert_eq!(picture, expected, "{what}\n{picture}");
+    }
+}
+
+#[test]
+fn names_stand_above_and_long_ones_are_cut() {
+    let names = [
+        (Address::Input(1), "início"),
+        (Address::Output(1), "a name of twenty-two c"),
+    ];
+    let expected = "\
+│  início                         a name of twenty-tw… │
+├──┤ I1 ├────────────────────────────────( Q1 )────────┤
+";
+    assert_eq!(drawn("827301 877901", &names, 80), expected);
+}
+
+#[test]
+fn a_rung_that_is_too_wide_goes_on_by_name() {
+    let row = "827301 827302 827303 827304 827901 827902";
+    let expected = "\
+├──┤ I1 ├──┤ I2 ├──┤ I3 ├──┤ I4 ├──┤ Q1 ├──→a          │
+│ a→──┤ Q2 ├────────────────────────────────────( Q1 )─┤
+";
+    assert_eq!(drawn(&format!("{row} 877901"), &[], 56), expected);
+    let expected = "\
+├──┤ I1 ├──┤ I2 ├──┤ I3 ├──┤ I4 ├──┤ Q1 ├──→b          │
+│ b→──┤ Q2 ├──→a                                       │
+├──┤ I1 ├──┤ I2 ├──┤ I3 ├──┤ I4 ├──┤ Q1 ├──→c          │
+│ c→──┤ Q2 ├──→a                                       │
+│ a→────────────────────────────────────────────( Q1 )─┤
+";
+    assert_eq!(
+        drawn(&format!("{row} 40 {row} 41 877901"), &[], 56),
+        expected
+    );
+    let expected = "\
+├──┤ I1 ├──┤ I2 ├──┤ I3 ├──┤ I4 ├──┤ Q1 ├──→c          │
+│ c→──┤ Q2 ├──→a                                       │
+├──┤ I1 ├──┤ I2 ├──┤ I3 ├──┤ I4 ├──┤ Q1 ├──→d          │
+│ d→──┤ Q2 ├──→b                                       │
+│ a→────────[ XOR ]─────────────────────────────( Q1 )─┤
+│       b→─────┘                                       │
+";
+    assert_eq!(
+        drawn(&format!("{row} 8840 {row} 41 877901"), &[], 56),
+        expected
+    );
+}
+
+#[test]
+fn a_listing_tells_rungs_lines_comments_and_labels() {
+    let file = "/ Motor\n/ I1  start\n\n0\n/ Forward, as long as\n/ the button is held\n827301\n877901\n\
+        787600 / NL\n766603\n\n/ Off\n827302\n847978\n5\n7902";
+    let mut memory = vec![0; 2_000];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    file.bytes().for_each(|byte| loader.push(byte).unwrap());
+    let program = loader.finish().unwrap();
+    let source = Source::new(file.as_bytes(), program.steps());
+    let ladder = Ladder::new(program.steps());
+    let names = Names::from([(Address::Label(3), "again".to_owned())]);
+    let style = Style {
+        width: 80,
+        names: &names,
+        live: &|_| None,
+    };
+    let drawing = ladder.draw(&style);
+    let expected = "\
+Motor
+I1  start
+
+Rung 1, lines 7 to 8: Forward, as long as the button is held
+├──┤ I1 ├───────────────────────────────────────( Q1 )─┤
+
+Rung 2, lines 9 to 16
+L3: again
+├──┤ I2 ├──[ TON T1 5 ms ]──────────────────────( Q2 )─┤
+";
+    assert_eq!(listing(&drawing, &source, &names), expected);
+    let svg = to_svg(&drawing, &source, &names, "A < B & C");
+    for part in [
+        "<svg ",
+        "A &lt; B &amp; C",
+        "Rung 2, lines 9 to 16",
+        "L3: again",
+        "TON T1 5 ms",
+    ] {
+        assert!(svg.contains(part), "{part} is missing in\n{svg}");
+    }
+}
