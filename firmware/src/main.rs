@@ -44,6 +44,7 @@ use retentive::Retentive;
 use server::upload;
 use server::{Command, Memory, Server};
 use state::{Images, State};
+use store::Kept;
 use unoclp_card::Block;
 use unoclp_core::{Cause, Fault, Image, Profile};
 
@@ -72,14 +73,13 @@ fn serve(
     board: &Board,
     memory: &mut [u8],
     file: StateFile,
-    outcome: Result<(), Fault>,
+    mut outcome: Result<Kept, Fault>,
     server: &mut Server,
     data: &mut Data,
 ) -> ! {
     let mut retentive = Retentive::find(&board.eeprom, clock::now() as u16);
     data.retain(retentive.markers());
-    let mut fault = outcome.err();
-    if let Some(fault) = fault {
+    if let Err(fault) = outcome {
         fail(board, server, fault);
         report::fault(&board.serial, fault);
     } else {
@@ -92,23 +92,37 @@ fn serve(
     });
     server.start(board);
     loop {
-        if let Some(fault) = fault {
-            indicator::show(&board.pins, fault.cause, || {
+        match &outcome {
+            Ok(kept) => {
+                let fault = run(board, memory, kept, data, &mut state, &mut retentive, server);
+                board.switch_outputs_off();
+                board.watchdog.stop();
+                if let Some(fault) = fault {
+                    fail(board, server, fault);
+                    outcome = Err(fault);
+                }
+            }
+            Err(fault) => indicator::show(&board.pins, fault.cause, || {
                 server.panel.images.inputs = board.pins.inputs(0);
                 server.step(board, Memory::idle(data), None, server::AT_ONCE);
                 retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
                 server.panel.command == Some(Command::Upload)
-            });
-        } else {
-            fault = run(board, memory, data, &mut state, &mut retentive, server);
-            board.switch_outputs_off();
-            board.watchdog.stop();
-            if let Some(fault) = fault {
+            }),
+        }
+        upload::receive(board, server, memory, data);
+        if outcome.is_ok() {
+            outcome = check(board, memory);
+            if let Err(fault) = outcome {
                 fail(board, server, fault);
             }
         }
-        upload::receive(board, server, memory, data);
     }
+}
+
+/// The program that is kept.
+#[inline(never)]
+fn check(board: &Board, memory: &mut [u8]) -> Result<Kept, Fault> {
+    store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))
 }
 
 /// FAULT begins, and lasts until the next start.
@@ -126,27 +140,16 @@ fn fail(board: &Board, server: &mut Server, fault: Fault) {
 fn run(
     board: &Board,
     memory: &mut [u8],
+    kept: &Kept,
     data: &mut Data,
     state: &mut State,
     retentive: &mut Retentive,
     server: &mut Server,
 ) -> Option<Fault> {
-    let kept = store::load(&board.eeprom, memory);
-    let Some(mut plc) = kept.and_then(|kept| Linked::link(&board.eeprom, kept, data)) else {
-        return Some(Fault::without_line(Cause::NoStoredProgram));
-    };
-    scan_on(board, &mut plc, state, retentive, server)
-}
-
-/// Apart from [`run`]: its frame must not stand below that of the loader.
-#[inline(never)]
-fn scan_on(
-    board: &Board,
-    plc: &mut Linked<'_>,
-    state: &mut State,
-    retentive: &mut Retentive,
-    server: &mut Server,
-) -> Option<Fault> {
+    let plc = &mut Linked::new(kept, memory, data);
+    if let Err(cause) = plc.link(&board.eeprom) {
+        return Some(Fault::without_line(cause));
+    }
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board.analogue.measure(needs.analogue);
@@ -264,7 +267,7 @@ fn start(
     page: &mut Block,
     memory: &mut [u8],
     file: &mut StateFile,
-) -> Result<(), Fault> {
+) -> Result<Kept, Fault> {
     match board.start {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
@@ -286,8 +289,7 @@ fn start(
         Some(fault) => report::without_card(&board.serial, fault.cause),
         None => {}
     }
-    let kept = store::load(&board.eeprom, memory)
-        .ok_or(Fault::without_line(Cause::NoStoredProgram))?;
-    report::program(&board.serial, &kept.program);
-    Ok(())
+    let kept = check(board, memory)?;
+    report::program(&board.serial, &kept);
+    Ok(kept)
 }

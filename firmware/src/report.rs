@@ -5,7 +5,8 @@ use crate::board::flash::{Codes, FlashText, flash_codes, flash_text};
 use crate::board::serial::Serial;
 use crate::board::watchdog::Start;
 use crate::card::StateFile;
-use unoclp_core::{Cause, Fault, Profile, Program};
+use crate::store::Kept;
+use unoclp_core::{Cause, Fault, Profile};
 
 /// Below this the supply is worth a warning, hundredths of a volt.
 const WEAK: u16 = 460;
@@ -57,16 +58,16 @@ pub fn without_card(serial: &Serial, cause: Cause) {
 }
 
 /// The size of the program.
-pub fn program(serial: &Serial, program: &Program<'_>) {
-    let used = program.stored_bytes() as u16;
+pub fn program(serial: &Serial, kept: &Kept) {
+    let used = kept.length;
     serial.text(flash_text!("program: "));
-    count(serial, program.codes(), flash_text!(" code"));
+    count(serial, kept.codes, flash_text!(" code"));
     serial.text(flash_text!(", "));
     count(serial, used, flash_text!(" byte"));
     let free = Profile::UNO.stored_bytes.saturating_sub(used);
     value(serial, flash_text!(" used, "), free);
     serial.text(flash_text!(" free, "));
-    count(serial, program.timers() as u16, flash_text!(" timer"));
+    count(serial, kept.timers.into(), flash_text!(" timer"));
     end_line(serial);
 }
 

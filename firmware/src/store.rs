@@ -17,7 +17,7 @@
 
 use crate::board::eeprom::Eeprom;
 use crate::engine;
-use unoclp_core::{Cause, Crc16, Loader, Profile, Program};
+use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
 
 const MARK: u16 = 0;
 const VALID: u8 = 0x5A;
@@ -48,26 +48,27 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     Ok(())
 }
 
-/// A program that is kept and has been checked.
-pub struct Kept<'m> {
-    /// It, in run memory.
-    pub program: Program<'m>,
-    /// Where it is kept.
-    pub stored: Stored,
-}
-
-/// What is known of the program that is kept since it was checked.
+/// A program that is kept and has been checked: what is known of it since. Its check sum is compared
+/// again whenever it is linked.
 #[derive(Clone, Copy)]
-pub struct Stored {
-    /// Bytes.
-    length: u16,
+pub struct Kept {
+    /// Bytes of the stored form.
+    pub length: u16,
     /// The check sum of the header and of the program.
     sum: u16,
+    /// How many codes its file had.
+    pub codes: u16,
+    /// What it asks of the pins.
+    pub needs: Needs,
+    /// How many timers it has.
+    pub timers: u8,
+    /// The highest counter that it names.
+    pub counters: u8,
 }
 
-/// Takes the program that is kept into run memory; none where there is none, or it is damaged.
+/// Checks the program that is kept, in this memory; none where there is none, or it is damaged.
 #[inline(never)]
-pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Kept<'m>> {
+pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
     restore(
         eeprom,
         &mut Loader::with_table(memory, Profile::UNO, engine::instruction_table),
@@ -77,7 +78,7 @@ pub fn load<'m>(eeprom: &Eeprom, memory: &'m mut [u8]) -> Option<Kept<'m>> {
 /// Apart from [`load`], whose frame holds the loader: what lies beyond it in the same frame could be
 /// reached only by detours.
 #[inline(never)]
-fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Kept<'m>> {
+fn restore(eeprom: &Eeprom, loader: &mut Loader<'_>) -> Option<Kept> {
     let [length, sum] = [2, 6].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
@@ -87,12 +88,16 @@ fn restore<'m>(eeprom: &Eeprom, loader: &mut Loader<'m>) -> Option<Kept<'m>> {
     let program = loader.finish().ok()?;
     // Its bytes have just come from there: only the check sum can differ.
     pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(Kept {
-        program,
-        stored: Stored { length, sum },
+        length,
+        sum,
+        codes: program.codes(),
+        needs: program.needs(),
+        timers: program.timers() as u8,
+        counters: program.counters() as u8,
     })
 }
 
-impl Stored {
+impl Kept {
     /// Reads it again.
     pub fn read(self, eeprom: &Eeprom) -> Reader<'_> {
         Reader {
@@ -113,7 +118,7 @@ impl Stored {
 /// Reads the program that is kept.
 pub struct Reader<'e> {
     eeprom: &'e Eeprom,
-    stored: Stored,
+    stored: Kept,
     position: u16,
     sum: Crc16,
 }

@@ -84,7 +84,7 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Option
         counters_end: layout.own_end + layout.counters.len() as u16,
         position: 0,
         closing: 0,
-        outputs: !layout.needs.pwm << POINTS,
+        outputs: !layout.stored.needs.pwm << POINTS,
         jumps_back: false,
         pending: RUNG,
         ones: 0,

@@ -25,10 +25,10 @@ pub use rows::instruction_table;
 
 use crate::board::eeprom::Eeprom;
 use crate::server::Memory;
-use crate::store::{Kept, Stored};
+use crate::store::Kept;
 use core::arch::{asm, global_asm};
+use core::mem;
 use data::{Cell, ON};
-use link::Size;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
@@ -63,8 +63,7 @@ pub struct Layout<'m> {
     /// The address of the first linked byte, and of the byte behind the last of own data.
     begin: u16,
     own_end: u16,
-    stored: Stored,
-    needs: Needs,
+    stored: Kept,
     jumps_back: bool,
 }
 
@@ -78,6 +77,8 @@ impl Layout<'_> {
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
     code: &'m [u8],
+    /// Run memory for both of these, until it is linked.
+    memory: &'m mut [u8],
     /// Data of edges, filters and integrations.
     own: &'m mut [u8],
     layout: Layout<'m>,
@@ -92,49 +93,58 @@ pub struct Linked<'m> {
 }
 
 impl<'m> Linked<'m> {
-    /// Links the program that is kept, into the run memory that it was checked in, which needs one byte
-    /// beyond those of the profile: all outputs 0 (NC-7), no timer started. None where that byte is
-    /// missing, or the EEPROM has another program now.
-    #[inline(never)]
-    pub fn link(eeprom: &Eeprom, kept: Kept<'m>, data: &'m mut Data) -> Option<Linked<'m>> {
-        let Kept { program, stored } = kept;
-        let needs = program.needs();
-        let timers = program.timers() * TIMER_DATA;
-        let counters = program.counters() * COUNTER_DATA;
-        let memory = program.into_memory();
-        let (rest, timers) = memory.split_at_mut_checked(memory.len().checked_sub(timers)?)?;
-        let (rest, counters) = rest.split_at_mut_checked(rest.len().checked_sub(counters)?)?;
-        let mut layout = Layout {
-            data,
-            timers,
-            begin: rest.as_ptr() as usize as u16,
-            own_end: counters.as_ptr() as usize as u16,
-            counters,
-            stored,
-            needs,
-            jumps_back: false,
-        };
-        link::forget_labels(layout.data);
-        let size = link::pass(&mut layout, eeprom, &mut [])?;
-        let Size { code, own } = size;
-        let (code, rest) = rest.split_at_mut_checked(code.into())?;
-        let (_, own) = rest.split_at_mut_checked(rest.len().checked_sub(own.into())?)?;
-        if link::pass(&mut layout, eeprom, code)? != size {
-            return None;
-        }
-        let mut linked = Linked {
-            code,
-            own,
-            prepares: needs.system | needs.filter | needs.inputs >> POINTS != 0
-                || layout.jumps_back,
-            layout,
+    /// The program that is kept, with this run memory, to be [linked](Linked::link) in its place: what
+    /// comes back would be a copy on a stack that has no room for one.
+    #[inline(always)]
+    pub fn new(kept: &Kept, memory: &'m mut [u8], data: &'m mut Data) -> Linked<'m> {
+        let timers = usize::from(kept.timers) * TIMER_DATA;
+        let counters = usize::from(kept.counters) * COUNTER_DATA;
+        let (rest, timers) = split_end(memory, timers);
+        let (rest, counters) = split_end(rest, counters);
+        Linked {
+            layout: Layout {
+                data,
+                timers,
+                begin: rest.as_ptr() as usize as u16,
+                own_end: counters.as_ptr() as usize as u16,
+                counters,
+                stored: *kept,
+                jumps_back: false,
+            },
+            code: &[],
+            memory: rest,
+            own: &mut [],
             images: 0,
+            prepares: false,
             first: true,
             clocks: Clocks::new(),
             debounce: Debounce::new(),
-        };
-        linked.clear();
-        Some(linked)
+        }
+    }
+
+    /// Links it into its run memory, which needs one byte beyond those of the profile: all outputs 0
+    /// (NC-7), no timer started. Called once, before the first scan.
+    ///
+    /// # Errors
+    /// [`Cause::NoStoredProgram`] where that byte is missing, or the EEPROM has another program now.
+    #[inline(never)]
+    pub fn link(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
+        let layout = &mut self.layout;
+        link::forget_labels(layout.data);
+        let size = link::pass(layout, eeprom, &mut []).ok_or(Cause::NoStoredProgram)?;
+        let (code, rest) = mem::take(&mut self.memory)
+            .split_at_mut_checked(size.code.into())
+            .ok_or(Cause::NoStoredProgram)?;
+        self.own = split_end(rest, size.own.into()).1;
+        if link::pass(layout, eeprom, code) != Some(size) {
+            return Err(Cause::NoStoredProgram);
+        }
+        self.code = code;
+        let needs = layout.stored.needs;
+        self.prepares =
+            needs.system | needs.filter | needs.inputs >> POINTS != 0 || layout.jumps_back;
+        self.clear();
+        Ok(())
     }
 
     /// The linked code: it changes no more.
@@ -144,7 +154,7 @@ impl<'m> Linked<'m> {
 
     /// What the program asks of the board's pins.
     pub fn needs(&self) -> Needs {
-        self.layout.needs
+        self.layout.stored.needs
     }
 
     /// Images, markers, registers and readings.
@@ -187,7 +197,7 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     fn prepare(&mut self, mut inputs: u8, now: Millis) -> u8 {
         let data = &mut *self.layout.data;
-        let needs = self.layout.needs;
+        let needs = self.layout.stored.needs;
         if needs.filter != 0 {
             let points = Image(inputs.into());
             self.debounce.scan(points, needs.filter, self.first, now);
@@ -290,6 +300,12 @@ impl<'m> Linked<'m> {
             line: Some(data.line.into()),
         })
     }
+}
+
+/// Memory in two, the second part so long, where there is so much; else all of it and nothing.
+fn split_end(memory: &mut [u8], length: usize) -> (&mut [u8], &mut [u8]) {
+    let middle = memory.len().wrapping_sub(length);
+    memory.split_at_mut_checked(middle).unwrap_or_default()
 }
 
 /// The cell of a bit.
