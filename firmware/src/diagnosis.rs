@@ -87,6 +87,12 @@ impl<'m> Diagnosis<'m> {
         }
     }
 
+    /// Whether it is the turn of what need not be done in each scan: one in 256.
+    #[inline(always)]
+    pub fn is_seldom(&self) -> bool {
+        self.turn == 0
+    }
+
     /// One slice of one job, where it is the turn of one.
     ///
     /// # Errors

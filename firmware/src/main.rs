@@ -196,7 +196,7 @@ fn run(
             server.step(board, plc.memory(), None, server::SLICE);
             plc.set_outputs(server.panel.images.outputs);
         }
-        if new_millisecond {
+        if new_millisecond || diagnosis.is_seldom() {
             indicator::show_run(&board.pins, server.panel.forces.any());
             let data = plc.data();
             data.scan_time(diagnosis.times().last);
