@@ -64,8 +64,9 @@ fn other_markers_begin_anew() {
 
 #[test]
 fn a_power_cut_in_a_writing_leaves_the_old_markers_or_the_new() {
-    for earlier in [0, 31, 32] {
-        for nth in 1..=2 {
+    // The last one goes to a place that already holds these markers, so only the number is written.
+    for (earlier, writes) in [(0, 2), (30, 2), (32, 1)] {
+        for nth in 1..=writes {
             for middle in [false, true] {
                 let mut uno = running(LATCH);
                 // So that the writing that is cut off goes to any place of the ring.
@@ -98,6 +99,7 @@ fn a_marker_that_always_changes_does_not_wear_the_eeprom_out() {
     let before = uno.eeprom_writes().len();
     uno.run_ms(61_000).unwrap();
     let writes = uno.eeprom_writes().len() - before;
-    // Sixteen at once, one more after a minute; two bytes each.
-    assert!((32..=34).contains(&writes), "{writes}");
+    // Sixteen at once, one more after a minute; two bytes each, or one where a place already holds the
+    // markers.
+    assert!((17..=34).contains(&writes), "{writes}");
 }
