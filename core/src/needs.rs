@@ -1,7 +1,7 @@
 //! What a program asks of the board's pins (NC-18).
 
 use crate::Cause;
-use crate::isa::{Kind, Opcode};
+use crate::isa::Kind;
 
 /// What a program uses of what not every program uses, a bit for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,8 +22,14 @@ pub struct Needs {
 const PWM: u8 = 0b1001;
 
 impl Needs {
+    /// The inputs that are read, bit 0 input 01: of those that share pins with analogue inputs only the
+    /// ones that are named; the others read as 0 (NC-18).
+    pub fn digital(&self) -> u8 {
+        self.inputs | 0x0F
+    }
+
     /// Notes an instruction with its XX.
-    pub(crate) fn note(&mut self, stored: u8, kind: Kind, xx: u8) -> Result<(), Cause> {
+    pub(crate) fn note(&mut self, kind: Kind, xx: u8) -> Result<(), Cause> {
         match kind {
             Kind::Input => self.inputs |= bit(xx),
             Kind::Analogue => self.analogue |= bit(xx.wrapping_add(1)),
@@ -31,7 +37,6 @@ impl Needs {
             Kind::Pwm if bit(xx) & PWM == 0 => return Err(Cause::NoSuchPoint),
             Kind::Pwm => self.pwm |= bit(xx),
             Kind::Time => self.filter = xx,
-            _ if stored == Opcode::LoadInputs as u8 => self.inputs |= 0x0F,
             _ => {}
         }
         if (self.inputs >> 4) & self.analogue | self.outputs & self.pwm != 0 {

@@ -1,10 +1,10 @@
 //! The PLC of `unoclp-core` on this PC.
 
 use crate::BOARD;
-use crate::scenario::{Engine, Refusal};
+use crate::scenario::{Engine, Outcome, Refusal};
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
-use unoclp_core::{Fault, Image, Loader, Millis, Plc, Program};
+use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program};
 
 self_cell!(
     /// A running program together with its run memory, which a [`Plc`] only borrows.
@@ -36,10 +36,10 @@ impl Machine {
     /// One scan; see [`Plc::scan_observed`].
     pub fn scan_observed(
         &mut self,
-        inputs: Image,
+        inputs: Inputs,
         now: Millis,
-        observe: impl FnMut(bool),
-    ) -> Image {
+        observe: impl FnMut(usize, bool),
+    ) -> Result<Image, Fault> {
         self.0
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
     }
@@ -82,10 +82,12 @@ impl Engine for HostEngine {
     }
 
     /// Without a program all outputs are 0 (NC-7).
-    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, Infallible> {
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Infallible> {
         Ok(match &mut self.machine {
-            Some(machine) => machine.scan_observed(inputs, now, |_| ()),
-            None => Image::default(),
+            Some(machine) => machine
+                .scan_observed(*inputs, now, |_, _| ())
+                .map_err(Refusal::from),
+            None => Ok(Image::default()),
         })
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! Everything follows from a seed, so a failure is repeated by its seed alone.
 
-use unoclp_core::isa::{self, LINKED_TIMER_BYTES, STORED_TIMER_BYTES};
-use unoclp_core::{Image, Instruction, Millis, Point, Profile, TimerBlock};
+use unoclp_core::isa::{self, Opcode, Operand};
+use unoclp_core::{Image, Instruction, Millis, Point, Profile, Target, TimerBlock};
 
 /// A stream of random numbers that its seed decides: SplitMix64 (Steele, Lea and Flood, 2014).
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ pub fn random_pause(random: &mut Random) -> Millis {
 struct Draft<'r> {
     random: &'r mut Random,
     board: Profile,
-    instructions: Vec<Instruction>,
+    instructions: Vec<Instruction<'static>>,
     /// Stored bytes left, apart from one for each open branch to be closed.
     stored_left: u32,
     /// Bytes of run memory left, likewise.
@@ -92,10 +92,10 @@ struct Draft<'r> {
     /// Branches open.
     depth: u8,
     /// The branch points that this rung has stored.
-    stored: Vec<Point>,
+    stored: Vec<u8>,
 }
 
-fn random_instructions(random: &mut Random, board: Profile) -> Vec<Instruction> {
+fn random_instructions(random: &mut Random, board: Profile) -> Vec<Instruction<'static>> {
     // As many programs of about 10 bytes as of 100 or of 1000.
     let magnitude = random.below(9);
     let size = random.below(4 << magnitude);
@@ -112,7 +112,7 @@ fn random_instructions(random: &mut Random, board: Profile) -> Vec<Instruction> 
     if draft.random.percent(20) {
         draft.rung();
     }
-    while draft.put(Instruction::NewRung) {
+    while draft.put(Instruction::plain(Opcode::NewRung)) {
         draft.stored.clear();
         draft.rung();
     }
@@ -121,14 +121,13 @@ fn random_instructions(random: &mut Random, board: Profile) -> Vec<Instruction> 
 
 impl Draft<'_> {
     /// Adds an instruction if there is room for it; says whether there was.
-    fn put(&mut self, instruction: Instruction) -> bool {
-        let (stored, linked) = match instruction {
+    fn put(&mut self, instruction: Instruction<'static>) -> bool {
+        let (stored, linked) = match instruction.opcode {
             // Its byte was set aside when the branch was opened.
-            Instruction::CloseBranch => (0, 0),
-            Instruction::OpenBranch => (2, 2),
-            Instruction::OnDelay(_) | Instruction::OffDelay(_) => {
-                (STORED_TIMER_BYTES as u32, LINKED_TIMER_BYTES as u32)
-            }
+            Opcode::CloseBranch => (0, 0),
+            Opcode::OpenBranch => (2, 2),
+            Opcode::OnDelay | Opcode::OffDelay => (6, 11),
+            Opcode::InputContact | Opcode::InputContactNot => (1, 3),
             _ => (1, 1),
         };
         let fits = stored <= self.stored_left && linked <= self.linked_left;
@@ -153,36 +152,41 @@ impl Draft<'_> {
             }
         }
         while self.depth > 0 {
-            self.put(Instruction::CloseBranch);
+            self.put(Instruction::plain(Opcode::CloseBranch));
             self.depth -= 1;
         }
         // Most rungs end in a coil, or nothing would be seen of them.
         if let Some(coil) = self.random.point(self.board.outputs)
             && self.random.percent(80)
         {
-            self.put(Instruction::Coil(coil));
+            self.put(Instruction::numbered(Opcode::Coil, coil.number()));
         }
     }
 
     /// Any instruction that is allowed here.
-    fn instruction(&mut self) -> Option<Instruction> {
+    fn instruction(&mut self) -> Option<Instruction<'static>> {
         let board = self.board;
         let instruction = match self.random.below(100) {
-            0..20 => Instruction::InputContact(self.random.point(board.inputs)?),
-            20..40 => Instruction::InputContactNot(self.random.point(board.inputs)?),
-            40..47 => Instruction::OutputContact(self.random.point(board.outputs)?),
-            47..54 => Instruction::OutputContactNot(self.random.point(board.outputs)?),
-            54..64 if self.depth < isa::DEEPEST => Instruction::OpenBranch,
-            64..74 if self.depth > 0 => Instruction::CloseBranch,
+            0..20 => self.numbered(Opcode::InputContact, board.inputs)?,
+            20..40 => self.numbered(Opcode::InputContactNot, board.inputs)?,
+            40..47 => self.numbered(Opcode::OutputContact, board.outputs)?,
+            47..54 => self.numbered(Opcode::OutputContactNot, board.outputs)?,
+            54..64 if self.depth < isa::DEEPEST => Instruction::plain(Opcode::OpenBranch),
+            64..74 if self.depth > 0 => Instruction::plain(Opcode::CloseBranch),
             // Right after an open branch this would recall.
-            74..80 if !matches!(self.instructions.last(), Some(Instruction::OpenBranch)) => {
-                Instruction::StoreBranch(self.random.point(isa::BRANCH_POINTS)?)
+            74..80
+                if !self
+                    .instructions
+                    .last()
+                    .is_some_and(|last| last.opcode.opens()) =>
+            {
+                self.numbered(Opcode::StoreBranch, isa::BRANCH_POINTS)?
             }
-            80..86 => Instruction::Coil(self.random.point(board.outputs)?),
-            86..90 => Instruction::SetCoil(self.random.point(board.outputs)?),
-            90..94 => Instruction::ResetCoil(self.random.point(board.outputs)?),
-            94..97 => Instruction::OnDelay(self.timer()?),
-            97..100 => Instruction::OffDelay(self.timer()?),
+            80..86 => self.numbered(Opcode::Coil, board.outputs)?,
+            86..90 => self.numbered(Opcode::SetCoil, board.outputs)?,
+            90..94 => self.numbered(Opcode::ResetCoil, board.outputs)?,
+            94..97 => self.timer(Opcode::OnDelay)?,
+            97..100 => self.timer(Opcode::OffDelay)?,
             _ => return None,
         };
         Some(instruction)
@@ -190,30 +194,37 @@ impl Draft<'_> {
 
     /// Notes what an added instruction means for those after it; after an open branch, perhaps
     /// recalls.
-    fn follow(&mut self, instruction: Instruction) {
-        match instruction {
-            Instruction::StoreBranch(point) => self.stored.push(point),
-            Instruction::CloseBranch => self.depth -= 1,
-            Instruction::OpenBranch => {
+    fn follow(&mut self, instruction: Instruction<'static>) {
+        match instruction.opcode {
+            Opcode::StoreBranch => self.stored.extend(instruction.number()),
+            Opcode::CloseBranch => self.depth -= 1,
+            Opcode::OpenBranch => {
                 self.depth += 1;
                 if let Some(point) = self.random.pick(&self.stored)
                     && self.random.percent(60)
                 {
-                    self.put(Instruction::RecallBranch(point));
+                    self.put(Instruction::numbered(Opcode::RecallBranch, point));
                 }
             }
             _ => {}
         }
     }
 
-    fn timer(&mut self) -> Option<TimerBlock> {
+    fn numbered(&mut self, opcode: Opcode, count: u8) -> Option<Instruction<'static>> {
+        let point = self.random.point(count)?;
+        Some(Instruction::numbered(opcode, point.number()))
+    }
+
+    fn timer(&mut self, opcode: Opcode) -> Option<Instruction<'static>> {
         let preset = match self.random.below(100) {
             0..60 => self.random.below(51),
             60..90 => self.random.below(2_001),
             _ => self.random.bits() as Millis & LONGEST_PRESET,
         };
         let output = self.random.point(self.board.outputs)?;
-        Some(TimerBlock { preset, output })
+        let target = Target::Output(output.number());
+        let operand = Operand::Timer(TimerBlock { preset, target });
+        Some(Instruction { opcode, operand })
     }
 }
 
@@ -221,7 +232,7 @@ impl Draft<'_> {
 const LONGEST_PRESET: Millis = i32::MAX.cast_unsigned();
 
 /// Writes a program file, in one of the many ways to do so (NC-2, NC-3).
-fn write(random: &mut Random, instructions: &[Instruction]) -> String {
+fn write(random: &mut Random, instructions: &[Instruction<'static>]) -> String {
     let line_end = if random.percent(30) { "\r\n" } else { "\n" };
     // Programs are either plain or decorated here and there.
     let decorated = if random.percent(50) { 10 } else { 0 };
@@ -287,7 +298,7 @@ mod tests {
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             smallest = smallest.min(program.stored_bytes());
             largest = largest.max(program.stored_bytes());
-            seen.extend(program.steps().map(|step| step.row().stored));
+            seen.extend(program.steps().map(|step| step.opcode.row().stored));
         }
         for row in isa::TABLE {
             assert!(seen.contains(&row.stored), "{} never occurs", row.letters);

@@ -65,7 +65,9 @@ fn run(mut plc: Plc<'_>, random: &mut Random) -> Result<(), String> {
     for _ in 0..SCANS {
         inputs = random_inputs(random, BOARD, inputs);
         now = now.wrapping_add(random_pause(random));
-        let outputs = plc.scan(inputs, now);
+        let Ok(outputs) = plc.scan(inputs, now) else {
+            return Ok(());
+        };
         if outputs.0 >> BOARD.outputs != 0 {
             return Err(format!("outputs {:#b}", outputs.0));
         }

@@ -1,9 +1,9 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
 use crate::engine::{HostEngine, Machine};
-use crate::scenario::{Engine, Refusal, inputs, outputs};
+use crate::scenario::{Engine, Outcome, Refusal, inputs, outputs};
 use std::io::{self, Write};
-use unoclp_core::{Image, Millis, TimerState};
+use unoclp_core::{Image, Inputs, Millis, TimerState};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 
 /// Everything that a trace shows of one scan.
@@ -169,8 +169,8 @@ impl<W: Write> Engine for RecordedEngine<W> {
         Ok(loaded)
     }
 
-    fn scan(&mut self, inputs: Image, now: Millis) -> io::Result<Image> {
-        let Ok(outputs) = self.engine.scan(inputs, now);
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> io::Result<Outcome> {
+        let Ok(outcome) = self.engine.scan(inputs, now);
         let at = match self.last {
             // The clock of the PLC wraps, the time of the trace does not.
             Some((last, at)) => at + u64::from(now.wrapping_sub(last)),
@@ -179,9 +179,9 @@ impl<W: Write> Engine for RecordedEngine<W> {
         self.last = Some((now, at));
         if let Some(machine) = self.engine.machine() {
             self.recorder
-                .record(at, &Sample::of(machine, inputs, now))?;
+                .record(at, &Sample::of(machine, inputs.points, now))?;
         }
-        Ok(outputs)
+        Ok(outcome)
     }
 }
 
@@ -256,8 +256,8 @@ mod tests {
             for at in 0..60 {
                 image = random_inputs(&mut random, BOARD, image);
                 let now = start.wrapping_add(at);
-                engine.scan(image, now).unwrap();
-                reference.scan_observed(image, now, |_| ());
+                let _ = engine.scan(&image.into(), now).unwrap();
+                let _ = reference.scan_observed(image.into(), now, |_, _| ());
                 run.push(Sample::of(&reference, image, now));
             }
             engine.finish().unwrap();

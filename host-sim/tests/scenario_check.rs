@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::path::PathBuf;
-use unoclp_core::{Image, Millis};
+use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Engine, Refusal, Report, Scenario, check};
+use unoclp_host_sim::scenario::{Engine, Outcome, Refusal, Report, Scenario, check};
 
 /// An engine whose outputs depend on the scan's number alone, and which notes what it is given.
 struct Scripted<F> {
@@ -20,9 +20,9 @@ impl<F: Fn(usize) -> Result<Image, &'static str>> Engine for Scripted<F> {
         Ok(self.loads)
     }
 
-    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, &'static str> {
-        self.scans.push((inputs, now));
-        (self.output)(self.scans.len() - 1)
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, &'static str> {
+        self.scans.push((inputs.points, now));
+        (self.output)(self.scans.len() - 1).map(Ok)
     }
 }
 
@@ -171,8 +171,8 @@ fn an_engine_starts_anew_with_each_load() {
     let program = b"0\n827301\n847978\n5\n7901\n83877902\n";
     for _ in 0..2 {
         assert_eq!(engine.load(program), Ok(Ok(())));
-        assert_eq!(engine.scan(Image(1), 0), Ok(Image(0)));
-        assert_eq!(engine.scan(Image(1), 5), Ok(Image(0b11)));
+        assert_eq!(engine.scan(&Image(1).into(), 0), Ok(Ok(Image(0))));
+        assert_eq!(engine.scan(&Image(1).into(), 5), Ok(Ok(Image(0b11))));
     }
     // A refused program leaves nothing that could run.
     let refusal = Refusal {
@@ -180,5 +180,5 @@ fn an_engine_starts_anew_with_each_load() {
         line: Some(1),
     };
     assert_eq!(engine.load(b"827301"), Ok(Err(refusal)));
-    assert_eq!(engine.scan(Image(1), 6), Ok(Image(0)));
+    assert_eq!(engine.scan(&Image(1).into(), 6), Ok(Ok(Image(0))));
 }

@@ -3,8 +3,8 @@
 use crate::sd::{Kind, SdCard};
 use crate::{CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::{Image, Millis};
-use unoclp_host_sim::scenario::{Engine, Refusal};
+use unoclp_core::{Image, Inputs, Millis};
+use unoclp_host_sim::scenario::{Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;
@@ -166,7 +166,8 @@ impl Engine for UnoEngine {
         self.start(Slot::Card(card))
     }
 
-    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, EngineError> {
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, EngineError> {
+        let inputs = inputs.points;
         match self.clock {
             Clock::Lockstep => {
                 self.set_clock(now)?;
@@ -191,7 +192,7 @@ impl Engine for UnoEngine {
             }
         }
         let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
-        Ok(Image(uno.outputs().into()))
+        Ok(Ok(Image(uno.outputs().into())))
     }
 }
 

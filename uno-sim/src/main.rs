@@ -9,8 +9,8 @@ use std::process::ExitCode;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::{Image, Millis};
-use unoclp_host_sim::scenario::{self, Engine, Refusal, Scenario, Verdict};
+use unoclp_core::{Image, Inputs, Millis};
+use unoclp_host_sim::scenario::{self, Engine, Outcome, Refusal, Scenario, Verdict};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
@@ -228,8 +228,10 @@ impl Engine for Show {
         Ok(started)
     }
 
-    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, EngineError> {
-        let outputs = self.engine.scan(inputs, now)?;
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, EngineError> {
+        let outcome = self.engine.scan(inputs, now)?;
+        // At a fault all outputs are 0.
+        let (inputs, outputs) = (inputs.points, outcome.unwrap_or_default());
         let started = *self.started.get_or_insert(now);
         if self.last.replace((inputs, outputs)) != Some((inputs, outputs)) {
             let seconds = f64::from(now.wrapping_sub(started)) / 1000.0;
@@ -237,7 +239,7 @@ impl Engine for Show {
             let leds: String = signs(outputs, "●", "○");
             println!("  {seconds:7.3}   {buttons}      {leds}");
         }
-        Ok(outputs)
+        Ok(outcome)
     }
 }
 

@@ -36,13 +36,13 @@ fn random_programs_behave_alike() {
         } else {
             random.below(u32::MAX)
         };
-        let (mut inputs, mut before) = (Image::default(), Image::default());
+        let (mut inputs, mut before) = (Image::default(), Ok(Image::default()));
         for scan in 0..SCANS {
             inputs = random_inputs(random, Profile::UNO, inputs);
             now = now.wrapping_add(random.below(20));
-            let Ok(expected) = host.scan(inputs, now);
+            let Ok(expected) = host.scan(&inputs.into(), now);
             let came = uno
-                .scan(inputs, now)
+                .scan(&inputs.into(), now)
                 .unwrap_or_else(|e| panic!("seed {seed}: {e}"));
             assert_eq!(
                 came, expected,

@@ -49,7 +49,7 @@ fn peak_stack_leaves_a_reserve() {
         let mut inputs = Inputs::default();
         for now in 0..40 {
             inputs = random_inputs(random, Profile::UNO, inputs);
-            engine.scan(inputs, now).unwrap();
+            let _ = engine.scan(&inputs.into(), now).unwrap();
         }
         run = run.min(free(engine.uno().unwrap()));
     }

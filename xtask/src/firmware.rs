@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use unoclp_core::{Profile, isa};
+use unoclp_core::Profile;
+use unoclp_core::isa::Opcode;
 
 use crate::budget::{Size, thousands};
 use crate::shell::{self, say};
@@ -109,8 +110,11 @@ fn program_room() -> String {
 /// How many contacts, coils and branches, of one byte each, there is room for beside so many timers
 /// (NC-10).
 fn codes_beside(timers: usize, profile: &Profile) -> usize {
-    let stored = usize::from(profile.stored_bytes).checked_sub(timers * isa::STORED_TIMER_BYTES);
-    let linked = usize::from(profile.linked_bytes).checked_sub(timers * isa::LINKED_TIMER_BYTES);
+    let row = Opcode::OnDelay.row();
+    // Its code, its preset and its output.
+    let (stored_bytes, linked_bytes) = (6, usize::from(row.run));
+    let stored = usize::from(profile.stored_bytes).checked_sub(timers * stored_bytes);
+    let linked = usize::from(profile.linked_bytes).checked_sub(timers * linked_bytes);
     stored.min(linked).unwrap_or(0)
 }
 

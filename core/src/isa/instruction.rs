@@ -1,8 +1,7 @@
 //! An instruction of a checked program, with its operands.
 
 use super::{
-    Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND,
-    holds_point,
+    Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND, holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
 use core::fmt;
@@ -61,7 +60,7 @@ pub enum Operand<'c> {
     Filter {
         /// 1–8: each sample counts one part in 2 to this power.
         strength: u8,
-        /// ms from sample to sample, 0–60000.
+        /// ms from sample to sample, 0–30000.
         time: u16,
     },
     /// A jump ([`Kind::Jump`]).
@@ -234,9 +233,7 @@ fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
 
 /// The line of a drum's step: a decimal digit for each output, that of output 01 first.
 fn step_code(step: u8) -> i32 {
-    (0..4).fold(0, |code, output| {
-        code * 10 + i32::from(step >> output & 1)
-    })
+    (0..4).fold(0, |code, output| code * 10 + i32::from(step >> output & 1))
 }
 
 impl Target {

@@ -14,11 +14,9 @@ mod packed;
 mod table;
 
 pub use instruction::{Instruction, Operand, Value};
+pub(crate) use packed::{By, Entry, find};
 pub use packed::{PACKED, PackedTable, read_packed};
-pub(crate) use packed::{Entry, find_code, find_stored};
 pub use table::{Opcode, TABLE};
-
-use crate::{Cause, Profile};
 
 /// What stands in the last two digits of a code, and on the lines that follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,7 +118,7 @@ pub enum Line {
     ToLow,
     /// See [`Line::FromLow`].
     ToHigh,
-    /// A filter's time in ms, 0–60000.
+    /// A filter's time in ms, 0–30000.
     FilterTime,
 }
 
@@ -212,17 +210,20 @@ pub(crate) const fn holds_point(byte: u8) -> bool {
     byte >= 0x10 && byte < 0xA0
 }
 
-/// How many bytes store the instruction of this kind at the head of `stored`; none where they end too
-/// soon.
-pub(crate) fn stored_size(kind: Kind, stored: &[u8]) -> Option<usize> {
-    if holds_point(*stored.first()?) || !kind.has_number() {
-        return Some(1 + usize::from(kind.line_bytes(1)));
-    }
-    let steps = match kind {
-        Kind::Drum => *stored.get(2)?,
-        _ => 0,
+/// How many bytes store the instruction at the head of `stored`, whose row this is; none where they end
+/// too soon.
+pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
+    let head = if holds_point(*stored.first()?) || !entry.kind.has_number() {
+        1
+    } else {
+        2
     };
-    Some(2 + usize::from(kind.line_bytes(*stored.get(1)?)) + usize::from(steps))
+    let more = match entry.kind {
+        Kind::Value if *stored.get(1)? != 0 => 0,
+        Kind::Drum => 1 + *stored.get(2)?,
+        _ => entry.line_bytes,
+    };
+    Some(head + usize::from(more))
 }
 
 impl Kind {
@@ -258,14 +259,13 @@ impl Kind {
         }
     }
 
-    /// The numbers that XX may be, first and last, and what is wrong with others. Of timers the
-    /// program decides, and of PWM not all in between exist.
-    pub(crate) const fn numbers(self, board: &Profile) -> (u8, u8, Cause) {
-        let (first, last) = match self {
-            Kind::Input => return (1, board.inputs, Cause::NoSuchInput),
-            Kind::Output => return (1, board.outputs, Cause::NoSuchOutput),
-            Kind::Branch => return (1, BRANCH_POINTS, Cause::NoSuchBranchPoint),
-            Kind::TimerQ => return (1, TIMERS, Cause::NoSuchTimer),
+    /// The numbers that XX may be, first and last; the board has fewer inputs and outputs, and the
+    /// program fewer timers.
+    pub const fn numbers(self) -> (u8, u8) {
+        match self {
+            Kind::Input | Kind::Output => (1, 16),
+            Kind::Branch => (1, BRANCH_POINTS),
+            Kind::TimerQ => (1, TIMERS),
             Kind::Marker => (1, MARKERS),
             Kind::System | Kind::Pwm => (1, SYSTEM_MARKERS),
             Kind::Counter | Kind::Count => (1, COUNTERS),
@@ -277,7 +277,6 @@ impl Kind {
             Kind::Bit => (0, 31),
             Kind::Label | Kind::Jump => (1, LABELS),
             Kind::Time | Kind::None | Kind::Timer | Kind::Scale => (0, 99),
-        };
-        (first, last, Cause::NoSuchPoint)
+        }
     }
 }

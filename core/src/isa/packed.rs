@@ -1,13 +1,18 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
-use super::{Kind, TABLE, first_of, xx};
+use super::{Kind, Line, TABLE, first_of, xx};
 
 /// Bytes of a packed row: the code, low byte first; the kind; the stored byte; the run bytes.
 const ROW: usize = 7;
+/// Bytes of a packed kind: the first and the last XX; the bytes of its lines; the first of them.
+const KIND: usize = 4;
+/// Where the kinds begin, behind the rows.
+const KINDS: usize = TABLE.len() * ROW;
 
-/// The instruction table without its texts. Only the loader makes sense of it, through a [`PackedTable`].
-pub const PACKED: [u8; TABLE.len() * ROW] = {
-    let mut packed = [0; TABLE.len() * ROW];
+/// The instruction table without its texts, and behind it the kinds of operands. Only the loader makes
+/// sense of it, through a [`PackedTable`].
+pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
+    let mut packed = [0; KINDS + Kind::ALL.len() * KIND];
     let mut row = 0;
     while row < TABLE.len() {
         let [a, b, c, d] = TABLE[row].code.to_le_bytes();
@@ -20,8 +25,28 @@ pub const PACKED: [u8; TABLE.len() * ROW] = {
         }
         row += 1;
     }
+    let mut index = 0;
+    while index < Kind::ALL.len() {
+        let kind = Kind::ALL[index];
+        assert!(kind as usize == index);
+        let (first, last) = kind.numbers();
+        let line = match kind.first_line(0) {
+            Some(line) => line as u8,
+            None => NO_LINE,
+        };
+        let bytes = [first, last, kind.line_bytes(0), line];
+        let mut byte = 0;
+        while byte < KIND {
+            packed[KINDS + index * KIND + byte] = bytes[byte];
+            byte += 1;
+        }
+        index += 1;
+    }
     packed
 };
+
+/// In place of a line, where none follows.
+const NO_LINE: u8 = 0xFF;
 
 /// How [`PACKED`] is read where this board keeps it: gives the byte at an index, and anything for an
 /// index beyond its end.
@@ -38,63 +63,93 @@ pub(crate) struct Entry {
     pub kind: Kind,
     pub stored: u8,
     pub run: u8,
+    /// The numbers that XX may be; what the board decides is not among them.
+    pub first: u8,
+    pub last: u8,
+    /// The bytes of its lines, and the first of them; for [`Kind::Value`] where XX is 0.
+    pub line_bytes: u8,
+    pub line: Option<Line>,
 }
 
-/// The row that a code fits, and its XX (0 where it has none).
+/// What a row is looked for by.
+#[derive(Clone, Copy)]
+pub(crate) enum By {
+    /// A code that fits it.
+    Code(i32),
+    /// An instruction's first stored byte.
+    Stored(u8),
+}
+
+/// The first row that fits, and XX of the code (0 where it has none).
 #[inline(never)]
-pub(crate) fn find_code(table: PackedTable, code: i32) -> Option<(Entry, u8)> {
-    find(table, |base, entry| {
-        if entry.kind.has_number() {
-            xx(code, base)
-        } else {
-            (base == code).then_some(0)
-        }
-    })
-}
-
-/// The row of an instruction's first stored byte.
-#[inline(never)]
-pub(crate) fn find_stored(table: PackedTable, byte: u8) -> Option<Entry> {
-    let first = first_of(byte);
-    find(table, |_, entry| (entry.stored == first).then_some(0)).map(|(entry, _)| entry)
-}
-
-#[inline(always)]
-fn find(table: PackedTable, fits: impl Fn(i32, &Entry) -> Option<u8>) -> Option<(Entry, u8)> {
+pub(crate) fn find(table: PackedTable, by: By) -> Option<(Entry, u8)> {
+    let mut row = [0; ROW];
     let mut at = 0;
-    while at < PACKED.len() {
-        let mut next = || {
-            let byte = table(at);
-            at += 1;
-            byte
+    while at < KINDS {
+        fill(&mut row, table, at);
+        at += ROW;
+        let [a, b, c, d, kind, stored, run] = row;
+        let xx = match by {
+            By::Stored(byte) if first_of(byte) == stored => 0,
+            By::Stored(_) => continue,
+            By::Code(code) => match xx(code, i32::from_le_bytes([a, b, c, d])) {
+                Some(xx) => xx,
+                None => continue,
+            },
         };
-        let base = i32::from_le_bytes([next(), next(), next(), next()]);
-        let entry = Entry {
-            kind: Kind::of(next()),
-            stored: next(),
-            run: next(),
-        };
-        if let Some(xx) = fits(base, &entry) {
-            return Some((entry, xx));
+        let row_kind = Kind::of(kind).unwrap_or(Kind::None);
+        if xx != 0 && !row_kind.has_number() {
+            continue;
         }
+        let mut more = [0; KIND];
+        fill(&mut more, table, KINDS + KIND * usize::from(kind));
+        let [first, last, line_bytes, line] = more;
+        let entry = Entry {
+            kind: row_kind,
+            stored,
+            run,
+            first,
+            last,
+            line_bytes,
+            line: Line::of(line),
+        };
+        return Some((entry, xx));
     }
     None
 }
 
-macro_rules! kinds {
-    ($($kind:ident)*) => {
-        impl Kind {
-            /// The kind with this discriminant.
-            const fn of(byte: u8) -> Kind {
-                $(if byte == Kind::$kind as u8 {
-                    return Kind::$kind;
+// Apart, so that its length is not known: else a loop would become a row.
+#[inline(never)]
+fn fill(bytes: &mut [u8], table: PackedTable, mut at: usize) {
+    for byte in bytes {
+        *byte = table(at);
+        at += 1;
+    }
+}
+
+/// Gives an enum its variants by discriminant, without a table: a chain of comparisons with rising
+/// numbers, which a compiler takes for what it is.
+macro_rules! by_number {
+    ($name:ident: $($variant:ident)*) => {
+        impl $name {
+            /// Every variant, in the order of the discriminants.
+            pub const ALL: &'static [$name] = &[$($name::$variant,)*];
+
+            /// The variant with this discriminant.
+            const fn of(byte: u8) -> Option<$name> {
+                $(if byte == $name::$variant as u8 {
+                    return Some($name::$variant);
                 })*
-                Kind::None
+                None
             }
         }
     };
 }
-kinds! {
-    Input Output Branch Marker System TimerQ Counter Register Analogue Pwm Reading Group Bit Time Label
+by_number! { Kind:
+    None Input Output Branch Marker System TimerQ Counter Register Analogue Pwm Reading Group Bit Time Label
     Jump Timer Count Value Move Drum Scale Filter
+}
+by_number! { Line:
+    TimerPreset Target CounterPreset Constant MoveTo MoveCount Steps Step FromLow FromHigh ToLow ToHigh
+    FilterTime
 }

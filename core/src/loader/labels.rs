@@ -1,7 +1,7 @@
 //! Labels, and the jumps that lead to them (NC-19).
 
 use crate::Cause;
-use crate::isa::{self, Kind, PackedTable};
+use crate::isa::{self, By, Kind, PackedTable};
 
 /// The labels that have been defined.
 #[derive(Default)]
@@ -40,7 +40,7 @@ impl Labels {
         let mut rest = stored;
         while let Some((&byte, behind)) = rest.split_first() {
             // What has been stored makes sense; if not, there is nothing to be found in it.
-            let Some(entry) = isa::find_stored(table, byte) else {
+            let Some((entry, _)) = isa::find(table, By::Stored(byte)) else {
                 break;
             };
             if let (Kind::Jump, [label, low, high, ..]) = (entry.kind, behind)
@@ -49,7 +49,7 @@ impl Labels {
                 self.missing = u16::from_le_bytes([*low, *high]);
                 return Err(Cause::NoSuchLabel);
             }
-            let Some(next) = isa::stored_size(entry.kind, rest).and_then(|size| rest.get(size..))
+            let Some(next) = isa::stored_size(&entry, rest).and_then(|size| rest.get(size..))
             else {
                 break;
             };

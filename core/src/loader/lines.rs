@@ -5,18 +5,13 @@ use crate::Cause;
 use crate::isa::{self, Kind, Line, MARKER_TARGET, xx};
 
 /// The longest time of a filter, ms (NC-17).
-const FILTER_TIME: i32 = 60_000;
+const FILTER_TIME: i16 = 30_000;
 
 impl Loader<'_> {
     /// Takes an operand line as the file has it.
     pub(super) fn operand_line(&mut self, line: Line, code: i32) -> Result<(), Cause> {
         let number = match line {
-            Line::Target => xx(code, isa::OUTPUT_OPERAND)
-                .map(|xx| i32::from(xx) - 1)
-                .or_else(|| {
-                    xx(code, isa::MARKER_OPERAND)
-                        .map(|xx| i32::from(xx) - 1 + i32::from(MARKER_TARGET))
-                }),
+            Line::Target => target(code),
             Line::MoveTo => xx(code, isa::REGISTER_OPERAND).map(i32::from),
             Line::Step => step(code),
             _ => Some(code),
@@ -45,9 +40,7 @@ impl Loader<'_> {
         let more = match line {
             // The room of all steps, taken at once.
             Line::Steps => self.room.reserve(bytes[0].into(), bytes[0].into()),
-            Line::Target => self
-                .room
-                .reserve(0, line.more_run_bytes(bytes[0]).into()),
+            Line::Target => self.room.reserve(0, line.more_run_bytes(bytes[0]).into()),
             _ => Ok(()),
         };
         for &byte in bytes.iter().take(line.bytes().into()) {
@@ -76,16 +69,9 @@ impl Loader<'_> {
         })
     }
 
-    /// A timer drives this output.
-    fn needs_output(&mut self, index: u8) -> Result<(), Cause> {
-        self.needs.note(0, Kind::Output, index + 1)
-    }
-
     fn check_line(&mut self, line: Line, number: i32) -> Result<(), Cause> {
-        let before = |bytes: usize| self.room.before(bytes);
-        let small = number as u8;
-        let right = match line {
-            Line::Constant => true,
+        match line {
+            Line::Constant => return Ok(()),
             Line::TimerPreset | Line::CounterPreset => {
                 return if number < 0 {
                     Err(Cause::BadPreset)
@@ -93,58 +79,79 @@ impl Loader<'_> {
                     Ok(())
                 };
             }
-            Line::Target => {
-                let cause = if number < i32::from(MARKER_TARGET) {
-                    if number >= 0 && number < self.profile.outputs.into() {
-                        return self.needs_output(small);
-                    }
-                    Cause::NoSuchOutput
-                } else {
-                    Cause::NoSuchPoint
-                };
-                return if (i32::from(MARKER_TARGET)..i32::from(MARKER_TARGET + isa::MARKERS))
-                    .contains(&number)
-                {
-                    Ok(())
-                } else {
-                    Err(cause)
-                };
-            }
-            Line::MoveTo => number >= 1 && number <= isa::REGISTERS.into(),
+            _ => {}
+        }
+        // All others fit 16 bits, and are compared so.
+        let small = number as i16;
+        let (least, most) = match line {
+            Line::Target => return self.check_target(small as u8),
+            Line::MoveTo | Line::Steps => (1, isa::REGISTERS.into()),
             Line::MoveCount => {
                 // From and to, each with so many registers from it on.
-                let fits = |first: Option<u8>| {
-                    first.is_none_or(|first| {
-                        number <= i32::from(isa::REGISTERS) + 1 - i32::from(first)
-                    })
-                };
-                number >= 1 && fits(before(1)) && fits(before(2))
+                let highest = self.room.before(1).max(self.room.before(2));
+                (1, i16::from(isa::REGISTERS + 1 - highest.unwrap_or(1)))
             }
-            Line::Steps => number >= 1 && number <= isa::REGISTERS.into(),
-            Line::Step => (0..16).contains(&number),
-            Line::FromHigh => {
-                let low = match (before(2), before(1)) {
-                    (Some(low), Some(high)) => i16::from_le_bytes([low, high]),
-                    _ => i16::MIN,
-                };
-                number as i16 as i32 == number && number > low.into()
-            }
-            Line::FromLow | Line::ToLow | Line::ToHigh => number as i16 as i32 == number,
-            Line::FilterTime => (0..=FILTER_TIME).contains(&number),
+            Line::Step => (0, 15),
+            Line::FromHigh => match (self.room.before(2), self.room.before(1)) {
+                (Some(low), Some(high)) => {
+                    (i16::from_le_bytes([low, high]).saturating_add(1), i16::MAX)
+                }
+                _ => (i16::MIN, i16::MAX),
+            },
+            Line::FilterTime => (0, FILTER_TIME),
+            _ => (i16::MIN, i16::MAX),
         };
-        if right { Ok(()) } else { Err(Cause::BadOperand) }
+        if i32::from(small) == number && small >= least && small <= most {
+            Ok(())
+        } else {
+            Err(Cause::BadOperand)
+        }
     }
+
+    /// What a timer drives exists.
+    fn check_target(&mut self, stored: u8) -> Result<(), Cause> {
+        if stored >= MARKER_TARGET {
+            return if stored < MARKER_TARGET + isa::MARKERS {
+                Ok(())
+            } else {
+                Err(Cause::NoSuchPoint)
+            };
+        }
+        if stored < self.profile.outputs {
+            self.needs.note(Kind::Output, stored + 1)
+        } else {
+            Err(Cause::NoSuchOutput)
+        }
+    }
+}
+
+/// What a timer drives, as it is stored. What does not exist stays so: it is told with its own cause.
+fn target(code: i32) -> Option<i32> {
+    let (xx, base) = match xx(code, isa::OUTPUT_OPERAND) {
+        Some(xx) => (xx, 0),
+        None => (xx(code, isa::MARKER_OPERAND)?, MARKER_TARGET),
+    };
+    let index = xx.wrapping_sub(1).min(MARKER_TARGET - 1 + base);
+    Some(i32::from(base + index))
 }
 
 /// The outputs of a drum's step: a digit, 0 or 1, for each of 01 02 03 04.
 fn step(code: i32) -> Option<i32> {
     let mut rest = code;
     let mut step = 0;
-    for (digit, bit) in [(1000, 1), (100, 2), (10, 4), (1, 8)] {
+    let mut digit = 1000;
+    let mut bit = 1;
+    while bit < 16 {
         if rest >= digit {
             rest -= digit;
             step |= bit;
         }
+        bit <<= 1;
+        digit = match digit {
+            1000 => 100,
+            100 => 10,
+            _ => 1,
+        };
     }
     (rest == 0).then_some(step)
 }

@@ -7,7 +7,7 @@ mod labels;
 mod lines;
 mod room;
 
-use crate::isa::{self, Entry, Kind, Line, Opcode, PackedTable};
+use crate::isa::{self, By, Entry, Kind, Line, Opcode, PackedTable};
 use crate::needs::Needs;
 use crate::rung::Rung;
 use crate::text::Text;
@@ -69,11 +69,7 @@ impl<'m> Loader<'m> {
     // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
     // one goes by its address.
     #[inline(never)]
-    pub fn with_table(
-        memory: &'m mut [u8],
-        profile: Profile,
-        table: PackedTable,
-    ) -> Loader<'m> {
+    pub fn with_table(memory: &'m mut [u8], profile: Profile, table: PackedTable) -> Loader<'m> {
         Loader {
             text: Text::new(),
             rung: Rung::new(),
@@ -204,7 +200,7 @@ impl<'m> Loader<'m> {
         if code == isa::START {
             return Err(Cause::SecondStart);
         }
-        let (entry, xx) = isa::find_code(self.table, code).ok_or(Cause::UnknownCode)?;
+        let (entry, xx) = isa::find(self.table, By::Code(code)).ok_or(Cause::UnknownCode)?;
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
         self.checked(entry, xx, expected, line)
     }
@@ -215,7 +211,7 @@ impl<'m> Loader<'m> {
         rest: &mut dyn Iterator<Item = u8>,
     ) -> Result<(), Cause> {
         let expected = mem::replace(&mut self.expect, Expect::Instruction);
-        let entry = isa::find_stored(self.table, byte).ok_or(Cause::UnknownCode)?;
+        let (entry, _) = isa::find(self.table, By::Stored(byte)).ok_or(Cause::UnknownCode)?;
         let mut next = || rest.next().ok_or(Cause::OperandsMissing);
         let xx = if isa::holds_point(byte) {
             (byte & 0x0F) + 1
@@ -241,32 +237,36 @@ impl<'m> Loader<'m> {
 
     /// Checks an instruction with its XX, and stores it.
     #[inline(never)]
-    fn checked(
-        &mut self,
-        entry: Entry,
-        xx: u8,
-        expected: Expect,
-        line: u16,
-    ) -> Result<(), Cause> {
+    fn checked(&mut self, entry: Entry, xx: u8, expected: Expect, line: u16) -> Result<(), Cause> {
         self.codes = self.codes.saturating_add(1);
         let kind = entry.kind;
         let mut stored = entry.stored;
-        let (first, last, cause) = kind.numbers(&self.profile);
-        if kind.first_line(xx).is_some() {
+        if let Some(line) = entry.line
+            && (kind != Kind::Value || xx == 0)
+        {
             self.block = self.line;
+            self.expect = Expect::Line(line);
         }
-        if let Some(next) = kind.first_line(xx) {
-            self.expect = Expect::Line(next);
+        let last = match kind {
+            Kind::Input => self.profile.inputs,
+            Kind::Output => self.profile.outputs,
+            _ => entry.last,
+        };
+        if xx < entry.first || xx > last {
+            return Err(match kind {
+                Kind::Input => Cause::NoSuchInput,
+                Kind::Output => Cause::NoSuchOutput,
+                Kind::Branch => Cause::NoSuchBranchPoint,
+                Kind::TimerQ => Cause::NoSuchTimer,
+                _ => Cause::NoSuchPoint,
+            });
         }
-        if kind.has_number() && (xx < first || xx > last) {
-            return Err(cause);
-        }
-        self.needs.note(stored, kind, xx)?;
+        self.needs.note(kind, xx)?;
         match kind {
             Kind::None => self.balance(stored)?,
             Kind::Branch => {
                 // It exists: the numbers have been checked.
-                let point = Point::new(xx, isa::BRANCH_POINTS).ok_or(cause)?;
+                let point = Point::new(xx, isa::BRANCH_POINTS).ok_or(Cause::NoSuchBranchPoint)?;
                 stored = if expected == Expect::Branch {
                     self.rung.recall(point)?;
                     Opcode::RecallBranch as u8
@@ -295,21 +295,26 @@ impl<'m> Loader<'m> {
 
     /// Checks that rungs and branches are balanced (NC-8).
     fn balance(&mut self, stored: u8) -> Result<(), Cause> {
-        match Opcode::of_stored(stored) {
-            Some(Opcode::OpenBranch | Opcode::OpenAnd | Opcode::OpenXor) => {
-                self.expect = Expect::Branch;
-                self.rung.open(self.line)
-            }
-            Some(Opcode::CloseBranch) => self.rung.close(),
-            Some(Opcode::NewRung) => {
-                self.expect = Expect::Head;
-                self.rung.end()
-            }
-            Some(Opcode::Return | Opcode::ReturnNot) if self.rung.is_open() => {
-                Err(Cause::JumpInBranch)
-            }
-            _ => Ok(()),
+        // By their bytes: a match of opcodes would first tell all of them apart.
+        if stored == Opcode::OpenBranch as u8
+            || stored == Opcode::OpenAnd as u8
+            || stored == Opcode::OpenXor as u8
+        {
+            self.expect = Expect::Branch;
+            return self.rung.open(self.line);
         }
+        if stored == Opcode::CloseBranch as u8 {
+            return self.rung.close();
+        }
+        if stored == Opcode::NewRung as u8 {
+            self.expect = Expect::Head;
+            return self.rung.end();
+        }
+        let returns = stored == Opcode::Return as u8 || stored == Opcode::ReturnNot as u8;
+        if returns && self.rung.is_open() {
+            return Err(Cause::JumpInBranch);
+        }
+        Ok(())
     }
 
     /// What is named before it can be known: timers and labels.

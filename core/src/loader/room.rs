@@ -42,13 +42,17 @@ impl<'m> Room<'m> {
     /// Stores an instruction up to its operand lines, and reserves the room of the whole, but for what
     /// its lines will tell. A jump's line is stored with it.
     pub(super) fn instruction(&mut self, entry: &Entry, xx: u8, line: u16) -> Result<(), Cause> {
-        let Entry { kind, stored, run } = *entry;
+        let Entry {
+            kind, stored, run, ..
+        } = *entry;
         let (mut bytes, mut run) = (1, usize::from(run));
         let holds_point = isa::holds_point(stored);
         if kind.has_number() && !holds_point {
             bytes += 1;
         }
-        bytes += usize::from(kind.line_bytes(xx));
+        if kind != Kind::Value || xx == 0 {
+            bytes += usize::from(entry.line_bytes);
+        }
         match kind {
             Kind::Timer => self.timers = self.timers.saturating_add(1),
             Kind::Value if xx == 0 => run += 4,

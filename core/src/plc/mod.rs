@@ -167,7 +167,11 @@ impl<'m> Plc<'m> {
 
     /// Sets a register from outside, between two scans.
     pub fn set_register(&mut self, number: u8, value: i32) {
-        if let Some(register) = self.state.registers.get_mut(usize::from(number).wrapping_sub(1)) {
+        if let Some(register) = self
+            .state
+            .registers
+            .get_mut(usize::from(number).wrapping_sub(1))
+        {
             *register = value;
         }
     }

@@ -4,7 +4,7 @@ use super::value::{compare, operate, scale, square_root};
 use super::{Inputs, Millis, Plc, smooth};
 use crate::isa::{JUMP_BUDGET, Operand, Value};
 use crate::timer::{Delay, Target};
-use crate::{Cause, Fault, Image, Instruction, Steps, isa::Opcode};
+use crate::{Cause, Fault, Image, Instruction, Needs, Steps, isa::Opcode};
 
 /// What lives as long as one scan.
 struct Pass<'c> {
@@ -56,8 +56,9 @@ impl Plc<'_> {
     ) -> Result<Image, Fault> {
         let inputs = inputs.into();
         let first = self.state.first;
-        let filter = self.needs.filter;
-        self.state.inputs.scan(inputs.points, filter, first, now);
+        let Needs { filter, .. } = self.needs;
+        let points = Image(inputs.points.0 & u16::from(self.needs.digital()));
+        self.state.inputs.scan(points, filter, first, now);
         self.state.clocks.scan(first, now);
         let code = self.code;
         let mut pass = Pass {
@@ -141,8 +142,8 @@ impl Plc<'_> {
             Operand::Timer(block) => {
                 let (acc, now) = (pass.acc, pass.now);
                 if let Some(delay) = Delay::of(instruction.opcode) {
-                    pass.acc = self
-                        .with_timer(pass.timers + 1, |timer| timer.scan(delay, acc, now));
+                    pass.acc =
+                        self.with_timer(pass.timers + 1, |timer| timer.scan(delay, acc, now));
                 }
                 match block.target {
                     Target::Output(output) => self.set_output(output, pass.acc),
@@ -184,11 +185,15 @@ impl Plc<'_> {
             Operand::Drum { register, steps } if pass.acc => {
                 let step = usize::try_from(self.register(register)).ok();
                 let outputs = step.and_then(|step| steps.get(step)).copied();
-                self.state.outputs = Image(outputs.unwrap_or(0).into());
+                self.set_outputs(outputs.unwrap_or(0));
             }
             Operand::Scale { from, to } => pass.value = scale(pass.value, from, to),
             Operand::Filter { strength, time } => {
-                if let Some(data) = self.own.get_mut(pass.own..).and_then(|own| own.first_chunk_mut()) {
+                if let Some(data) = self
+                    .own
+                    .get_mut(pass.own..)
+                    .and_then(|own| own.first_chunk_mut())
+                {
                     pass.value = smooth::filter(data, pass.value, strength, time, pass.now);
                 }
             }
@@ -236,9 +241,7 @@ impl Plc<'_> {
             Opcode::LoadInputs => pass.value = self.state.inputs.image().0.into(),
             Opcode::LoadOutputs => pass.value = self.state.outputs.0.into(),
             Opcode::LoadBit => pass.value = pass.acc.into(),
-            Opcode::StoreOutputs if pass.acc => {
-                self.state.outputs = Image(pass.value as u16 & 0x0F);
-            }
+            Opcode::StoreOutputs if pass.acc => self.set_outputs(pass.value as u8),
             _ => {}
         }
     }
@@ -318,7 +321,10 @@ impl Plc<'_> {
                     .state
                     .registers
                     .get_mut(usize::from(xx).wrapping_sub(1));
-                let data = self.own.get_mut(pass.own..).and_then(|own| own.first_chunk_mut());
+                let data = self
+                    .own
+                    .get_mut(pass.own..)
+                    .and_then(|own| own.first_chunk_mut());
                 if let (Some(register), Some(data)) = (register, data) {
                     smooth::integrate(data, register, value, acc, now);
                 }
@@ -338,6 +344,11 @@ impl Plc<'_> {
     fn set_output(&mut self, number: u8, state: bool) {
         self.state.outputs.0 &= !wide(number);
         self.state.outputs.0 |= if state { wide(number) } else { 0 };
+    }
+
+    /// All outputs at once, but for those that are PWM.
+    fn set_outputs(&mut self, outputs: u8) {
+        self.state.outputs = Image(u16::from(outputs & 0x0F & !self.needs.pwm));
     }
 
     fn marker(&self, number: u8) -> bool {

@@ -9,13 +9,7 @@ const INTEGRATED: i32 = 0x7FFF;
 
 /// Smooths a value; gives the value that is smoothed. Every `time` ms it goes one part in 2 to the power
 /// of `strength` of the way.
-pub(super) fn filter(
-    data: &mut [u8; 9],
-    value: i32,
-    strength: u8,
-    time: u16,
-    now: Millis,
-) -> i32 {
+pub(super) fn filter(data: &mut [u8; 9], value: i32, strength: u8, time: u16, now: Millis) -> i32 {
     let [begun, a, b, c, d, e, f, g, h] = *data;
     let mut since = Millis::from_le_bytes([a, b, c, d]);
     let mut sum = i32::from_le_bytes([e, f, g, h]);

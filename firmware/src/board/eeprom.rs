@@ -36,7 +36,12 @@ impl Eeprom {
         });
     }
 
+    /// Whether a byte is still being written.
+    pub fn is_busy(&self) -> bool {
+        self.registers.eecr().read().eepe().bit_is_set()
+    }
+
     fn wait(&self) {
-        while self.registers.eecr().read().eepe().bit_is_set() {}
+        while self.is_busy() {}
     }
 }

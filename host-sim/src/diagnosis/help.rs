@@ -24,7 +24,7 @@ pub(super) fn help(cause: Cause, text: &str) -> Option<String> {
 
 /// The instruction that was probably meant.
 fn unknown_code(code: i32) -> Option<String> {
-    let forgotten_point = |row: &&Row| row.operand.is_point() && row.code / 100 == code;
+    let forgotten_point = |row: &&Row| row.kind.has_number() && row.code / 100 == code;
     if let Some(row) = TABLE.iter().find(forgotten_point) {
         return Some(format!(
             "two digits for the point are missing: {} is {} 01",
@@ -46,7 +46,7 @@ fn unknown_code(code: i32) -> Option<String> {
 /// A code as it would stand in the table if it were of the kind of this row: where the row takes
 /// a point, with XX = 00.
 fn pattern(row: &Row, code: i32) -> i32 {
-    if row.operand.is_point() {
+    if row.kind.has_number() {
         code / 100 * 100
     } else {
         code
@@ -55,7 +55,7 @@ fn pattern(row: &Row, code: i32) -> i32 {
 
 /// A code of this row, with point 01 where it takes one.
 fn example(row: &Row) -> i32 {
-    if row.operand.is_point() {
+    if row.kind.has_number() {
         row.code + row.code.signum()
     } else {
         row.code

@@ -2,7 +2,7 @@
 //! so tests feed it both.
 
 use super::buttons::{Buttons, KeyUp};
-use super::ladder::Rung;
+use super::ladder::{Flow, Rung};
 use crate::BOARD;
 use crate::engine::Machine;
 use crate::wave::{Recorder, Sample};
@@ -25,8 +25,8 @@ pub struct App {
     file: Vec<u8>,
     machine: Machine,
     pub(super) rungs: Vec<Rung>,
-    /// acc after each instruction of the last scan; empty before the first.
-    pub(super) flow: Vec<bool>,
+    /// What the last scan did.
+    pub(super) flow: Flow,
     pub(super) buttons: Buttons,
     /// Scans since the start, which is also the time in ms of the scan that comes next.
     pub(super) scans: u64,
@@ -53,7 +53,7 @@ impl App {
             rungs: Rung::all(machine.plc().steps()),
             file,
             machine,
-            flow: Vec::new(),
+            flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
             running: true,
@@ -119,10 +119,12 @@ impl App {
         let inputs = self.buttons.closed();
         // The clock of the PLC wraps (NC-9).
         let now = self.scans as Millis;
-        self.flow.clear();
-        let flow = &mut self.flow;
-        self.machine
-            .scan_observed(inputs, now, |acc| flow.push(acc));
+        let steps = self.machine.plc().steps().count();
+        let mut acc = vec![None; steps];
+        let observe = |step, power| acc[step] = Some(power);
+        let _ = self.machine.scan_observed(inputs.into(), now, observe);
+        self.flow.acc = acc;
+        self.flow.look(self.machine.plc(), now);
         self.scans += 1;
         if let Some(recorder) = &mut self.recorder {
             recorder.record(self.recorded, &Sample::of(&self.machine, inputs, now))?;
@@ -175,7 +177,7 @@ impl App {
         if let Ok(machine) = Machine::load(&self.file) {
             self.machine = machine;
         }
-        self.flow.clear();
+        self.flow = Flow::default();
         self.scans = 0;
         self.owed = SCAN;
     }

@@ -3,6 +3,7 @@
 //! - `app`: what is shown and how keys and time change it; knows no terminal
 //! - `buttons`: the inputs, as buttons that keys press
 //! - `ladder`: rungs as lines of text, with what is energised
+//! - `symbol`: how each instruction is drawn
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
@@ -10,6 +11,7 @@ mod app;
 mod buttons;
 mod ladder;
 mod run;
+mod symbol;
 mod view;
 
 #[cfg(test)]

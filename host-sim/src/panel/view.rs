@@ -2,6 +2,7 @@
 
 use super::ON;
 use super::app::App;
+use super::symbol::name;
 use crate::BOARD;
 use crate::scenario::{inputs, outputs};
 use ratatui::Frame;
@@ -9,7 +10,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
-use unoclp_core::{Delay, TimerState};
+use unoclp_core::TimerState;
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
@@ -56,7 +57,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         output_area,
     );
     page.draw(&timers, frame, timer_area);
-    draw_rungs(app, &timers, frame, rungs);
+    draw_rungs(app, frame, rungs);
     draw_footer(app, page.pages, frame, footer);
 }
 
@@ -162,7 +163,7 @@ impl TimerPage {
         };
         let digits = shown
             .iter()
-            .map(|(_, timer)| timer.block.preset.to_string().len());
+            .map(|(_, timer)| timer.preset.to_string().len());
         let digits = digits.max().unwrap_or(0);
         let width = usize::from(area.width / self.columns);
         let rows = shown.chunks(self.columns.into()).map(|row| {
@@ -182,21 +183,17 @@ fn timer_spans(
     digits: usize,
     width: usize,
 ) -> [Span<'static>; 5] {
-    let kind = match timer.delay {
-        Delay::On => "TON",
-        Delay::Off => "TOF",
-    };
     let TimerState {
-        elapsed, block, q, ..
+        delay,
+        target,
+        preset,
+        elapsed,
+        q,
     } = *timer;
-    let left = format!(" T{number:<3} {kind} ");
-    let right = format!(
-        " {elapsed:>digits$}/{:<digits$} Q{} ",
-        block.preset,
-        block.output.number()
-    );
+    let left = format!(" T{number:<3} {:<3} ", delay.letters());
+    let right = format!(" {elapsed:>digits$}/{preset:<digits$} {} ", name(target));
     let bar = width.saturating_sub(left.len() + right.len() + 3);
-    let filled = match block.preset {
+    let filled = match preset {
         0 => usize::from(q) * bar,
         preset => (bar as u64 * u64::from(elapsed) / u64::from(preset)) as usize,
     };
@@ -209,10 +206,10 @@ fn timer_spans(
     ]
 }
 
-fn draw_rungs(app: &mut App, timers: &[TimerState], frame: &mut Frame, area: Rect) {
+fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
     let numbered = (1..).zip(&app.rungs);
-    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &app.flow, timers, width));
+    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &app.flow, width));
     let lines: Vec<Line> = lines.collect();
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));

@@ -3,7 +3,7 @@
 use super::report::{Change, Report, Unmet, Verdict};
 use super::{Goal, Refusal, Scenario, Step, Timeline};
 use std::fmt;
-use unoclp_core::{Image, Millis};
+use unoclp_core::{Image, Inputs, Millis};
 
 /// A machine that runs programs: the core on this PC, the firmware in a simulator.
 ///
@@ -17,10 +17,12 @@ pub trait Engine {
     /// a faulty program; after one, and before the first load, nothing is scanned.
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Self::Error>;
 
-    /// One scan with these inputs, at this reading of the millisecond clock; gives the outputs as
-    /// the scan leaves them.
-    fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, Self::Error>;
+    /// One scan with these inputs, at this reading of the millisecond clock.
+    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Self::Error>;
 }
+
+/// What a scan ends in: the outputs as it leaves them, or a fault, with which all outputs are 0.
+pub type Outcome = Result<Image, Refusal>;
 
 /// Runs a scenario: a scan at 0, 1, 2 … periods, each compared with every expectation in force.
 pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {
@@ -74,8 +76,14 @@ impl Run {
             while let Some(step) = steps.next_if(|step| step.at <= at) {
                 self.step(step);
             }
-            match engine.scan(self.inputs, timeline.start.wrapping_add(at)) {
-                Ok(outputs) => self.compare(at, outputs),
+            match engine.scan(&self.inputs.into(), timeline.start.wrapping_add(at)) {
+                Ok(Ok(outputs)) => self.compare(at, outputs),
+                Ok(Err(refusal)) => {
+                    return Verdict::Broken {
+                        at: Some(at),
+                        reason: refusal.to_string(),
+                    };
+                }
                 Err(error) => {
                     return Verdict::Broken {
                         at: Some(at),

@@ -8,7 +8,7 @@ mod check;
 mod file;
 mod report;
 
-pub use check::{Engine, check};
+pub use check::{Engine, Outcome, check};
 pub use file::LoadError;
 pub use report::{Change, Report, Unmet, Verdict};
 

@@ -216,7 +216,7 @@ mod tests {
             let (mut on, mut off) = (0, 0);
             load(&program(&rungs(count)), |mut plc| {
                 for inputs in (0..16).chain((0..16).rev()) {
-                    let mut logic = || plc.scan(Image(inputs), 0).0 & 0b0111;
+                    let mut logic = || plc.scan(Image(inputs), 0).unwrap_or_default().0 & 0b0111;
                     let outputs = logic();
                     assert_eq!(outputs, logic());
                     (on, off) = (on | outputs, off | !outputs);

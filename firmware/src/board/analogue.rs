@@ -1,0 +1,132 @@
+//! Analogue inputs and the supply voltage, from one converter (ATmega328P datasheet, section 24).
+//!
+//! Owns which channel is measured next; no call waits. Each channel is measured twice in a row and the
+//! first reading dropped, because the sample capacitor still holds something of the channel before, and
+//! the reference takes 70 µs to appear.
+
+use avr_device::atmega328p::ADC;
+use unoclp_core::isa::ANALOGUE;
+
+/// Reads of A 00 … A 04, 0 to 1023.
+pub type Readings = [u16; ANALOGUE as usize];
+
+/// The reference as a fraction of the supply, in 1024ths, at 4.3 V: more means less supply.
+/// The reference itself is good to 10 %.
+const LOW: u16 = (1100 * 1024 / 4300) as u16;
+/// Hundredths of a volt, times the reading: 1.1 V × 1024.
+const CENTIVOLTS: u32 = 110 * 1024;
+/// The channel that is the chip's own reference of 1.1 V, in `ADMUX`, with the supply as what is compared
+/// with.
+const REFERENCE: u8 = 0b1110;
+const SUPPLY: u8 = 1 << 6;
+/// Behind the last analogue input comes the reference.
+const LAST: u8 = ANALOGUE;
+
+/// The converter.
+pub struct Analogue {
+    adc: ADC,
+    /// The analogue inputs that are measured, bit 0 A 00.
+    channels: u8,
+    /// The one that is being measured; [`LAST`] is the reference.
+    channel: u8,
+    /// Whether it is being measured for the second time.
+    settled: bool,
+    /// The last reading of the reference.
+    reference: u16,
+}
+
+impl Analogue {
+    /// Measures the supply, which takes 0.3 ms, and begins anew with that.
+    pub fn start(adc: ADC) -> Analogue {
+        let mut analogue = Analogue {
+            adc,
+            channels: 0,
+            channel: LAST,
+            settled: false,
+            reference: 0,
+        };
+        analogue.adc.adcsra().write(|w| w.aden().set_bit().adps().prescaler_128());
+        analogue.begin();
+        let mut none = Readings::default();
+        while analogue.reference == 0 {
+            analogue.step(&mut none);
+        }
+        analogue
+    }
+
+    /// From now on these inputs are measured too, bit 0 A 00.
+    pub fn measure(&mut self, channels: u8) {
+        self.channels = channels;
+    }
+
+    /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
+    #[inline(always)]
+    pub fn step(&mut self, readings: &mut Readings) {
+        // Set by the end of a conversion alone, so a converter that is off changes no reading.
+        if self.adc.adcsra().read().adif().bit_is_set() {
+            self.take(readings);
+        }
+    }
+
+    #[inline(never)]
+    fn take(&mut self, readings: &mut Readings) {
+        if self.settled {
+            let reading = self.adc.adc().read().bits();
+            match readings.get_mut(usize::from(self.channel)) {
+                Some(place) => *place = reading,
+                None => self.reference = reading.max(1),
+            }
+            self.next();
+        }
+        self.settled = !self.settled;
+        self.begin();
+    }
+
+    /// Goes on to the next channel that is measured.
+    fn next(&mut self) {
+        loop {
+            self.channel = if self.channel >= LAST {
+                0
+            } else {
+                self.channel + 1
+            };
+            if self.channel == LAST || self.channels >> self.channel & 1 != 0 {
+                return;
+            }
+        }
+    }
+
+    fn begin(&self) {
+        let mux = if self.channel == LAST {
+            REFERENCE
+        } else {
+            self.channel
+        };
+        // SAFETY: any channel may be measured.
+        unsafe { self.adc.admux().write(|w| w.bits(SUPPLY | mux)) };
+        // Writing the flag as 1 clears it.
+        self.adc
+            .adcsra()
+            .modify(|_, w| w.adif().set_bit().adsc().set_bit());
+    }
+
+    /// The last reading of the reference: 1.1 V in 1024ths of the supply.
+    pub fn reference(&self) -> u16 {
+        self.reference
+    }
+
+    /// Whether the supply is below 4.3 V.
+    pub fn is_low(&self) -> bool {
+        self.reference > LOW
+    }
+
+    /// The supply in hundredths of a volt; by subtraction, since a division takes 1.5 KB of flash.
+    pub fn centivolts(&self) -> u16 {
+        let (mut rest, mut centivolts) = (CENTIVOLTS, 0);
+        while rest >= u32::from(self.reference) && centivolts < 1000 {
+            rest -= u32::from(self.reference);
+            centivolts += 1;
+        }
+        centivolts
+    }
+}

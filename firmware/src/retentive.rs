@@ -1,0 +1,91 @@
+//! Retentive markers: M 57 to M 64, kept in the EEPROM over a power cut (NC-12).
+//!
+//! Owns where they are kept and how often they are written. Each writing goes to the next of 32 places,
+//! so each place is written every 32nd time: at the 100,000 writings that the chip is good for, and one
+//! a minute at most in the long run, that is 6 years of a marker that changes every minute, day and
+//! night.
+//!
+//! A place is two bytes: the markers, inverted so that an EEPROM that is new holds none; then a number,
+//! by one higher than that of the place before. The number is written last: a place that the supply
+//! did not last for has no number that follows, and the place before it counts.
+
+use crate::board::eeprom::Eeprom;
+
+const FIRST: u16 = 960;
+const PLACES: u8 = 32;
+/// So many changes may be written one after the other; then one every [`PAUSE`].
+const CREDITS: u8 = 16;
+/// ms until another may be written.
+const PAUSE: u16 = 60_000;
+
+/// The ring, and what is being written to it.
+pub struct Retentive {
+    place: u8,
+    number: u8,
+    /// What was written last, or is being written.
+    markers: u8,
+    /// Whether the number is still to be written.
+    half: bool,
+    credits: u8,
+    /// When a credit was last given, ms, wrapping.
+    given: u16,
+}
+
+impl Retentive {
+    /// Finds what was kept.
+    #[inline(never)]
+    pub fn find(eeprom: &Eeprom, now: u16) -> Retentive {
+        let mut place = 0;
+        let mut number = eeprom.read(address(0) + 1);
+        while place + 1 < PLACES {
+            let next = eeprom.read(address(place + 1) + 1);
+            if next != number.wrapping_add(1) {
+                break;
+            }
+            number = next;
+            place += 1;
+        }
+        Retentive {
+            place,
+            number,
+            markers: !eeprom.read(address(place)),
+            half: false,
+            credits: CREDITS,
+            given: now,
+        }
+    }
+
+    /// The markers that are kept, bit 0 M 57.
+    pub fn markers(&self) -> u8 {
+        self.markers
+    }
+
+    /// One step, to be called between scans with the markers as they are; it waits for nothing.
+    #[inline(never)]
+    pub fn step(&mut self, eeprom: &Eeprom, markers: u8, now: u16) {
+        if now.wrapping_sub(self.given) >= PAUSE {
+            self.given = now;
+            if self.credits < CREDITS {
+                self.credits += 1;
+            }
+        }
+        if eeprom.is_busy() {
+            return;
+        }
+        if self.half {
+            self.half = false;
+            eeprom.write(address(self.place) + 1, self.number);
+        } else if markers != self.markers && self.credits > 0 {
+            self.credits -= 1;
+            self.place = (self.place + 1) % PLACES;
+            self.number = self.number.wrapping_add(1);
+            self.markers = markers;
+            self.half = true;
+            eeprom.write(address(self.place), !markers);
+        }
+    }
+}
+
+fn address(place: u8) -> u16 {
+    FIRST + 2 * u16::from(place)
+}
