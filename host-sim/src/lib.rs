@@ -5,12 +5,16 @@
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
+//! - [`board`]: a board at a serial port, over Modbus
+//! - [`monitor`]: such a board in a terminal
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
 //!
 //! The PLC itself is `unoclp-core`; nothing here decides what a program means.
 
+pub mod board;
 pub mod diagnosis;
 pub mod engine;
+pub mod monitor;
 pub mod panel;
 pub mod random;
 pub mod scenario;
