@@ -1,20 +1,18 @@
 //! Finds one file in the root folder of a FAT16 or FAT32 card and reads it, block by block.
 //!
 //! The reader of the PLC's program: small, and able to do no more than it must. It never writes,
-//! it needs no memory but one block of 512 bytes that the caller lends, and no content of a card
+//! it needs no memory but the one block that its device has room for, and no content of a card
 //! makes it panic or read for ever. It knows neither how blocks come from the card nor what the
 //! file says. The firmware and the tests on a PC run this same code.
 //!
 //! ```
-//! use embedded_sdmmc::{Block, BlockDevice};
-//! use unoclp_card::{Error, File};
+//! use unoclp_card::{Device, Error, File};
 //!
-//! fn length<D: BlockDevice>(card: &D) -> Result<usize, Error<D::Error>> {
-//!     let mut block = Block::new();
+//! fn length<D: Device>(card: &mut D) -> Result<usize, Error<D::Error>> {
 //!     let mut file = File::default();
-//!     file.open(card, &mut block, b"PROGRAM TXT")?;
+//!     file.open(card, b"PROGRAM TXT")?;
 //!     let mut length = 0;
-//!     while let Some(bytes) = file.next_block(card, &mut block)? {
+//!     while let Some(bytes) = file.next_block(card)? {
 //!         length += bytes.len();
 //!     }
 //!     Ok(length)
@@ -42,9 +40,28 @@ pub mod image;
 
 use core::fmt;
 
-use embedded_sdmmc::{Block, BlockDevice, BlockIdx};
-
 use walk::Walk;
+
+/// A block of a card.
+pub type Block = [u8; 512];
+
+/// Bytes of a block.
+const BLOCK_BYTES: u32 = 512;
+
+/// What gives the blocks of a card. It has room for one, and there is no way to write.
+pub trait Device {
+    /// Why there is no block.
+    type Error;
+
+    /// Reads the block of this number, counted from 0.
+    ///
+    /// # Errors
+    /// Where the card does not give it.
+    fn read(&mut self, number: u32) -> Result<(), Self::Error>;
+
+    /// The block that was read last.
+    fn block(&self) -> &Block;
+}
 
 /// Why a file cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,25 +106,24 @@ impl File {
     ///
     /// `name` is the 8.3 name as FAT stores it: eight characters and three, padded with spaces,
     /// without the dot (`b"PROGRAM TXT"`). Upper and lower case of ASCII letters are the same.
-    /// Where several volumes or files match, the first counts. What `block` holds does not
-    /// matter, here or between the calls that follow.
+    /// Where several volumes or files match, the first counts. Between the calls that follow the
+    /// device may be read from elsewhere.
     ///
     /// # Errors
     /// Any [`Error`]; `Damaged` here concerns the root folder.
     // Filled in place: given back, a file stands on the stack twice. Inlined on AVR, this and its
     // caller run out of registers and take 200 bytes more.
     #[inline(never)]
-    pub fn open<D: BlockDevice>(
+    pub fn open<D: Device>(
         &mut self,
-        device: &D,
-        block: &mut Block,
+        device: &mut D,
         name: &[u8; 11],
     ) -> Result<(), Error<D::Error>> {
         *self = File::default();
-        self.walk.find(device, block)?;
+        self.walk.find(device)?;
         loop {
-            self.walk.read_next(device, block)?;
-            for entry in block.as_chunks().0 {
+            self.walk.read_next(device)?;
+            for entry in device.block().as_chunks().0 {
                 // FAT, "FAT Directory Structure": name at 0, attributes at 11, cluster at 26
                 // (upper half at 20), size at 28. A deleted entry starts with 0xE5, which no name of ASCII matches.
                 let entry: &[u8; 32] = entry;
@@ -132,27 +148,24 @@ impl File {
     /// # Errors
     /// [`Error::Device`], and [`Error::Damaged`] where the chain of clusters does not hold what
     /// the folder gives as the file's size. Do not read on after an error.
-    pub fn next_block<'b, D: BlockDevice>(
+    pub fn next_block<'d, D: Device>(
         &mut self,
-        device: &D,
-        block: &'b mut Block,
-    ) -> Result<Option<&'b [u8]>, Error<D::Error>> {
+        device: &'d mut D,
+    ) -> Result<Option<&'d [u8]>, Error<D::Error>> {
         if self.left == 0 {
             return Ok(None);
         }
-        self.walk
-            .read_next(device, block)
-            .map_err(|error| match error {
-                // The chain has ended before the file.
-                Error::NotFound => Error::Damaged,
-                error => error,
-            })?;
-        let length = self.left.min(Block::LEN_U32);
+        self.walk.read_next(device).map_err(|error| match error {
+            // The chain has ended before the file.
+            Error::NotFound => Error::Damaged,
+            error => error,
+        })?;
+        let length = self.left.min(BLOCK_BYTES);
         self.left -= length;
-        Ok(block.get(..length as usize))
+        Ok(device.block().get(..length as usize))
     }
 
-    /// The place on the card of the first block of a file just opened, where it may be overwritten:
+    /// The number on the card of the first block of a file just opened, where it may be overwritten:
     /// all of its 512 bytes are the file's, the file is not marked read-only, and the FAT holds the
     /// block's cluster for taken. `None` where the file is too short or read-only. The block itself
     /// is not read: a power cut in a writing may have left it unreadable until the next.
@@ -160,16 +173,14 @@ impl File {
     /// # Errors
     /// [`Error::Device`]; [`Error::Damaged`] where the file's first cluster is free, bad or outside
     /// the volume.
-    pub fn first_block<D: BlockDevice>(
+    pub fn first_block<D: Device>(
         &mut self,
-        device: &D,
-        block: &mut Block,
-    ) -> Result<Option<BlockIdx>, Error<D::Error>> {
-        if self.read_only || self.left < Block::LEN_U32 {
+        device: &mut D,
+    ) -> Result<Option<u32>, Error<D::Error>> {
+        if self.read_only || self.left < BLOCK_BYTES {
             return Ok(None);
         }
-        let place = self.walk.first_place(device, block)?;
-        Ok(Some(BlockIdx(place)))
+        self.walk.first_place(device).map(Some)
     }
 }
 
@@ -180,9 +191,7 @@ const NO_FILE: u8 = 0x08 | 0x10;
 /// Attribute of a file that is not to be changed.
 const READ_ONLY: u8 = 0x01;
 
-/// Every access to the card goes through here; there is none that writes.
-fn read<D: BlockDevice>(device: &D, block: &mut Block, index: u32) -> Result<(), Error<D::Error>> {
-    device
-        .read(core::slice::from_mut(block), BlockIdx(index))
-        .map_err(Error::Device)
+/// Every access to the card goes through here.
+fn read<D: Device>(device: &mut D, number: u32) -> Result<(), Error<D::Error>> {
+    device.read(number).map_err(Error::Device)
 }

@@ -1,8 +1,6 @@
 //! The volume, and the row of its blocks that is being read.
 
-use embedded_sdmmc::{Block, BlockDevice};
-
-use crate::{Error, read};
+use crate::{Block, Device, Error, read};
 
 /// A volume's layout, and how far a row of its blocks has been read: a chain of clusters, or the
 /// root folder of FAT16, which lies in a region of its own.
@@ -50,22 +48,18 @@ impl Walk {
     ///
     /// Block 0 is taken for a boot sector first, since tools (mtools) write partition entries
     /// also into the boot sector of a volume without a partition table.
-    pub fn find<D: BlockDevice>(
-        &mut self,
-        device: &D,
-        block: &mut Block,
-    ) -> Result<(), Error<D::Error>> {
+    pub fn find<D: Device>(&mut self, device: &mut D) -> Result<(), Error<D::Error>> {
         for place in 0..5 {
             let mut start = 0;
             if place > 0 {
-                read(device, block, 0)?;
-                match fat_partition(block, place - 1) {
+                read(device, 0)?;
+                match fat_partition(device.block(), place - 1) {
                     Some(first) => start = first,
                     None => continue,
                 }
             }
-            read(device, block, start)?;
-            if self.parse(block, start).is_some() {
+            read(device, start)?;
+            if self.parse(device.block(), start).is_some() {
                 return Ok(());
             }
         }
@@ -150,21 +144,17 @@ impl Walk {
     /// [`Error::Device`]; [`Error::NotFound`] where the row has ended; [`Error::Damaged`] where
     /// its chain leads to a cluster that is free, bad or outside the volume, runs in a circle, or
     /// is longer than 65,535 clusters.
-    pub fn read_next<D: BlockDevice>(
-        &mut self,
-        device: &D,
-        block: &mut Block,
-    ) -> Result<(), Error<D::Error>> {
+    pub fn read_next<D: Device>(&mut self, device: &mut D) -> Result<(), Error<D::Error>> {
         if self.left == 0 {
             if self.next >= END {
                 return Err(Error::NotFound);
             }
-            self.enter(device, block)?;
+            self.enter(device)?;
         }
-        read(device, block, self.block)?;
-        self.block = self.block.wrapping_add(1);
+        let block = self.block;
+        self.block = block.wrapping_add(1);
         self.left -= 1;
-        Ok(())
+        read(device, block)
     }
 
     /// Enters the chain that this stands before, and gives the place of its first block.
@@ -172,12 +162,8 @@ impl Walk {
     /// # Errors
     /// [`Error::Device`]; [`Error::Damaged`] where the chain's first cluster is outside the volume,
     /// or the FAT does not hold it for taken: by the end of the chain, or another cluster.
-    pub fn first_place<D: BlockDevice>(
-        &mut self,
-        device: &D,
-        block: &mut Block,
-    ) -> Result<u32, Error<D::Error>> {
-        self.enter(device, block)?;
+    pub fn first_place<D: Device>(&mut self, device: &mut D) -> Result<u32, Error<D::Error>> {
+        self.enter(device)?;
         let taken = self.next >= END || self.next.wrapping_sub(2) < self.clusters;
         if taken {
             Ok(self.block)
@@ -192,11 +178,7 @@ impl Walk {
     /// # Errors
     /// [`Error::Device`]; [`Error::Damaged`] where the cluster is none, or ends Brent's search.
     #[inline(never)]
-    fn enter<D: BlockDevice>(
-        &mut self,
-        device: &D,
-        block: &mut Block,
-    ) -> Result<(), Error<D::Error>> {
+    fn enter<D: Device>(&mut self, device: &mut D) -> Result<(), Error<D::Error>> {
         let cluster = self.next;
         let mut index = cluster.wrapping_sub(2);
         if index >= self.clusters || cluster == self.kept || self.entered == u16::MAX {
@@ -214,18 +196,18 @@ impl Walk {
         }
         self.block = self.data.wrapping_add(index);
 
-        if self.fat32 {
-            read(device, block, self.fat.wrapping_add(cluster >> 7))?;
-            let entry = block.as_chunks().0[cluster as usize & 127];
-            self.next = u32::from_le_bytes(entry) & 0x0FFF_FFFF;
-        } else {
-            read(device, block, self.fat.wrapping_add(cluster >> 8))?;
-            let entry = block.as_chunks().0[cluster as usize & 255];
-            self.next = match u16::from_le_bytes(entry) {
-                0xFFF8.. => END,
-                next => next.into(),
-            };
-        }
+        // The FAT in words: on FAT32 two for a cluster, the lower one first.
+        let word = if self.fat32 { cluster << 1 } else { cluster };
+        read(device, self.fat.wrapping_add(word >> 8))?;
+        let words = device.block().as_chunks().0;
+        let word = word as u8;
+        let low = u16::from_le_bytes(words[usize::from(word)]);
+        let high = match low {
+            _ if self.fat32 => u16::from_le_bytes(words[usize::from(word | 1)]) & 0x0FFF,
+            0xFFF8.. => (END >> 16) as u16,
+            _ => 0,
+        };
+        self.next = u32::from(high) << 16 | u32::from(low);
         Ok(())
     }
 }
@@ -243,10 +225,10 @@ fn signed(block: &Block) -> bool {
     u16_at::<510>(block) == 0xAA55
 }
 
-fn u16_at<const AT: usize>(block: &[u8; 512]) -> u16 {
+fn u16_at<const AT: usize>(block: &Block) -> u16 {
     u16::from_le_bytes([block[AT], block[AT + 1]])
 }
 
-fn u32_at<const AT: usize>(block: &[u8; 512]) -> u32 {
+fn u32_at<const AT: usize>(block: &Block) -> u32 {
     u32::from_le_bytes([block[AT], block[AT + 1], block[AT + 2], block[AT + 3]])
 }

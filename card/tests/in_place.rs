@@ -3,8 +3,7 @@
 mod common;
 
 use common::raw::{FILE, FOLDER, Raw};
-use common::{Card, NoBlock, bytes};
-use embedded_sdmmc::{Block, BlockIdx};
+use common::{Card, NoBlock, Reader, bytes};
 use unoclp_card::image::{Fat, Image};
 use unoclp_card::{Error, File};
 
@@ -14,12 +13,12 @@ const READ_ONLY: u8 = 0x01;
 
 fn first_block(image: &[u8]) -> Result<Option<usize>, Error<NoBlock>> {
     let card = Card::new(image);
-    let mut block = Block::new();
+    let mut reader = Reader::new(&card);
     let mut file = File::default();
-    file.open(&card, &mut block, STATE)?;
-    let place = file.first_block(&card, &mut block)?;
+    file.open(&mut reader, STATE)?;
+    let place = file.first_block(&mut reader)?;
     assert_eq!(card.writes.get(), 0);
-    Ok(place.map(|BlockIdx(place)| place as usize))
+    Ok(place.map(|place| place as usize))
 }
 
 #[test]

@@ -28,8 +28,9 @@ impl Needs {
         self.inputs | 0x0F
     }
 
-    /// Notes an instruction with its XX.
+    /// Notes an instruction with its XX. A pin that is used twice is told once.
     pub(crate) fn note(&mut self, kind: Kind, xx: u8) -> Result<(), Cause> {
+        let before = self.twice();
         match kind {
             Kind::Input => self.inputs |= bit(xx),
             Kind::Analogue => self.analogue |= bit(xx.wrapping_add(1)),
@@ -39,10 +40,15 @@ impl Needs {
             Kind::Time => self.filter = xx,
             _ => {}
         }
-        if (self.inputs >> 4) & self.analogue | self.outputs & self.pwm != 0 {
+        if self.twice() != before {
             return Err(Cause::PinUsedTwice);
         }
         Ok(())
+    }
+
+    /// The pins that are used twice: inputs in the upper half, outputs in the lower.
+    fn twice(&self) -> u8 {
+        self.inputs & self.analogue << 4 | self.outputs & self.pwm
     }
 }
 

@@ -58,6 +58,7 @@ impl Program<'_> {
     }
 
     /// The stored form: what to keep, and to give to [`Loader::restore`](crate::Loader::restore).
+    #[inline(never)]
     pub fn stored(&self) -> &[u8] {
         self.memory.get(..self.code_bytes).unwrap_or_default()
     }

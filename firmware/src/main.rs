@@ -35,6 +35,7 @@ use card::StateFile;
 use diagnosis::{Diagnosis, Turn};
 use engine::Linked;
 use state::{Images, State};
+use unoclp_card::Block;
 use unoclp_core::{Cause, Fault, Image, Profile, Program};
 
 /// Run memory: the code of the program and the data of its timers, and a byte for the end.
@@ -43,11 +44,12 @@ const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 #[avr_device::entry]
 fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
+    static mut PAGE: Block = [0; 512];
 
     let mut board = Board::take();
     report::banner(&mut board);
     let mut state = StateFile::Missing;
-    let program = start(&mut board, MEMORY, &mut state);
+    let program = start(&mut board, PAGE, MEMORY, &mut state);
     board.release_card();
     let fault = match program {
         Ok(program) => {
@@ -126,6 +128,7 @@ fn stop(board: &mut Board, diagnosis: &Diagnosis<'_>, state: &mut State) {
 /// failure is a fault: what the user wants now was refused, or cannot be known.
 fn start<'m>(
     board: &mut Board,
+    page: &mut Block,
     memory: &'m mut [u8],
     state: &mut StateFile,
 ) -> Result<Program<'m>, Fault> {
@@ -137,7 +140,7 @@ fn start<'m>(
     if board.supply.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
-    let missing = match card::load(board, memory, state) {
+    let missing = match card::load(board, page, memory, state) {
         Ok(program) => {
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None

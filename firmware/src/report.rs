@@ -1,13 +1,13 @@
 //! What the serial port says at setup (NC-11).
 
 use crate::board::Board;
-use crate::board::flash::{FlashText, flash_text};
+use crate::board::flash::{Codes, FlashText, flash_codes, flash_text};
 use crate::board::serial::Serial;
 use crate::board::watchdog::Start;
 use crate::card::StateFile;
 use crate::diagnosis::ScanTimes;
 use crate::state::State;
-use unoclp_core::{Cause, Fault, Profile, Program, faults};
+use unoclp_core::{Cause, Fault, Profile, Program};
 
 /// Below this the supply is worth a warning, hundredths of a volt.
 const WEAK: u16 = 460;
@@ -139,23 +139,13 @@ pub fn fault(serial: &mut Serial, fault: Fault) {
     end_line(serial);
 }
 
-macro_rules! texts {
-    ($($number:literal $name:ident $text:literal;)*) => {
-        /// Every fault's number, text and an LF. One text, because a table of pointers to texts
-        /// would stand in RAM.
-        const TEXTS: &str = concat!($($number, $text, "\n"),*);
-    };
-}
-faults!(texts);
-
 /// Sends the text of a cause.
 fn text(serial: &mut Serial, cause: Cause) {
-    let mut texts = flash_text!(TEXTS);
-    while let (Some(tens), Some(units)) = (texts.next(), texts.next()) {
-        let number = (tens - b'0') * 10 + (units - b'0');
-        for byte in texts.by_ref().take_while(|byte| *byte != b'\n') {
+    let mut texts = flash_codes!(Codes::faults());
+    while let Some(number) = texts.next() {
+        for code in texts.by_ref().take_while(|code| *code != b'\n') {
             if number == cause.number() {
-                serial.byte(byte);
+                serial.code(code);
             }
         }
     }

@@ -6,9 +6,9 @@
 
 use crate::board::Board;
 use crate::board::clock;
-use crate::board::flash::{FlashText, flash_text};
-use crate::card::Place;
-use crate::card::writer::{CardFailed, Progress, Writer};
+use crate::board::flash::{Codes, FlashText, flash_codes};
+use crate::card::writer::{Progress, Writer};
+use crate::card::{CardFailed, Place};
 use crate::decimal::{DIGITS, decimal};
 use crate::diagnosis::ScanTimes;
 use unoclp_core::Image;
@@ -17,6 +17,8 @@ use unoclp_core::Image;
 const TEMPLATE: &str = include_str!("../../programs/STATE.TXT").trim_ascii_end();
 const MARK: u8 = b'#';
 const LINE_END: u16 = 510;
+/// Which value is the uptime.
+const UPTIME: u8 = 8;
 
 /// The least time between two writings, and the most, ms.
 const SOONEST: u16 = 1_000;
@@ -55,7 +57,7 @@ impl State {
         State {
             writer: place.map(Writer::new),
             failed: false,
-            text: Text::new(Images::default(), ScanTimes::default(), uptime),
+            text: Text::default(),
             written: None,
             uptime,
             second: 0,
@@ -115,7 +117,7 @@ impl State {
         };
         if due {
             self.written = Some(now);
-            *text = Text::new(images, times, self.uptime);
+            text.begin(images, times, &self.uptime);
             writer.begin(board)?;
         }
         Ok(())
@@ -140,30 +142,28 @@ fn count(number: &mut [u8; DIGITS]) {
 }
 
 /// The text of one writing: its values, and how far it has gone.
+#[derive(Default)]
 struct Text {
     /// What is left of the template.
     template: FlashText,
     images: Images,
     times: ScanTimes,
-    uptime: [u8; DIGITS],
     /// The value that is next.
     value: u8,
     /// The digits of the value before it, and the one that is next; past the last when all have gone.
+    /// The uptime, which comes before the other numbers, stands here from the beginning.
     digits: [u8; DIGITS],
     next: u8,
 }
 
 impl Text {
-    fn new(images: Images, times: ScanTimes, uptime: [u8; DIGITS]) -> Text {
-        Text {
-            template: flash_text!(TEMPLATE),
-            images,
-            times,
-            uptime,
-            value: 0,
-            digits: [0; DIGITS],
-            next: DIGITS as u8,
-        }
+    fn begin(&mut self, images: Images, times: ScanTimes, uptime: &[u8; DIGITS]) {
+        self.template = flash_codes!(Codes::plain(TEMPLATE));
+        self.images = images;
+        self.times = times;
+        self.value = 0;
+        self.digits = *uptime;
+        self.next = DIGITS as u8;
     }
 
     /// The byte at this place of the block, 0 to 511; asked in order.
@@ -190,20 +190,16 @@ impl Text {
                     let points = inputs.0 as u8 & 0x0F | (outputs.0 as u8) << 4;
                     return b'0' + (points >> value & 1);
                 }
-                8 => None,
-                9 => Some(self.times.last),
-                10 => Some(self.times.least),
-                _ => Some(self.times.most),
+                UPTIME => 0,
+                9 => self.times.last,
+                10 => self.times.least,
+                _ => self.times.most,
             };
-            match time {
-                None => {
-                    self.digits = self.uptime;
-                    self.next = 0;
-                }
-                Some(time) => {
-                    decimal(time.into(), &mut self.digits);
-                    self.next = DIGITS as u8 - 5;
-                }
+            if value == UPTIME {
+                self.next = 0;
+            } else {
+                decimal(time.into(), &mut self.digits);
+                self.next = DIGITS as u8 - 5;
             }
         }
         let digit = self.digits.get(usize::from(self.next));

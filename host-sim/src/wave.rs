@@ -1,7 +1,7 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
 use crate::engine::{HostEngine, Machine};
-use crate::scenario::{Engine, Outcome, Refusal, inputs, outputs};
+use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
@@ -183,12 +183,31 @@ impl<W: Write> Engine for RecordedEngine<W> {
         }
         Ok(outcome)
     }
+
+    fn restart(&mut self) -> io::Result<()> {
+        let Ok(()) = self.engine.restart();
+        Ok(())
+    }
+
+    fn look(&mut self, cell: Cell) -> io::Result<i32> {
+        let Ok(value) = self.engine.look(cell);
+        Ok(value)
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> io::Result<()> {
+        let Ok(()) = self.engine.poke(cell, value);
+        Ok(())
+    }
+
+    fn pwm(&mut self, output: u8) -> io::Result<u8> {
+        let Ok(duty) = self.engine.pwm(output);
+        Ok(duty)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::BOARD;
     use crate::random::{Random, random_inputs, random_program};
     use std::collections::HashMap;
     use vcd::{Command, Parser};
@@ -244,21 +263,21 @@ mod tests {
     fn a_trace_reads_back_as_the_run_was() {
         let mut random = Random::new(3);
         for _ in 0..50 {
-            let program = random_program(&mut random, BOARD);
+            let program = random_program(&mut random);
             let mut trace = Vec::new();
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
             let mut reference = Machine::load(program.as_bytes()).unwrap();
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
-            let mut image = Image::default();
+            let mut image = Inputs::default();
             let mut run = Vec::new();
             for at in 0..60 {
-                image = random_inputs(&mut random, BOARD, image);
+                image = random_inputs(&mut random, reference.plc().needs(), image);
                 let now = start.wrapping_add(at);
-                let _ = engine.scan(&image.into(), now).unwrap();
-                let _ = reference.scan_observed(image.into(), now, |_, _| ());
-                run.push(Sample::of(&reference, image, now));
+                let _ = engine.scan(&image, now).unwrap();
+                let _ = reference.scan_observed(image, now, |_, _| ());
+                run.push(Sample::of(&reference, image.points, now));
             }
             engine.finish().unwrap();
 

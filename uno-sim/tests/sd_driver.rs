@@ -1,4 +1,4 @@
-//! The card model against the driver that the firmware uses: embedded-sdmmc, over a host SPI device.
+//! The card model against a driver that is not ours: embedded-sdmmc, over a host SPI device.
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::spi::{ErrorKind, ErrorType, Operation, SpiDevice};

@@ -11,7 +11,7 @@ use std::fmt;
 use embedded_sdmmc::{
     Block, BlockCount, BlockDevice, BlockIdx, Mode, TimeSource, Timestamp, VolumeIdx, VolumeManager,
 };
-use unoclp_card::{Error, File};
+use unoclp_card::{Device, Error, File};
 
 pub const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
 
@@ -81,7 +81,33 @@ impl BlockDevice for Card<'_> {
     }
 }
 
-/// What the walk reads of a file. The lent block holds other bytes before each call, every block
+/// A card, and room for a block of it.
+pub struct Reader<'a> {
+    card: &'a Card<'a>,
+    block: Block,
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(card: &'a Card<'a>) -> Reader<'a> {
+        let block = Block::new();
+        Reader { card, block }
+    }
+}
+
+impl Device for Reader<'_> {
+    type Error = NoBlock;
+
+    fn read(&mut self, number: u32) -> Result<(), NoBlock> {
+        let blocks = std::slice::from_mut(&mut self.block);
+        self.card.read(blocks, BlockIdx(number))
+    }
+
+    fn block(&self) -> &[u8; 512] {
+        &self.block
+    }
+}
+
+/// What the walk reads of a file. The device holds other bytes before each call, every block
 /// but the last must be full, and nothing may be written.
 pub fn walk(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
     let result = walk_inner(card, name);
@@ -90,14 +116,14 @@ pub fn walk(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
 }
 
 fn walk_inner(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
-    let mut block = Block::new();
-    block.fill(0xA5);
+    let mut reader = Reader::new(card);
+    reader.block.fill(0xA5);
     let mut file = File::default();
-    file.open(card, &mut block, name)?;
+    file.open(&mut reader, name)?;
     let mut bytes = Vec::new();
     loop {
-        block.fill(0x5A);
-        match file.next_block(card, &mut block)? {
+        reader.block.fill(0x5A);
+        match file.next_block(&mut reader)? {
             Some(part) => {
                 assert_eq!(bytes.len() % Block::LEN, 0, "a short block before the last");
                 assert!(!part.is_empty());

@@ -206,7 +206,7 @@ pub(crate) const fn first_of(byte: u8) -> u8 {
 }
 
 /// Whether the low four bits of a first stored byte are the index of a point.
-pub(crate) const fn holds_point(byte: u8) -> bool {
+pub const fn holds_point(byte: u8) -> bool {
     byte >= 0x10 && byte < 0xA0
 }
 

@@ -93,9 +93,11 @@ impl Loader<'_> {
             }
             Line::Step => (0, 15),
             Line::FromHigh => match (self.room.before(2), self.room.before(1)) {
-                (Some(low), Some(high)) => {
-                    (i16::from_le_bytes([low, high]).saturating_add(1), i16::MAX)
-                }
+                // Nothing is above the highest number.
+                (Some(low), Some(high)) => match i16::from_le_bytes([low, high]).checked_add(1) {
+                    Some(least) => (least, i16::MAX),
+                    None => (1, 0),
+                },
                 _ => (i16::MIN, i16::MAX),
             },
             Line::FilterTime => (0, FILTER_TIME),

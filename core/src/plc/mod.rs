@@ -79,9 +79,10 @@ pub struct CounterState {
 }
 
 impl<'m> Plc<'m> {
-    /// Makes a checked program ready to run: all outputs 0 (NC-7), no timer started.
+    /// Makes a checked program ready to run: all outputs 0 (NC-7), no timer started. The program's memory
+    /// is to be of [`Profile::plc_bytes`](crate::Profile::plc_bytes); in a shorter one, timers and counters
+    /// that find no room do nothing.
     pub fn new(program: Program<'m>) -> Plc<'m> {
-        // The loader has reserved the data; a shorter memory would only mean less of it.
         let (code, data) = program
             .memory
             .split_at_mut_checked(program.code_bytes)

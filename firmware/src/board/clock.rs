@@ -68,6 +68,24 @@ pub fn now() -> Millis {
     undisturbed(|| ()).0
 }
 
+/// An end of waiting.
+#[derive(Clone, Copy)]
+pub struct Deadline(u16);
+
+impl Deadline {
+    /// So many ms from now, 32,767 at most.
+    #[inline(never)]
+    pub fn after(time: u16) -> Deadline {
+        Deadline((now() as u16).wrapping_add(time))
+    }
+
+    /// Whether it has passed; to be asked within 32 s.
+    #[inline(never)]
+    pub fn has_passed(self) -> bool {
+        self.0.wrapping_sub(now() as u16) as i16 <= 0
+    }
+}
+
 /// A moment, to half a microsecond.
 #[derive(Clone, Copy)]
 pub struct Moment {

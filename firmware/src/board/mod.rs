@@ -69,10 +69,11 @@ impl Board {
         clock::moment(&self.timer)
     }
 
-    /// The bus to the card, switched on; the card still sleeps.
+    /// The bus to the card, which still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
-        let mut bus = spi::CardBus::start(&self.spi, &self.pins);
+        let bus = spi::CardBus::new(&self.spi, &self.pins);
         if self.start != watchdog::Start::Power {
+            // The card has kept its power, and is long out of its idle state.
             bus.end_packet();
         }
         bus
@@ -80,7 +81,9 @@ impl Board {
 
     /// The bus to the card, at full speed, with the card selected: for what comes after start-up.
     pub fn resume_card(&self) -> spi::CardBus<'_> {
-        spi::CardBus::resume(&self.spi, &self.pins)
+        let bus = spi::CardBus::new(&self.spi, &self.pins);
+        bus.full_speed();
+        bus
     }
 
     /// Gives D10 to D13 back: the card is no longer selected, and LED L is ours.

@@ -1,7 +1,7 @@
 //! The serial port, 115200 8N1, sending only (ATmega328P datasheet, section 20).
 
 use super::CLOCK_HZ;
-use super::flash::FlashText;
+use super::flash::{self, FlashText};
 use crate::decimal::{DIGITS, decimal};
 use avr_device::atmega328p::USART0;
 
@@ -25,9 +25,19 @@ impl Serial {
 
     /// Sends a text that stands in program memory.
     pub fn text(&mut self, text: FlashText) {
-        for byte in text {
-            self.byte(byte);
+        for code in text {
+            self.code(code);
         }
+    }
+
+    /// Sends what a code of a text stands for.
+    #[inline(never)]
+    pub fn code(&mut self, mut code: u8) {
+        while let Some([first, second]) = flash::pair(code) {
+            self.code(first);
+            code = second;
+        }
+        self.byte(code);
     }
 
     /// Sends a number in decimal.

@@ -9,7 +9,7 @@ use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
 use core::arch::{asm, global_asm};
-use core::sync::atomic::{AtomicU8, AtomicU16, Ordering::Relaxed};
+use core::cell::UnsafeCell;
 
 /// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
 /// is no quartz.
@@ -35,17 +35,39 @@ global_asm!(
     ".previous",
 );
 
+/// Memory that outlasts a reset.
+#[repr(transparent)]
+struct Kept<T>(UnsafeCell<T>);
+
+// SAFETY: of two bytes no interrupt knows anything, and a single one is never seen half written.
+unsafe impl<T> Sync for Kept<T> {}
+
+impl<T: Copy> Kept<T> {
+    #[inline(always)]
+    fn get(&self) -> T {
+        // SAFETY: it is valid, and any bits are a value. Without an atomic load, which would keep the
+        // clock's interrupt waiting: that counts the age of the scan.
+        unsafe { self.0.get().read_volatile() }
+    }
+
+    #[inline(always)]
+    fn set(&self, value: T) {
+        // SAFETY: as above.
+        unsafe { self.0.get().write_volatile(value) }
+    }
+}
+
 // SAFETY: the lines above define them, with these sizes; any bits are a value of each.
 unsafe extern "C" {
-    safe static DOING: AtomicU16;
+    safe static DOING: Kept<u16>;
     /// Restarts since power-up.
-    safe static RESTARTS: AtomicU16;
+    safe static RESTARTS: Kept<u16>;
     /// Faults since power-up.
-    safe static FAULTS: AtomicU16;
+    safe static FAULTS: Kept<u16>;
     /// The age of the scan, ms; it stops at 255. The clock's interrupt counts it.
-    safe static AGE: AtomicU8;
+    safe static AGE: Kept<u8>;
     /// The last static bytes: a stack that grows too far meets them first.
-    safe static GUARD: AtomicU16;
+    safe static GUARD: Kept<u16>;
 }
 
 /// Why the board has started.
@@ -74,18 +96,18 @@ impl Watchdog {
         let record = cpu.mcusr().read();
         // The watchdog cannot be stopped while the record says that it was the cause.
         cpu.mcusr().reset();
-        let doing = DOING.load(Relaxed);
-        let overdue = doing == SCANNING && AGE.load(Relaxed) >= OVERDUE;
+        let doing = DOING.get();
+        let overdue = doing == SCANNING && AGE.get() >= OVERDUE;
         let watchdog = Watchdog { timer };
         watchdog.stop();
-        GUARD.store(WHOLE, Relaxed);
+        GUARD.set(WHOLE);
 
         if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING {
-            RESTARTS.store(0, Relaxed);
-            FAULTS.store(0, Relaxed);
+            RESTARTS.set(0);
+            FAULTS.set(0);
             return (watchdog, Start::Power);
         }
-        RESTARTS.store(watchdog.restarts().saturating_add(1), Relaxed);
+        RESTARTS.set(watchdog.restarts().saturating_add(1));
         if astray {
             (watchdog, Start::Astray)
         } else if record.wdrf().bit_is_set() || overdue {
@@ -98,30 +120,30 @@ impl Watchdog {
     /// Restarts since power-up.
     #[inline(never)]
     pub fn restarts(&self) -> u16 {
-        RESTARTS.load(Relaxed)
+        RESTARTS.get()
     }
 
     /// Faults since power-up.
     #[inline(never)]
     pub fn faults(&self) -> u16 {
-        FAULTS.load(Relaxed)
+        FAULTS.get()
     }
 
     /// A fault stops the board.
     pub fn count_fault(&self) {
-        FAULTS.store(self.faults().saturating_add(1), Relaxed);
+        FAULTS.set(self.faults().saturating_add(1));
     }
 
     /// Starts the watchdog: from now a scan that takes 120 ms resets the chip.
     pub fn start(&self) {
         feed();
-        DOING.store(SCANNING, Relaxed);
+        DOING.set(SCANNING);
         self.set(|w| w.wde().set_bit().wdpl().cycles_16k());
     }
 
     /// Stops it: no scan is made, so none can be overdue.
     pub fn stop(&self) {
-        DOING.store(STARTING, Relaxed);
+        DOING.set(STARTING);
         self.set(|w| w);
     }
 
@@ -168,12 +190,10 @@ pub fn feed() {
 
 /// What is done now counts as overdue: the next start is the watchdog's fault.
 pub fn scan_is_overdue() {
-    AGE.store(u8::MAX, Relaxed);
+    AGE.set(u8::MAX);
 }
 
 /// Whether the stack has kept to its place.
 pub fn guard_is_whole() -> bool {
-    // SAFETY: no interrupt writes it. An atomic load of the compiler's would keep the clock's
-    // interrupt waiting, which counts the age of the scan.
-    unsafe { GUARD.as_ptr().read_volatile() == WHOLE }
+    GUARD.get() == WHOLE
 }

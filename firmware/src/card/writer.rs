@@ -1,12 +1,11 @@
 //! Writes one block of the card beside the scans: in small steps, and without waiting for the card.
 //!
 //! Owns CMD24 and what follows it (SD Physical Layer Simplified Specification, 7.2.4); must not know
-//! what the block says. The driver that reads the card would wait for it, up to 250 ms for a block.
+//! what the block says.
 
 use super::Place;
+use super::commands::{BLOCK_BEGINS, CardFailed, READY, SILENCE, answer, command};
 use crate::board::Board;
-use crate::board::spi::CardBus;
-use embedded_sdmmc::embedded_sdmmc_types::sdcard::{self as sd, CmdId};
 use unoclp_core::Crc16;
 
 /// Bytes of a block.
@@ -15,8 +14,13 @@ const BLOCK: u16 = 512;
 const STEP: u8 = 4;
 /// How long a card may stay busy with a block, ms: twice what the specification allows SDHC (4.6.2.2).
 const BUSY: u16 = 500;
-/// How many bytes a card may let pass before it answers (7.5.1.1).
-const PATIENCE: u8 = 8;
+
+// Commands.
+const SEND_STATUS: u8 = 13;
+const WRITE_BLOCK: u8 = 24;
+/// The answer to a block, and the bits that make it (7.3.3.1).
+const ACCEPTED: u8 = 0x05;
+const DATA_RESPONSE: u8 = 0x1F;
 
 /// Writes to one place of a card, which start-up has left ready.
 pub struct Writer {
@@ -45,9 +49,6 @@ pub enum Progress {
     Ready,
 }
 
-/// The card has refused something, or does not answer in time.
-pub struct CardFailed;
-
 impl Writer {
     /// To this place.
     pub fn new(place: Place) -> Writer {
@@ -60,10 +61,12 @@ impl Writer {
 
     /// Announces a block to the card.
     pub fn begin(&mut self, board: &Board) -> Result<(), CardFailed> {
-        let mut bus = board.resume_card();
-        command(&mut bus, CmdId::CMD24_WriteBlock, self.place.argument)?;
-        bus.exchange(0xFF);
-        bus.exchange(sd::DATA_START_BLOCK);
+        let bus = board.resume_card();
+        if command(bus, WRITE_BLOCK, self.place.argument) != READY {
+            return Err(CardFailed);
+        }
+        bus.exchange(SILENCE);
+        bus.exchange(BLOCK_BEGINS);
         self.crc = Crc16::starting_at(0);
         self.phase = Phase::Sending(0);
         Ok(())
@@ -79,7 +82,7 @@ impl Writer {
         match &mut self.phase {
             Phase::Idle => return Ok(Progress::Ready),
             Phase::Sending(at) => {
-                let mut bus = board.resume_card();
+                let bus = board.resume_card();
                 for _ in 0..STEP {
                     let byte = byte(*at);
                     self.crc.push(byte);
@@ -90,7 +93,7 @@ impl Writer {
                     let [high, low] = self.crc.value().to_be_bytes();
                     bus.exchange(high);
                     bus.exchange(low);
-                    if answer(&mut bus)? & sd::DATA_RES_MASK != sd::DATA_RES_ACCEPTED {
+                    if answer(bus) & DATA_RESPONSE != ACCEPTED {
                         return Err(CardFailed);
                     }
                     board.release_card();
@@ -103,14 +106,13 @@ impl Writer {
             Phase::Busy { since, asked } if now != *asked => {
                 *asked = now;
                 let overdue = now.wrapping_sub(*since) > BUSY;
-                let mut bus = board.resume_card();
+                let bus = board.resume_card();
                 // Selected again, it has the line from the second byte on.
-                bus.exchange(0xFF);
-                let ready = bus.exchange(0xFF) == 0xFF;
+                bus.exchange(SILENCE);
+                let ready = bus.exchange(SILENCE) == SILENCE;
                 if ready {
                     // Its status, two bytes: whether the block has come to its place.
-                    command(&mut bus, CmdId::CMD13_SendStatus, 0)?;
-                    if bus.exchange(0xFF) != 0 {
+                    if command(bus, SEND_STATUS, 0) != READY || bus.exchange(SILENCE) != 0 {
                         return Err(CardFailed);
                     }
                     self.phase = Phase::Idle;
@@ -123,31 +125,4 @@ impl Writer {
         }
         Ok(Progress::Going)
     }
-}
-
-/// Sends a command; anything but "ready, no error" is a failure.
-fn command(bus: &mut CardBus<'_>, command: CmdId, argument: u32) -> Result<(), CardFailed> {
-    let [a, b, c, d] = argument.to_be_bytes();
-    let frame = [0x40 | command as u8, a, b, c, d];
-    bus.exchange(0xFF);
-    for &byte in &frame {
-        bus.exchange(byte);
-    }
-    bus.exchange(sd::crc7(&frame) << 1 | 1);
-    if answer(bus)? == sd::R1_READY_STATE {
-        Ok(())
-    } else {
-        Err(CardFailed)
-    }
-}
-
-/// The next byte that is not just an idle line.
-fn answer(bus: &mut CardBus<'_>) -> Result<u8, CardFailed> {
-    for _ in 0..=PATIENCE {
-        let byte = bus.exchange(0xFF);
-        if byte != 0xFF {
-            return Ok(byte);
-        }
-    }
-    Err(CardFailed)
 }

@@ -51,7 +51,7 @@ impl fmt::Display for Size {
 /// Checks a program file. Gives its size, or its faults in the order in which they are found;
 /// there is at least one.
 pub fn diagnose(file: &[u8]) -> Result<Size, Vec<Diagnosis>> {
-    let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+    let mut memory = vec![0; BOARD.plc_bytes()];
     let mut loader = Loader::new(&mut memory, BOARD);
     let mut faults = Vec::new();
     for (offset, &byte) in file.iter().enumerate() {

@@ -3,7 +3,6 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
-use crate::BOARD;
 use crate::random::{Random, random_program};
 use crate::wave::Recorder;
 use ratatui::Terminal;
@@ -303,7 +302,7 @@ fn every_kind_of_instruction_is_drawn_and_long_rungs_wrap() {
 fn every_program_fits_every_screen() {
     let mut random = Random::new(11);
     for _ in 0..20 {
-        let program = random_program(&mut random, BOARD);
+        let program = random_program(&mut random);
         let mut app = app(&program);
         advance(&mut app, 10);
         for _ in 0..10 {

@@ -1,0 +1,95 @@
+//! Learns the code that the firmware's texts stand in: which pairs of bytes are worth a byte.
+//!
+//! A code from 0x80 on stands for two codes, each of them a character or a pair learnt before. The
+//! pairs are learnt from the fault texts and from the literals in `flash_text!`; what is missed
+//! there is not coded wrong, only less densely.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::{env, fs};
+
+use unoclp_core::Cause;
+
+/// The first code that stands for a pair.
+const FIRST: u8 = 0x80;
+/// How many pairs there may be.
+const PAIRS: usize = 0x80;
+/// How deep pairs may stand in pairs: the firmware follows them by recursion.
+const DEPTH: u8 = 4;
+/// A pair has to occur more often than the bytes that it takes itself.
+const COST: usize = 2;
+
+fn main() {
+    println!("cargo::rerun-if-changed=src");
+    let mut texts: Vec<Vec<u8>> = Cause::ALL.iter().map(|cause| cause.text().into()).collect();
+    literals(Path::new("src"), &mut texts);
+    let pairs = learn(texts);
+    let folder = env::var("OUT_DIR").expect("cargo names the folder");
+    let table = format!("{pairs:?}");
+    fs::write(Path::new(&folder).join("pairs.rs"), table).expect("the folder is there");
+}
+
+/// The first literal of each `flash_text!` in the sources of this folder.
+fn literals(folder: &Path, texts: &mut Vec<Vec<u8>>) {
+    let mut paths: Vec<_> = fs::read_dir(folder)
+        .expect("a folder of sources")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            literals(&path, texts);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let source = fs::read_to_string(path).expect("a source");
+            let uses = source.split("flash_text!(").skip(1);
+            texts.extend(uses.filter_map(|rest| {
+                let literal = rest.split('"').nth(1)?;
+                Some(literal.replace("\\r", "\r").replace("\\n", "\n").into())
+            }));
+        }
+    }
+}
+
+/// The pairs, the most frequent first.
+fn learn(mut texts: Vec<Vec<u8>>) -> Vec<[u8; 2]> {
+    let mut pairs = Vec::new();
+    let mut depths = [0; 256];
+    while pairs.len() < PAIRS {
+        let mut counts = BTreeMap::new();
+        for pair in texts.iter().flat_map(|text| text.array_windows()) {
+            *counts.entry(*pair).or_insert(0) += 1;
+        }
+        let depth = |pair: [u8; 2]| {
+            1 + pair
+                .map(|code| depths[usize::from(code)])
+                .into_iter()
+                .max()
+                .unwrap_or(0)
+        };
+        let best = counts
+            .into_iter()
+            .filter(|(pair, _)| depth(*pair) <= DEPTH)
+            .max_by_key(|(_, count)| *count);
+        let Some((pair, count)) = best else { break };
+        if count <= COST {
+            break;
+        }
+        let code = FIRST + pairs.len() as u8;
+        depths[usize::from(code)] = depth(pair);
+        pairs.push(pair);
+        for text in &mut texts {
+            replace(text, pair, code);
+        }
+    }
+    pairs
+}
+
+fn replace(text: &mut Vec<u8>, pair: [u8; 2], code: u8) {
+    let mut at = 0;
+    while at + 1 < text.len() {
+        if text[at..at + 2] == pair {
+            text.splice(at..at + 2, [code]);
+        }
+        at += 1;
+    }
+}
