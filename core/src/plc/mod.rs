@@ -1,11 +1,13 @@
 //! The running PLC: images, timers, counters, registers and the scan.
 
+mod adopt;
 mod counter;
 mod inputs;
 mod scan;
 mod smooth;
 mod value;
 
+pub use adopt::Snapshot;
 pub use inputs::Inputs;
 
 use crate::isa::{COUNTER_DATA, COUNTERS, Operand, REGISTERS, RETENTIVE, TIMER_DATA};

@@ -247,11 +247,12 @@ impl Reading {
     /// # Errors
     /// [`Failure`].
     pub fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
-        let inputs = client.bits(
-            Table::DiscreteInputs,
-            map::discrete::INPUTS,
-            BOARD.inputs.into(),
-        )?;
+        let mut inputs = |count| client.bits(Table::DiscreteInputs, map::discrete::INPUTS, count);
+        // Firmware of version 1 has four.
+        let inputs = match if_there(inputs(BOARD.inputs.into()))? {
+            Some(inputs) => inputs,
+            None => inputs(4)?,
+        };
         let outputs = client.bits(Table::Coils, map::coil::OUTPUTS, BOARD.outputs.into())?;
         let markers = if_there(client.bits(Table::Coils, map::coil::MARKERS, 64))?;
         let diagnostics = Diagnostics::read(client)?;

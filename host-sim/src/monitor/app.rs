@@ -6,6 +6,7 @@ use super::watcher::News;
 use crate::BOARD;
 use crate::board::map::{Command, State};
 use crate::board::watch::{Reading, Side, Wish};
+use crate::panel::Flow;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 /// A board, as far as it is known, and what a person does to it.
@@ -17,6 +18,8 @@ pub struct App {
     pub(super) program: Option<Program>,
     /// The last reading; none before the first.
     pub(super) reading: Option<Reading>,
+    /// What its program does there.
+    pub(super) flow: Flow,
     /// Why there is no newer one.
     pub(super) lost: Option<String>,
     /// What the person should know, until the next key.
@@ -38,6 +41,7 @@ impl App {
             identity: String::new(),
             program,
             reading: None,
+            flow: Flow::default(),
             lost: None,
             said: None,
             side: Side::Inputs,
@@ -77,6 +81,12 @@ impl App {
             }
             News::Read(reading) => {
                 self.lost = None;
+                if let Some(program) = &mut self.program {
+                    self.flow = match reading.diagnostics.state {
+                        Some(State::Fault) => Flow::default(),
+                        _ => program.flow(&reading),
+                    };
+                }
                 self.reading = Some(*reading);
             }
             News::Refused(why) => self.said = Some(why),

@@ -4,7 +4,6 @@ use super::app::App;
 use crate::BOARD;
 use crate::board::map::{self, State, flag};
 use crate::board::watch::{Forces, Meter, Reading, Side};
-use crate::panel::Flow;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
@@ -110,9 +109,8 @@ fn footer(app: &App, frame: &mut Frame, area: Rect) {
         Side::Inputs => "outputs",
         Side::Outputs => "inputs",
     };
-    let keys = format!(
-        " q quit  space {run}  1-8 force  o {other}  x release  s scan  r restart  ↑↓ scroll"
-    );
+    let keys =
+        format!(" q quit  space {run}  1-8 force  o {other}  x release  s scan  r restart  ↑↓");
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
@@ -299,28 +297,16 @@ fn meter_text(name: &str, meter: Meter) -> String {
 }
 
 fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
-    let (Some(program), Some(reading)) = (&app.program, &app.reading) else {
+    let Some(program) = app
+        .program
+        .as_ref()
+        .filter(|_| app.reading.is_some() && !app.differs())
+    else {
         return;
-    };
-    if app.differs() {
-        return;
-    }
-    let flow = Flow {
-        acc: Vec::new(),
-        elapsed: reading
-            .timers
-            .iter()
-            .map(|timer| timer.value.cast_unsigned())
-            .collect(),
-        counted: reading
-            .counters
-            .iter()
-            .map(|counter| counter.value)
-            .collect(),
     };
     let width = usize::from(area.width);
     let numbered = (1..).zip(&program.rungs);
-    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &flow, width));
+    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &app.flow, width));
     let lines: Vec<Line> = lines.collect();
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);

@@ -211,7 +211,7 @@ impl Device for Board {
         let within = |&(a, b): &(u16, u16)| (a..=b).contains(&first) && (a..=b).contains(&last);
         let old = self.is_of_version_1;
         let ranges: &[(u16, u16)] = match (table, access) {
-            (Table::Coils, _) if old => &[(0, 3)],
+            (Table::Coils | Table::DiscreteInputs, _) if old => &[(0, 3)],
             (Table::InputRegisters, _) if old => &[(16, 32)],
             (Table::HoldingRegisters, _) if old => &[(400, 400), (402, 405), (410, 413)],
             (Table::Coils, _) => &[(0, 3), (16, 79)],
