@@ -95,7 +95,7 @@ fn the_screen_shows_the_board() {
  I1●  I2○  I3○  I4○  I5○  I6○  I7○  I8○  Q1○  Q2●  Q3○  Q4○
 ─ Board ────────────────────────────────────────────────────────────────────────
  scan 214 µs (180 to over 32766)  supply 5.01 V  stack 120 bytes free
- started by power, 2 restarts and 0 faults since power-up
+ last start: power  since power-up: restarts 2, faults 0
 ─ Memory ───────────────────────────────────────────────────────────────────────
  M1   ●○○○○○○○ M9   ○○○○○○○○ M17  ○○○○○○○○ M25  ○○○○○○○○ M33  ○○○○○○○○
  M41  ○○○○○○○○ M49  ○○○○○○○○ M57  ○○○○○○○●

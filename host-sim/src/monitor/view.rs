@@ -34,16 +34,21 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         } else {
             panels.extend([vec![inputs], vec![outputs]]);
         }
-        panels.push(vec![("Board".to_owned(), board(app, reading))]);
-        panels.push(vec![("Memory".to_owned(), memory(reading, width))]);
+        panels.push(vec![("Board".to_owned(), board(app, reading, width))]);
+        let memory = memory(reading, width);
+        if !memory.is_empty() {
+            panels.push(vec![("Memory".to_owned(), memory)]);
+        }
         let meters = meters(app, reading, width);
         if !meters.is_empty() {
             panels.push(vec![("Timers (ms) and counters".to_owned(), meters)]);
         }
     } else {
         let text = app.lost.as_deref().unwrap_or("waiting for the board");
-        let lines = wrap(text, width).into_iter().map(Line::raw).collect();
-        panels.push(vec![("Board".to_owned(), lines)]);
+        panels.push(vec![(
+            "Board".to_owned(),
+            wrap(text.split(' '), " ", width),
+        )]);
     }
     let heights = panels.iter().map(|row| {
         let lines = row.iter().map(|(_, lines)| lines.len()).max();
@@ -168,7 +173,7 @@ fn lamp(on: bool) -> Span<'static> {
 }
 
 /// What the board says of itself, and what a person should know.
-fn board(app: &App, reading: &Reading) -> Vec<Line<'static>> {
+fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let board = &reading.diagnostics;
     let [last, least, most] = board.scan_times.map(micros);
     let volts = f64::from(board.supply) / 1000.0;
@@ -177,13 +182,16 @@ fn board(app: &App, reading: &Reading) -> Vec<Line<'static>> {
         board.free_stack
     );
     let history = format!(
-        " started by {}, {} restarts and {} faults since power-up",
+        " last start: {}  since power-up: restarts {}, faults {}",
         map::cause(board.cause),
         board.restarts,
         board.faults
     );
     let mut lines = vec![Line::raw(figures), Line::raw(history)];
-    let mut warn = |text: String| lines.push(Line::styled(format!(" {text}"), WARNING));
+    let mut warn = |text: String| {
+        let wrapped = wrap(text.split(' '), " ", width);
+        lines.extend(wrapped.into_iter().map(|line| line.style(WARNING)));
+    };
     if let Some(why) = &app.lost {
         warn(format!("lost, trying again: {why}"));
     }
@@ -252,7 +260,7 @@ fn memory(reading: &Reading, width: u16) -> Vec<Line<'static>> {
     if !reading.registers.is_empty() && reading.registers.iter().all(|&value| value == 0) {
         values.push("all D 0".to_owned());
     }
-    lines.extend(wrap(&values.join("  "), width).into_iter().map(Line::raw));
+    lines.extend(wrap(values.iter().map(String::as_str), "  ", width));
     lines
 }
 
@@ -325,17 +333,18 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     panel(title, shown, frame, area);
 }
 
-/// A text in lines of this width, each with a blank before it.
-fn wrap(text: &str, width: u16) -> Vec<String> {
+/// These parts in lines of this width, none broken unless it is wider, with a blank before each line.
+fn wrap<'p>(parts: impl Iterator<Item = &'p str>, gap: &str, width: u16) -> Vec<Line<'static>> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
+    let columns = |text: &str| text.chars().count();
+    for part in parts {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= usize::from(width) => {
-                line.push(' ');
-                line.push_str(word);
+            Some(line) if columns(line) + columns(gap) + columns(part) <= usize::from(width) => {
+                line.push_str(gap);
+                line.push_str(part);
             }
-            _ => lines.push(format!(" {word}")),
+            _ => lines.push(format!(" {part}")),
         }
     }
-    lines
+    lines.into_iter().map(Line::raw).collect()
 }
