@@ -9,7 +9,7 @@ use std::path::Path;
 use unoclp_host_sim::board::Line;
 use unoclp_host_sim::board::map::{State, flag};
 use unoclp_host_sim::board::start::Found;
-use unoclp_host_sim::board::upload::{Behind, Broken, Pass, Progress, go_on, stop, upload as send};
+use unoclp_host_sim::board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
 use unoclp_host_sim::board::watch::Kept;
 use unoclp_host_sim::diagnosis::{Diagnosis, diagnose};
 
@@ -38,7 +38,9 @@ pub fn upload(path: &Path, line: &Line, stays: bool) -> Outcome {
         },
     }
 
-    match send(&mut client, &program.bytes, sent, &mut show) {
+    let uploaded = send(&mut client, &program.bytes, sent, &mut show);
+    hide();
+    match uploaded {
         Ok(()) => {}
         Err(Broken::Fault(trouble)) => {
             let Some(fault) = trouble.fault() else {
@@ -70,23 +72,24 @@ pub fn upload(path: &Path, line: &Line, stays: bool) -> Outcome {
     Ok(true)
 }
 
-/// Shows the progress: as one line that changes, where somebody sees it.
+/// Shows the progress in a line that changes, where somebody sees it.
 fn show(progress: Progress) {
-    let watched = stderr().is_terminal();
-    match progress {
-        Progress::Sent { pass, bytes, of } => {
-            if watched {
-                eprint!("\r{pass}: {bytes} of {of} bytes");
+    if stderr().is_terminal() {
+        match progress {
+            Progress::Sent { pass, bytes, of } => {
+                eprint!("{ANEW}{pass}: {bytes} of {of} bytes");
             }
-            // Both times the end of the text is a block of its own.
-            if bytes == of && pass == Pass::Check && watched {
-                eprint!("\r");
-            }
-        }
-        Progress::Storing => {
-            if watched {
-                eprint!("\rwriting program memory …              ");
-            }
+            Progress::Storing => eprint!("{ANEW}writing program memory …"),
         }
     }
 }
+
+/// Takes the line back.
+fn hide() {
+    if stderr().is_terminal() {
+        eprint!("{ANEW}");
+    }
+}
+
+/// Back to the beginning of an empty line.
+const ANEW: &str = "\r\x1b[K";

@@ -138,7 +138,7 @@ fn refusal(wish: Wish, board: &Diagnostics) -> &'static str {
     } else if board.has(flag::STOP_SWITCH) {
         "A5 is closed, which holds the board in STOP"
     } else if board.has(flag::UPLOAD) {
-        "an upload is under way"
+        "an upload is under way: r restarts the board without it"
     } else if scan {
         "single scans are for STOP: space stops the board"
     } else {
