@@ -7,7 +7,7 @@ use fake::{Board, FAULT, Fake, RUN, STOP};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
-use unoclp_host_sim::board::watch::Kept;
+use unoclp_host_sim::board::diagnostics::Kept;
 
 const FOLLOW: &str = "0\n787600\n827301\n877901\n";
 

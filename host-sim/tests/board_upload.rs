@@ -5,10 +5,10 @@ mod fake;
 
 use fake::{Board, FAULT, Fake, Fate, PATIENT, RUN, STOP};
 use unoclp_host_sim::board::client::Client;
+use unoclp_host_sim::board::diagnostics::Kept;
 use unoclp_host_sim::board::map::{BLOCK_BYTES, State};
 use unoclp_host_sim::board::start::find;
 use unoclp_host_sim::board::upload::{Behind, Broken, Pass, Progress, go_on, stop, upload};
-use unoclp_host_sim::board::watch::Kept;
 
 const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
 

@@ -1,13 +1,13 @@
 //! Requests to a board, and their answers.
 //!
 //! Frames and check sums are those of the crate `rmodbus`; of an answer only address, function and length are
-//! looked at here, which it leaves open. It does not know the identification, function 43/14.
+//! looked at here, which it leaves open.
 
+use super::identity::{self, Identity};
 use super::port::{self, Line, NotOpened};
 use rmodbus::client::ModbusRequest;
 use rmodbus::{ErrorKind, ModbusProto, guess_response_frame_len};
 use serialport::{ClearBuffer, SerialPort};
-use std::fmt;
 use std::io::{self, Read, Write};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -61,25 +61,6 @@ fn refusal(exception: Exception) -> &'static str {
         Exception::IllegalDataValue => "not that value (03)",
         Exception::ServerDeviceFailure => "not now (04)",
         Exception::ServerDeviceBusy => "busy (06)",
-    }
-}
-
-/// What a board says that it is, by function 43/14.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Identity {
-    /// The vendor's name.
-    pub vendor: String,
-    /// The product.
-    pub product: String,
-    /// The version.
-    pub version: String,
-}
-
-impl fmt::Display for Identity {
-    /// `unoclp UNO 0.1.0`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let texts = [&*self.product, &*self.version];
-        f.write_str(texts.join(" ").trim())
     }
 }
 
@@ -206,17 +187,9 @@ impl Client {
     /// # Errors
     /// [`Failure`]; [`Failure::Garbled`] too for an identification without vendor, product and version.
     pub fn identify(&mut self) -> Result<Identity, Failure> {
-        let mut request = vec![self.address, IDENTIFICATION, 14, 1, 0];
-        request.extend(Crc::of(&request).to_bytes());
+        let request = identity::request(self.address);
         let reply = self.exchange(&request, None)?;
-        let objects = reply.get(8..reply.len() - 2).unwrap_or_default();
-        let mut texts = Texts(objects).map(|text| String::from_utf8_lossy(text).into_owned());
-        let mut text = || texts.next().ok_or(Failure::Garbled);
-        Ok(Identity {
-            vendor: text()?,
-            product: text()?,
-            version: text()?,
-        })
+        Identity::of(&reply).ok_or(Failure::Garbled)
     }
 
     /// What the board says of its own accord, until it has been quiet for so long or has said it all.
@@ -306,40 +279,16 @@ impl Client {
     }
 }
 
-/// The function code of the identification.
-const IDENTIFICATION: u8 = 0x2B;
-
 /// How many bytes an answer that begins so has; none where that is not yet told.
 fn length(reply: &[u8]) -> Option<usize> {
-    if let &[_, IDENTIFICATION, _, _, _, _, _, objects, ref rest @ ..] = reply {
-        let mut texts = Texts(rest);
-        let all = texts.by_ref().take(objects.into()).count() == usize::from(objects);
-        return all.then(|| reply.len() - texts.0.len() + 2);
-    }
-    if reply.get(1) == Some(&IDENTIFICATION) {
-        return None;
+    if reply.get(1) == Some(&identity::FUNCTION) {
+        return identity::length(reply);
     }
     match guess_response_frame_len(reply, ModbusProto::Rtu) {
         Ok(length) => Some(length.into()),
         // Too little is known; all else is no answer, and as long as it is.
         Err(ErrorKind::OOB) => None,
         Err(_) => Some(reply.len().max(5)),
-    }
-}
-
-/// The texts of an identification: number, length, bytes.
-struct Texts<'r>(&'r [u8]);
-
-impl<'r> Iterator for Texts<'r> {
-    type Item = &'r [u8];
-
-    fn next(&mut self) -> Option<&'r [u8]> {
-        let [_, length, rest @ ..] = self.0 else {
-            return None;
-        };
-        let (text, rest) = rest.split_at_checked((*length).into())?;
-        self.0 = rest;
-        Some(text)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Finding the board that shall be at a port.
 
-use super::client::{Client, Failure, Identity, Patience};
+use super::client::{Client, Failure, Patience};
+use super::identity::Identity;
 use super::port::{Line, NotOpened};
 use std::time::{Duration, Instant};
 use unoclp_modbus::Exception;

@@ -3,8 +3,8 @@
 //! The text is sent twice: the board checks it the first time, and compares and stores it the second time.
 
 use super::client::{Client, Failure};
+use super::diagnostics::{Diagnostics, Kept, Trouble};
 use super::map::{BLOCK_BYTES, Command, State, flag, holding};
-use super::watch::{Diagnostics, Kept, Trouble};
 use std::fmt;
 use std::time::Instant;
 use unoclp_modbus::Exception;

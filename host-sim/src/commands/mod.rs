@@ -10,8 +10,8 @@ pub use upload::upload;
 
 use anstream::println;
 use clap::Args;
+use unoclp_host_sim::board::diagnostics::Diagnostics;
 use unoclp_host_sim::board::start::{Found, find};
-use unoclp_host_sim::board::watch::Diagnostics;
 use unoclp_host_sim::board::{Line, Parity, Patience};
 
 /// Where the board is.

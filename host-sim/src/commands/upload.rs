@@ -7,10 +7,10 @@ use anyhow::{Context, bail};
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
 use unoclp_host_sim::board::Line;
+use unoclp_host_sim::board::diagnostics::Kept;
 use unoclp_host_sim::board::map::{State, flag};
 use unoclp_host_sim::board::start::Found;
 use unoclp_host_sim::board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
-use unoclp_host_sim::board::watch::Kept;
 use unoclp_host_sim::diagnosis::{Diagnosis, diagnose};
 
 /// Checks a program, and puts it on a board.

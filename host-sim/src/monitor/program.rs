@@ -1,6 +1,7 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
-use crate::board::watch::{Kept, Meter, Reading, Scope};
+use crate::board::diagnostics::Kept;
+use crate::board::watch::{Meter, Reading, Scope};
 use crate::engine::Machine;
 use crate::panel::{Flow, Rung};
 use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};

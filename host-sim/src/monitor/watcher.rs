@@ -1,9 +1,11 @@
 //! The thread that reads the board. It says all that it finds, and takes wishes in between.
 
-use crate::board::client::{Client, Failure, Identity};
+use crate::board::client::{Client, Failure};
+use crate::board::diagnostics::Diagnostics;
+use crate::board::identity::Identity;
 use crate::board::map::{Command, State, flag};
 use crate::board::start::find;
-use crate::board::watch::{Diagnostics, Reading, Scope, Wish};
+use crate::board::watch::{Reading, Scope, Wish};
 use crate::board::{Line, Patience};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;

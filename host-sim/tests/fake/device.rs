@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use unoclp_core::{Cause, Fault, Loader};
 use unoclp_host_sim::BOARD;
-use unoclp_host_sim::board::watch::Kept;
+use unoclp_host_sim::board::diagnostics::Kept;
 use unoclp_modbus::{Access, Device, Exception, Table};
 
 pub const RUN: u16 = 1;
