@@ -15,7 +15,7 @@ pub struct Diagnostics {
     pub flags: u16,
     /// The fault, or that of the last upload.
     pub trouble: Option<Trouble>,
-    /// The cause of the start; [`map::cause`] puts it into words.
+    /// The cause of the start; [`cause`](super::map::cause) puts it into words.
     pub cause: u16,
     /// ms since the start, wrapping.
     pub uptime: u32,

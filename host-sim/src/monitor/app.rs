@@ -101,9 +101,9 @@ impl App {
         }
         match key.code {
             KeyCode::Up => self.top = self.top.saturating_sub(1),
-            KeyCode::Down => self.top += 1,
+            KeyCode::Down => self.top = self.top.saturating_add(1),
             KeyCode::PageUp => self.top = self.top.saturating_sub(self.page),
-            KeyCode::PageDown => self.top += self.page,
+            KeyCode::PageDown => self.top = self.top.saturating_add(self.page),
             KeyCode::Home => self.top = 0,
             KeyCode::End => self.top = usize::MAX,
             // All others do something once only.

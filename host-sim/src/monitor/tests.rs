@@ -301,6 +301,15 @@ fn every_screen_is_large_enough() {
 }
 
 #[test]
+fn there_may_be_nothing_to_scroll() {
+    let mut app = app(None);
+    for key in [KeyCode::End, KeyCode::Down, KeyCode::PageDown, KeyCode::Up] {
+        assert_eq!(press(&mut app, key), None);
+        screen(&mut app, 80, 24);
+    }
+}
+
+#[test]
 fn rungs_scroll() {
     let rungs = "787600\n827301\n877901\n".repeat(40);
     let file = format!("0\n{rungs}");
