@@ -75,7 +75,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["sim"], "error: nothing to simulate; name a program or a --scenario"),
         (&["sim", &program], "error: the simulator needs a terminal; without one, run a scenario: --scenario"),
         (&["fly"], "error: unrecognized subcommand 'fly'"),
-        (&[], "The unoclp PLC on this PC"),
+        (&[], "The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it"),
     ];
     for (arguments, message) in cases {
         let (code, out, err) = outcome(arguments);
