@@ -1,0 +1,509 @@
+//! From the syntax tree to codes: a run of the program on expressions in place of values.
+//!
+//! `bits` has what works on the accumulator, `stores` what writes, `jumps` labels and returns, `timers`,
+//! `counters` and `blocks` what is called, `units` functions and function blocks of the text's own.
+
+mod bits;
+mod blocks;
+mod counters;
+mod finish;
+mod jumps;
+mod stack;
+mod stores;
+mod timers;
+mod units;
+
+use crate::ast::{Instr, Operand, Stmt, Unit, UnitKind};
+use crate::diagnostics::{Code, Found, Span};
+use crate::names::{Names, Place};
+use crate::operators::Op;
+use crate::rung::{Holds, Rungs, Step, Written};
+use crate::tree::{Bit, Expr, Num, Number};
+use std::collections::{HashMap, HashSet};
+use unoclp_core::isa::{DEEPEST, Opcode};
+
+/// What the accumulator of the text holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Acc {
+    /// Nothing has been loaded.
+    Empty,
+    Bit(Expr),
+    Number(Number),
+    /// Something was wrong, and has been told.
+    Unknown,
+}
+
+/// An operation that waits for its `)`, or a result that an LD has pushed.
+struct Frame {
+    acc: Acc,
+    waiting: Waiting,
+    span: Span,
+    links: u32,
+}
+
+/// See [`Frame`].
+#[derive(Clone, Copy)]
+enum Waiting {
+    /// For `)`, with N where the result is inverted.
+    Deferred(Op, bool),
+    /// For ALD, OLD, or a block with more than one input.
+    Pushed,
+}
+
+/// A unit that is being compiled into its caller.
+struct Scope {
+    unit: usize,
+    instance: usize,
+    labels: HashMap<String, usize>,
+    /// Labels that a jump of the unit leads to.
+    wanted: HashSet<String>,
+    /// Where RET leads; of the program it ends the scan.
+    end: Option<usize>,
+}
+
+/// A label of the board.
+pub(crate) struct Label {
+    /// What its name asks for: `L07` is label 07.
+    pub number: Option<u8>,
+    pub span: Span,
+}
+
+/// More steps than this are never written: no board holds them, and functions that call functions could
+/// make them without end.
+const MOST_STEPS: usize = 40_000;
+/// Operations in one expression, before a part of it is written out.
+const MOST_LINKS: u32 = 40;
+
+pub(crate) struct Lower<'a> {
+    units: &'a [Unit],
+    pub names: Names,
+    pub rungs: Rungs,
+    pub found: &'a mut Found,
+    pub labels: Vec<Label>,
+    acc: Acc,
+    /// Operations in the accumulator's expression.
+    links: u32,
+    frames: Vec<Frame>,
+    scopes: Vec<Scope>,
+    /// The block between BLK and END_BLK.
+    block: Option<blocks::Block>,
+    /// The load whose result nothing has used yet.
+    unused: Option<Span>,
+    /// Nothing comes here.
+    unreachable: bool,
+    /// N behind a parenthesis, for the load that follows.
+    invert_load: bool,
+    called: HashSet<usize>,
+    functions: HashMap<String, usize>,
+    function_instances: HashMap<usize, usize>,
+    coils: HashMap<u8, Span>,
+}
+
+/// What has been compiled, before it is written as codes.
+pub(crate) struct Lowered {
+    pub steps: Vec<Step>,
+    pub labels: Vec<Label>,
+    pub names: Names,
+}
+
+pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered {
+    let rungs = Rungs::new(names.temps);
+    let mut lower = Lower {
+        units,
+        names,
+        rungs,
+        found,
+        labels: Vec::new(),
+        acc: Acc::Empty,
+        links: 0,
+        frames: Vec::new(),
+        scopes: Vec::new(),
+        block: None,
+        unused: None,
+        unreachable: false,
+        invert_load: false,
+        called: HashSet::new(),
+        functions: HashMap::new(),
+        function_instances: HashMap::new(),
+        coils: HashMap::new(),
+    };
+    lower.declare_all();
+    lower.initials();
+    lower.unit_body(0, 0, None);
+    lower.check_uncalled();
+    lower.finish();
+    Lowered {
+        steps: lower.rungs.steps,
+        labels: lower.labels,
+        names: lower.names,
+    }
+}
+
+impl<'a> Lower<'a> {
+    /// The body of a unit, in place.
+    fn unit_body(&mut self, unit: usize, instance: usize, end: Option<usize>) {
+        let units = self.units;
+        let body = &units[unit].body;
+        let scope = self.scope(unit, instance, end);
+        self.scopes.push(scope);
+        let frames = std::mem::take(&mut self.frames);
+        let block = self.block.take();
+        self.acc = Acc::Empty;
+        self.unused = None;
+        self.unreachable = false;
+        let pushed = stack::pushes(body);
+        for (index, stmt) in body.iter().enumerate() {
+            let next = body.get(index + 1);
+            match stmt {
+                Stmt::Label(word) => self.label(word),
+                Stmt::Close(span) => self.close(*span),
+                Stmt::Instr(instr) => {
+                    self.reachable(instr);
+                    if pushed.contains(&index) {
+                        self.push_result(instr.span);
+                    }
+                    self.instr(instr, next);
+                }
+            }
+            // Names and intermediate results take from the same markers.
+            self.none_left(stmt);
+        }
+        self.end_of_body();
+        self.frames = frames;
+        self.block = block;
+        self.scopes.pop();
+        self.unreachable = false;
+    }
+
+    fn none_left(&mut self, stmt: &Stmt) {
+        let span = match stmt {
+            Stmt::Label(word) => word.span,
+            Stmt::Close(span) => *span,
+            Stmt::Instr(instr) => instr.span,
+        };
+        let words = self.rungs.temps.none_left.take();
+        if let Some(words) = words {
+            self.found.tell(Code::NoneLeft, span, [words.into()]);
+        }
+        if let Some(span) = self.rungs.too_deep.take() {
+            self.found.tell(Code::TooDeep, span, []);
+        }
+    }
+
+    fn end_of_body(&mut self) {
+        self.warn_unused();
+        for frame in std::mem::take(&mut self.frames) {
+            if let Waiting::Deferred(..) = frame.waiting {
+                self.found.tell(Code::LeftOpen, frame.span, []);
+            }
+        }
+        self.end_of_blocks();
+        self.acc = Acc::Empty;
+    }
+
+    fn reachable(&mut self, instr: &Instr) {
+        if std::mem::take(&mut self.unreachable) {
+            self.found.tell(Code::Unreachable, instr.whole, []);
+        }
+    }
+
+    fn instr(&mut self, instr: &'a Instr, next: Option<&Stmt>) {
+        if self.rungs.steps.len() > MOST_STEPS {
+            return;
+        }
+        match instr.op {
+            Op::Load => self.load(instr),
+            Op::Store => self.store(instr),
+            Op::Set | Op::Reset => self.set_or_reset(instr),
+            Op::Not => self.not(instr),
+            Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => {
+                self.operate(instr, next)
+            }
+            Op::Shift(opcode) => self.shift(instr, opcode),
+            Op::Unary(opcode) => self.unary(instr, opcode),
+            Op::Edge(opcode) => self.edge(instr, opcode),
+            Op::Jump => self.jump(instr),
+            Op::Return => self.ret(instr),
+            Op::Call => self.call(instr),
+            Op::Function => self.function(instr),
+            Op::Timer(opcode) => self.timer_operator(instr, opcode, next),
+            Op::CountUp | Op::CountDown | Op::CountUpDown => self.count_operator(instr),
+            Op::AndBlock | Op::OrBlock => self.pop_result(instr),
+            Op::Block => self.begin_block(instr),
+            Op::OutBlock => self.out_block(instr),
+            Op::EndBlock => self.end_block(instr),
+            Op::Input(opcode) => self.input_operator(instr, opcode),
+            Op::Code => self.code(instr),
+        }
+    }
+
+    // What the others share.
+
+    fn instance(&self) -> Option<usize> {
+        self.scopes.last().map(|scope| scope.instance)
+    }
+
+    /// What an operand means.
+    fn place(&mut self, operand: &Operand) -> Place {
+        if let Some(place) = self.block_member(operand) {
+            return place;
+        }
+        let instance = self.instance();
+        // Names get markers that no intermediate result has had.
+        self.names.temps = self.rungs.temps;
+        let place = self.names.place(operand, instance, self.found);
+        self.rungs.temps = self.names.temps;
+        place
+    }
+
+    /// The operand's value.
+    fn value(&mut self, operand: &Operand) -> Acc {
+        let span = operand.span;
+        let bit = |bit| {
+            Acc::Bit(Expr::Lit {
+                bit,
+                negated: false,
+                span,
+            })
+        };
+        match self.place(operand) {
+            Place::Bit(place) => {
+                match place {
+                    Bit::Input(n) => self.names.inputs_read |= 1 << (n - 1),
+                    Bit::Timer(timer) => self.reads_timer(timer, span),
+                    _ => {}
+                }
+                bit(place)
+            }
+            Place::Always(state) => Acc::Bit(Expr::Const(state)),
+            Place::Number(Num::Pwm(_) | Num::CountPreset(_) | Num::TimerPreset(_)) => {
+                let name = self.spelled(operand);
+                let help = ("it can only be written", "só pode ser escrito");
+                self.found.tell(
+                    Code::NoSuchMember,
+                    span,
+                    ["PLC".into(), name.into(), help.into()],
+                );
+                Acc::Unknown
+            }
+            Place::Number(num) => {
+                match num {
+                    Num::Inputs => self.names.inputs_read = u16::MAX,
+                    Num::Elapsed(timer) => self.reads_timer(timer, span),
+                    _ => {}
+                }
+                Acc::Number(Number::Leaf(num, span))
+            }
+            Place::Timer(timer) => {
+                self.reads_timer(timer, span);
+                bit(Bit::Timer(timer))
+            }
+            Place::Counter(counter) => {
+                let counter = &self.names.counters[counter];
+                match counter.kind {
+                    Some(Opcode::CountDown) => bit(Bit::Zero(counter.number)),
+                    _ => bit(Bit::Reached(counter.number)),
+                }
+            }
+            Place::Trigger(_, marker) => bit(Bit::Marker(marker)),
+            Place::Instance(_) => {
+                let name = self.spelled(operand);
+                self.wrong_type(name, span, BLOCK, BOOL);
+                Acc::Unknown
+            }
+            Place::Unknown => Acc::Unknown,
+        }
+    }
+
+    fn reads_timer(&mut self, timer: usize, span: Span) {
+        self.names.timers[timer].read.get_or_insert(span);
+    }
+
+    fn spelled(&self, operand: &Operand) -> String {
+        match operand.name() {
+            Some(name) => name.to_owned(),
+            None => operand.number().unwrap_or(0).to_string(),
+        }
+    }
+
+    fn wrong_type(&mut self, what: String, span: Span, is: Words, needed: Words) {
+        self.found.tell(
+            Code::WrongType,
+            span,
+            [what.into(), is.into(), needed.into()],
+        );
+    }
+
+    /// As a bit; the constants 0 and 1 are both bit and number.
+    fn as_bit(&mut self, acc: Acc, what: &str, span: Span) -> Option<Expr> {
+        match acc {
+            Acc::Bit(expr) => Some(expr),
+            Acc::Number(number) => match number.constant() {
+                Some(number @ 0..=1) => Some(Expr::Const(number == 1)),
+                _ => {
+                    self.wrong_type(what.to_owned(), span, NUMBER, BOOL);
+                    None
+                }
+            },
+            Acc::Empty | Acc::Unknown => None,
+        }
+    }
+
+    fn as_number(&mut self, acc: Acc, what: &str, span: Span) -> Option<Number> {
+        match acc {
+            Acc::Number(number) => Some(number),
+            Acc::Bit(_) => {
+                self.wrong_type(what.to_owned(), span, BOOL, NUMBER);
+                None
+            }
+            Acc::Empty | Acc::Unknown => None,
+        }
+    }
+
+    /// The accumulator, for an instruction that uses it.
+    fn take_acc(&mut self, what: &str, span: Span) -> Acc {
+        self.unused = None;
+        let acc = std::mem::replace(&mut self.acc, Acc::Unknown);
+        if acc == Acc::Empty {
+            self.found.tell(Code::NothingLoaded, span, [what.into()]);
+            return Acc::Unknown;
+        }
+        acc
+    }
+
+    /// The accumulator as a bit.
+    fn take_bit(&mut self, what: &str, span: Span) -> Option<Expr> {
+        let acc = self.take_acc(what, span);
+        self.as_bit(acc, ACCUMULATOR, span)
+    }
+
+    /// The accumulator as a condition: a number is true where it is not 0.
+    fn take_condition(&mut self, what: &str, span: Span) -> Option<Expr> {
+        let acc = self.take_acc(what, span);
+        match acc {
+            Acc::Number(number) if !matches!(number.constant(), Some(0..=1)) => {
+                Some(Expr::Compare {
+                    op: Opcode::NotEqual,
+                    left: Box::new(number),
+                    right: Box::new(Number::Leaf(Num::Const(0), span)),
+                    span,
+                })
+            }
+            acc => self.as_bit(acc, ACCUMULATOR, span),
+        }
+    }
+
+    /// Brings an expression into the board's accumulator, where the text's stays on it.
+    fn bring(&mut self, expr: Expr, span: Span) {
+        self.freeze(span);
+        let constant = expr == Expr::Const(true);
+        self.rungs.logic(expr, span);
+        self.acc = Acc::Bit(if constant {
+            Expr::Const(true)
+        } else {
+            Expr::Live
+        });
+        self.links = 0;
+    }
+
+    /// Before anything changes: what waits for a `)` or in a block is worked out with what holds now.
+    fn freeze(&mut self, span: Span) {
+        let mut frames = std::mem::take(&mut self.frames);
+        for frame in &mut frames {
+            frame.acc = self.fixed(std::mem::replace(&mut frame.acc, Acc::Unknown), frame.span);
+        }
+        self.frames = frames;
+        self.freeze_block(span);
+    }
+
+    /// The same value, from where nothing changes it.
+    fn fixed(&mut self, acc: Acc, span: Span) -> Acc {
+        match acc {
+            Acc::Bit(expr) => Acc::Bit(self.fixed_bit(expr, span)),
+            Acc::Number(Number::Leaf(Num::Register(n), at))
+                if self.rungs.temps.is_busy_register(n) =>
+            {
+                Acc::Number(Number::Leaf(Num::Register(n), at))
+            }
+            Acc::Number(number) if number.constant().is_none() => {
+                self.rungs.number(&number, span);
+                let register = self.rungs.keep(span);
+                Acc::Number(Number::Leaf(Num::Register(register), span))
+            }
+            other => other,
+        }
+    }
+
+    fn fixed_bit(&mut self, expr: Expr, span: Span) -> Expr {
+        match expr {
+            Expr::Const(_) => return expr,
+            Expr::Lit {
+                bit: Bit::Marker(n),
+                ..
+            } if self.rungs.temps.is_busy(n) => return expr,
+            _ => {}
+        }
+        let marker = self.rungs.temps.marker();
+        self.rungs.logic(expr, span);
+        self.rungs
+            .coil(unoclp_core::Target::Marker(marker), false, span);
+        Expr::Lit {
+            bit: Bit::Marker(marker),
+            negated: false,
+            span,
+        }
+    }
+
+    /// Long expressions are written out in parts.
+    fn link(&mut self, span: Span) {
+        self.links += 1;
+        if self.links < MOST_LINKS {
+            return;
+        }
+        self.links = 0;
+        match std::mem::replace(&mut self.acc, Acc::Unknown) {
+            Acc::Bit(expr) => self.bring(expr, span),
+            Acc::Number(number) => {
+                self.freeze(span);
+                self.rungs.number(&number, span);
+                self.acc = Acc::Number(Number::Live);
+            }
+            other => self.acc = other,
+        }
+    }
+
+    fn warn_unused(&mut self) {
+        if let Some(span) = self.unused.take() {
+            self.found.tell(Code::ResultUnused, span, []);
+        }
+    }
+
+    fn kind_of(&self, unit: usize) -> UnitKind {
+        self.units[unit].kind
+    }
+}
+
+/// Words in two languages.
+type Words = (&'static str, &'static str);
+const BOOL: Words = ("true or false (BOOL)", "verdadeiro ou falso (BOOL)");
+const NUMBER: Words = ("a number", "um número");
+const BLOCK: Words = ("a block", "um bloco");
+/// What messages call the accumulator.
+const ACCUMULATOR: &str = "(acc)";
+/// The deepest nesting of deferred operations.
+const MOST_FRAMES: usize = DEEPEST as usize;
+
+/// An instruction of the text without a jump, as far as the accumulator goes.
+fn loads(next: Option<&Stmt>) -> bool {
+    matches!(next, Some(Stmt::Instr(instr)) if instr.op == Op::Load)
+}
+
+/// For the rungs: nothing is known of the accumulator.
+fn forget(rungs: &mut Rungs) {
+    rungs.holds = Holds::Other;
+}
+
+/// A numbered instruction.
+fn numbered(opcode: Opcode, number: u8) -> Written {
+    Written::Numbered(opcode, number)
+}
