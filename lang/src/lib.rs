@@ -24,10 +24,11 @@ mod operators;
 mod parser;
 mod rung;
 mod show;
+mod spell;
 mod temps;
 mod tree;
 
-pub use back::{BackError, to_il};
+pub use back::{instructions_to_il, to_il};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;

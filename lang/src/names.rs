@@ -4,11 +4,15 @@ use crate::Dialect;
 use crate::address::{Address, parse};
 use crate::ast::{Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
+use crate::operators::Op;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
 use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, Opcode, REGISTERS, SYSTEM_MARKERS};
+use unoclp_core::isa::{
+    ANALOGUE, COUNTERS, Kind, MARKER_OPERAND, MARKERS, Opcode, REGISTERS, Row, SYSTEM_MARKERS,
+    TABLE,
+};
 
 /// What an operand means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +122,9 @@ impl Names {
             }
             for stmt in &unit.body {
                 if let Stmt::Instr(instr) = stmt {
+                    if instr.op == Op::Code {
+                        names.note_code(&instr.operands);
+                    }
                     instr
                         .operands
                         .iter()
@@ -135,6 +142,34 @@ impl Names {
     fn note(&mut self, operand: &Operand) {
         if let Some(name) = operand.name() {
             self.note_name(name);
+        }
+    }
+
+    /// What a code of the text names.
+    fn note_code(&mut self, operands: &[Operand]) {
+        let codes: Vec<i32> = operands.iter().filter_map(Operand::number).collect();
+        let Some(&code) = codes.first() else { return };
+        let with_number = |row: &&Row| row.kind.has_number() && row.code / 100 == code / 100;
+        let Some(row) = TABLE.iter().find(with_number) else {
+            // A timer block names a marker in its last line.
+            if let Some(n @ 1..=64) = codes.get(2).map(|target| target - MARKER_OPERAND) {
+                self.temps.markers |= 1 << (n - 1);
+            }
+            return;
+        };
+        let n = (code - row.code).unsigned_abs();
+        match row.kind {
+            Kind::Marker if (1..=64).contains(&n) => self.temps.markers |= 1 << (n - 1),
+            Kind::Group if (1..=8).contains(&n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
+            Kind::Counter | Kind::Count if (1..=16).contains(&n) => {
+                self.counters_used |= 1 << (n - 1)
+            }
+            Kind::Register | Kind::Value | Kind::Drum if (1..=32).contains(&n) => {
+                self.temps.registers |= 1 << (n - 1);
+            }
+            // A block may go on to the last.
+            Kind::Move => self.temps.registers = u32::MAX,
+            _ => {}
         }
     }
 

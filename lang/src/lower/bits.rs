@@ -109,7 +109,13 @@ impl Lower<'_> {
             }
             // The accumulator keeps its value: both need it.
             None => {
-                left = self.fixed(left, instr.span);
+                if !matches!(
+                    left,
+                    Acc::Bit(Expr::Lit { .. }) | Acc::Number(Number::Leaf(..))
+                ) {
+                    self.freeze(instr.span);
+                    left = self.fixed(left, instr.span);
+                }
                 left.clone()
             }
         };

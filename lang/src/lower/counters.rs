@@ -53,7 +53,7 @@ impl Lower<'_> {
             ..Inputs::default()
         };
         let mut below = Vec::new();
-        for _ in 0..more_inputs(instr.op, instr) {
+        for _ in 0..more_inputs(instr.op, instr, self.names.dialect) {
             if let Some(acc) = self.popped() {
                 below.push(self.as_bit(acc, ACCUMULATOR, instr.span));
             }

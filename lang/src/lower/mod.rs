@@ -151,7 +151,7 @@ impl<'a> Lower<'a> {
         self.acc = Acc::Empty;
         self.unused = None;
         self.unreachable = false;
-        let pushed = stack::pushes(body);
+        let pushed = stack::pushes(body, self.names.dialect);
         for (index, stmt) in body.iter().enumerate() {
             let next = body.get(index + 1);
             match stmt {

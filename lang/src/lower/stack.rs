@@ -1,6 +1,7 @@
 //! LD as the S7-200 has it: it pushes the result before it, for ALD, OLD and counters to pop.
 
 use super::{Acc, Frame, Lower, Waiting};
+use crate::Dialect;
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
@@ -10,7 +11,7 @@ use std::collections::HashSet;
 const DEEPEST: usize = 9;
 
 /// The indices of the loads whose push something pops. All others just load.
-pub(super) fn pushes(body: &[Stmt]) -> HashSet<usize> {
+pub(super) fn pushes(body: &[Stmt], dialect: Dialect) -> HashSet<usize> {
     let mut pushes = HashSet::new();
     // The loads whose results are on the stack, the top last.
     let mut loads: Vec<usize> = Vec::new();
@@ -25,7 +26,7 @@ pub(super) fn pushes(body: &[Stmt]) -> HashSet<usize> {
                 0
             }
             Op::AndBlock | Op::OrBlock => 1,
-            op => more_inputs(op, instr),
+            op => more_inputs(op, instr, dialect),
         };
         for _ in 0..pops {
             // The first result has nothing below it.
@@ -38,8 +39,9 @@ pub(super) fn pushes(body: &[Stmt]) -> HashSet<usize> {
 }
 
 /// How many results below the top a counter takes in the S7-200's form, `CTU C2, 20`.
-pub(super) fn more_inputs(op: Op, instr: &Instr) -> usize {
+pub(super) fn more_inputs(op: Op, instr: &Instr, dialect: Dialect) -> usize {
     match op {
+        _ if dialect != Dialect::S7200 => 0,
         Op::CountUp | Op::CountDown if instr.operands.len() == 2 => 1,
         Op::CountUpDown if instr.operands.len() == 2 => 2,
         _ => 0,
