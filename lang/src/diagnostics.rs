@@ -91,7 +91,8 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub(crate) fn new(code: Code, span: Span, words: Vec<Word>) -> Diagnostic {
+    /// A diagnostic whose message takes these words.
+    pub fn new(code: Code, span: Span, words: Vec<Word>) -> Diagnostic {
         Diagnostic { code, span, words }
     }
 

@@ -97,6 +97,8 @@ pub(crate) struct Lower<'a> {
     functions: HashMap<String, usize>,
     function_instances: HashMap<usize, usize>,
     coils: HashMap<u8, Span>,
+    /// That there are too many steps has been told.
+    full: bool,
 }
 
 /// What has been compiled, before it is written as codes.
@@ -126,6 +128,7 @@ pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered 
         functions: HashMap::new(),
         function_instances: HashMap::new(),
         coils: HashMap::new(),
+        full: false,
     };
     lower.declare_all();
     lower.initials();
@@ -209,6 +212,11 @@ impl<'a> Lower<'a> {
 
     fn instr(&mut self, instr: &'a Instr, next: Option<&Stmt>) {
         if self.rungs.steps.len() > MOST_STEPS {
+            if !std::mem::replace(&mut self.full, true) {
+                let most = [self.names.board.stored_bytes, self.names.board.linked_bytes];
+                let words = most.map(|bytes| bytes.to_string().into());
+                self.found.tell(Code::DoesNotFit, instr.whole, words);
+            }
             return;
         }
         match instr.op {
