@@ -71,7 +71,11 @@ pub(crate) fn emit(
                 continue;
             }
         };
-        let symbol = text.get(step.span.range()).unwrap_or_default();
+        // What only holds others together comes from no word of the text.
+        let symbol = match step.written {
+            Written::Plain(_) => "",
+            _ => text.get(step.span.range()).unwrap_or_default(),
+        };
         let symbol = symbol.lines().next().unwrap_or_default().trim();
         for (index, code) in instruction.codes().enumerate() {
             let first = index == 0;
@@ -161,7 +165,7 @@ pub(crate) fn file(lines: &[CodeLine]) -> String {
             ..
         } = line;
         let row = match (letters.is_empty(), symbol.is_empty()) {
-            (true, true) => format!("{code}"),
+            (true, _) => code.to_string(),
             (_, true) => format!("{code:<10}/ {letters}"),
             _ => format!("{code:<10}/ {letters:<8} {symbol}"),
         };

@@ -96,10 +96,10 @@ impl Rungs {
 
     /// Brings an expression into the board's accumulator.
     pub(crate) fn logic(&mut self, expr: Expr, span: Span) {
-        if !expr.has_live() {
-            self.fresh(span);
-        }
         let expr = expr.settled();
+        if !expr.has_live() {
+            self.fresh(expr.place().unwrap_or(span));
+        }
         self.start(&expr, span);
         if expr != Expr::Const(true) {
             self.holds = Holds::Other;
@@ -163,6 +163,7 @@ impl Rungs {
     }
 
     fn block(&mut self, opening: Opcode, expr: &Expr, span: Span) {
+        let span = expr.place().unwrap_or(span);
         self.changes(Written::Plain(opening), span);
         self.open += 1;
         if self.open > DEEPEST {

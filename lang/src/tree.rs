@@ -168,6 +168,16 @@ impl Expr {
         }
     }
 
+    /// Where its first part stands in the text.
+    pub(crate) fn place(&self) -> Option<Span> {
+        match self {
+            Expr::Live | Expr::Const(_) => None,
+            Expr::Lit { span, .. } | Expr::Compare { span, .. } => Some(*span),
+            Expr::Not(inner) => inner.place(),
+            Expr::And(list) | Expr::Or(list) | Expr::Xor(list) => list.iter().find_map(Expr::place),
+        }
+    }
+
     /// How many codes write it out, where the accumulator is 1 before; or in series with what it holds.
     pub(crate) fn cost(&self, series: bool) -> usize {
         match self {
