@@ -10,7 +10,7 @@
 //!
 //! fn length<D: Device>(card: &mut D) -> Result<usize, Error<D::Error>> {
 //!     let mut file = File::default();
-//!     file.open(card, b"PROGRAM TXT")?;
+//!     file.open(card, b"PROGRAM TXT".iter().copied())?;
 //!     let mut length = 0;
 //!     while let Some(bytes) = file.next_block(card)? {
 //!         length += bytes.len();
@@ -104,8 +104,9 @@ pub struct File {
 impl File {
     /// Finds a file in the root folder: from now this is that file.
     ///
-    /// `name` is the 8.3 name as FAT stores it: eight characters and three, padded with spaces,
-    /// without the dot (`b"PROGRAM TXT"`). Upper and lower case of ASCII letters are the same.
+    /// `name` is the 8.3 name as FAT stores it: eight characters and three in capital letters, padded
+    /// with spaces, without the dot (`PROGRAM TXT`). Small ASCII letters in the folder count as capital
+    /// ones. It is given byte by byte, so that it need not stand in RAM.
     /// Where several volumes or files match, the first counts. Between the calls that follow the
     /// device may be read from elsewhere.
     ///
@@ -117,7 +118,7 @@ impl File {
     pub fn open<D: Device>(
         &mut self,
         device: &mut D,
-        name: &[u8; 11],
+        name: impl Iterator<Item = u8> + Clone,
     ) -> Result<(), Error<D::Error>> {
         *self = File::default();
         self.walk.find(device)?;
@@ -130,7 +131,7 @@ impl File {
                 if entry[0] == NEVER_USED {
                     return Err(Error::NotFound);
                 }
-                if entry[11] & NO_FILE == 0 && entry[..11].eq_ignore_ascii_case(name) {
+                if entry[11] & NO_FILE == 0 && is_named(entry, name.clone()) {
                     let low = u16::from_le_bytes([entry[26], entry[27]]);
                     let high = u16::from_le_bytes([entry[20], entry[21]]);
                     self.left = u32::from_le_bytes([entry[28], entry[29], entry[30], entry[31]]);
@@ -182,6 +183,14 @@ impl File {
         }
         self.walk.first_place(device).map(Some)
     }
+}
+
+/// Whether this entry of a folder has this name.
+fn is_named(entry: &[u8; 32], name: impl Iterator<Item = u8>) -> bool {
+    entry
+        .iter()
+        .zip(name)
+        .all(|(a, b)| a.to_ascii_uppercase() == b)
 }
 
 /// First byte of an entry that was never used, nor were those after it.

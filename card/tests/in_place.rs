@@ -15,7 +15,7 @@ fn first_block(image: &[u8]) -> Result<Option<usize>, Error<NoBlock>> {
     let card = Card::new(image);
     let mut reader = Reader::new(&card);
     let mut file = File::default();
-    file.open(&mut reader, STATE)?;
+    file.open(&mut reader, STATE.iter().copied())?;
     let place = file.first_block(&mut reader)?;
     assert_eq!(card.writes.get(), 0);
     Ok(place.map(|place| place as usize))

@@ -33,11 +33,18 @@ impl Crc16 {
     }
 
     /// Takes the next bytes.
-    #[inline(never)]
+    #[inline(always)]
     pub fn extend(&mut self, bytes: &[u8]) {
+        *self = self.and(bytes);
+    }
+
+    // Given and returned by value, a check sum stays in registers.
+    #[inline(never)]
+    fn and(mut self, bytes: &[u8]) -> Crc16 {
         for &byte in bytes {
             self.push(byte);
         }
+        self
     }
 
     /// The check sum of the bytes so far.
@@ -45,10 +52,13 @@ impl Crc16 {
         u16::from_le_bytes([self.low, self.high])
     }
 
+    /// The check sum of the bytes so far, as memory cards send it: the high byte first.
+    pub const fn to_be_bytes(self) -> [u8; 2] {
+        [self.high, self.low]
+    }
+
     /// The check sum of these bytes.
     pub fn of(bytes: &[u8]) -> Crc16 {
-        let mut crc = Crc16::default();
-        crc.extend(bytes);
-        crc
+        Crc16::default().and(bytes)
     }
 }

@@ -7,9 +7,6 @@
 use core::fmt;
 
 /// Gives the table of faults to a macro: `$with! { number Name "text"; … }`.
-///
-/// One table serves every place that needs the texts; the firmware puts them in program memory.
-#[macro_export]
 macro_rules! faults {
     ($with:ident) => {
         $with! {

@@ -16,6 +16,8 @@ pub struct Needs {
     pub pwm: u8,
     /// The time of the input filter, ms (NC-18).
     pub filter: u8,
+    /// System markers, bit 0 S 01, and system readings, bit 4 reading 01.
+    pub system: u8,
 }
 
 /// The outputs that can be PWM: 01 and 04.
@@ -28,8 +30,9 @@ impl Needs {
         self.inputs | 0x0F
     }
 
-    /// Notes an instruction with its XX.
+    /// Notes an instruction with its XX. A pin that is used twice is told once.
     pub(crate) fn note(&mut self, kind: Kind, xx: u8) -> Result<(), Cause> {
+        let before = self.twice();
         match kind {
             Kind::Input => self.inputs |= bit(xx),
             Kind::Analogue => self.analogue |= bit(xx.wrapping_add(1)),
@@ -37,12 +40,19 @@ impl Needs {
             Kind::Pwm if bit(xx) & PWM == 0 => return Err(Cause::NoSuchPoint),
             Kind::Pwm => self.pwm |= bit(xx),
             Kind::Time => self.filter = xx,
+            Kind::System => self.system |= bit(xx),
+            Kind::Reading => self.system |= bit(xx.wrapping_add(4)),
             _ => {}
         }
-        if (self.inputs >> 4) & self.analogue | self.outputs & self.pwm != 0 {
+        if self.twice() != before {
             return Err(Cause::PinUsedTwice);
         }
         Ok(())
+    }
+
+    /// The pins that are used twice: inputs in the upper half, outputs in the lower.
+    fn twice(&self) -> u8 {
+        self.inputs & self.analogue << 4 | self.outputs & self.pwm
     }
 }
 

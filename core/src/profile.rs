@@ -24,4 +24,10 @@ impl Profile {
         stored_bytes: 900,
         linked_bytes: 960,
     };
+
+    /// Bytes of memory in which a [`Plc`](crate::Plc) runs any program that fits: it keeps the stored form,
+    /// which may be longer than the linked form, beside the data.
+    pub const fn plc_bytes(&self) -> usize {
+        self.stored_bytes as usize + self.linked_bytes as usize
+    }
 }

@@ -21,7 +21,7 @@ pub struct Program<'m> {
     pub(crate) needs: Needs,
 }
 
-impl Program<'_> {
+impl<'m> Program<'m> {
     /// How many codes the file holds, program start and each code with its operand lines as one.
     pub fn codes(&self) -> u16 {
         self.codes
@@ -50,6 +50,12 @@ impl Program<'_> {
     /// What it asks of the board's pins.
     pub fn needs(&self) -> Needs {
         self.needs
+    }
+
+    /// All of the memory that it was loaded into: a board that links a program from elsewhere has use
+    /// for it.
+    pub fn into_memory(self) -> &'m mut [u8] {
+        self.memory
     }
 
     /// The instructions in order.

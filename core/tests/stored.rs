@@ -3,7 +3,9 @@
 use unoclp_core::{Crc16, Loader, Profile, Program};
 
 const TEXT: &str =
-    "0\n827301\n404101\n40\n404101\n-827902\n41\n83877901\n787600\n847978\n70000\n7902\n";
+    "0\n827301\n404101\n40\n404101\n-827902\n41\n83877901\n787600\n847978\n70000\n7902\n\
+     787600\n766601\n65686800\n-5\n836776\n-300\n-7\n32767\n-32768\n68827702\n2\n1000\n11\n\
+     77798601\n6803\n30\n74778001\n";
 
 fn loaded(memory: &mut [u8]) -> Program<'_> {
     let mut loader = Loader::new(memory, Profile::UNO);
@@ -22,7 +24,9 @@ fn a_stored_program_comes_back() {
     let (mut first, mut second) = ([0; 100], [0; 100]);
     let program = loaded(&mut first);
     let mut loader = Loader::new(&mut second, Profile::UNO);
-    loader.restore(program.stored().iter().copied()).unwrap();
+    loader
+        .restore(&mut program.stored().iter().copied())
+        .unwrap();
     let restored = loader.finish().unwrap();
     assert_eq!(restored.stored(), program.stored());
     assert_eq!(restored.codes(), program.codes());
@@ -42,7 +46,7 @@ fn a_damaged_stored_program_is_refused_or_itself() {
             damaged[place] = byte;
             let mut memory = [0; 100];
             let mut loader = Loader::new(&mut memory, Profile::UNO);
-            let restored = loader.restore(damaged.iter().copied());
+            let restored = loader.restore(&mut damaged.iter().copied());
             match (restored, loader.finish()) {
                 (Ok(()), Ok(program)) => {
                     let same_sum = Crc16::of(program.stored()) == Crc16::of(&stored);

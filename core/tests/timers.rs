@@ -18,7 +18,7 @@ fn with_plc(codes: &str, test: impl FnOnce(&mut Plc<'_>)) {
 fn a_ton_held_for_longer_than_the_counter_stays_done() {
     with_plc("0\n827301\n847978\n1000\n7901\n", |plc| {
         let mut now = 0u32;
-        plc.scan(INPUT, now);
+        plc.scan(INPUT, now).unwrap();
         // Three wraps of the counter in steps of 11.6 days, and some that land close to the start.
         for step in [
             1000,
@@ -29,21 +29,21 @@ fn a_ton_held_for_longer_than_the_counter_stays_done() {
             5,
         ] {
             now = now.wrapping_add(step);
-            assert_eq!(plc.scan(INPUT, now).0, 1, "at {now}");
+            assert_eq!(plc.scan(INPUT, now).unwrap().0, 1, "at {now}");
         }
-        assert_eq!(plc.scan(NONE, now).0, 0);
-        assert_eq!(plc.scan(INPUT, now.wrapping_add(1)).0, 0);
+        assert_eq!(plc.scan(NONE, now).unwrap().0, 0);
+        assert_eq!(plc.scan(INPUT, now.wrapping_add(1)).unwrap().0, 0);
     });
 }
 
 #[test]
 fn a_tof_that_is_over_stays_over() {
     with_plc("0\n827301\n847970\n1000\n7901\n", |plc| {
-        assert_eq!(plc.scan(INPUT, 0).0, 1);
-        assert_eq!(plc.scan(NONE, 10).0, 1);
-        assert_eq!(plc.scan(NONE, 1010).0, 0);
+        assert_eq!(plc.scan(INPUT, 0).unwrap().0, 1);
+        assert_eq!(plc.scan(NONE, 10).unwrap().0, 1);
+        assert_eq!(plc.scan(NONE, 1010).unwrap().0, 0);
         for now in [0, 9, 500, 1009, 1010, u32::MAX] {
-            assert_eq!(plc.scan(NONE, now).0, 0, "at {now}");
+            assert_eq!(plc.scan(NONE, now).unwrap().0, 0, "at {now}");
         }
     });
 }
@@ -53,9 +53,12 @@ fn the_longest_preset_is_exact() {
     let longest = i32::MAX as u32;
     for start in [0, 1, u32::MAX - 5, u32::MAX / 2] {
         with_plc("0\n827301\n847978\n2147483647\n7901\n", |plc| {
-            plc.scan(INPUT, start);
-            assert_eq!(plc.scan(INPUT, start.wrapping_add(longest - 1)).0, 0);
-            assert_eq!(plc.scan(INPUT, start.wrapping_add(longest)).0, 1);
+            plc.scan(INPUT, start).unwrap();
+            assert_eq!(
+                plc.scan(INPUT, start.wrapping_add(longest - 1)).unwrap().0,
+                0
+            );
+            assert_eq!(plc.scan(INPUT, start.wrapping_add(longest)).unwrap().0, 1);
         });
     }
 }
@@ -66,7 +69,7 @@ fn the_state_of_a_timer_can_be_watched() {
         "0\n827301\n847978\n100\n7901\n787600\n827301\n847970\n50\n7902\n",
         |plc| {
             let mut watch = |inputs, now| -> Vec<(Delay, u32, bool)> {
-                plc.scan(inputs, now);
+                plc.scan(inputs, now).unwrap();
                 plc.timers(now).map(|t| (t.delay, t.elapsed, t.q)).collect()
             };
             assert_eq!(

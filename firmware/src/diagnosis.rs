@@ -58,6 +58,7 @@ impl<'m> Diagnosis<'m> {
     }
 
     /// How long scans have taken; zeros before the first has ended.
+    #[inline(never)]
     pub fn times(&self) -> ScanTimes {
         ScanTimes {
             last: self.times.last / 2,
@@ -96,7 +97,7 @@ impl<'m> Diagnosis<'m> {
         match self.turn % 4 {
             0 => self.check_program(),
             1 if !watchdog::guard_is_whole() => Err(Cause::StackOverflow),
-            2 if board.supply.is_low() => Err(Cause::SupplyLow),
+            2 if board.analogue.is_low() => Err(Cause::SupplyLow),
             1 | 2 => Ok(Turn::Taken),
             _ => Ok(Turn::Free),
         }

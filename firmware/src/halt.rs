@@ -24,5 +24,7 @@ extern "C" fn abort() -> ! {
     // SAFETY: nothing else runs any more, so nobody else uses the ports.
     let chip = unsafe { Peripherals::steal() };
     let _ = crate::board::pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
+    crate::board::pwm::set_d6(&chip.TC0, 0);
+    crate::board::pwm::set_d9(&chip.TC1, 0);
     loop {}
 }

@@ -1,4 +1,4 @@
-//! LED L while a fault lasts: its number, tens as long flashes, units as short ones.
+//! LED L: RUN, STOP, and the number of a fault, tens as long flashes, units as short ones.
 
 use crate::board::clock;
 use crate::board::pins::Pins;
@@ -14,46 +14,56 @@ const BETWEEN: u16 = 700;
 /// Dark before the number comes again.
 const PAUSE: u16 = 2000;
 
-/// The flash of STOP, one a second.
-const STOP_FLASH: u16 = 100;
-const STOP_DARK: u16 = 900;
+/// The flash of STOP, and the dark moment of RUN with forces; one in each [`PERIOD`].
+const MOMENT: u16 = 100;
+/// A power of two, for the sake of the scan: a second, nearly.
+const PERIOD: u16 = 1024;
 
-/// Shows STOP as long as it lasts, and calls `meanwhile` all the time.
-pub fn show_stop(pins: &Pins, mut meanwhile: impl FnMut()) {
-    let (mut on, mut since) = (true, now());
-    pins.led(on);
-    while pins.stop() {
-        meanwhile();
-        if now().wrapping_sub(since) >= if on { STOP_FLASH } else { STOP_DARK } {
-            since = now();
-            on = !on;
-            pins.led(on);
-        }
-    }
+/// RUN: steady, dark for a moment each second while something is forced.
+#[inline(always)]
+pub fn show_run(pins: &Pins, forced: bool) {
+    pins.led(!(forced && in_moment(now())));
 }
 
-/// Shows the number for ever.
-pub fn show(pins: &Pins, cause: Cause) -> ! {
-    loop {
-        flash(pins, cause.number() / 10, LONG);
-        wait(BETWEEN);
-        flash(pins, cause.number() % 10, SHORT);
-        wait(PAUSE);
-    }
-}
-
-fn flash(pins: &Pins, times: u8, on: u16) {
-    for _ in 0..times {
-        pins.led(true);
-        wait(on);
-        pins.led(false);
-        wait(GAP);
-    }
-}
-
-fn wait(time: u16) {
+/// Shows STOP until `meanwhile` says that it is over.
+pub fn show_stop(pins: &Pins, mut meanwhile: impl FnMut() -> bool) {
     let since = now();
-    while now().wrapping_sub(since) < time {}
+    while !meanwhile() {
+        pins.led(in_moment(now().wrapping_sub(since)));
+    }
+}
+
+fn in_moment(time: u16) -> bool {
+    time % PERIOD < MOMENT
+}
+
+/// Shows the number until `meanwhile` says that it is over.
+pub fn show(pins: &Pins, cause: Cause, mut meanwhile: impl FnMut() -> bool) {
+    let (mut tens, mut units) = (0, cause.number());
+    while units >= 10 {
+        units -= 10;
+        tens += 1;
+    }
+    let (mut left, mut long, mut on) = (tens, true, false);
+    let (mut since, mut time) = (now(), 0);
+    while !meanwhile() {
+        if now().wrapping_sub(since) < time {
+            continue;
+        }
+        since = now();
+        on = !on && left > 0;
+        pins.led(on);
+        time = if on {
+            left -= 1;
+            if long { LONG } else { SHORT }
+        } else if left > 0 {
+            GAP
+        } else {
+            long = !long;
+            left = if long { tens } else { units };
+            GAP + if long { PAUSE } else { BETWEEN }
+        };
+    }
 }
 
 /// ms, wrapping after a minute: the times above are shorter.

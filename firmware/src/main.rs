@@ -2,7 +2,8 @@
 //!
 //! Start-up: outputs off, the clock, the card; `PROGRAM.TXT` goes byte by byte through the loader,
 //! is kept in the EEPROM, and taken from there into run memory; the card is released. Then scans
-//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off.
+//! for ever, watched by the diagnosis and the watchdog, or a fault with everything off; and beside either
+//! the Modbus server.
 //!
 //! Only `board` touches registers. What can go wrong is a value until it is shown; nothing here
 //! panics, and if the compiler's checks ever found otherwise, [`halt`] turns the outputs off.
@@ -22,125 +23,245 @@ mod diagnosis;
 mod engine;
 mod halt;
 mod indicator;
+mod page;
 mod report;
+mod retentive;
+mod server;
+mod settings;
 mod state;
 mod store;
 
 // What the compiler calls: products, and blocks of memory.
 core::arch::global_asm!(include_str!("runtime.s"));
 
-use board::Board;
 use board::watchdog::{self, Start};
+use board::{Board, clock};
 use card::StateFile;
 use diagnosis::{Diagnosis, Turn};
-use engine::Linked;
+use engine::{Data, Linked};
+use page::Running;
+use retentive::Retentive;
+use server::upload;
+use server::{Command, Memory, Server};
 use state::{Images, State};
 use unoclp_card::Block;
-use unoclp_core::{Cause, Fault, Image, Profile, Program};
+use unoclp_core::{Cause, Fault, Image, Profile};
 
-/// Run memory: the code of the program and the data of its timers, and a byte for the end.
+/// Run memory: the code of the program and the data of its instructions, and a byte for the end.
 const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
 
 #[avr_device::entry]
 fn main() -> ! {
     static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
-    static mut PAGE: Block = [0; 512];
 
-    let mut board = Board::take();
-    report::banner(&mut board);
-    let mut state = StateFile::Missing;
-    let program = start(&mut board, PAGE, MEMORY, &mut state);
+    // SAFETY: once.
+    let page = unsafe { page::take() };
+    let board = Board::take();
+    report::banner(&board);
+    let mut file = StateFile::Missing;
+    let outcome = start(&board, page, MEMORY, &mut file);
     board.release_card();
-    let fault = match program {
-        Ok(program) => {
-            report::program(&mut board.serial, &program);
-            report::state_file(&mut board.serial, &state);
-            report::run(&mut board.serial);
-            Fault::without_line(run(&mut board, program, state))
-        }
-        Err(fault) => fault,
-    };
-    board.pins.write_outputs(Image::default());
-    board.release_card();
-    board.watchdog.stop();
-    board.watchdog.count_fault();
-    report::fault(&mut board.serial, fault);
-    indicator::show(&board.pins, fault.cause)
+    let Running { frame, data } = page::running(page);
+    serve(&board, MEMORY, file, outcome, &mut Server::new(frame, board.settings), data)
 }
 
-/// Scans until the diagnosis finds a fault; while STOP is closed the outputs are off.
+/// RUN, STOP and FAULT, for ever.
+// Apart from `main`, whose frame is there while a card is read.
 #[inline(never)]
-fn run(board: &mut Board, program: Program<'_>, state: StateFile) -> Cause {
-    let Some(mut plc) = Linked::link(program) else {
-        return Cause::RunMemoryFull;
-    };
-    let mut diagnosis = Diagnosis::new(plc.code());
-    let mut state = State::new(match state {
+fn serve(
+    board: &Board,
+    memory: &mut [u8],
+    file: StateFile,
+    outcome: Result<(), Fault>,
+    server: &mut Server<'_>,
+    data: &mut Data,
+) -> ! {
+    let mut retentive = Retentive::find(&board.eeprom, clock::now() as u16);
+    data.retain(retentive.markers());
+    let mut fault = outcome.err();
+    if let Some(fault) = fault {
+        fail(board, server, fault);
+        report::fault(&board.serial, fault);
+    } else {
+        report::state_file(&board.serial, &file);
+        report::ready(&board.serial, board.pins.stop());
+    }
+    let mut state = State::new(match file {
         StateFile::Found(place) => Some(place),
         _ => None,
     });
-    board.watchdog.start();
-    board.pins.led(true);
-    let mut begun = board.moment().forgotten();
+    server.start(board);
     loop {
-        if board.pins.stop() {
-            stop(board, &diagnosis, &mut state);
-            plc.restart();
-            begun = board.moment().forgotten();
+        if let Some(fault) = fault {
+            indicator::show(&board.pins, fault.cause, || {
+                server.panel.images.inputs = board.pins.inputs(0);
+                server.step(board, Memory::idle(data), None, server::AT_ONCE);
+                retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
+                server.panel.command == Some(Command::Upload)
+            });
+        } else {
+            fault = run(board, memory, data, &mut state, &mut retentive, server);
+            board.switch_outputs_off();
+            board.watchdog.stop();
+            if let Some(fault) = fault {
+                fail(board, server, fault);
+            }
+        }
+        upload::receive(board, server, memory, data);
+    }
+}
+
+/// FAULT begins, and lasts until the next start.
+#[inline(never)]
+fn fail(board: &Board, server: &mut Server<'_>, fault: Fault) {
+    board.release_card();
+    board.watchdog.count_fault();
+    server.panel.state = server::State::Fault;
+    server.panel.fault = Some(fault);
+    server.panel.images.outputs = Image::default();
+}
+
+/// Scans the program that is kept, until there is a fault, or in STOP an upload is to begin.
+#[inline(never)]
+fn run(
+    board: &Board,
+    memory: &mut [u8],
+    data: &mut Data,
+    state: &mut State,
+    retentive: &mut Retentive,
+    server: &mut Server<'_>,
+) -> Option<Fault> {
+    let kept = store::load(&board.eeprom, memory);
+    let Some(mut plc) = kept.and_then(|kept| Linked::link(&board.eeprom, kept, data)) else {
+        return Some(Fault::without_line(Cause::NoStoredProgram));
+    };
+    let needs = plc.needs();
+    board.pins.pull_up(needs.inputs);
+    board.analogue.measure(needs.analogue);
+    let mut diagnosis = Diagnosis::new(plc.code());
+    board.watchdog.start();
+    server.panel.state = server::State::Run;
+    let mut begun = board.forgotten();
+    loop {
+        if server.panel.stopped || board.pins.stop() {
+            server.panel.times = diagnosis.times();
+            if let Err(cause) = stop(board, &mut plc, state, retentive, server) {
+                return Some(Fault::without_line(cause));
+            }
+            if server.panel.command == Some(Command::Upload) {
+                return None;
+            }
+            begun = board.forgotten();
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = board.pins.inputs();
+        let inputs = server.panel.forces.inputs(board.pins.inputs(needs.inputs));
         let now = board.moment();
         diagnosis.scanned(begun, now);
+        let new_millisecond = now.millis as u8 != begun.millis as u8;
         begun = now;
-        let outputs = plc.scan(inputs, now.millis);
-        board.pins.write_outputs(outputs);
-        match diagnosis.slice(board) {
-            Ok(Turn::Free) if state.is_kept() => {
-                state.step(board, Images { inputs, outputs }, diagnosis.times());
+        let outputs = match plc.scan(inputs, now.millis) {
+            Ok(outputs) => server.panel.forces.outputs(outputs),
+            Err(fault) => return Some(fault),
+        };
+        plc.set_outputs(outputs);
+        if server.panel.state == server::State::Run {
+            board.pins.write_outputs(outputs);
+            if needs.pwm != 0 {
+                board.write_pwm(needs.pwm, &plc.data().pwm);
             }
+        }
+        board.analogue.step(&mut plc.data().analogue);
+        let images = Images { inputs, outputs };
+        // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
+        if !board.serial.is_quiet() && !board.eeprom.is_busy() {
+            server.panel.times = diagnosis.times();
+            server.panel.images = images;
+            server.panel.card_failed = state.has_failed();
+            server.step(board, plc.memory(), None, server::SLICE);
+            plc.set_outputs(server.panel.images.outputs);
+        }
+        if new_millisecond {
+            indicator::show_run(&board.pins, server.panel.forces.any());
+            let data = plc.data();
+            data.scan_time(diagnosis.times().last);
+            retentive.step(&board.eeprom, data.retained(), now.millis as u16);
+        }
+        match diagnosis.slice(board) {
+            Ok(Turn::Free) if state.is_kept() => state.step(board, images, diagnosis.times()),
             Ok(_) => {}
-            Err(cause) => return cause,
+            Err(cause) => {
+                server.panel.times = diagnosis.times();
+                return Some(Fault::without_line(cause));
+            }
         }
     }
 }
 
-/// STOP, until A5 is open again: outputs off, program kept.
+/// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.
+///
+/// # Errors
+/// Where the program cannot begin anew.
 #[inline(never)]
-fn stop(board: &mut Board, diagnosis: &Diagnosis<'_>, state: &mut State) {
-    board.pins.write_outputs(Image::default());
-    report::stop(board, diagnosis.times(), state);
-    indicator::show_stop(&board.pins, || {
+fn stop(
+    board: &Board,
+    plc: &mut Linked<'_>,
+    state: &mut State,
+    retentive: &mut Retentive,
+    server: &mut Server<'_>,
+) -> Result<(), Cause> {
+    board.switch_outputs_off();
+    if server.panel.state != server::State::Stop {
+        server.panel.state = server::State::Stop;
+        plc.restart(&board.eeprom)?;
+    }
+    server.panel.images.outputs = plc.outputs();
+    let pins = &board.pins;
+    indicator::show_stop(pins, || {
         watchdog::feed();
+        let panel = &mut server.panel;
+        let inputs = panel.forces.inputs(pins.inputs(plc.needs().inputs));
+        panel.images.inputs = inputs;
+        panel.card_failed = state.has_failed();
         let images = Images {
-            inputs: board.pins.inputs(),
+            inputs,
             outputs: Image::default(),
         };
-        state.step(board, images, diagnosis.times());
+        state.step(board, images, panel.times);
+        board.analogue.step(&mut plc.data().analogue);
+        retentive.step(&board.eeprom, plc.data().retained(), clock::now() as u16);
+        server.step(board, plc.memory(), None, server::AT_ONCE);
+        let panel = &mut server.panel;
+        plc.set_outputs(panel.images.outputs);
+        panel.takes(Command::SingleScan)
+            || panel.command == Some(Command::Upload)
+            || !panel.stopped && !pins.stop()
     });
-    board.pins.led(true);
-    report::run(&mut board.serial);
+    if !server.panel.stopped && !pins.stop() {
+        server.panel.state = server::State::Run;
+        plc.restart(&board.eeprom)?;
+    }
+    Ok(())
 }
 
-/// The program to run. What the card holds is kept in program memory, and what is kept there is
-/// what runs; so it runs too where there is no card, or none with a program on it. Any other
-/// failure is a fault: what the user wants now was refused, or cannot be known.
-fn start<'m>(
-    board: &mut Board,
+/// Takes the program into program memory: what the card holds is kept there, and what is kept there is what
+/// runs; so it runs too where there is no card, or none with a program on it. Any other failure is a
+/// fault: what the user wants now was refused, or cannot be known.
+fn start(
+    board: &Board,
     page: &mut Block,
-    memory: &'m mut [u8],
-    state: &mut StateFile,
-) -> Result<Program<'m>, Fault> {
+    memory: &mut [u8],
+    file: &mut StateFile,
+) -> Result<(), Fault> {
     match board.start {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
-        Start::Power | Start::Reset => {}
+        Start::Power | Start::Reset | Start::Command => {}
     }
-    if board.supply.is_low() {
+    if board.analogue.is_low() {
         return Err(Fault::without_line(Cause::SupplyLow));
     }
-    let missing = match card::load(board, page, memory, state) {
+    let missing = match card::load(board, page, memory, file) {
         Ok(program) => {
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None
@@ -150,8 +271,11 @@ fn start<'m>(
     };
     match missing {
         Some(fault) if store::is_blank(&board.eeprom) => return Err(fault),
-        Some(fault) => report::without_card(&mut board.serial, fault.cause),
+        Some(fault) => report::without_card(&board.serial, fault.cause),
         None => {}
     }
-    store::load(&board.eeprom, memory).ok_or(Fault::without_line(Cause::NoStoredProgram))
+    let kept = store::load(&board.eeprom, memory)
+        .ok_or(Fault::without_line(Cause::NoStoredProgram))?;
+    report::program(&board.serial, &kept.program);
+    Ok(())
 }

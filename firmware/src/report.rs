@@ -5,16 +5,14 @@ use crate::board::flash::{Codes, FlashText, flash_codes, flash_text};
 use crate::board::serial::Serial;
 use crate::board::watchdog::Start;
 use crate::card::StateFile;
-use crate::diagnosis::ScanTimes;
-use crate::state::State;
 use unoclp_core::{Cause, Fault, Profile, Program};
 
 /// Below this the supply is worth a warning, hundredths of a volt.
 const WEAK: u16 = 460;
 
 /// Name and version; why the board has started, where that was not power; the supply.
-pub fn banner(board: &mut Board) {
-    let serial = &mut board.serial;
+pub fn banner(board: &Board) {
+    let serial = &board.serial;
     serial.text(flash_text!(concat!(
         "\r\nunoclp ",
         env!("CARGO_PKG_VERSION"),
@@ -25,12 +23,13 @@ pub fn banner(board: &mut Board) {
         serial.text(match board.start {
             Start::Watchdog => flash_text!(" since power-up, by the watchdog, "),
             Start::Astray => flash_text!(" since power-up, without a reset, "),
+            Start::Command => flash_text!(" since power-up, by command, "),
             _ => flash_text!(" since power-up, by reset, "),
         });
         count(serial, board.watchdog.faults(), flash_text!(" fault"));
         end_line(serial);
     }
-    let centivolts = board.supply.centivolts();
+    let centivolts = board.analogue.centivolts();
     if centivolts < WEAK {
         value(
             serial,
@@ -41,43 +40,24 @@ pub fn banner(board: &mut Board) {
     }
 }
 
-/// STOP is closed; and what the diagnosis knows: how long scans took, the supply, restarts and faults
-/// since power-up, whether the state is no longer kept.
-pub fn stop(board: &mut Board, times: ScanTimes, state: &State) {
-    let serial = &mut board.serial;
-    value(serial, flash_text!("STOP, scan time: last "), times.last);
-    value(serial, flash_text!(", least "), times.least);
-    value(serial, flash_text!(", most "), times.most);
-    let centivolts = board.supply.centivolts();
-    value(serial, flash_text!(" us\r\nsupply: "), centivolts * 10);
-    serial.text(flash_text!(" mV"));
-    if centivolts < WEAK {
-        serial.text(flash_text!(", weak"));
-    }
-    serial.text(flash_text!("; since power-up: "));
-    count(serial, board.watchdog.restarts(), flash_text!(" restart"));
-    serial.text(flash_text!(", "));
-    count(serial, board.watchdog.faults(), flash_text!(" fault"));
-    end_line(serial);
-    if state.has_failed() {
-        serial.text(flash_text!("state: the card failed, no longer kept\r\n"));
-    }
-}
-
-/// Scanning begins, or goes on.
-pub fn run(serial: &mut Serial) {
-    serial.text(flash_text!("RUN\r\n"));
+/// What set-up ends with, where there is no fault: from now on the port serves Modbus.
+pub fn ready(serial: &Serial, stop: bool) {
+    serial.text(if stop {
+        flash_text!("STOP\r\n")
+    } else {
+        flash_text!("RUN\r\n")
+    });
 }
 
 /// Why the program comes from program memory and not from a card.
-pub fn without_card(serial: &mut Serial, cause: Cause) {
+pub fn without_card(serial: &Serial, cause: Cause) {
     serial.text(flash_text!("card: "));
     text(serial, cause);
     serial.text(flash_text!("\r\nthe program that was stored runs\r\n"));
 }
 
 /// The size of the program.
-pub fn program(serial: &mut Serial, program: &Program<'_>) {
+pub fn program(serial: &Serial, program: &Program<'_>) {
     let used = program.stored_bytes() as u16;
     serial.text(flash_text!("program: "));
     count(serial, program.codes(), flash_text!(" code"));
@@ -91,7 +71,7 @@ pub fn program(serial: &mut Serial, program: &Program<'_>) {
 }
 
 /// Whether the state is kept on the card.
-pub fn state_file(serial: &mut Serial, file: &StateFile) {
+pub fn state_file(serial: &Serial, file: &StateFile) {
     let what = match file {
         StateFile::Missing => return,
         StateFile::Found(_) => flash_text!("kept in STATE.TXT"),
@@ -106,19 +86,19 @@ pub fn state_file(serial: &mut Serial, file: &StateFile) {
 }
 
 #[inline(never)]
-fn end_line(serial: &mut Serial) {
+fn end_line(serial: &Serial) {
     serial.text(flash_text!("\r\n"));
 }
 
 /// `, least 17`
 #[inline(never)]
-fn value(serial: &mut Serial, what: FlashText, number: u16) {
+fn value(serial: &Serial, what: FlashText, number: u16) {
     serial.text(what);
     serial.number(number.into());
 }
 
 /// `1 code`, `2 codes`
-fn count(serial: &mut Serial, number: u16, what: FlashText) {
+fn count(serial: &Serial, number: u16, what: FlashText) {
     serial.number(number.into());
     serial.text(what);
     if number != 1 {
@@ -127,7 +107,7 @@ fn count(serial: &mut Serial, number: u16, what: FlashText) {
 }
 
 /// `fault 24, line 7: no such code`
-pub fn fault(serial: &mut Serial, fault: Fault) {
+pub fn fault(serial: &Serial, fault: Fault) {
     serial.text(flash_text!("fault "));
     serial.number(fault.cause.number().into());
     if let Some(line) = fault.line {
@@ -140,7 +120,7 @@ pub fn fault(serial: &mut Serial, fault: Fault) {
 }
 
 /// Sends the text of a cause.
-fn text(serial: &mut Serial, cause: Cause) {
+fn text(serial: &Serial, cause: Cause) {
     let mut texts = flash_codes!(Codes::faults());
     while let Some(number) = texts.next() {
         for code in texts.by_ref().take_while(|code| *code != b'\n') {

@@ -32,8 +32,16 @@ fn main() -> ExitCode {
             Err(_) => return failed(seed, "it panicked"),
         }
         if done % PROGRESS == 0 || done == files {
-            let Tally { programs, refused } = tally;
-            println!("{done} files: {programs} ran, {refused} refused");
+            let Tally {
+                programs,
+                refused,
+                restored,
+                stopped,
+            } = tally;
+            println!(
+                "{done} files: {programs} ran, {refused} refused; {restored} ran from damaged memory; \
+                 {stopped} ended in a fault"
+            );
         }
     }
     ExitCode::SUCCESS

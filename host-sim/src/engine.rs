@@ -1,14 +1,15 @@
 //! The PLC of `unoclp-core` on this PC.
 
 use crate::BOARD;
-use crate::scenario::{Engine, Outcome, Refusal};
+use crate::scenario::{Cell, Engine, Outcome, Refusal};
+use crate::used::Used;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program};
 
 self_cell!(
     /// A running program together with its run memory, which a [`Plc`] only borrows.
-    struct Cell {
+    struct Owned {
         owner: MutBorrow<Vec<u8>>,
         #[covariant]
         dependent: Plc,
@@ -16,21 +17,49 @@ self_cell!(
 );
 
 /// A program that runs on this PC, in run memory of its own.
-pub struct Machine(Cell);
+pub struct Machine {
+    owned: Owned,
+    used: Used,
+}
 
 impl Machine {
     /// Loads a program file; gives its first fault where it has one.
     pub fn load(file: &[u8]) -> Result<Machine, Fault> {
-        let memory = vec![0; usize::from(BOARD.linked_bytes)];
-        Cell::try_new(MutBorrow::new(memory), |memory| {
+        let memory = vec![0; BOARD.plc_bytes()];
+        Owned::try_new(MutBorrow::new(memory), |memory| {
             load(file, memory.borrow_mut()).map(Plc::new)
         })
-        .map(Machine)
+        .map(|owned| {
+            let used = Used::of_plc(owned.borrow_dependent());
+            Machine { owned, used }
+        })
     }
 
     /// The PLC, to look at.
     pub fn plc(&self) -> &Plc<'_> {
-        self.0.borrow_dependent()
+        self.owned.borrow_dependent()
+    }
+
+    /// What the program uses.
+    pub fn used(&self) -> &Used {
+        &self.used
+    }
+
+    /// The PLC, to set something in it between two scans.
+    pub fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> T {
+        self.owned.with_dependent_mut(|_, plc| with(plc))
+    }
+
+    /// What a cell holds.
+    pub fn look(&self, cell: Cell) -> i32 {
+        let plc = self.plc();
+        match cell {
+            Cell::Marker(number) => (plc.markers() >> number.saturating_sub(1) & 1) as i32,
+            Cell::Register(number) => {
+                let index = usize::from(number).wrapping_sub(1);
+                plc.registers().get(index).copied().unwrap_or_default()
+            }
+        }
     }
 
     /// One scan; see [`Plc::scan_observed`].
@@ -40,7 +69,7 @@ impl Machine {
         now: Millis,
         observe: impl FnMut(usize, bool),
     ) -> Result<Image, Fault> {
-        self.0
+        self.owned
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
     }
 }
@@ -89,5 +118,32 @@ impl Engine for HostEngine {
                 .map_err(Refusal::from),
             None => Ok(Image::default()),
         })
+    }
+
+    fn restart(&mut self) -> Result<(), Infallible> {
+        if let Some(machine) = &mut self.machine {
+            machine.with_plc(|plc| plc.restart());
+        }
+        Ok(())
+    }
+
+    fn look(&mut self, cell: Cell) -> Result<i32, Infallible> {
+        let machine = self.machine.as_ref();
+        Ok(machine.map_or(0, |machine| machine.look(cell)))
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> Result<(), Infallible> {
+        if let Some(machine) = &mut self.machine {
+            machine.with_plc(|plc| match cell {
+                Cell::Marker(number) => plc.set_marker(number, value != 0),
+                Cell::Register(number) => plc.set_register(number, value),
+            });
+        }
+        Ok(())
+    }
+
+    fn pwm(&mut self, output: u8) -> Result<u8, Infallible> {
+        let machine = self.machine.as_ref();
+        Ok(machine.map_or(0, |machine| machine.plc().pwm(output)))
     }
 }

@@ -5,6 +5,7 @@
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
+//! - [`used`]: what a program uses of the board and its memory
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
 //!
 //! The PLC itself is `unoclp-core`; nothing here decides what a program means.
@@ -15,6 +16,7 @@ pub mod panel;
 pub mod random;
 pub mod scenario;
 pub mod torture;
+pub mod used;
 pub mod wave;
 
 use unoclp_core::Profile;

@@ -77,7 +77,7 @@ fn main() -> ExitCode {
 fn check_file(path: &Path) -> Outcome {
     let program = read(path)?;
     match diagnose(&program.bytes) {
-        Ok(size) => println!("{}: {size}: OK", program.name),
+        Ok(size) => println!("{}: OK: {size}", program.name),
         Err(faults) => return Ok(refuse(&program, &faults)),
     }
     Ok(true)

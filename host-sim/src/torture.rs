@@ -1,10 +1,11 @@
-//! The loader meets random and damaged files.
+//! The loader meets random and damaged files, and stored programs that have been damaged.
 //!
 //! `cargo run --release -p unoclp-host-sim --example torture -- 10000000`
 
 use crate::BOARD;
 use crate::random::{Random, random_inputs, random_pause, random_program};
-use unoclp_core::{Image, Loader, Millis, Plc};
+use unoclp_core::isa::TABLE;
+use unoclp_core::{Cause, Inputs, Loader, Millis, Plc, Program};
 
 /// How the files of a run fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +14,10 @@ pub struct Tally {
     pub programs: u64,
     /// Files that were refused.
     pub refused: u64,
+    /// Stored programs that were damaged and yet made a program, which then ran.
+    pub restored: u64,
+    /// Runs that ended in the one fault that a running program may have.
+    pub stopped: u64,
 }
 
 /// Scans that each accepted program runs.
@@ -23,7 +28,7 @@ const SCANS: u32 = 8;
 pub fn torture(seed: u64, tally: &mut Tally) -> Result<(), String> {
     let mut random = Random::new(seed);
     let file = random_file(&mut random);
-    let mut memory = vec![0; usize::from(BOARD.linked_bytes)];
+    let mut memory = vec![0; BOARD.plc_bytes()];
     let mut loader = Loader::new(&mut memory, BOARD);
     let mut first_fault = None;
     for &byte in &file {
@@ -44,31 +49,74 @@ pub fn torture(seed: u64, tally: &mut Tally) -> Result<(), String> {
             Ok(())
         }
         (Ok(program), None) => {
-            let (stored, linked) = (program.stored_bytes(), program.linked_bytes());
-            if stored > BOARD.stored_bytes.into() || linked > BOARD.linked_bytes.into() {
-                return Err(format!(
-                    "accepted with {stored} bytes stored, {linked} linked"
-                ));
-            }
-            run(Plc::new(program), &mut random)?;
+            let stored = program.stored().to_vec();
+            run(program, &mut random, tally)?;
             tally.programs += 1;
-            Ok(())
+            torture_stored(stored, &mut random, tally)
         }
         (finished, told) => Err(format!("told {told:?}, and gave {finished:?}")),
     }
 }
 
-/// Scans with random inputs: outputs that the board lacks stay 0.
-fn run(mut plc: Plc<'_>, random: &mut Random) -> Result<(), String> {
-    let mut inputs = Image::default();
+/// Damages a stored program and brings it back: it is refused, or a program like any other.
+fn torture_stored(
+    mut stored: Vec<u8>,
+    random: &mut Random,
+    tally: &mut Tally,
+) -> Result<(), String> {
+    let mut memory = vec![0; BOARD.plc_bytes()];
+    let mut loader = Loader::new(&mut memory, BOARD);
+    let restored = loader.restore(&mut stored.iter().copied());
+    match (restored, loader.finish()) {
+        (Ok(()), Ok(program)) if program.stored() == stored => {}
+        other => return Err(format!("a stored program comes back as {other:?}")),
+    }
+    for _ in 0..=random.below(3) {
+        let at = random.below(stored.len() as u32) as usize;
+        match (random.below(3), stored.get_mut(at)) {
+            (0, Some(byte)) => *byte ^= 1 << random.below(8),
+            (1, Some(byte)) => *byte = random.bits() as u8,
+            _ => stored.truncate(at),
+        }
+    }
+    let mut memory = vec![0; BOARD.plc_bytes()];
+    let mut loader = Loader::new(&mut memory, BOARD);
+    let restored = loader.restore(&mut stored.iter().copied());
+    match (restored, loader.finish()) {
+        (Ok(()), Ok(program)) => {
+            run(program, random, tally)?;
+            tally.restored += 1;
+            Ok(())
+        }
+        (Err(fault), Ok(_)) => Err(format!("a stored program in spite of {fault}")),
+        (_, Err(_)) => Ok(()),
+    }
+}
+
+/// Runs a program with random inputs: it is within the board's limits, outputs that the board lacks or
+/// that are PWM stay 0, and all of them are 0 at a fault.
+fn run(program: Program<'_>, random: &mut Random, tally: &mut Tally) -> Result<(), String> {
+    let (stored, linked) = (program.stored_bytes(), program.linked_bytes());
+    if stored > BOARD.stored_bytes.into() || linked > BOARD.linked_bytes.into() {
+        return Err(format!(
+            "accepted with {stored} bytes stored, {linked} linked"
+        ));
+    }
+    let mut plc = Plc::new(program);
+    let mut inputs = Inputs::default();
     let mut now = random.bits() as Millis;
     for _ in 0..SCANS {
-        inputs = random_inputs(random, BOARD, inputs);
+        inputs = random_inputs(random, plc.needs(), inputs);
         now = now.wrapping_add(random_pause(random));
-        let Ok(outputs) = plc.scan(inputs, now) else {
-            return Ok(());
+        let outputs = match plc.scan(inputs, now) {
+            Ok(outputs) => outputs,
+            Err(fault) if fault.cause == Cause::TooManyJumps && plc.outputs().0 == 0 => {
+                tally.stopped += 1;
+                return Ok(());
+            }
+            Err(fault) => return Err(format!("{fault}, outputs {:#b}", plc.outputs().0)),
         };
-        if outputs.0 >> BOARD.outputs != 0 {
+        if outputs.0 >> BOARD.outputs != 0 || outputs.0 as u8 & plc.needs().pwm != 0 {
             return Err(format!("outputs {:#b}", outputs.0));
         }
     }
@@ -81,7 +129,7 @@ fn random_file(random: &mut Random) -> Vec<u8> {
         0 => noise(random, None),
         1 => noise(random, Some(b"0123456789-/ \t\r\n")),
         _ => {
-            let mut file = random_program(random, BOARD).into_bytes();
+            let mut file = random_program(random).into_bytes();
             for _ in 0..random.below(4) {
                 damage(random, &mut file);
             }
@@ -104,7 +152,7 @@ fn noise(random: &mut Random, alphabet: Option<&[u8]>) -> Vec<u8> {
 fn damage(random: &mut Random, file: &mut Vec<u8>) {
     let at = random.below(file.len() as u32 + 1) as usize;
     let to = (at + random.below(40) as usize).min(file.len());
-    match random.below(6) {
+    match random.below(7) {
         // One bit, as a bad card would.
         0 => {
             if let Some(byte) = file.get_mut(at) {
@@ -112,16 +160,23 @@ fn damage(random: &mut Random, file: &mut Vec<u8>) {
             }
         }
         1 => file.insert(at, random.bits() as u8),
-        2 => file.truncate(at),
-        3 => drop(file.drain(at..to)),
+        // Any code, in the middle of whatever it may be.
+        2 => {
+            let code = TABLE.get(random.below(TABLE.len() as u32) as usize);
+            let code = code.map_or(0, |row| row.code);
+            let xx = random.below(100) as i32 * code.signum();
+            file.splice(at..at, format!("\n{}\n", code + xx).into_bytes());
+        }
+        3 => file.truncate(at),
+        4 => drop(file.drain(at..to)),
         // A piece twice.
-        4 => {
+        5 => {
             let piece = file[at..to].to_vec();
             file.splice(at..at, piece);
         }
         // A piece of another file.
         _ => {
-            let other = random_program(random, BOARD).into_bytes();
+            let other = random_program(random).into_bytes();
             let from = random.below(other.len() as u32) as usize;
             file.splice(at..to, other[from..].iter().copied());
         }
@@ -140,6 +195,9 @@ mod tests {
                 panic!("seed {seed}: {broken}");
             }
         }
-        assert!(tally.programs > 1_000 && tally.refused > 1_000, "{tally:?}");
+        assert!(
+            tally.programs > 1_000 && tally.refused > 1_000 && tally.restored > 1_000,
+            "{tally:?}"
+        );
     }
 }

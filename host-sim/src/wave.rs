@@ -1,7 +1,8 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
 use crate::engine::{HostEngine, Machine};
-use crate::scenario::{Engine, Outcome, Refusal, inputs, outputs};
+use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
+use crate::used::Quantity;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
@@ -15,14 +16,17 @@ pub struct Sample {
     pub outputs: Image,
     /// The timers in file order.
     pub timers: Vec<TimerState>,
+    /// What else the program uses.
+    pub quantities: Vec<Quantity>,
 }
 
 impl Sample {
     /// The scan that this machine has just done, with these inputs, at this reading of the clock.
-    pub fn of(machine: &Machine, inputs: Image, now: Millis) -> Sample {
+    pub fn of(machine: &Machine, inputs: &Inputs, now: Millis) -> Sample {
         let plc = machine.plc();
         Sample {
-            inputs,
+            inputs: inputs.points,
+            quantities: machine.used().quantities(plc, inputs),
             outputs: plc.outputs(),
             timers: plc.timers(now).collect(),
         }
@@ -34,12 +38,21 @@ impl Sample {
         let outputs = outputs().map(|point| u32::from(self.outputs.get(point)));
         let timer = |timer: &TimerState| [u32::from(timer.q), timer.elapsed];
         let timers = self.timers.iter().flat_map(timer);
-        inputs.chain(outputs).chain(timers).collect()
+        let quantities = self
+            .quantities
+            .iter()
+            .map(|quantity| quantity.value.cast_unsigned());
+        inputs
+            .chain(outputs)
+            .chain(timers)
+            .chain(quantities)
+            .collect()
     }
 }
 
-/// Writes the samples of a run: a signal for each input and output, and for each timer its output
-/// `Q` and its elapsed time in ms. One time step is 1 ms.
+/// Writes the samples of a run: a signal for each input and output, for each timer its output `Q` and its
+/// elapsed time in ms, and for each analogue input, PWM, counter, register and marker that the program
+/// uses. One time step is 1 ms.
 pub struct Recorder<W: Write> {
     writer: vcd::Writer<W>,
     /// The signals with the values they have, once the first sample has come.
@@ -50,7 +63,8 @@ pub struct Recorder<W: Write> {
 #[derive(Clone, Copy)]
 enum Signal {
     Bit(IdCode),
-    Word(IdCode),
+    /// With its width in bits.
+    Word(IdCode, u32),
 }
 
 impl<W: Write> Recorder<W> {
@@ -64,11 +78,11 @@ impl<W: Write> Recorder<W> {
     }
 
     /// Takes the sample of a scan at this time, in ms after the first. Times rise from call to
-    /// call; every sample has as many timers as the first.
+    /// call; every sample is of the same program.
     pub fn record(&mut self, at: u64, sample: &Sample) -> io::Result<()> {
         let values = sample.values();
         if self.last.is_none() {
-            let signals = declare(&mut self.writer, sample.timers.len())?;
+            let signals = declare(&mut self.writer, sample)?;
             self.signals = signals.into_iter().zip(values).collect();
             self.writer.timestamp(at)?;
             self.writer.begin(SimulationCommand::Dumpvars)?;
@@ -104,7 +118,7 @@ impl<W: Write> Recorder<W> {
 }
 
 /// Writes the head of the file: the time step and the signals.
-fn declare<W: Write>(writer: &mut vcd::Writer<W>, timers: usize) -> io::Result<Vec<Signal>> {
+fn declare<W: Write>(writer: &mut vcd::Writer<W>, sample: &Sample) -> io::Result<Vec<Signal>> {
     let mut signals = Vec::new();
     writer.version(concat!("unoclp ", env!("CARGO_PKG_VERSION")))?;
     writer.timescale(1, TimescaleUnit::MS)?;
@@ -114,11 +128,21 @@ fn declare<W: Write>(writer: &mut vcd::Writer<W>, timers: usize) -> io::Result<V
     for name in inputs.chain(outputs) {
         signals.push(Signal::Bit(writer.add_wire(1, &name)?));
     }
-    for number in 1..=timers {
+    for number in 1..=sample.timers.len() {
         writer.add_module(&format!("T{number}"))?;
         signals.push(Signal::Bit(writer.add_wire(1, "Q")?));
-        signals.push(Signal::Word(writer.add_wire(u32::BITS, "elapsed_ms")?));
+        signals.push(Signal::Word(
+            writer.add_wire(u32::BITS, "elapsed_ms")?,
+            u32::BITS,
+        ));
         writer.upscope()?;
+    }
+    for Quantity { name, bits, .. } in &sample.quantities {
+        let id = writer.add_wire(*bits, name)?;
+        signals.push(match bits {
+            1 => Signal::Bit(id),
+            _ => Signal::Word(id, *bits),
+        });
     }
     writer.upscope()?;
     writer.enddefinitions()?;
@@ -129,8 +153,8 @@ impl Signal {
     fn write<W: Write>(self, writer: &mut vcd::Writer<W>, value: u32) -> io::Result<()> {
         match self {
             Signal::Bit(id) => writer.change_scalar(id, value != 0),
-            Signal::Word(id) => {
-                let bits = (0..u32::BITS).rev().map(|bit| value >> bit & 1 != 0);
+            Signal::Word(id, width) => {
+                let bits = (0..width).rev().map(|bit| value >> bit & 1 != 0);
                 writer.change_vector(id, bits.map(Value::from))
             }
         }
@@ -179,16 +203,35 @@ impl<W: Write> Engine for RecordedEngine<W> {
         self.last = Some((now, at));
         if let Some(machine) = self.engine.machine() {
             self.recorder
-                .record(at, &Sample::of(machine, inputs.points, now))?;
+                .record(at, &Sample::of(machine, inputs, now))?;
         }
         Ok(outcome)
+    }
+
+    fn restart(&mut self) -> io::Result<()> {
+        let Ok(()) = self.engine.restart();
+        Ok(())
+    }
+
+    fn look(&mut self, cell: Cell) -> io::Result<i32> {
+        let Ok(value) = self.engine.look(cell);
+        Ok(value)
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> io::Result<()> {
+        let Ok(()) = self.engine.poke(cell, value);
+        Ok(())
+    }
+
+    fn pwm(&mut self, output: u8) -> io::Result<u8> {
+        let Ok(duty) = self.engine.pwm(output);
+        Ok(duty)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::BOARD;
     use crate::random::{Random, random_inputs, random_program};
     use std::collections::HashMap;
     use vcd::{Command, Parser};
@@ -244,21 +287,21 @@ mod tests {
     fn a_trace_reads_back_as_the_run_was() {
         let mut random = Random::new(3);
         for _ in 0..50 {
-            let program = random_program(&mut random, BOARD);
+            let program = random_program(&mut random);
             let mut trace = Vec::new();
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
             let mut reference = Machine::load(program.as_bytes()).unwrap();
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
-            let mut image = Image::default();
+            let mut image = Inputs::default();
             let mut run = Vec::new();
             for at in 0..60 {
-                image = random_inputs(&mut random, BOARD, image);
+                image = random_inputs(&mut random, reference.plc().needs(), image);
                 let now = start.wrapping_add(at);
-                let _ = engine.scan(&image.into(), now).unwrap();
-                let _ = reference.scan_observed(image.into(), now, |_, _| ());
-                run.push(Sample::of(&reference, image, now));
+                let _ = engine.scan(&image, now).unwrap();
+                let _ = reference.scan_observed(image, now, |_, _| ());
+                run.push(Sample::of(&reference, &image, now));
             }
             engine.finish().unwrap();
 
@@ -282,6 +325,13 @@ mod tests {
                         values[&name] != 0,
                         sample.outputs.get(point),
                         "{name} at {at}"
+                    );
+                }
+                for quantity in &sample.quantities {
+                    let bits = u32::MAX >> (32 - quantity.bits);
+                    assert_eq!(
+                        values[&quantity.name],
+                        quantity.value.cast_unsigned() & bits
                     );
                 }
                 for (number, timer) in (1..).zip(&sample.timers) {

@@ -38,11 +38,26 @@ const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
 fn check_tells_the_size_of_a_valid_program() {
     let program = file("valid.txt", FOLLOW);
     let (code, out, err) = outcome(&["check", &program]);
-    let size = "4 codes, 8 of 900 bytes (892 free), 1 timer: OK";
+    let size = "OK: 4 codes, 8 of 900 bytes (892 free), 1 timer\n  \
+                13 of 960 bytes of run memory; pins: I1 Q1";
     assert_eq!(
         (code, out, err),
         (0, format!("{program}: {size}\n"), String::new())
     );
+}
+
+#[test]
+fn check_tells_what_a_program_uses() {
+    // LDA 02, ST 03, PWM of output 04; CTU 01; M 09 to M 16.
+    let text = "0\n76686502\n838403\n83848004\n787600\n827305\n67848501\n7\n877903\n83847702\n";
+    let program = file("uses.txt", text);
+    let (code, out, _) = outcome(&["check", &program]);
+    assert_eq!(code, 0, "{out}");
+    assert!(
+        out.contains("0 timers, 1 counter, 1 register, 8 markers\n"),
+        "{out}"
+    );
+    assert!(out.ends_with("; pins: I5 A2 Q3 P4\n"), "{out}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Engine, Outcome, Refusal, Report, Scenario, check};
+use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal, Report, Scenario, check};
 
 /// An engine whose outputs depend on the scan's number alone, and which notes what it is given.
 struct Scripted<F> {
@@ -23,6 +23,22 @@ impl<F: Fn(usize) -> Result<Image, &'static str>> Engine for Scripted<F> {
     fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, &'static str> {
         self.scans.push((inputs.points, now));
         (self.output)(self.scans.len() - 1).map(Ok)
+    }
+
+    fn restart(&mut self) -> Result<(), &'static str> {
+        Err("it has no switch")
+    }
+
+    fn look(&mut self, _: Cell) -> Result<i32, &'static str> {
+        Err("it has no memory")
+    }
+
+    fn poke(&mut self, _: Cell, _: i32) -> Result<(), &'static str> {
+        Err("it has no memory")
+    }
+
+    fn pwm(&mut self, _: u8) -> Result<u8, &'static str> {
+        Err("it has no PWM")
     }
 }
 

@@ -24,28 +24,42 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
     #[rustfmt::skip]
     let cases = [
         // (after the head, the line, the message)
-        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 is not an output of the board; it has Q1 to Q4"),
-        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 is not an output of the board; it has Q1 to Q4"),
-        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 is not an input of the board; it has I1 to I4"),
-        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 is not an input of the board; it has I1 to I4"),
-        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI5 = 0", 7, "I5 is not an input of the board; it has I1 to I4"),
+        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
+        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
         ("[[step]]\nat = 0\nset = { I1 = 2 }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
-        ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0, 1 or \"any\""),
-        ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0, 1 or \"any\""),
+        ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
+        ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0 or 1, or \"any\""),
         ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms does not come after the one at 5 ms; put steps in rising order"),
         ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms does not come after the one at 5 ms; put steps in rising order"),
         ("scan_ms = 7\n[[step]]\nat = 15", 5, "no scan runs at 15 ms; scans run every 7 ms (`scan_ms`)"),
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
-        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `set`, `expect`; keys of the whole file stand above the first [[step]]"),
-        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `program`, `text`, `start_ms`, `scan_ms`, `until`, `fault`, `step`"),
+        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; keys of the whole file stand above the first [[step]]"),
+        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `program`, `text`, `start_ms`, `scan_ms`, `until`, `fault`, `stops`, `step`"),
         ("program = \"x.txt\"\n[[step]]\nat = 0", 2, "`program` and `text` both give a program; keep one of them"),
         ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
         ("fault = { number = 24, line = 0 }", 3, "lines count from 1; leave `line` out where the fault has none"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
+        ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\nset = { A0 = 1024 }", 5, "A0 must be a number from 0 to 1023"),
+        ("[[step]]\nat = 0\nset = { M1 = 2 }", 5, "M1 must be 0 or 1"),
+        ("[[step]]\nat = 0\nset = { D1 = 2147483648 }", 5, "D1 must be a number from -2147483648 to 2147483647"),
+        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { P4 = 256 }", 5, "P4 must be a number from 0 to 255, or \"any\""),
+        ("[[step]]\nat = 0\nrestart = 1", 5, "invalid type: integer `1`, expected a boolean"),
+        ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "a run ends where it `stops`; remove `until` and later steps"),
+        ("stops = { at = 5, number = 75 }\n[[step]]\nat = 6", 3, "a run ends where it `stops`; remove `until` and later steps"),
+        ("scan_ms = 2\nstops = { at = 5, number = 75 }", 4, "no scan runs at 5 ms; scans run every 2 ms (`scan_ms`)"),
+        ("stops = { at = 5, number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
+        ("fault = { number = 24 }\nstops = { at = 5, number = 75 }", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("[[step]]\nat = -1", 4, "invalid value: integer `-1`, expected u32"),
         ("[[step]]\nset = { I1 = 1 }", 3, "missing field `at`"),
         ("about = \"again\"", 3, "duplicate key"),
@@ -151,4 +165,78 @@ fn a_fault_is_expected_with_or_without_a_line() {
         };
         assert_eq!(scenario.expected_refusal(), Some(refusal));
     }
+}
+
+#[test]
+fn memory_is_set_and_compared() {
+    // D1 + A0 to D2, M1 to M2, and D1 as PWM of output 04.
+    let program =
+        "0\\n766801\\n83848004\\n".to_owned() + "76686500\\n65686801\\n838402\\n827701\\n877702\\n";
+    let head = format!("about = \"Sums.\"\ntext = \"{program}\"\n");
+    let steps = "until = 3\n\
+        [[step]]\nat = 0\nexpect = { D2 = 0, M2 = 0, P4 = 0 }\n\
+        [[step]]\nat = 1\nset = { D1 = 300, A0 = 7, M1 = 1 }\nexpect = { D2 = 307, M2 = 1, P4 = 255 }\n\
+        [[step]]\nat = 2\nset = { D1 = -9 }\nexpect = { D2 = -2, P4 = 1 }\n";
+    let scenario = load("memory.toml", &format!("{head}{steps}"));
+    assert!(scenario.is_for_lockstep());
+    let report = check(&scenario, &mut HostEngine::default());
+    let told = report.to_string();
+    let table = "        ms  I1  I2  I3  I4    A0    Q1  Q2  Q3  Q4   M2          D2          P4    1 = closed, on; · = open, off
+         0   ·   ·   ·   ·     0     ·   ·   ·   ·    ·           0           0
+         1   ·   ·   ·   ·     7     ·   ·   ·   ·    1         307         255
+         2   ·   ·   ·   ·     7     ·   ·   ·   ·    1          -2           0
+
+FAIL
+  P4 at 2 ms: expected 1, came 0 (until 3 ms)";
+    assert!(told.ends_with(table), "{told}");
+}
+
+#[test]
+fn a_restart_keeps_retentive_markers_alone() {
+    let program = "text = \"0\\n828301\\n877903\\n\"\n";
+    let steps = "step = [\n\
+        { at = 0, set = { M56 = 1, M57 = 1, M64 = 1, D1 = 5 }, expect = { Q3 = 1 } },\n\
+        { at = 1, expect = { Q3 = 0, M56 = 1, M57 = 1, M64 = 1, D1 = 5 } },\n\
+        { at = 2, restart = true, expect = { Q3 = 1, M56 = 0, M57 = 1, M64 = 1, D1 = 0 } },\n\
+        { at = 3, expect = { Q3 = 0 } },\n]\n";
+    let scenario = load("restart.toml", &format!("about = \"\"\n{program}{steps}"));
+    let report = check(&scenario, &mut HostEngine::default());
+    assert_eq!(report.verdict.to_string(), "PASS");
+}
+
+#[test]
+fn a_run_may_end_in_a_fault() {
+    // Jumps back for ever while I1 is closed.
+    let head = "about = \"\"\ntext = \"0\\n766601\\n827301\\n74778001\\n787600\\n877901\\n\"\n";
+    let step = "[[step]]\nat = 3\nset = { I1 = 1 }\n";
+    let told = |name: &str, stops: &str| {
+        let scenario = load(name, &format!("{head}{stops}\n{step}"));
+        let report = check(&scenario, &mut HostEngine::default());
+        report.verdict.to_string()
+    };
+    let fault = "fault 75, line 4: too many jumps back in one scan (NC-19)";
+    assert_eq!(
+        told("stops.toml", "stops = { at = 3, number = 75, line = 4 }"),
+        format!("PASS: stopped as expected at 3 ms: {fault}")
+    );
+    assert_eq!(
+        told(
+            "stops-later.toml",
+            "stops = { at = 5, number = 75, line = 4 }"
+        ),
+        format!("FAIL\n  expected at 5 ms {fault}\n  came     at 3 ms {fault}")
+    );
+    assert_eq!(
+        told("stops-not.toml", "until = 4"),
+        format!("FAIL\n  expected that the program runs on\n  came     at 3 ms {fault}")
+    );
+    let runs_on = load(
+        "runs-on.toml",
+        &format!("{head}stops = {{ at = 2, number = 75, line = 4 }}\n"),
+    );
+    let report = check(&runs_on, &mut HostEngine::default());
+    assert_eq!(
+        report.verdict.to_string(),
+        format!("FAIL\n  expected at 2 ms {fault}\n  but the program ran on")
+    );
 }

@@ -1,10 +1,10 @@
 //! The firmware as an engine for scenarios.
 
 use crate::sd::{Kind, SdCard};
-use crate::{CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
+use crate::{Analogue, CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis};
-use unoclp_host_sim::scenario::{Engine, Outcome, Refusal};
+use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;
@@ -12,6 +12,12 @@ const START_UP: u64 = 20_000;
 const LONGEST_SCAN: u64 = 50 * CYCLES_PER_MS;
 /// How long a refused program is watched with all buttons pressed, ms.
 const WATCH: u64 = 20;
+
+/// The longest that a fault takes to be told on the serial port, ms.
+const FAULT_TOLD: u64 = 100;
+/// How long a board is left alone before its power is cut, ms: it writes retentive markers to its EEPROM
+/// beside its scans.
+const BEFORE_CUT: u64 = 30;
 
 /// How the board's millisecond clock goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +36,9 @@ pub struct UnoEngine {
     scan: u32,
     tick: u32,
     millis: u32,
+    memory: Memory,
+    /// Whether analogue inputs have been set.
+    analogue: bool,
     uno: Option<Uno>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
@@ -61,6 +70,44 @@ pub enum EngineError {
     NoProgram,
 }
 
+/// Where the firmware keeps what scenarios look at and set, in data space; what a firmware lacks is none.
+#[derive(Clone, Copy)]
+struct Memory {
+    /// A byte for each marker, M 01 first: 0 or not.
+    markers: Option<u32>,
+    /// Four bytes for each register, D 01 first.
+    registers: Option<u32>,
+    /// Two bytes for each reading of an analogue input, A 00 first.
+    readings: Option<u32>,
+}
+
+impl Memory {
+    fn of(program: &Program) -> Memory {
+        let place = |name| {
+            let symbol = program.symbol(name);
+            symbol
+                .filter(|symbol| symbol.space == Space::Data)
+                .map(|symbol| symbol.address)
+        };
+        Memory {
+            markers: place("MARKERS"),
+            registers: place("REGISTERS"),
+            readings: place("READINGS"),
+        }
+    }
+
+    /// Address and length of a cell.
+    fn cell(self, cell: Cell) -> Result<(u32, usize), EngineError> {
+        let (first, number, size, name) = match cell {
+            Cell::Marker(number) => (self.markers, number, 1, "MARKERS"),
+            Cell::Register(number) => (self.registers, number, 4, "REGISTERS"),
+        };
+        let first = first.ok_or(EngineError::NoSymbol(name))?;
+        let offset = u32::from(number).saturating_sub(1) * size;
+        Ok((first + offset, size as usize))
+    }
+}
+
 impl UnoEngine {
     /// An engine with this firmware.
     ///
@@ -77,6 +124,8 @@ impl UnoEngine {
             scan: symbol("scan_begin", Space::Flash)?,
             tick: symbol("__vector_13", Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
+            memory: Memory::of(&program),
+            analogue: false,
             program,
             clock,
             uno: None,
@@ -90,11 +139,15 @@ impl UnoEngine {
     /// # Errors
     /// Where neither comes, or an output moves.
     pub fn start(&mut self, slot: Slot) -> Result<Result<(), Refusal>, EngineError> {
+        self.uno = Some(Uno::with_program(self.program.clone(), slot)?);
+        self.follow_start()
+    }
+
+    /// Follows the start-up of a board that has just got its power.
+    fn follow_start(&mut self) -> Result<Result<(), Refusal>, EngineError> {
         self.next = None;
-        let uno = self
-            .uno
-            .insert(Uno::with_program(self.program.clone(), slot)?);
-        let limit = START_UP * CYCLES_PER_MS;
+        let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
+        let limit = uno.cycles() + START_UP * CYCLES_PER_MS;
         let refusal = loop {
             match uno.run_until(self.scan, CYCLES_PER_MS) {
                 Ok(()) => break None,
@@ -148,10 +201,47 @@ impl UnoEngine {
         Ok(uno.write_ram(self.millis, &now.to_le_bytes())?)
     }
 
-    fn set_inputs(&mut self, inputs: Image) -> Result<(), EngineError> {
+    /// Sets what stands at the pins. The converter takes its time beside the scans, so in lockstep the
+    /// readings that it will give are put where the firmware keeps them.
+    fn set_inputs(&mut self, inputs: &Inputs) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        uno.set_inputs(inputs.0 as u8);
+        uno.set_inputs(inputs.points.0 as u8);
+        if inputs.analogue == Inputs::default().analogue && !self.analogue {
+            return Ok(());
+        }
+        self.analogue = true;
+        let readings = self
+            .memory
+            .readings
+            .ok_or(EngineError::NoSymbol("READINGS"))?;
+        for (index, &reading) in inputs.analogue.iter().enumerate() {
+            uno.set_analogue(index, Analogue::Reading(reading));
+            let place = readings + 2 * index as u32;
+            if self.clock == Clock::Lockstep {
+                uno.write_ram(place, &reading.to_le_bytes())?;
+            }
+        }
         Ok(())
+    }
+
+    /// Runs to where the board is at this address again, or tells a fault.
+    fn scan_to(&mut self, address: u32) -> Result<Option<Refusal>, EngineError> {
+        let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
+        let Err(halt) = uno.run_until(address, LONGEST_SCAN) else {
+            return Ok(None);
+        };
+        // A scan that ends in a fault is the last: the board tells it, and that takes a while.
+        let limit = uno.cycles() + FAULT_TOLD * CYCLES_PER_MS;
+        while uno.cycles() < limit {
+            if let Some(refusal) = fault(&uno.serial())? {
+                return match uno.outputs() {
+                    0 => Ok(Some(refusal)),
+                    outputs => Err(EngineError::OutputMoved(outputs.trailing_zeros() as u8)),
+                };
+            }
+            uno.run_ms(1).map_err(|halt| told(uno, halt))?;
+        }
+        Err(told(uno, halt))
     }
 }
 
@@ -163,16 +253,56 @@ impl Engine for UnoEngine {
             .file("PROGRAM.TXT", file)
             .build()?;
         let card = SdCard::new(Kind::Sdhc, image)?;
+        self.analogue = false;
         self.start(Slot::Card(card))
     }
 
+    /// A real power cut. Before it the board goes on for a while, with its clock standing in lockstep.
+    fn restart(&mut self) -> Result<(), EngineError> {
+        let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
+        let run = uno.run_ms(BEFORE_CUT);
+        run.map_err(|halt| told(uno, halt))?;
+        uno.power_up();
+        uno.take_serial();
+        uno.take_edges();
+        match self.follow_start()? {
+            Ok(()) => Ok(()),
+            Err(refusal) => Err(EngineError::Serial(refusal.to_string())),
+        }
+    }
+
+    fn look(&mut self, cell: Cell) -> Result<i32, EngineError> {
+        let (address, size) = self.memory.cell(cell)?;
+        let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
+        Ok(match *uno.read_ram(address, size)? {
+            [a, b, c, d] => i32::from_le_bytes([a, b, c, d]),
+            [marker] => i32::from(marker != 0),
+            _ => 0,
+        })
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> Result<(), EngineError> {
+        let (address, size) = self.memory.cell(cell)?;
+        let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
+        let bytes = value.to_le_bytes();
+        Ok(uno.write_ram(address, bytes.get(..size).unwrap_or_default())?)
+    }
+
+    /// From the pulses that the timers make: of a count of 256, or nearly so of another.
+    fn pwm(&mut self, output: u8) -> Result<u8, EngineError> {
+        let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
+        let pulses = uno.pwm(usize::from(output).wrapping_sub(1));
+        Ok(pulses.map_or(0, |pulses| duty(pulses.high, pulses.period)))
+    }
+
     fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, EngineError> {
-        let inputs = inputs.points;
         match self.clock {
             Clock::Lockstep => {
                 self.set_clock(now)?;
                 self.set_inputs(inputs)?;
-                self.run_until(self.scan)?;
+                if let Some(refusal) = self.scan_to(self.scan)? {
+                    return Ok(Err(refusal));
+                }
             }
             Clock::Running => {
                 let next = match self.next {
@@ -228,4 +358,16 @@ fn parse_fault(line: &str) -> Option<Refusal> {
         .iter()
         .find(|cause| cause.number() == refusal.number)?;
     (cause.text() == text).then_some(refusal)
+}
+
+/// The value that makes these pulses: the timer of D6 counts to 256, that of D9 to 2000, of which 125 are
+/// 16 of the value; a pin is high for one count more than the timer is told.
+fn duty(high: u64, period: u64) -> u8 {
+    let counted = |counts: u64| (high * counts / period).saturating_sub(1);
+    let value = if period % 2000 == 0 {
+        (counted(2000) * 16).div_ceil(125)
+    } else {
+        counted(256)
+    };
+    value.min(255) as u8
 }

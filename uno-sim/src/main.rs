@@ -10,7 +10,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis};
-use unoclp_host_sim::scenario::{self, Engine, Outcome, Refusal, Scenario, Verdict};
+use unoclp_host_sim::scenario::{self, Cell, Engine, Outcome, Refusal, Scenario, Verdict};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
@@ -240,6 +240,22 @@ impl Engine for Show {
             println!("  {seconds:7.3}   {buttons}      {leds}");
         }
         Ok(outcome)
+    }
+
+    fn restart(&mut self) -> Result<(), EngineError> {
+        self.engine.restart()
+    }
+
+    fn look(&mut self, cell: Cell) -> Result<i32, EngineError> {
+        self.engine.look(cell)
+    }
+
+    fn poke(&mut self, cell: Cell, value: i32) -> Result<(), EngineError> {
+        self.engine.poke(cell, value)
+    }
+
+    fn pwm(&mut self, output: u8) -> Result<u8, EngineError> {
+        self.engine.pwm(output)
     }
 }
 

@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::{card, ms_until, to_run, to_run_or_fault, uno};
+use common::modbus::{input, words};
+use common::{card, to_run, to_run_or_fault, uno};
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Space, Uno};
 
 /// Outputs 01 to 04 are on.
@@ -16,13 +17,17 @@ fn running() -> Uno {
     uno
 }
 
-fn expect_fault(uno: Uno, case: &str, fault: &str) {
-    let said = fault_within(20, uno, case);
-    assert!(said.contains(fault), "{case}: {said:?}");
+fn expect_fault(uno: Uno, case: &str, fault: u16) {
+    assert_eq!(
+        fault_within(20, uno, case),
+        (String::new(), fault),
+        "{case}"
+    );
 }
 
-/// What the serial port says of the fault that turns the outputs off within this time, for good.
-fn fault_within(limit: u64, mut uno: Uno, case: &str) -> String {
+/// The fault that turns the outputs off within this time, for good; and what the serial port says, where the
+/// board has begun anew.
+fn fault_within(limit: u64, mut uno: Uno, case: &str) -> (String, u16) {
     let mut ms = 0;
     while uno.outputs() != 0 {
         uno.run_ms(1).unwrap();
@@ -33,10 +38,11 @@ fn fault_within(limit: u64, mut uno: Uno, case: &str) -> String {
             uno.outputs()
         );
     }
-    let said = ms_until(&mut uno, &["reset\r\n", "again\r\n", "supply\r\n"]).1;
-    uno.run_ms(100).unwrap();
+    uno.run_ms(200).unwrap();
     assert_eq!(uno.outputs(), 0, "{case}");
-    said
+    let said = String::from_utf8(uno.take_serial()).unwrap();
+    assert_eq!(input(&mut uno, 16), 3, "{case}: {said:?}");
+    (said, input(&mut uno, 18))
 }
 
 /// Outputs 01 to 04 are on; then every instruction of the language.
@@ -65,15 +71,17 @@ fn a_program_that_changes_in_run_memory_is_a_fault() {
             uno.run_ms(5).unwrap();
             let byte = uno.read_ram(memory + place, 1).unwrap()[0];
             uno.write_ram(memory + place, &[byte ^ 1 << bit]).unwrap();
-            let said = fault_within(150, uno, &case);
-            let changed = said.contains("fault 62: the program in run memory has changed");
+            let (said, fault) = fault_within(150, uno, &case);
             if said.contains("restart 1") {
                 let hung = said.contains("by the watchdog") && said.contains("fault 61: a scan");
-                let began_anew = said.contains("without a reset") && changed;
-                assert!(hung || began_anew, "{case}: {said:?}");
+                let began_anew = said.contains("without a reset") && said.contains("fault 62: ");
+                assert!(
+                    hung && fault == 61 || began_anew && fault == 62,
+                    "{case}: {said:?}"
+                );
                 astray += 1;
             } else {
-                assert!(changed, "{case}: {said:?}");
+                assert_eq!((said.as_str(), fault), ("", 62), "{case}");
                 told += 1;
             }
         }
@@ -89,7 +97,7 @@ fn a_stack_that_grows_too_far_is_a_fault() {
     let mut uno = running();
     let guard = uno.symbol("GUARD").unwrap();
     uno.write_ram(guard.address + 1, &[0]).unwrap();
-    expect_fault(uno, "guard", "fault 63");
+    expect_fault(uno, "guard", 63);
 }
 
 #[test]
@@ -99,25 +107,18 @@ fn a_low_supply_is_a_fault_and_a_weak_one_a_warning() {
     uno.run_ms(100).unwrap();
     assert_eq!(uno.outputs(), 0b1111);
     uno.set_supply(4200);
-    expect_fault(uno, "4.2 V", "fault 64");
+    expect_fault(uno, "4.2 V", 64);
 
     let mut weak = common::uno(Slot::Card(card(TEXT)));
     weak.set_supply(4500);
     let said = to_run(&mut weak);
     assert!(said.contains("warning: the supply is weak, 4"), "{said:?}");
-    weak.set_stop(true);
-    let said = ms_until(&mut weak, &[" faults\r\n"]).1;
-    assert!(
-        said.contains("\r\nsupply: 4") && said.contains(" mV, weak; "),
-        "{said:?}"
-    );
-    weak.set_stop(false);
-    to_run(&mut weak);
-    weak.set_supply(5000);
-    weak.run_ms(10).unwrap();
-    weak.set_stop(true);
-    let said = ms_until(&mut weak, &[" faults\r\n"]).1;
-    assert!(!said.contains("weak"), "{said:?}");
+    for supply in [4500, 5000] {
+        weak.set_supply(supply);
+        weak.run_ms(10).unwrap();
+        let told = 1_126_400 / u32::from(input(&mut weak, 30));
+        assert!(told.abs_diff(supply.into()) < 50, "{supply}: {told}");
+    }
 
     let mut low = common::uno(Slot::Card(card(TEXT)));
     low.set_supply(4000);
@@ -139,15 +140,10 @@ fn scan_times_are_those_of_the_chip() {
         (shortest, longest) = (shortest.min(cycles), longest.max(cycles));
         begun = uno.cycles();
     }
-    uno.take_serial();
     uno.set_stop(true);
-    let said = ms_until(&mut uno, &[" us\r\n"]).1;
-    let numbers: Vec<u64> = said
-        .split(|c: char| !c.is_ascii_digit())
-        .filter_map(|number| number.parse().ok())
-        .collect();
-    let [last, least, most] = numbers[..] else {
-        panic!("{said:?}")
+    uno.run_ms(2).unwrap();
+    let [last, least, most] = words(&mut uno, 4, 24, 3)[..] else {
+        panic!("three words")
     };
     println!(
         "scans of {shortest} to {longest} cycles; told: last {last}, least {least}, most {most} us"
@@ -155,6 +151,9 @@ fn scan_times_are_those_of_the_chip() {
     assert!(least <= last && last <= most);
     // The moment is taken a little after the symbol; the interrupt may fall in between.
     for (told, cycles) in [(least, shortest), (most, longest)] {
-        assert!((told * 16).abs_diff(cycles) <= 60, "{cycles}: {said:?}");
+        assert!(
+            (u64::from(told) * 16).abs_diff(cycles) <= 60,
+            "{cycles}: {told}"
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use unoclp_core::{Image, Profile};
+use unoclp_core::{Image, Inputs, Needs};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs};
 use unoclp_host_sim::scenario::Engine;
@@ -26,16 +26,16 @@ fn a_long_run_is_alike_in_every_millisecond() {
     assert_eq!(uno.load(TEXT.as_bytes()).unwrap(), Ok(()));
 
     let random = &mut Random::new(7);
-    let (mut inputs, mut before, mut changes) = (Image::default(), Ok(Image::default()), 0u64);
+    let (mut inputs, mut before, mut changes) = (Inputs::default(), Ok(Image::default()), 0u64);
     // Across the wrap of the clock too.
     let start = u32::MAX - 30_000;
     for ms in 0..minutes * 60_000 {
         if random.percent(2) {
-            inputs = random_inputs(random, Profile::UNO, inputs);
+            inputs = random_inputs(random, Needs::default(), inputs);
         }
         let now = start.wrapping_add(ms);
-        let Ok(expected) = host.scan(&inputs.into(), now);
-        let came = uno.scan(&inputs.into(), now).unwrap();
+        let Ok(expected) = host.scan(&inputs, now);
+        let came = uno.scan(&inputs, now).unwrap();
         assert_eq!(came, expected, "after {ms} ms");
         changes += u64::from(came != before);
         before = came;

@@ -3,7 +3,7 @@
 mod common;
 
 use unoclp_card::image::{Fat, Image};
-use unoclp_core::{Image as Inputs, Profile};
+use unoclp_core::{Inputs, Needs};
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::Engine;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
@@ -25,7 +25,7 @@ fn peak_stack_leaves_a_reserve() {
     let (mut load, mut run, mut fault) = (u32::MAX, u32::MAX, u32::MAX);
     let random = &mut Random::new(1);
     for n in 0..24 {
-        let mut text = random_program(random, Profile::UNO);
+        let mut text = random_program(random);
         if n % 6 == 5 {
             text += "\n5 / no such code\n";
         }
@@ -48,8 +48,11 @@ fn peak_stack_leaves_a_reserve() {
         uno.reset_min_sp();
         let mut inputs = Inputs::default();
         for now in 0..40 {
-            inputs = random_inputs(random, Profile::UNO, inputs);
-            let _ = engine.scan(&inputs.into(), now).unwrap();
+            inputs = random_inputs(random, Needs::default(), inputs);
+            // A scan that ends in a fault is the last.
+            if engine.scan(&inputs, now).unwrap().is_err() {
+                break;
+            }
         }
         run = run.min(free(engine.uno().unwrap()));
     }

@@ -2,11 +2,12 @@
 
 mod common;
 
+use common::modbus::words;
 use common::state::{
     FOLLOW, KEPT, Saved, assert_only_state_changed, run_to_save, running, saves, state_card,
     template,
 };
-use common::{card, firmware, ms_until, to_run};
+use common::{card, firmware, to_run};
 use unoclp_card::image::{Fat, Image};
 use unoclp_uno_sim::sd::{Kind, SdCard};
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
@@ -208,16 +209,12 @@ fn scan_times_are_those_that_stop_tells() {
     uno.set_inputs(0b0010);
     let saved = run_to_save(&mut uno);
     uno.set_stop(true);
-    let said = ms_until(&mut uno, &[" us\r\n"]).1;
-    let (told, _) = said.split_once(" us").unwrap();
-    let told: Vec<u64> = told
-        .split(|c: char| !c.is_ascii_digit())
-        .filter_map(|number| number.parse().ok())
-        .collect();
-    let [_, least, most] = told[..] else {
-        panic!("{said:?}")
+    uno.run_ms(2).unwrap();
+    let [least, most] = words(&mut uno, 4, 25, 2)[..] else {
+        panic!("two words")
     };
-    println!("{saved:?}; then STOP: {said:?}");
+    let (least, most) = (u64::from(least), u64::from(most));
+    println!("{saved:?}; then STOP: least {least}, most {most}");
     assert!(least <= saved.least && saved.most <= most);
     assert!(saved.least <= saved.last && saved.last <= saved.most);
 }

@@ -71,11 +71,24 @@ const SIMAVR: &[Need] = &[
 ];
 
 /// What the tests on the simulated board call.
-const TESTS: &[Need] = &[need(
-    "dosfstools",
-    "checking the file systems of card images",
-    |_| has_fsck(),
-)];
+const TESTS: &[Need] = &[
+    need(
+        "dosfstools",
+        "checking the file systems of card images",
+        |_| has_fsck(),
+    ),
+    need("mbpoll", "asking the Modbus server", |_| {
+        output(Command::new("mbpoll").arg("-V")).is_some()
+    }),
+    need(
+        "python3-venv",
+        "asking the Modbus server by pymodbus",
+        |_| output(Command::new("python3").args(["-c", "import ensurepip, venv"])).is_some(),
+    ),
+];
+
+/// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
+const PYTHON: [&str; 2] = ["pymodbus==3.16.1", "pyserial==3.5"];
 
 /// Sees to it that the firmware can be built.
 ///
@@ -98,7 +111,22 @@ pub fn for_simulator() -> Result<Toolchain> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn for_tests() -> Result<Toolchain> {
-    provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS])
+    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS])?;
+    provide_python()?;
+    Ok(toolchain)
+}
+
+/// A Python with a Modbus client, under `target/python`.
+fn provide_python() -> Result<()> {
+    let folder = shell::root().join("target/python");
+    let python = folder.join("bin/python3");
+    if output(Command::new(&python).args(["-c", "import pymodbus, serial"])).is_some() {
+        return Ok(());
+    }
+    say("setup: installing pymodbus in target/python");
+    shell::run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
+    let pip = ["-m", "pip", "--quiet", "install"];
+    shell::run(Command::new(&python).args(pip).args(PYTHON))
 }
 
 /// `cargo xtask setup`

@@ -119,7 +119,7 @@ fn walk_inner(card: &Card, name: &[u8; 11]) -> Result<Vec<u8>, Error<NoBlock>> {
     let mut reader = Reader::new(card);
     reader.block.fill(0xA5);
     let mut file = File::default();
-    file.open(&mut reader, name)?;
+    file.open(&mut reader, name.iter().copied())?;
     let mut bytes = Vec::new();
     loop {
         reader.block.fill(0x5A);

@@ -15,7 +15,7 @@ mod table;
 
 pub use instruction::{Instruction, Operand, Value};
 pub(crate) use packed::{By, Entry, find};
-pub use packed::{PACKED, PackedTable, read_packed};
+pub use packed::{PACKED, PackedTable, kind_of, read_packed, row_of};
 pub use table::{Opcode, TABLE};
 
 /// What stands in the last two digits of a code, and on the lines that follow it.
@@ -135,7 +135,7 @@ impl Line {
     /// Bytes of run memory that the line, stored as this, adds to those of its instruction's row.
     pub const fn more_run_bytes(self, stored: u8) -> u8 {
         match self {
-            Line::Constant => 4,
+            Line::Constant => 3,
             Line::Step => 1,
             Line::Target if stored >= MARKER_TARGET => 2,
             _ => 0,
@@ -206,7 +206,7 @@ pub(crate) const fn first_of(byte: u8) -> u8 {
 }
 
 /// Whether the low four bits of a first stored byte are the index of a point.
-pub(crate) const fn holds_point(byte: u8) -> bool {
+pub const fn holds_point(byte: u8) -> bool {
     byte >= 0x10 && byte < 0xA0
 }
 

@@ -84,7 +84,10 @@ pub(crate) enum By {
 #[inline(never)]
 pub(crate) fn find(table: PackedTable, by: By) -> Option<(Entry, u8)> {
     let mut row = [0; ROW];
-    let mut at = 0;
+    let mut at = match by {
+        By::Code(_) => 0,
+        By::Stored(byte) => row_of(byte) * ROW,
+    };
     while at < KINDS {
         fill(&mut row, table, at);
         at += ROW;
@@ -116,6 +119,34 @@ pub(crate) fn find(table: PackedTable, by: By) -> Option<(Entry, u8)> {
         return Some((entry, xx));
     }
     None
+}
+
+/// The place in the table of the row that a first stored byte belongs to; where there is none, of
+/// another row or beyond the table.
+pub const fn row_of(byte: u8) -> usize {
+    let row = match byte {
+        ..0x10 => byte.wrapping_sub(1),
+        0x10..0xA0 => (byte >> 4) + 14,
+        _ => byte - (0xA0 - 24),
+    };
+    row as usize
+}
+
+const _: () = {
+    let mut row = 0;
+    while row < TABLE.len() {
+        assert!(row_of(TABLE[row].stored) == row);
+        row += 1;
+    }
+};
+
+/// What the row at a place in the table works on; none beyond the table.
+pub fn kind_of(table: PackedTable, row: usize) -> Option<Kind> {
+    if row < TABLE.len() {
+        Kind::of(table(row * ROW + 4))
+    } else {
+        None
+    }
 }
 
 // Apart, so that its length is not known: else a loop would become a row.

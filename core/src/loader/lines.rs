@@ -89,13 +89,17 @@ impl Loader<'_> {
             Line::MoveCount => {
                 // From and to, each with so many registers from it on.
                 let highest = self.room.before(1).max(self.room.before(2));
+                // Behind a line that was refused, something else stands there.
+                let highest = highest.filter(|&highest| highest <= isa::REGISTERS);
                 (1, i16::from(isa::REGISTERS + 1 - highest.unwrap_or(1)))
             }
             Line::Step => (0, 15),
             Line::FromHigh => match (self.room.before(2), self.room.before(1)) {
-                (Some(low), Some(high)) => {
-                    (i16::from_le_bytes([low, high]).saturating_add(1), i16::MAX)
-                }
+                // Nothing is above the highest number.
+                (Some(low), Some(high)) => match i16::from_le_bytes([low, high]).checked_add(1) {
+                    Some(least) => (least, i16::MAX),
+                    None => (1, 0),
+                },
                 _ => (i16::MIN, i16::MAX),
             },
             Line::FilterTime => (0, FILTER_TIME),

@@ -168,7 +168,8 @@ impl<'m> Loader<'m> {
             Cause::EmptyFile => None,
             Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
             Cause::OperandsMissing => Some(self.block),
-            Cause::NoSuchTimer if self.timer == 0 => Some(self.timer_line),
+            // At the end of the file; a timer 00 is told where it stands.
+            Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
             Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
             _ => Some(self.line),
         };
@@ -230,7 +231,11 @@ impl<'m> Loader<'m> {
             for place in bytes.iter_mut().take(line.bytes().into()) {
                 *place = next()?;
             }
-            self.stored_line(line, i32::from_le_bytes(bytes))?;
+            let number = match (line.bytes(), bytes) {
+                (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                _ => i32::from_le_bytes(bytes),
+            };
+            self.stored_line(line, number)?;
         }
         Ok(())
     }

@@ -55,7 +55,7 @@ impl<'m> Room<'m> {
         }
         match kind {
             Kind::Timer => self.timers = self.timers.saturating_add(1),
-            Kind::Value if xx == 0 => run += 4,
+            Kind::Value if xx == 0 => run += 3,
             Kind::Input if holds_point && xx > isa::FAST_INPUTS => run += 2,
             _ => {}
         }

@@ -25,7 +25,7 @@ impl From<Image> for Inputs {
 
 /// The input image, which takes a level once an input has kept it for the filter's time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Debounce {
+pub struct Debounce {
     image: Image,
     /// Time stamp of the scan before.
     before: Millis,
@@ -33,8 +33,15 @@ pub(super) struct Debounce {
     differs: [u8; 8],
 }
 
+impl Default for Debounce {
+    fn default() -> Debounce {
+        Debounce::new()
+    }
+}
+
 impl Debounce {
-    pub(super) const fn new() -> Debounce {
+    /// All inputs 0.
+    pub const fn new() -> Debounce {
         Debounce {
             image: Image(0),
             before: 0,
@@ -42,12 +49,14 @@ impl Debounce {
         }
     }
 
-    pub(super) fn image(&self) -> Image {
+    /// The image of the last scan.
+    pub fn image(&self) -> Image {
         self.image
     }
 
-    /// The image of this scan. The first one takes the inputs as they are.
-    pub(super) fn scan(&mut self, points: Image, time: u8, first: bool, now: Millis) {
+    /// Takes the inputs of this scan, which are filtered by so many ms. The first scan takes them as they
+    /// are.
+    pub fn scan(&mut self, points: Image, time: u8, first: bool, now: Millis) {
         let passed = now.wrapping_sub(self.before).min(Millis::from(MOST)) as u8;
         let mut other = 0;
         for (index, differs) in self.differs.iter_mut().enumerate() {

@@ -1,18 +1,19 @@
 //! The running PLC: images, timers, counters, registers and the scan.
 
+mod clocks;
 mod counter;
 mod inputs;
 mod scan;
 mod smooth;
 mod value;
 
-pub use inputs::Inputs;
+pub use clocks::Clocks;
+pub use inputs::{Debounce, Inputs};
 
 use crate::isa::{COUNTER_DATA, COUNTERS, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
 use crate::timer::{Delay, Target, Timer};
 use crate::{Image, Needs, Program, Steps};
 use counter::Counter;
-use inputs::Debounce;
 
 /// A time in ms, or a reading of the millisecond clock; the clock wraps after 49.7 days.
 pub type Millis = u32;
@@ -43,15 +44,6 @@ struct State {
     first: bool,
 }
 
-/// The system markers S 02 and S 03, which change in step with the time stamps.
-#[derive(Clone, Copy, Debug)]
-struct Clocks {
-    /// Time stamp of the last change.
-    since: Millis,
-    /// 0–19: tenths of the 10 Hz clock's period.
-    phase: u8,
-}
-
 /// A timer as an observer sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TimerState {
@@ -79,9 +71,10 @@ pub struct CounterState {
 }
 
 impl<'m> Plc<'m> {
-    /// Makes a checked program ready to run: all outputs 0 (NC-7), no timer started.
+    /// Makes a checked program ready to run: all outputs 0 (NC-7), no timer started. The program's memory
+    /// is to be of [`Profile::plc_bytes`](crate::Profile::plc_bytes); in a shorter one, timers and counters
+    /// that find no room do nothing.
     pub fn new(program: Program<'m>) -> Plc<'m> {
-        // The loader has reserved the data; a shorter memory would only mean less of it.
         let (code, data) = program
             .memory
             .split_at_mut_checked(program.code_bytes)
@@ -257,24 +250,8 @@ impl State {
             markers: 0,
             registers: [0; REGISTERS as usize],
             pwm: [0; 4],
-            clocks: Clocks { since: 0, phase: 0 },
+            clocks: Clocks::new(),
             first: true,
-        }
-    }
-}
-
-impl Clocks {
-    /// A tenth of a second of S 02 and a half of S 03, ms.
-    const STEP: Millis = 50;
-
-    /// At the beginning of a scan. No scan makes more than one step, so after a long one the clocks are
-    /// late, and go faster until they are right again.
-    fn scan(&mut self, first: bool, now: Millis) {
-        if first {
-            self.since = now;
-        } else if now.wrapping_sub(self.since) >= Clocks::STEP {
-            self.since = self.since.wrapping_add(Clocks::STEP);
-            self.phase = (self.phase + 1) % 20;
         }
     }
 }

@@ -358,8 +358,8 @@ impl Plc<'_> {
     fn system(&self, pass: &Pass<'_>, number: u8) -> bool {
         match number {
             1 => self.state.first,
-            2 => self.state.clocks.phase >= 10,
-            3 => self.state.clocks.phase & 1 != 0,
+            2 => self.state.clocks.slow(),
+            3 => self.state.clocks.fast(),
             _ => pass.error,
         }
     }

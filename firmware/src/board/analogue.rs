@@ -5,9 +5,10 @@
 //! the reference takes 70 µs to appear.
 
 use avr_device::atmega328p::ADC;
+use core::cell::Cell;
 use unoclp_core::isa::ANALOGUE;
 
-/// Reads of A 00 … A 04, 0 to 1023.
+/// The readings of A 00 … A 04, 0 to 1023.
 pub type Readings = [u16; ANALOGUE as usize];
 
 /// The reference as a fraction of the supply, in 1024ths, at 4.3 V: more means less supply.
@@ -26,42 +27,43 @@ const LAST: u8 = ANALOGUE;
 pub struct Analogue {
     adc: ADC,
     /// The analogue inputs that are measured, bit 0 A 00.
-    channels: u8,
+    channels: Cell<u8>,
     /// The one that is being measured; [`LAST`] is the reference.
-    channel: u8,
+    channel: Cell<u8>,
     /// Whether it is being measured for the second time.
-    settled: bool,
+    settled: Cell<bool>,
     /// The last reading of the reference.
-    reference: u16,
+    reference: Cell<u16>,
 }
 
 impl Analogue {
     /// Measures the supply, which takes 0.3 ms, and begins anew with that.
     pub fn start(adc: ADC) -> Analogue {
-        let mut analogue = Analogue {
+        adc.adcsra()
+            .write(|w| w.aden().set_bit().adps().prescaler_128());
+        let analogue = Analogue {
             adc,
-            channels: 0,
-            channel: LAST,
-            settled: false,
-            reference: 0,
+            channels: Cell::new(0),
+            channel: Cell::new(LAST),
+            settled: Cell::new(false),
+            reference: Cell::new(0),
         };
-        analogue.adc.adcsra().write(|w| w.aden().set_bit().adps().prescaler_128());
         analogue.begin();
         let mut none = Readings::default();
-        while analogue.reference == 0 {
+        while analogue.reference() == 0 {
             analogue.step(&mut none);
         }
         analogue
     }
 
     /// From now on these inputs are measured too, bit 0 A 00.
-    pub fn measure(&mut self, channels: u8) {
-        self.channels = channels;
+    pub fn measure(&self, channels: u8) {
+        self.channels.set(channels);
     }
 
     /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
     #[inline(always)]
-    pub fn step(&mut self, readings: &mut Readings) {
+    pub fn step(&self, readings: &mut Readings) {
         // Set by the end of a conversion alone, so a converter that is off changes no reading.
         if self.adc.adcsra().read().adif().bit_is_set() {
             self.take(readings);
@@ -69,38 +71,35 @@ impl Analogue {
     }
 
     #[inline(never)]
-    fn take(&mut self, readings: &mut Readings) {
-        if self.settled {
+    fn take(&self, readings: &mut Readings) {
+        if self.settled.get() {
             let reading = self.adc.adc().read().bits();
-            match readings.get_mut(usize::from(self.channel)) {
+            match readings.get_mut(usize::from(self.channel.get())) {
                 Some(place) => *place = reading,
-                None => self.reference = reading.max(1),
+                None => self.reference.set(reading.max(1)),
             }
             self.next();
         }
-        self.settled = !self.settled;
+        self.settled.set(!self.settled.get());
         self.begin();
     }
 
     /// Goes on to the next channel that is measured.
-    fn next(&mut self) {
+    fn next(&self) {
+        let mut channel = self.channel.get();
         loop {
-            self.channel = if self.channel >= LAST {
-                0
-            } else {
-                self.channel + 1
-            };
-            if self.channel == LAST || self.channels >> self.channel & 1 != 0 {
+            channel = if channel >= LAST { 0 } else { channel + 1 };
+            if channel == LAST || self.channels.get() >> channel & 1 != 0 {
+                self.channel.set(channel);
                 return;
             }
         }
     }
 
     fn begin(&self) {
-        let mux = if self.channel == LAST {
-            REFERENCE
-        } else {
-            self.channel
+        let mux = match self.channel.get() {
+            LAST => REFERENCE,
+            channel => channel,
         };
         // SAFETY: any channel may be measured.
         unsafe { self.adc.admux().write(|w| w.bits(SUPPLY | mux)) };
@@ -112,19 +111,20 @@ impl Analogue {
 
     /// The last reading of the reference: 1.1 V in 1024ths of the supply.
     pub fn reference(&self) -> u16 {
-        self.reference
+        self.reference.get()
     }
 
     /// Whether the supply is below 4.3 V.
     pub fn is_low(&self) -> bool {
-        self.reference > LOW
+        self.reference.get() > LOW
     }
 
     /// The supply in hundredths of a volt; by subtraction, since a division takes 1.5 KB of flash.
     pub fn centivolts(&self) -> u16 {
         let (mut rest, mut centivolts) = (CENTIVOLTS, 0);
-        while rest >= u32::from(self.reference) && centivolts < 1000 {
-            rest -= u32::from(self.reference);
+        let reference = u32::from(self.reference.get());
+        while rest >= reference && centivolts < 1000 {
+            rest -= reference;
             centivolts += 1;
         }
         centivolts

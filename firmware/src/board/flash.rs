@@ -38,6 +38,30 @@ impl<const N: usize> InFlash<N> {
     }
 }
 
+/// A table that stands in program memory.
+#[repr(transparent)]
+pub struct Table<T, const N: usize>([T; N]);
+
+impl<T, const N: usize> Table<T, N> {
+    /// These.
+    pub const fn new(table: [T; N]) -> Table<T, N> {
+        Table(table)
+    }
+
+    /// The byte at this place of the table; 0 beyond its end.
+    ///
+    /// # Safety
+    ///
+    /// `self` must be a static in section `.progmem.data`.
+    #[inline(never)]
+    pub unsafe fn byte(&'static self, at: usize) -> u8 {
+        if at >= size_of::<[T; N]>() {
+            return 0;
+        }
+        load((&raw const self.0).cast::<u8>().wrapping_add(at))
+    }
+}
+
 /// The most codes that a text may have before it is packed.
 const LONGEST: usize = 4096;
 
@@ -120,12 +144,20 @@ impl Codes {
 }
 
 /// What is left of a text in program memory: gives its codes in order, up to the NUL, and stays there.
+#[derive(Clone)]
 pub struct FlashText(*const u8);
 
 impl Default for FlashText {
     /// An empty text.
     fn default() -> FlashText {
         flash_text!("")
+    }
+}
+
+impl FlashText {
+    /// The code at this place, up to the NUL; none for that.
+    pub fn at(&self, index: u8) -> Option<u8> {
+        FlashText(self.0.wrapping_add(index.into())).next()
     }
 }
 

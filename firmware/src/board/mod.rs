@@ -3,22 +3,29 @@
 //! | point | pin | port |
 //! | --- | --- | --- |
 //! | inputs 01–04 | D2–D5 | PD2–PD5 |
+//! | inputs 05–08, analogue inputs A 00–03 | A0–A3 | PC0–PC3 |
+//! | analogue input A 04, direction of RS-485 | A4 | PC4 |
 //! | outputs 01–04 | D6–D9 | PD6, PD7, PB0, PB1 |
 //! | card | D10–D13 | PB2 CS, PB3 MOSI, PB4 MISO, PB5 SCK |
 //! | LED L | D13 | PB5, when the card does not use it |
-//! | serial | D0, D1 | USART0 |
+//! | serial | D0, D1 | USART0, timer 2 |
+//! | direction of RS-485, where it is set | A4 | PC4 |
 //! | STOP | A5 | PC5 |
 
+pub mod analogue;
 pub mod clock;
 pub mod eeprom;
 pub mod flash;
 pub mod pins;
+pub mod pwm;
 pub mod serial;
 pub mod spi;
-pub mod supply;
+pub mod stack;
 pub mod watchdog;
 
-use avr_device::atmega328p::{Peripherals, SPI, TC1};
+use crate::settings::Settings;
+use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
+use unoclp_core::Image;
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
 pub const CLOCK_HZ: u32 = 16_000_000;
@@ -31,14 +38,17 @@ pub struct Board {
     pub serial: serial::Serial,
     /// The EEPROM.
     pub eeprom: eeprom::Eeprom,
-    /// The supply voltage.
-    pub supply: supply::Supply,
+    /// Analogue inputs and the supply voltage.
+    pub analogue: analogue::Analogue,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
+    /// The settings that the serial line has until the next start.
+    pub settings: Settings,
     /// Why the board has started.
     pub start: watchdog::Start,
     spi: SPI,
     timer: TC1,
+    pwm: TC0,
 }
 
 impl Board {
@@ -48,25 +58,58 @@ impl Board {
         // each peripheral.
         let chip = unsafe { Peripherals::steal() };
         let pins = pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
+        stack::paint();
         let (watchdog, start) =
             watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
+        let eeprom = eeprom::Eeprom::new(chip.EEPROM);
+        let settings = Settings::load(&eeprom, pins.ask_for_defaults());
+        // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
+        let direction = unsafe { Peripherals::steal() }.PORTC;
         Board {
             pins,
-            serial: serial::Serial::new(chip.USART0),
-            eeprom: eeprom::Eeprom::new(chip.EEPROM),
-            supply: supply::Supply::start(chip.ADC),
+            serial: serial::Serial::new(chip.USART0, chip.TC2, direction, &settings),
+            eeprom,
+            analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
+            settings,
             start,
             spi: chip.SPI,
             timer: chip.TC1,
+            pwm: chip.TC0,
         }
+    }
+
+    /// Makes outputs PWM, 0 to 255 of each; at 0 the pin is as its port has it. Only 01 and 04 can be, and
+    /// only those that are among these, bit 0 output 01.
+    #[inline(never)]
+    pub fn write_pwm(&self, among: u8, duty: &[u8; 4]) {
+        let [first, _, _, last] = *duty;
+        if among & 1 != 0 {
+            pwm::set_d6(&self.pwm, first);
+        }
+        if among & 8 != 0 {
+            pwm::set_d9(&self.timer, last);
+        }
+    }
+
+    /// All outputs off, those that are PWM too (NC-7).
+    #[inline(never)]
+    pub fn switch_outputs_off(&self) {
+        self.write_pwm(u8::MAX, &[0; 4]);
+        self.pins.write_outputs(Image::default());
     }
 
     /// This moment.
     #[inline(always)]
     pub fn moment(&self) -> clock::Moment {
         clock::moment(&self.timer)
+    }
+
+    /// A moment that no time is measured from.
+    #[inline(never)]
+    pub fn forgotten(&self) -> clock::Moment {
+        self.moment().forgotten()
     }
 
     /// The bus to the card, which still sleeps.
@@ -84,6 +127,12 @@ impl Board {
         let bus = spi::CardBus::new(&self.spi, &self.pins);
         bus.full_speed();
         bus
+    }
+
+    /// Begins anew, as after a reset, once all has been sent.
+    pub fn restart(&self) -> ! {
+        while !self.serial.is_quiet() {}
+        self.watchdog.restart()
     }
 
     /// Gives D10 to D13 back: the card is no longer selected, and LED L is ours.

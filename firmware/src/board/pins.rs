@@ -1,10 +1,13 @@
 //! Inputs, outputs, STOP, LED L and the card's select line (ATmega328P datasheet, section 14).
 
 use avr_device::atmega328p::{PORTB, PORTC, PORTD};
+use avr_device::interrupt;
 use unoclp_core::Image;
 
 /// PD2–PD5: inputs 01–04.
 const INPUTS: u8 = 0b0011_1100;
+/// PC0–PC3: inputs 05–08, in the image.
+const MORE: u8 = 0xF0;
 /// PD6, PD7: outputs 01 and 02.
 const OUTPUTS_D: u8 = 0b1100_0000;
 /// PB0, PB1: outputs 03 and 04.
@@ -48,9 +51,33 @@ impl Pins {
         self.c.pinc().read().pc5().bit_is_clear()
     }
 
-    /// The input image: a closed button pulls its pin low and reads as 1.
-    pub fn inputs(&self) -> Image {
-        Image(u16::from((!self.d.pind().read().bits() & INPUTS) >> 2))
+    /// Whether A5 and all inputs are connected to GND: the way back to the default settings.
+    pub fn ask_for_defaults(&self) -> bool {
+        self.stop() && self.d.pind().read().bits() & INPUTS == 0
+    }
+
+    /// Pull-ups on those of inputs 05 to 08 that are among these, bit 0 input 01.
+    pub fn pull_up(&self, inputs: u8) {
+        // The serial port's interrupt writes A4.
+        interrupt::free(|_| {
+            // SAFETY: any value may be written to the port; pins of the other inputs float.
+            unsafe {
+                self.c
+                    .portc()
+                    .modify(|r, w| w.bits(r.bits() & !(MORE >> 4) | inputs >> 4))
+            };
+        });
+    }
+
+    /// The input image: a closed button pulls its pin low and reads as 1. Of inputs 05 to 08 only those
+    /// are read that are among these, bit 0 input 01; the others are 0.
+    #[inline(always)]
+    pub fn inputs(&self, among: u8) -> Image {
+        let mut inputs = (!self.d.pind().read().bits() & INPUTS) >> 2;
+        if among & MORE != 0 {
+            inputs |= !self.c.pinc().read().bits() << 4 & among & MORE;
+        }
+        Image(inputs.into())
     }
 
     /// Writes the output image, one write for each port.

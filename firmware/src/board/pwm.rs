@@ -3,21 +3,16 @@
 
 use avr_device::atmega328p::{TC0, TC1};
 
-/// Switches timer 0 on for PWM: fast, up to 255, at 977 Hz.
-pub fn start(timer: &TC0) {
-    timer.tccr0a().write(|w| w.wgm0().pwm_fast());
-    timer.tccr0b().write(|w| w.cs0().prescale_64());
-}
-
 /// D6 is high for so many 255ths of the time. At 0 the pin is given back, and low as its port has it:
 /// the timer itself would leave one count of 256.
 pub fn set_d6(timer: &TC0, duty: u8) {
     timer.ocr0a().write(|w| w.set(duty));
-    timer.tccr0a().modify(|_, w| {
+    timer.tccr0b().write(|w| w.cs0().prescale_64());
+    timer.tccr0a().write(|w| {
         if duty == 0 {
-            w.com0a().disconnected()
+            w
         } else {
-            w.com0a().match_clear()
+            w.com0a().match_clear().wgm0().pwm_fast()
         }
     });
 }

@@ -1,30 +1,115 @@
-//! The serial port, 115200 8N1, sending only (ATmega328P datasheet, section 20).
+//! The serial port: text during set-up, then Modbus frames by interrupts (ATmega328P datasheet, sections
+//! 18 and 20).
+//!
+//! The interrupts of `port.s` move the bytes of a frame; what is here begins and ends that.
 
-use super::CLOCK_HZ;
 use super::flash::{self, FlashText};
 use crate::decimal::{DIGITS, decimal};
-use avr_device::atmega328p::USART0;
+use crate::settings::Settings;
+use avr_device::atmega328p::{PORTC, TC2, USART0};
+use core::arch::global_asm;
+use core::cell::UnsafeCell;
+use unoclp_modbus::Frame;
 
-const BAUD: u32 = 115_200;
-/// Divider with U2X, rounded: 16, which is 117647 baud, 2.1 % fast, as the Arduino core has it.
-const DIVIDER: u16 = ((CLOCK_HZ / 4 / BAUD - 1) / 2) as u16;
+global_asm!(include_str!("port.s"), options(raw));
+
+/// U2X0: half as many clocks for each bit.
+const DOUBLE_SPEED: u8 = 1 << 1;
+/// 8 data bits.
+const EIGHT_BITS: u8 = 0b110;
+const RECEIVING: u8 = 1 << 7;
+const LISTEN: u8 = RECEIVING | 1 << 4 | 1 << 3;
+const ONLY_SEND: u8 = 1 << 3;
+const SEND: u8 = 1 << 5 | ONLY_SEND;
+/// OCF2A
+const SILENCE: u8 = 1 << 1;
+/// PC4, A4: the direction of the RS-485 driver.
+const DIRECTION: u8 = 1 << 4;
+/// Counts of timer 2, of 64 µs, in 3.5 characters of 11 bits: so many 256ths of the divider.
+const SILENCE_PER_DIVIDER: u16 = 77;
+/// Above 19200 baud silence is 1.75 ms, as with this divider.
+const SHORTEST_SILENCE: u16 = 91;
+
+/// Memory that the interrupts share.
+#[repr(transparent)]
+struct Shared<T>(UnsafeCell<T>);
+
+// SAFETY: the chip has one core. Bytes are read and written in one instruction; the words are touched only while
+// no interrupt of the port is enabled.
+unsafe impl<T> Sync for Shared<T> {}
+
+impl<T: Copy> Shared<T> {
+    const fn new(value: T) -> Shared<T> {
+        Shared(UnsafeCell::new(value))
+    }
+
+    #[inline(always)]
+    fn get(&self) -> T {
+        // SAFETY: it is valid; volatile, since interrupts write it.
+        unsafe { self.0.get().read_volatile() }
+    }
+
+    #[inline(always)]
+    fn set(&self, value: T) {
+        // SAFETY: as above.
+        unsafe { self.0.get().write_volatile(value) }
+    }
+}
+
+/// Where the frame stands.
+#[unsafe(export_name = "PORT_FRAME")]
+static FRAME: Shared<usize> = Shared::new(0);
+/// How many bytes of it have come or gone; 0 while nothing goes on.
+#[unsafe(export_name = "PORT_AT")]
+static AT: Shared<u8> = Shared::new(0);
+/// How many are to go, without the check sum.
+#[unsafe(export_name = "PORT_END")]
+static END: Shared<u8> = Shared::new(0);
+/// Whether a byte of the frame was damaged, or one too many.
+#[unsafe(export_name = "PORT_BROKEN")]
+static BROKEN: Shared<u8> = Shared::new(0);
+#[unsafe(export_name = "PORT_CRC")]
+static CRC: Shared<u16> = Shared::new(0);
 
 /// The serial port.
 pub struct Serial {
     usart: USART0,
+    timer: TC2,
+    pins: PORTC,
+    /// The server's address on the bus.
+    address: u8,
 }
 
 impl Serial {
-    /// Sets the rate and switches the transmitter on; 8N1 is what the chip has after a reset.
-    pub fn new(usart: USART0) -> Serial {
-        usart.ubrr0().write(|w| w.set(DIVIDER));
-        usart.ucsr0a().write(|w| w.u2x0().set_bit());
-        usart.ucsr0b().write(|w| w.txen0().set_bit());
-        Serial { usart }
+    /// Sets the line up and switches the transmitter on. The direction pin, where there is one, stays low, so
+    /// that text does not reach the bus.
+    pub fn new(usart: USART0, timer: TC2, pins: PORTC, settings: &Settings) -> Serial {
+        let divider = settings.divider();
+        let silence = (divider.max(SHORTEST_SILENCE) * SILENCE_PER_DIVIDER >> 8) as u8 + 2;
+        usart.ubrr0().write(|w| w.set(divider - 1));
+        // SAFETY: any value may be written to these; the reserved bits are 0.
+        unsafe {
+            usart.ucsr0a().write(|w| w.bits(DOUBLE_SPEED));
+            usart
+                .ucsr0c()
+                .write(|w| w.bits(settings.parity_bits() | EIGHT_BITS));
+            usart.ucsr0b().write(|w| w.bits(ONLY_SEND));
+            if settings.has_direction() {
+                pins.ddrc().write(|w| w.bits(DIRECTION));
+            }
+        }
+        timer.ocr2a().write(|w| w.set(silence));
+        timer.tccr2b().write(|w| w.cs2().prescale_1024());
+        Serial {
+            usart,
+            timer,
+            pins,
+            address: settings.address(),
+        }
     }
 
     /// Sends a text that stands in program memory.
-    pub fn text(&mut self, text: FlashText) {
+    pub fn text(&self, text: FlashText) {
         for code in text {
             self.code(code);
         }
@@ -32,7 +117,7 @@ impl Serial {
 
     /// Sends what a code of a text stands for.
     #[inline(never)]
-    pub fn code(&mut self, mut code: u8) {
+    pub fn code(&self, mut code: u8) {
         while let Some([first, second]) = flash::pair(code) {
             self.code(first);
             code = second;
@@ -41,7 +126,7 @@ impl Serial {
     }
 
     /// Sends a number in decimal.
-    pub fn number(&mut self, number: u32) {
+    pub fn number(&self, number: u32) {
         let mut digits = [0; DIGITS];
         decimal(number, &mut digits);
         for &digit in &digits {
@@ -51,9 +136,69 @@ impl Serial {
         }
     }
 
-    /// Sends one byte, as soon as the transmitter takes it (87 µs a byte).
-    pub fn byte(&mut self, byte: u8) {
+    /// Sends one byte, as soon as the transmitter takes it (87 µs a byte at 115200 baud).
+    pub fn byte(&self, byte: u8) {
         while self.usart.ucsr0a().read().udre0().bit_is_clear() {}
         self.usart.udr0().write(|w| w.set(byte));
+    }
+
+    /// From now on there are only frames, and they stand here.
+    pub fn serve(&self, frame: &mut Frame) {
+        FRAME.set(frame.as_mut_ptr() as usize);
+        self.listen();
+    }
+
+    /// Whether nothing is being received, handled or sent.
+    #[inline(always)]
+    pub fn is_quiet(&self) -> bool {
+        AT.get() == 0
+    }
+
+    /// The length of a frame for this server that has just ended, without its check sum: it stands in the
+    /// frame, and the port is deaf until [`send`](Serial::send). Anything else is dropped.
+    pub fn received(&self, frame: &Frame) -> Option<u8> {
+        let listens = self.usart.ucsr0b().read().bits() & RECEIVING != 0;
+        if self.is_quiet() || !listens || self.timer.tifr2().read().bits() & SILENCE == 0 {
+            return None;
+        }
+        self.control(ONLY_SEND);
+        let length = AT.get();
+        let [address, ..] = *frame;
+        if length > 3
+            && BROKEN.get() == 0
+            && CRC.get() == 0
+            && (address == 0 || address == self.address)
+        {
+            return Some(length - 2);
+        }
+        self.listen();
+        None
+    }
+
+    /// Sends so many bytes of the frame, and the check sum, and listens again. Nobody may change the frame
+    /// until then. 0: listens at once.
+    pub fn send(&self, length: u8) {
+        if length == 0 {
+            return self.listen();
+        }
+        AT.set(0);
+        END.set(length);
+        CRC.set(0xFFFF);
+        if self.pins.ddrc().read().bits() & DIRECTION != 0 {
+            self.pins.portc().modify(|_, w| w.pc4().set_bit());
+        }
+        // So that it is not quiet in between: the first byte goes at once.
+        self.control(SEND);
+    }
+
+    fn listen(&self) {
+        AT.set(0);
+        self.control(LISTEN);
+    }
+
+    #[inline(never)]
+    fn control(&self, bits: u8) {
+        // SAFETY: any value may be written.
+        self.usart.ucsr0b().write(|w| unsafe { w.bits(bits) });
     }
 }

@@ -7,15 +7,17 @@ mod reader;
 pub mod writer;
 
 use crate::board::Board;
+use crate::board::flash::{Codes, flash_codes};
+use crate::engine;
 pub use commands::CardFailed;
 use reader::Card;
 use unoclp_card::{Block, Error, File};
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile, Program};
 
 /// The program's 8.3 name as a directory holds it (NC-1).
-const PROGRAM: &[u8; 11] = b"PROGRAM TXT";
+const PROGRAM: &str = "PROGRAM TXT";
 /// The name of the file that keeps the state.
-const STATE: &[u8; 11] = b"STATE   TXT";
+const STATE: &str = "STATE   TXT";
 
 /// A block of the card that may be overwritten. There is no other way to one than a `STATE.TXT`
 /// that was found, and nothing but such a place is ever written.
@@ -37,8 +39,8 @@ pub enum StateFile {
 }
 
 /// Reads `PROGRAM.TXT` twice: once through the loader into run memory, and once to be sure that the
-/// card gives the same again. Then looks for `STATE.TXT`, too on a card
-/// that holds no program. The blocks of the card go through `block`.
+/// card gives the same again. Then looks for `STATE.TXT`, too on a card that holds no program. The
+/// blocks of the card go through `block`.
 ///
 /// An empty slot is known within 300 ms; a card that dies is given up within 2 s.
 #[inline(never)]
@@ -61,9 +63,10 @@ pub fn load<'m>(
     program
 }
 
+/// Apart from [`load`], so that its program is made where it stays.
 #[inline(never)]
 fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut loader = Loader::new(memory, Profile::UNO);
+    let mut loader = Loader::with_table(memory, Profile::UNO, engine::instruction_table);
     match check(card, &mut loader) {
         Ok(()) => loader.finish(),
         Err(cause) => Err(Fault::without_line(cause)),
@@ -93,7 +96,7 @@ fn pass(
     sum: &mut Crc16,
 ) -> Result<bool, Error<CardFailed>> {
     let mut file = File::default();
-    file.open(card, PROGRAM)?;
+    file.open(card, flash_codes!(Codes::plain(PROGRAM)))?;
     while let Some(bytes) = file.next_block(card)? {
         sum.extend(bytes);
         if let Some(loader) = &mut loader {
@@ -110,7 +113,9 @@ fn pass(
 #[inline(never)]
 fn find_state(card: &mut Card<'_>, state: &mut StateFile) {
     let mut file = File::default();
-    let place = file.open(card, STATE).and_then(|()| file.first_block(card));
+    let place = file
+        .open(card, flash_codes!(Codes::plain(STATE)))
+        .and_then(|()| file.first_block(card));
     *state = match place {
         Ok(Some(number)) => StateFile::Found(card.place(number)),
         Ok(None) => StateFile::Unfit,

@@ -28,6 +28,8 @@ const INTERFACE_CONDITION: u8 = 8;
 /// 2.7 to 3.6 V, and a pattern that comes back.
 const VOLTAGE: u32 = 0x1AA;
 const PATTERN: u8 = 0xAA;
+/// The answer of a card from before there was this command.
+const OLD: u8 = IDLE | ILLEGAL;
 const READ_BLOCK: u8 = 17;
 const APPLICATION: u8 = 55;
 const READ_OCR: u8 = 58;
@@ -107,7 +109,7 @@ impl<'b> Card<'b> {
         }
         let mut crc = Crc16::starting_at(0);
         crc.extend(self.block);
-        let [high, low] = crc.value().to_be_bytes();
+        let [high, low] = crc.to_be_bytes();
         if self.bus.exchange(SILENCE) == high && self.bus.exchange(SILENCE) == low {
             Ok(())
         } else {
@@ -145,7 +147,8 @@ fn get_ready(bus: CardBus<'_>, deadline: Deadline) -> Option<bool> {
     }
     let mut wanted = 0;
     let answer = command(INTERFACE_CONDITION, VOLTAGE);
-    if answer & ILLEGAL == 0 {
+    if answer != OLD {
+        // Silence has no pattern either.
         if last_of_four(bus) != PATTERN {
             return None;
         }

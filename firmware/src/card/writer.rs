@@ -90,7 +90,7 @@ impl Writer {
                     *at += 1;
                 }
                 if *at == BLOCK {
-                    let [high, low] = self.crc.value().to_be_bytes();
+                    let [high, low] = self.crc.to_be_bytes();
                     bus.exchange(high);
                     bus.exchange(low);
                     if answer(bus) & DATA_RESPONSE != ACCEPTED {

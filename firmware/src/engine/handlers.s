@@ -1,7 +1,8 @@
 ; The handlers of the engine. Linked code is a row of bytes, each the word address of a handler:
-; whatever a handler has to do, it ends by going to that of the next byte. So all of them must
-; begin in the first 256 words of flash. avr-gcc's linker script puts `.progmem.gcc*` right behind
-; the interrupt vectors; the last lines check that they fit.
+; whatever a handler has to do, it ends by going to that of the next byte. So these must begin in the
+; first 256 words of flash; avr-gcc's linker script puts `.progmem.gcc*` right behind the interrupt
+; vectors. What does not fit there begins in the 256 words behind, in `more.s`, and is reached by an
+; escape. The last lines check that both fit.
 ;
 ; A handler may change nothing but
 ;
@@ -9,19 +10,33 @@
 ;   r18      the images: inputs 01-04 in bits 0-3, outputs 01-04 in bits 4-7
 ;   r19      acc of each open branch as it was when the branch opened, the innermost in bit 0
 ;   r20      the branch points of the rung
+;   r22-r25  value (NC-16)
 ;   r0, r21  scratch
+;   r8-r15   scratch: b in r8-r11, c in r12-r15
 ;   X        the linked byte after the next
 ;   Y        the data of the next timer
-;   Z        r30: scratch, and the low byte of the address to go to; r31: 0
+;   Z        r30: scratch, and the low byte of the address to go to; r31: 0, or 1 for an escape
 ;   SREG     all other flags
 ;
-; and reads the time stamp of the scan, r22 to r25. r1 is 0 between handlers.
+; and reads the time stamp of the scan, r2 to r5. r1 is 0 between handlers. Where an operand is an
+; address, its high byte comes first. What a bit of its own stands for is in bit 7 of a byte: a marker,
+; a system marker, an input from 05 on, Q of a timer.
 
 ; Goes on to the next linked byte: 4 cycles.
 .macro  next
         ld      r30, X+
         ijmp
 .endm
+
+; Of `Data` in `data.rs`, which stands behind the frame in the page.
+        .equ    ENGINE, PAGE + 256
+        .equ    ENGINE_ERROR, ENGINE + 3
+        .equ    ENGINE_INPUTS, ENGINE + 8
+        .equ    ENGINE_BUDGET, ENGINE + 9
+        .equ    ENGINE_LINE, ENGINE + 11
+        .global MARKERS, REGISTERS
+        .equ    MARKERS, ENGINE + 35
+        .equ    REGISTERS, ENGINE + 99
 
         .section .progmem.gcc.engine, "ax", @progbits
 
@@ -111,97 +126,58 @@ engine_new_rung:
         set
         next
 
-; Timers. The preset follows, low byte first; then a coil.
+; Timers. A coil follows.
         .global engine_on_delay, engine_off_delay
 engine_on_delay:
         rjmp    on_delay
 engine_off_delay:
         rjmp    off_delay
 
+; Contacts and coils by address: 15 cycles.
+        .global engine_cell, engine_cell_not, engine_cell_coil
+engine_cell:
+        rjmp    cell
+engine_cell_not:
+        rjmp    cell_not
+engine_cell_coil:
+        rjmp    cell_coil
+
+; The handler of the next byte is one of those beyond the first 256 words: 5 cycles.
+        .global engine_escape
+engine_escape:
+        ld      r30, X+
+        ldi     r31, 1
+        ijmp
+
 ; The end of the code, and of the scan.
-        .global engine_end, engine_page_end
+        .global engine_end
 engine_end:
         ret
 engine_page_end:
 
-; A timer's data is its phase (0 idle, 1 timing, 2 on), then the time stamp of the scan that began
-; the delay, low byte first. IN is acc when the block is reached, Q is acc behind it. A phase other
-; than timing, with Q = IN, is settled: TON idle at IN = 0 and on at 1, TOF on at 1 and idle at 0.
-;
-; All states take much the same time, 16 to 47 cycles; the coil comes on top.
-on_delay:
-        brtc    settled
-        ld      r30, Y
-        lsr     r30             ; C: timing; Z: idle
-        brcs    timing
-        brne    settled
-        rjmp    start
-off_delay:
-        brts    settled
-        ld      r30, Y
-        lsr     r30
-        brcs    timing
-        breq    settled
-
-start:
-        std     Y+1, r22
-        std     Y+2, r23
-        std     Y+3, r24
-        std     Y+4, r25
-        ldi     r30, 1
-        st      Y, r30
-        ld      r30, X+         ; a preset of 0 is over at once
-        ld      r0, X+
-        or      r30, r0
-        ld      r0, X+
-        or      r30, r0
-        ld      r0, X+
-        or      r30, r0
-        breq    over
-; The delay goes on: Q = NOT IN.
-waiting:
-        bld     r30, 0
-        com     r30
-        bst     r30, 0
-        adiw    r28, 5
-        next
-
-; Here C is 1, so that the subtraction gives since - now - 1: for an elapsed time of 32 bits the
-; complement, to which the preset adds up to 2^32 or more where it is greater than that time.
-timing:
-        ldd     r0, Y+1
-        sbc     r0, r22
-        ldd     r1, Y+2
-        sbc     r1, r23
-        ldd     r30, Y+3
-        sbc     r30, r24
-        ldd     r31, Y+4
-        sbc     r31, r25
-        ld      r21, X+
-        add     r0, r21
-        ld      r21, X+
-        adc     r1, r21
-        ld      r21, X+
-        adc     r30, r21
-        ld      r21, X+
-        adc     r31, r21
+cell:
+        ld      r31, X+
+        ld      r30, X+
+        ld      r21, Z
+        sbrs    r21, 7
+        clt
         ldi     r31, 0
-        mov     r1, r31
-        brcs    waiting
-        rjmp    over
-
-settled:
-        adiw    r26, 4
-; The delay is over: Q = IN, and the phase follows.
-over:
-        ldi     r30, 0
-        bld     r30, 1
-        st      Y, r30
-        adiw    r28, 5
         next
-
-; Nothing reads this byte: the linker refuses it, as "relocation truncated to fit: R_AVR_8", where the
-; page of the handlers ends behind the first 512 bytes of flash.
-        .byte   engine_page_end - 257
-        .p2align 1
-        .text
+cell_not:
+        ld      r31, X+
+        ld      r30, X+
+        ld      r21, Z
+        sbrc    r21, 7
+        clt
+        ldi     r31, 0
+        next
+cell_coil:
+        ld      r31, X+
+        ld      r30, X+
+        clr     r21
+        bld     r21, 7
+        st      Z, r21
+; Goes on from beyond the first 256 words.
+back:
+        ldi     r31, 0
+        next

@@ -1,55 +1,138 @@
 //! The scan in assembly: direct threading, with the images in a register.
 //!
 //! Owns the linked form of a program and what runs it; must not know pins or clocks. All `unsafe`
-//! of the engine is the block in [`Linked::scan`]. It relies on this of linked code, which
-//! [`link`] alone makes, out of a checked program:
+//! of the engine is the block in [`Linked::scan`]. It relies on this of linked code, which [`link`]
+//! alone makes, out of a checked program whose check sum it compares:
 //!
 //! - **Each byte is that of a handler, or one of the operands that the handler before it takes.**
 //!   Points are cut to those that have a handler.
-//! - **The last byte is that of the end**, and there is no other in front of it.
-//! - **There is data for as many timers as the code has.**
+//! - **Each address among the operands is that of what the checked program names**, in [`Data`] or in the
+//!   data of its timers, counters and other instructions; those of jumps are of labels.
+//! - **The last byte is that of the end.**
+//!
+//! Run memory holds the linked code from its front, and the data of timers, counters and other
+//! instructions from its end.
 //!
 //! That the handlers stand where a byte can name them is checked when the firmware is linked; their
 //! rules are at the head of `handlers.s`.
 
+pub mod data;
 mod link;
+mod rows;
 
+pub use data::Data;
+pub use rows::instruction_table;
+
+use crate::board::eeprom::Eeprom;
+use crate::server::Memory;
+use crate::store::{Kept, Stored};
 use core::arch::{asm, global_asm};
-use unoclp_core::{Image, Millis, Profile, Program, isa};
+use data::{Cell, ON};
+use link::Size;
+use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
+use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
-global_asm!(include_str!("handlers.s"), options(raw));
+global_asm!(
+    concat!(
+        include_str!("handlers.s"),
+        include_str!("more.s"),
+        include_str!("timers.s"),
+        include_str!("numbers.s")
+    ),
+    options(raw)
+);
 
-/// Bytes of a timer's data: its phase, and a time stamp.
-const TIMER_BYTES: usize = 5;
 /// Inputs in the low half of the images' register, outputs in the high half.
 const POINTS: u8 = 4;
 const INPUTS: u8 = 0x0F;
 
 const _: () = {
-    assert!(Profile::UNO.inputs <= POINTS && Profile::UNO.outputs <= POINTS);
-    assert!(isa::LINKED_TIMER_BYTES - isa::STORED_TIMER_BYTES == TIMER_BYTES);
+    assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);
+    assert!(Profile::UNO.inputs as usize <= POINTS as usize + 4);
+    assert!(JUMP_BUDGET < i16::MAX as u16);
 };
+
+/// What the linked form of a program refers to.
+pub struct Layout<'m> {
+    data: &'m mut Data,
+    /// [`TIMER_DATA`] for each, in file order.
+    timers: &'m mut [u8],
+    /// [`COUNTER_DATA`] for each, up to the highest that is named.
+    counters: &'m mut [u8],
+    /// The address of the first linked byte, and of the byte behind the last of own data.
+    begin: u16,
+    own_end: u16,
+    stored: Stored,
+    needs: Needs,
+    jumps_back: bool,
+}
+
+impl Layout<'_> {
+    /// The address of the timer with this index.
+    fn timer(&self, index: u8) -> u16 {
+        self.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16
+    }
+}
 
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
     code: &'m [u8],
-    /// [`TIMER_BYTES`] for each, in file order.
-    timers: &'m mut [u8],
+    /// Data of edges, filters and integrations.
+    own: &'m mut [u8],
+    layout: Layout<'m>,
     /// Both images as the last scan left them.
     images: u8,
+    /// Whether there is anything to do in a scan beside running the code.
+    prepares: bool,
+    /// Whether no scan has been made yet.
+    first: bool,
+    clocks: Clocks,
+    debounce: Debounce,
 }
 
 impl<'m> Linked<'m> {
-    /// Links a program within its run memory, which needs one byte beyond those of the profile: all
-    /// outputs 0 (NC-7), no timer started. None where that byte is missing.
-    pub fn link(program: Program<'m>) -> Option<Linked<'m>> {
-        let (code, timers) = link::link(program)?;
+    /// Links the program that is kept, into the run memory that it was checked in, which needs one byte
+    /// beyond those of the profile: all outputs 0 (NC-7), no timer started. None where that byte is
+    /// missing, or the EEPROM has another program now.
+    #[inline(never)]
+    pub fn link(eeprom: &Eeprom, kept: Kept<'m>, data: &'m mut Data) -> Option<Linked<'m>> {
+        let Kept { program, stored } = kept;
+        let needs = program.needs();
+        let timers = program.timers() * TIMER_DATA;
+        let counters = program.counters() * COUNTER_DATA;
+        let memory = program.into_memory();
+        let (rest, timers) = memory.split_at_mut_checked(memory.len().checked_sub(timers)?)?;
+        let (rest, counters) = rest.split_at_mut_checked(rest.len().checked_sub(counters)?)?;
+        let mut layout = Layout {
+            data,
+            timers,
+            begin: rest.as_ptr() as usize as u16,
+            own_end: counters.as_ptr() as usize as u16,
+            counters,
+            stored,
+            needs,
+            jumps_back: false,
+        };
+        link::forget_labels(layout.data);
+        let size = link::pass(&mut layout, eeprom, &mut [])?;
+        let Size { code, own } = size;
+        let (code, rest) = rest.split_at_mut_checked(code.into())?;
+        let (_, own) = rest.split_at_mut_checked(rest.len().checked_sub(own.into())?)?;
+        if link::pass(&mut layout, eeprom, code)? != size {
+            return None;
+        }
         let mut linked = Linked {
             code,
-            timers,
+            own,
+            prepares: needs.system | needs.filter | needs.inputs >> POINTS != 0
+                || layout.jumps_back,
+            layout,
             images: 0,
+            first: true,
+            clocks: Clocks::new(),
+            debounce: Debounce::new(),
         };
-        linked.restart();
+        linked.clear();
         Some(linked)
     }
 
@@ -58,27 +141,111 @@ impl<'m> Linked<'m> {
         self.code
     }
 
-    /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started.
-    pub fn restart(&mut self) {
-        self.timers.fill(0);
+    /// What the program asks of the board's pins.
+    pub fn needs(&self) -> Needs {
+        self.layout.needs
+    }
+
+    /// Images, markers, registers and readings.
+    pub fn data(&mut self) -> &mut Data {
+        self.layout.data
+    }
+
+    /// What a program works on, for one step of the server.
+    pub fn memory(&mut self) -> Memory<'_> {
+        Memory {
+            data: self.layout.data,
+            timers: self.layout.timers,
+            counters: self.layout.counters,
+        }
+    }
+
+    /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
+    /// them; but retentive markers keep their states.
+    ///
+    /// # Errors
+    /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
+    #[inline(never)]
+    pub fn restart(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
+        link::forget_labels(self.layout.data);
+        link::pass(&mut self.layout, eeprom, &mut []).ok_or(Cause::NoStoredProgram)?;
+        self.clear();
+        Ok(())
+    }
+
+    fn clear(&mut self) {
+        self.own.fill(0);
+        self.layout.data.restart();
         self.images = 0;
+        self.first = true;
+        self.clocks = Clocks::new();
+    }
+
+    /// What comes before a scan of a program that needs more than the images of inputs 01 to 04: gives
+    /// the input image.
+    #[inline(never)]
+    fn prepare(&mut self, mut inputs: u8, now: Millis) -> u8 {
+        let data = &mut *self.layout.data;
+        let needs = self.layout.needs;
+        if needs.filter != 0 {
+            let points = Image(inputs.into());
+            self.debounce.scan(points, needs.filter, self.first, now);
+            inputs = self.debounce.image().0 as u8;
+        }
+        for (index, cell) in data.inputs.iter_mut().enumerate() {
+            *cell = on(inputs >> (POINTS + index as u8) & 1 != 0);
+        }
+        self.clocks.scan(self.first, now);
+        data.system = [
+            on(self.first),
+            on(self.clocks.slow()),
+            on(self.clocks.fast()),
+            0,
+        ];
+        data.readings[1] = now;
+        data.budget = JUMP_BUDGET as i16;
+        self.first = false;
+        inputs
+    }
+
+    /// The output image.
+    pub fn outputs(&self) -> Image {
+        Image(u16::from(self.images >> POINTS))
+    }
+
+    /// Writes the output image from outside of the program.
+    #[inline(always)]
+    pub fn set_outputs(&mut self, outputs: Image) {
+        self.images = self.images & INPUTS | (outputs.0 as u8) << POINTS;
     }
 
     /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives
-    /// the output image. It cannot fail.
+    /// the output image.
+    ///
+    /// # Errors
+    /// [`Cause::TooManyJumps`] with the line of the jump (NC-19).
     #[inline(always)]
-    pub fn scan(&mut self, inputs: Image, now: Millis) -> Image {
-        let mut images = self.images & !INPUTS | inputs.0 as u8 & INPUTS;
+    pub fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, Fault> {
+        let mut inputs = inputs.0 as u8;
+        if self.prepares {
+            inputs = self.prepare(inputs, now);
+        }
+        let data = &raw mut *self.layout.data;
+        // SAFETY: it is that of this engine.
+        unsafe { (*data).image = inputs };
+        let mut images = self.images & !INPUTS | inputs & INPUTS;
         let (now_low, now_high) = (now as u16, (now >> 16) as u16);
         // SAFETY: the code is as the head of this file says, so handlers go from one to the next
         // until that of the end returns; they read the code and no byte behind it, and write the
-        // data of its timers. They change only the registers that are named here, and Y, which is
-        // saved because it cannot be named.
+        // data of its timers, counters and other instructions, and `Data`, which is why it is named
+        // here. They change only the registers that are named here, and Y, which is saved because it
+        // cannot be named.
         unsafe {
             asm!(
                 "push r28",
                 "push r29",
                 "movw r28, r20",
+                "movw r24, r22",
                 "ldi r31, 0",
                 "set",
                 "ld r30, X+",
@@ -86,15 +253,42 @@ impl<'m> Linked<'m> {
                 "pop r29",
                 "pop r28",
                 inout("X") self.code.as_ptr() => _,
-                inout("r21r20") self.timers.as_mut_ptr() => _,
+                inout("r21r20") self.layout.timers.as_mut_ptr() => _,
                 inout("r18") images,
                 out("r19") _,
-                out("Z") _,
-                in("r23r22") now_low,
-                in("r25r24") now_high,
+                inout("Z") data => _,
+                inout("r23r22") 0u16 => _,
+                out("r25r24") _,
+                in("r3r2") now_low,
+                in("r5r4") now_high,
+                out("r9r8") _,
+                out("r11r10") _,
+                out("r13r12") _,
+                out("r15r14") _,
             );
         }
         self.images = images;
-        Image(u16::from(images >> POINTS))
+        if self.prepares {
+            self.check_jumps()?;
+        }
+        Ok(Image(u16::from(images >> POINTS)))
     }
+
+    /// Whether the scan has made too many jumps back.
+    #[inline(never)]
+    fn check_jumps(&self) -> Result<(), Fault> {
+        let data = &self.layout.data;
+        if data.budget >= 0 {
+            return Ok(());
+        }
+        Err(Fault {
+            cause: Cause::TooManyJumps,
+            line: Some(data.line.into()),
+        })
+    }
+}
+
+/// The cell of a bit.
+fn on(state: bool) -> Cell {
+    if state { ON } else { 0 }
 }

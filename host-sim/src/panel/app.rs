@@ -1,18 +1,23 @@
 //! What the simulator shows, and how keys and time change it. It knows no terminal and no clock,
 //! so tests feed it both.
 
+use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::ladder::{Flow, Rung};
 use crate::BOARD;
 use crate::engine::Machine;
+use crate::used::Quantity;
 use crate::wave::{Recorder, Sample};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use std::io::{self, Write};
 use std::time::Duration;
-use unoclp_core::{Fault, Image, Millis, Point, TimerState};
+use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
+
+/// Inputs that every program has buttons for.
+const FIRST_INPUTS: u8 = 4;
 
 /// The most time that one update makes up for: after a pause of the whole PC the simulation goes
 /// on from where it was.
@@ -22,18 +27,22 @@ const MOST_BEHIND: Duration = Duration::from_millis(250);
 pub struct App {
     /// What the program is called.
     pub(super) name: String,
-    file: Vec<u8>,
     machine: Machine,
     pub(super) rungs: Vec<Rung>,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
+    pub(super) knobs: Knobs,
+    /// What ended the program (NC-19); it runs again after a restart.
+    pub(super) fault: Option<Fault>,
     /// Scans since the start, which is also the time in ms of the scan that comes next.
     pub(super) scans: u64,
     pub(super) running: bool,
     pub(super) scroll: Scroll,
     /// The page of the timers, counted from 0.
     pub(super) timer_page: usize,
+    /// That of the memory.
+    pub(super) memory_page: usize,
     /// Time since the program was opened, in which buttons are held.
     clock: Duration,
     /// Time that has passed and not yet been simulated.
@@ -50,8 +59,9 @@ impl App {
         let machine = Machine::load(&file)?;
         Ok(App {
             name,
+            knobs: Knobs::new(machine.used().analogue.iter().copied()),
+            fault: None,
             rungs: Rung::all(machine.plc().steps()),
-            file,
             machine,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
@@ -59,6 +69,7 @@ impl App {
             running: true,
             scroll: Scroll::default(),
             timer_page: 0,
+            memory_page: 0,
             clock: Duration::ZERO,
             owed: SCAN,
             quit: false,
@@ -92,6 +103,27 @@ impl App {
         self.machine.plc().outputs()
     }
 
+    /// The inputs that have buttons, from 01 to this number: 05 to 08 only where the program reads them.
+    pub(super) fn inputs(&self) -> u8 {
+        match self.machine.used().inputs.last() {
+            Some(&last) if last > FIRST_INPUTS => BOARD.inputs,
+            _ => FIRST_INPUTS,
+        }
+    }
+
+    /// What the program counts and remembers, as it stood in the last scan.
+    pub(super) fn quantities(&self) -> Vec<Quantity> {
+        let machine = &self.machine;
+        machine.used().quantities(machine.plc(), &self.world())
+    }
+
+    /// What the next scan reads.
+    fn world(&self) -> Inputs {
+        let mut inputs = Inputs::from(self.buttons.closed());
+        self.knobs.apply(&mut inputs);
+        inputs
+    }
+
     /// The timers as they stood in the last scan.
     pub(super) fn timers(&self) -> impl Iterator<Item = TimerState> {
         let last_scan = self.scans.saturating_sub(1) as Millis;
@@ -116,18 +148,24 @@ impl App {
     }
 
     fn scan(&mut self) -> io::Result<()> {
-        let inputs = self.buttons.closed();
+        if self.fault.is_some() {
+            return Ok(());
+        }
+        let inputs = self.world();
         // The clock of the PLC wraps (NC-9).
         let now = self.scans as Millis;
         let steps = self.machine.plc().steps().count();
         let mut acc = vec![None; steps];
         let observe = |step, power| acc[step] = Some(power);
-        let _ = self.machine.scan_observed(inputs.into(), now, observe);
+        if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
+            self.fault = Some(fault);
+            self.running = false;
+        }
         self.flow.acc = acc;
         self.flow.look(self.machine.plc(), now);
         self.scans += 1;
         if let Some(recorder) = &mut self.recorder {
-            recorder.record(self.recorded, &Sample::of(&self.machine, inputs, now))?;
+            recorder.record(self.recorded, &Sample::of(&self.machine, &inputs, now))?;
             self.recorded += 1;
         }
         Ok(())
@@ -138,7 +176,7 @@ impl App {
         match (key.code, key.kind) {
             (KeyCode::Char(digit @ '1'..='9'), kind) => {
                 let number = digit as u8 - b'0';
-                if let Some(input) = Point::new(number, BOARD.inputs) {
+                if let Some(input) = Point::new(number, self.inputs()) {
                     match kind {
                         KeyEventKind::Press => self.buttons.press(input, self.clock),
                         KeyEventKind::Repeat => self.buttons.repeat(input, self.clock),
@@ -153,6 +191,11 @@ impl App {
             (KeyCode::PageDown, _) => self.scroll.by(self.scroll.page()),
             (KeyCode::Home, _) => self.scroll.by(isize::MIN),
             (KeyCode::End, _) => self.scroll.by(isize::MAX),
+            (KeyCode::Tab | KeyCode::Char('a'), KeyEventKind::Press) => self.knobs.select_next(),
+            (KeyCode::Char('+' | '='), _) => self.knobs.turn(10),
+            (KeyCode::Char('-'), _) => self.knobs.turn(-10),
+            (KeyCode::Char('>'), _) => self.knobs.turn(100),
+            (KeyCode::Char('<'), _) => self.knobs.turn(-100),
             (KeyCode::Char('s'), _) => {
                 self.running = false;
                 self.scan()?;
@@ -162,8 +205,9 @@ impl App {
             (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
             (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
             (KeyCode::Char('t'), _) => self.timer_page += 1,
+            (KeyCode::Char('d'), _) => self.memory_page += 1,
             (KeyCode::Char('r'), _) => self.restart(),
-            (KeyCode::Char(' '), _) => {
+            (KeyCode::Char(' '), _) if self.fault.is_none() => {
                 self.running = !self.running;
                 self.owed = Duration::ZERO;
             }
@@ -172,11 +216,11 @@ impl App {
         Ok(())
     }
 
-    /// Starts the program anew, as a reset of the board does; the buttons stay as they are.
+    /// Starts the program anew, as a reset of the board does: retentive markers are kept, and buttons stay
+    /// as they are.
     fn restart(&mut self) {
-        if let Ok(machine) = Machine::load(&self.file) {
-            self.machine = machine;
-        }
+        self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
+        self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
         self.scans = 0;
         self.owed = SCAN;

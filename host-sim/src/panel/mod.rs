@@ -2,14 +2,18 @@
 //!
 //! - `app`: what is shown and how keys and time change it; knows no terminal
 //! - `buttons`: the inputs, as buttons that keys press
+//! - `analogue`: the analogue inputs, as knobs that keys turn
+//! - `memory`: counters, registers, markers and the like
 //! - `ladder`: rungs as lines of text, with what is energised
 //! - `symbol`: how each instruction is drawn
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
+mod analogue;
 mod app;
 mod buttons;
 mod ladder;
+mod memory;
 mod run;
 mod symbol;
 mod view;

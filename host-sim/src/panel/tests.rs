@@ -3,7 +3,6 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
-use crate::BOARD;
 use crate::random::{Random, random_program};
 use crate::wave::Recorder;
 use ratatui::Terminal;
@@ -303,19 +302,134 @@ fn every_kind_of_instruction_is_drawn_and_long_rungs_wrap() {
 fn every_program_fits_every_screen() {
     let mut random = Random::new(11);
     for _ in 0..20 {
-        let program = random_program(&mut random, BOARD);
+        let program = random_program(&mut random);
         let mut app = app(&program);
         advance(&mut app, 10);
         for _ in 0..10 {
             let (width, height) = (random.below(130) as u16, random.below(50) as u16);
             let lines = screen(&mut app, width, height);
             if height > 0 && width > 40 {
-                assert!(lines[0].ends_with("RUN  10 ms  11 scans"), "{}", lines[0]);
+                let runs = lines[0].ends_with("RUN  10 ms  11 scans");
+                assert!(runs || lines[0].contains("FAULT 75, line "), "{}", lines[0]);
             }
             event(&mut app, KeyCode::PageDown, KeyEventKind::Press);
             press(&mut app, 't');
+            press(&mut app, 'd');
         }
     }
+}
+
+#[test]
+fn the_new_instructions_are_drawn() {
+    let program = "0\n766603\n827301\n6985\n787984\n827712\n-828302\n828401\n-826702\n829003\n\
+        6540\n887302\n41\n8840\n-887901\n41\n-877702\n83877704\n82876701\n83876701\n\
+        787600\n766800\n-5\n65686803\n718400\n7\n838403\n66738431\n67848501\n9\n77798601\n6803\n4\n\
+        787600\n8480\n500\n7709\n-74778003\n826984\n76686500\n83848004\n707320\n";
+    let mut app = app(program);
+    let lines = screen(&mut app, 120, 20);
+    let rungs = [
+        "  1 ├──LB 3:──┤ I1 ├──┤ ↑ ├──┤NOT├──┤ M12 ├──┤/S2 ├──┤ T1 ├──┤/C2 ├──┤ C3≤0 ├──╭and──┤⊕I2 ├──╯──╭xor──┤⊕/Q1 ├──╯──(/M2 )",
+        "      ──(S M4)──(R C1)──(L C1)",
+        "  2 ├──[LD -5]──[ADD D3]──┤ >7 ├──[ST D3]──┤ bit 31 ├──[C1 CTU 0/9]──[MOV 4 D1 to D3]",
+        "  3 ├──[T1 TP   0/500 M9]──»/3──«RET──[LDA A0]──[STP P4]──[FI 20 ms]",
+    ];
+    for rung in rungs {
+        assert!(lines.iter().any(|line| line == rung), "{rung}\n{lines:#?}");
+    }
+}
+
+#[test]
+fn inputs_05_to_08_have_buttons_where_a_program_reads_them() {
+    let mut eight = app("0\n827308\n877901\n");
+    press(&mut eight, '8');
+    press(&mut eight, '9');
+    advance(&mut eight, 1);
+    let lines = screen(&mut eight, 80, 24);
+    assert!(lines[1].contains("Inputs: 1 to 8 toggle"));
+    assert!(lines[2].ends_with("I7 ○   I8 ●"), "{}", lines[2]);
+    assert!(lines[4].starts_with(" Q1 ●"), "{}", lines[4]);
+    let mut four = app("0\n827304\n877901\n");
+    press(&mut four, '8');
+    assert!(!screen(&mut four, 80, 24)[2].contains('●'));
+}
+
+#[test]
+fn analogue_inputs_are_turned_and_memory_is_shown() {
+    // A0 to D1, A4 to D2 and PWM of output 04; M1 while D1 > 100; C2 counts that.
+    let program = "0\n76686500\n838401\n718400\n100\n877701\n67848502\n3\n\
+        787600\n76686504\n838402\n83848004\n";
+    let mut app = app(program);
+    let memory = |app: &mut App| {
+        advance(app, 1);
+        let lines = screen(app, 80, 24);
+        let title = lines.iter().position(|line| line.starts_with("─ Memory"));
+        lines[title.unwrap() + 1].clone()
+    };
+    assert_eq!(
+        memory(&mut app),
+        " A0 0   A4 0   P4 0   C2 0/3   D1 0   D2 0   M1 ○"
+    );
+    for key in ['>', '+', '-', '='] {
+        press(&mut app, key);
+    }
+    assert_eq!(
+        memory(&mut app),
+        " A0 110   A4 0   P4 0   C2 1/3   D1 110   D2 0   M1 ●"
+    );
+    press(&mut app, 'a');
+    for _ in 0..11 {
+        press(&mut app, '>');
+    }
+    let expected = " A0 110   A4 1023   P4 255   C2 1/3   D1 110   D2 1023   M1 ●";
+    assert_eq!(memory(&mut app), expected);
+    event(&mut app, KeyCode::Tab, KeyEventKind::Press);
+    press(&mut app, '<');
+    press(&mut app, '<');
+    let expected = " A0 0   A4 1023   P4 255   C2 1/3   D1 0   D2 1023   M1 ○";
+    assert_eq!(memory(&mut app), expected);
+    assert!(screen(&mut app, 80, 24)[23].contains("a A0  +-<> turn"));
+}
+
+#[test]
+fn a_fault_stops_the_program_until_a_restart() {
+    let mut app = app("0\n877901\n787600\n766601\n827301\n74778001\n");
+    advance(&mut app, 5);
+    assert!(screen(&mut app, 80, 24)[2].contains("Q1 ●"));
+    press(&mut app, '1');
+    advance(&mut app, 5);
+    let lines = screen(&mut app, 80, 24);
+    assert!(
+        lines[0].ends_with("FAULT 75, line 6  6 ms  7 scans"),
+        "{}",
+        lines[0]
+    );
+    assert!(lines[2].contains("Q1 ○"));
+    // Only a restart helps.
+    for key in [' ', 's'] {
+        press(&mut app, key);
+        advance(&mut app, 5);
+        assert_eq!(screen(&mut app, 80, 24)[0], lines[0]);
+    }
+    press(&mut app, '1');
+    press(&mut app, 'r');
+    advance(&mut app, 5);
+    let lines = screen(&mut app, 80, 24);
+    assert!(
+        lines[0].contains("RUN") && lines[2].contains("Q1 ●"),
+        "{lines:#?}"
+    );
+}
+
+#[test]
+fn a_restart_keeps_retentive_markers() {
+    let mut app = app("0\n827301\n83877757\n83877701\n");
+    press(&mut app, '1');
+    advance(&mut app, 1);
+    press(&mut app, '1');
+    press(&mut app, 'r');
+    advance(&mut app, 1);
+    let lines = screen(&mut app, 80, 24);
+    assert!(lines.contains(&" M1 ○   M57 ●".to_owned()), "{lines:#?}");
 }
 
 /// A file that a test can read while the recorder owns it.

@@ -2,8 +2,8 @@
 
 use super::ON;
 use super::app::App;
+use super::memory::MemoryPage;
 use super::symbol::name;
-use crate::BOARD;
 use crate::scenario::{inputs, outputs};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -18,18 +18,24 @@ const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
 /// The fewest columns in which a timer can be read.
 const TIMER_WIDTH: u16 = 38;
 
-/// From this width on inputs and outputs stand side by side.
-const TWO_PANELS_WIDTH: u16 = 64;
+/// Columns of a lamp with its name.
+const LAMP_WIDTH: u16 = 8;
 
 /// Draws the app, and tells its scrolling what fits.
 pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     let timers: Vec<TimerState> = app.timers().collect();
     let page = TimerPage::new(&timers, app.timer_page, frame.area());
-    let side_by_side = frame.area().width >= TWO_PANELS_WIDTH;
-    let [header, buttons, timer_area, rungs, footer] = Layout::vertical([
+    let quantities = app.quantities();
+    let selected = app.knobs.selected();
+    let memory = MemoryPage::new(&quantities, selected, app.memory_page, frame.area());
+    let pages = (page.pages, memory.pages);
+    // Inputs and outputs stand side by side where they fit in halves.
+    let side_by_side = frame.area().width >= 2 * LAMP_WIDTH * u16::from(app.inputs());
+    let [header, buttons, timer_area, memory_area, rungs, footer] = Layout::vertical([
         Constraint::Length(1),
         Constraint::Length(if side_by_side { 2 } else { 4 }),
         Constraint::Length(page.height()),
+        Constraint::Length(memory.height()),
         Constraint::Fill(1),
         Constraint::Length(1),
     ])
@@ -42,11 +48,12 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
 
     draw_header(app, frame, header);
     let title = match app.buttons.momentary() {
-        true => format!("Inputs: closed while 1 to {} is held", BOARD.inputs),
-        false => format!("Inputs: 1 to {} toggle", BOARD.inputs),
+        true => format!("Inputs: closed while 1 to {} is held", app.inputs()),
+        false => format!("Inputs: 1 to {} toggle", app.inputs()),
     };
     let closed = app.buttons.closed();
-    let lamps = inputs().map(|input| ('I', input.number(), closed.get(input)));
+    let lamps = inputs().filter(|input| input.number() <= app.inputs());
+    let lamps = lamps.map(|input| ('I', input.number(), closed.get(input)));
     draw_panel(title, vec![lamp_line(lamps)], frame, input_area);
     let on = app.outputs();
     let lamps = outputs().map(|output| ('Q', output.number(), on.get(output)));
@@ -57,25 +64,42 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         output_area,
     );
     page.draw(&timers, frame, timer_area);
+    if memory.height() > 0 {
+        draw_panel("Memory".to_owned(), memory.lines(), frame, memory_area);
+    }
     draw_rungs(app, frame, rungs);
-    draw_footer(app, page.pages, frame, footer);
+    draw_footer(app, pages, frame, footer);
 }
 
 /// The keys, the most important first: a narrow screen cuts the others off.
-fn draw_footer(app: &App, timer_pages: usize, frame: &mut Frame, area: Rect) {
+fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) {
     let run = if app.running { "pause" } else { "run" };
     let mode = if app.buttons.momentary() {
         "toggle"
     } else {
         "momentary"
     };
-    let timers = if timer_pages > 1 { "  t timers" } else { "" };
-    let keys = format!(" q quit  space {run}  s scan  r restart  m {mode}{timers}  ↑↓ scroll");
+    let timers = if pages.0 > 1 { "  t timers" } else { "" };
+    let memory = if pages.1 > 1 { "  d memory" } else { "" };
+    let knobs = match app.knobs.selected() {
+        Some(input) => format!("  a A{input}  +-<> turn"),
+        None => String::new(),
+    };
+    let keys = format!(
+        " q quit  space {run}  s scan  r restart  m {mode}{knobs}{timers}{memory}  ↑↓ scroll"
+    );
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
 fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
-    let state = if app.running { "RUN" } else { "PAUSED" };
+    let state = match (&app.fault, app.running) {
+        (Some(fault), _) => match fault.line {
+            Some(line) => format!("FAULT {}, line {line}", fault.cause.number()),
+            None => format!("FAULT {}", fault.cause.number()),
+        },
+        (None, true) => "RUN".to_owned(),
+        (None, false) => "PAUSED".to_owned(),
+    };
     let recording = if app.recording() { "REC  " } else { "" };
     let (uptime, scans) = (app.scans.saturating_sub(1), app.scans);
     let right = Line::raw(format!("{recording}{state}  {uptime} ms  {scans} scans "));

@@ -1,24 +1,38 @@
 //! Running a scenario on an engine.
 
-use super::report::{Change, Report, Unmet, Verdict};
-use super::{Goal, Refusal, Scenario, Step, Timeline};
+use super::report::{Change, Columns, Report, Unmet, Verdict};
+use super::{Cell, Goal, Place, Refusal, Scenario, Setting, Step, Timeline};
+use std::collections::BTreeMap;
 use std::fmt;
 use unoclp_core::{Image, Inputs, Millis};
 
 /// A machine that runs programs: the core on this PC, the firmware in a simulator.
 ///
-/// The outer `Result` of both methods tells whether the machine itself did its work; a machine
+/// The outer `Result` of each method tells whether the machine itself did its work; a machine
 /// that cannot fail has [`Infallible`](std::convert::Infallible) as its error.
 pub trait Engine {
     /// Why the machine could not do its work, such as a chip that hangs.
     type Error: fmt::Display;
 
-    /// Starts anew with this program file: all outputs 0, no timer started. Gives the refusal of
-    /// a faulty program; after one, and before the first load, nothing is scanned.
+    /// Starts anew with this program file: all outputs 0, no timer started, nothing kept of a program
+    /// before. Gives the refusal of a faulty program; after one, and before the first load, nothing is
+    /// scanned.
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Self::Error>;
 
     /// One scan with these inputs, at this reading of the millisecond clock.
     fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Self::Error>;
+
+    /// A power cut between two scans: the program starts anew, and retentive markers are kept (NC-12).
+    fn restart(&mut self) -> Result<(), Self::Error>;
+
+    /// What a cell holds after the last scan.
+    fn look(&mut self, cell: Cell) -> Result<i32, Self::Error>;
+
+    /// Sets a cell between two scans.
+    fn poke(&mut self, cell: Cell, value: i32) -> Result<(), Self::Error>;
+
+    /// PWM of the output with this number, from 1, after the last scan.
+    fn pwm(&mut self, output: u8) -> Result<u8, Self::Error>;
 }
 
 /// What a scan ends in: the outputs as it leaves them, or a fault, with which all outputs are 0.
@@ -47,6 +61,7 @@ pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {
         scenario: scenario.name.clone(),
         about: scenario.about.clone(),
         program: scenario.program.name.clone(),
+        columns: run.columns,
         changes: run.changes,
         verdict,
     }
@@ -55,11 +70,10 @@ pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {
 /// A run and what has come of it so far.
 #[derive(Default)]
 struct Run {
-    inputs: Image,
-    /// The states expected of the outputs …
-    wanted: Image,
-    /// … and the outputs of which one is expected at all.
-    checked: Image,
+    inputs: Inputs,
+    /// What is expected of each place of which anything is.
+    wanted: BTreeMap<Place, i32>,
+    columns: Columns,
     changes: Vec<Change>,
     unmet: Vec<Unmet>,
     comparisons: u64,
@@ -69,22 +83,34 @@ struct Run {
 
 impl Run {
     fn through<E: Engine>(&mut self, timeline: &Timeline, engine: &mut E) -> Verdict {
-        let mut steps = timeline.steps.iter().peekable();
+        self.columns = Columns::of(timeline);
         self.period = timeline.period.get();
+        let stop = timeline.stop.map(|stop| (stop.at, stop.refusal));
+        let mut steps = timeline.steps.iter().peekable();
         let mut next_scan = Some(0);
         while let Some(at) = next_scan.filter(|&at| at <= timeline.until) {
-            while let Some(step) = steps.next_if(|step| step.at <= at) {
-                self.step(step);
-            }
-            match engine.scan(&self.inputs.into(), timeline.start.wrapping_add(at)) {
-                Ok(Ok(outputs)) => self.compare(at, outputs),
-                Ok(Err(refusal)) => {
-                    return Verdict::Broken {
-                        at: Some(at),
-                        reason: refusal.to_string(),
+            let now = timeline.start.wrapping_add(at);
+            let mut scan = || {
+                while let Some(step) = steps.next_if(|step| step.at <= at) {
+                    self.step(step, engine)?;
+                }
+                match engine.scan(&self.inputs, now)? {
+                    Ok(outputs) => self.compare(at, outputs, engine).map(Ok),
+                    Err(refusal) => Ok(Err(refusal)),
+                }
+            };
+            match scan() {
+                Ok(Ok(())) => {}
+                Ok(Err(_)) if !self.unmet.is_empty() => break,
+                Ok(Err(came)) if stop == Some((at, came)) => return Verdict::Stopped(at, came),
+                Ok(Err(came)) => {
+                    return Verdict::WrongStop {
+                        expected: stop,
+                        came: Some((at, came)),
                     };
                 }
                 Err(error) => {
+                    let error: E::Error = error;
                     return Verdict::Broken {
                         at: Some(at),
                         reason: error.to_string(),
@@ -93,52 +119,89 @@ impl Run {
             }
             next_scan = at.checked_add(self.period);
         }
-        match std::mem::take(&mut self.unmet) {
-            unmet if unmet.is_empty() => Verdict::Met {
+        match (std::mem::take(&mut self.unmet), stop) {
+            (unmet, None) if unmet.is_empty() => Verdict::Met {
                 comparisons: self.comparisons,
             },
-            unmet => Verdict::Unmet(unmet),
+            (unmet, expected) if unmet.is_empty() => Verdict::WrongStop {
+                expected,
+                came: None,
+            },
+            (unmet, _) => Verdict::Unmet(unmet),
         }
     }
 
-    fn step(&mut self, step: &Step) {
-        for &(input, state) in &step.set {
-            self.inputs.set(input, state);
+    fn step<E: Engine>(&mut self, step: &Step, engine: &mut E) -> Result<(), E::Error> {
+        if step.restart {
+            engine.restart()?;
         }
-        for &(output, expected) in &step.expect {
-            self.checked.set(output, expected.is_some());
-            self.wanted.set(output, expected.unwrap_or_default());
+        for &setting in &step.set {
+            match setting {
+                Setting::Input(input, state) => self.inputs.points.set(input, state),
+                Setting::Analogue(input, reading) => {
+                    if let Some(place) = self.inputs.analogue.get_mut(usize::from(input)) {
+                        *place = reading;
+                    }
+                }
+                Setting::Cell(cell, value) => engine.poke(cell, value)?,
+            }
         }
+        for &(place, expected) in &step.expect {
+            match expected {
+                Some(expected) => self.wanted.insert(place, expected),
+                None => self.wanted.remove(&place),
+            };
+        }
+        Ok(())
     }
 
-    fn compare(&mut self, at: Millis, outputs: Image) {
+    fn compare<E: Engine>(
+        &mut self,
+        at: Millis,
+        outputs: Image,
+        engine: &mut E,
+    ) -> Result<(), E::Error> {
+        let look = |place: &Place| match *place {
+            Place::Output(number) => Ok(i32::from(outputs.0 >> (number - 1) & 1)),
+            Place::Cell(cell) => engine.look(cell),
+            Place::Pwm(output) => engine.pwm(output).map(i32::from),
+        };
+        let seen: Result<Vec<i32>, E::Error> = self.columns.seen.iter().map(look).collect();
         let change = Change {
             at,
             inputs: self.inputs,
             outputs,
+            seen: seen?,
         };
-        let same = |last: &Change| (last.inputs, last.outputs) == (self.inputs, outputs);
-        if !self.changes.last().is_some_and(same) {
+        let came = |place: &Place| match *place {
+            Place::Output(number) => i32::from(outputs.0 >> (number - 1) & 1),
+            _ => self.columns.value(place, &change.seen),
+        };
+        self.comparisons += self.wanted.len() as u64;
+        let unmet: Vec<Unmet> = self
+            .wanted
+            .iter()
+            .map(|(&place, &expected)| Unmet::new(place, expected, came(&place), at))
+            .filter(|unmet| unmet.came != unmet.expected)
+            .collect();
+        unmet.into_iter().for_each(|unmet| self.unmet(unmet));
+        if !self
+            .changes
+            .last()
+            .is_some_and(|last| last.shows_as(&change))
+        {
             self.changes.push(change);
         }
-        self.comparisons += u64::from(self.checked.0.count_ones());
-        if (outputs.0 ^ self.wanted.0) & self.checked.0 == 0 {
-            return;
-        }
-        let checked = self.checked;
-        for output in super::outputs().filter(|&output| checked.get(output)) {
-            let expected = self.wanted.get(output);
-            if outputs.get(output) != expected {
-                self.unmet(Unmet::new(output, expected, at));
-            }
-        }
+        Ok(())
     }
 
     /// Notes an expectation not met; where it was not met in the scan before either, as one.
     fn unmet(&mut self, unmet: Unmet) {
         let before = unmet.from.checked_sub(self.period);
         let ongoing = self.unmet.iter_mut().rev().find(|last| {
-            (last.output, last.expected, Some(last.to)) == (unmet.output, unmet.expected, before)
+            let same =
+                (last.place, last.expected, last.came) == (unmet.place, unmet.expected, unmet.came);
+            same && Some(last.to) == before
         });
         match ongoing {
             Some(last) => last.to = unmet.to,

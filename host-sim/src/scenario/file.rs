@@ -3,15 +3,16 @@
 //! The file's words are first taken as they stand, each with its place in the file; what they say
 //! is checked after that, so that every error names a line.
 
-use super::{Goal, ProgramFile, Refusal, Scenario, Step, Timeline};
+use super::{Cell, Goal, Place, ProgramFile, Refusal, Scenario, Setting, Step, Stop, Timeline};
 use crate::BOARD;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::num::NonZeroU32;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 use std::{fmt, fs};
 use toml::Spanned;
+use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
 use unoclp_core::{Cause, Millis, Point};
 
 /// Why a scenario could not be read: the file, the line where there is one, and what to do.
@@ -87,6 +88,7 @@ struct FileKeys {
     scan_ms: Option<Spanned<Millis>>,
     until: Option<Spanned<Millis>>,
     fault: Option<Spanned<FaultKeys>>,
+    stops: Option<Spanned<StopKeys>>,
     #[serde(default)]
     step: Vec<Spanned<StepKeys>>,
 }
@@ -99,11 +101,22 @@ struct FaultKeys {
     line: Option<u32>,
 }
 
+/// The keys of `stops`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StopKeys {
+    at: Millis,
+    number: u8,
+    line: Option<u32>,
+}
+
 /// The keys of a `[[step]]`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StepKeys {
     at: Spanned<Millis>,
+    #[serde(default)]
+    restart: bool,
     #[serde(default)]
     set: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
     #[serde(default)]
@@ -115,6 +128,7 @@ fn read(name: &str, source: &str, folder: &Path) -> Result<Scenario, Wrong> {
         let message = error.message();
         let hint = if message.starts_with("unknown field `until`")
             || message.starts_with("unknown field `fault`")
+            || message.starts_with("unknown field `stops`")
         {
             "; keys of the whole file stand above the first [[step]]"
         } else {
@@ -163,17 +177,22 @@ fn program_file(path: &Spanned<String>, folder: &Path) -> Result<ProgramFile, Wr
 
 fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Wrong> {
     let &FaultKeys { number, line } = fault.get_ref();
-    if !keys.step.is_empty() || keys.until.is_some() {
+    if !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some() {
         let what = "a program with a `fault` never runs; remove `fault`, or the steps and `until`";
         return Err(wrong(Some(fault.span()), what));
     }
+    known_fault(number, line, fault.span())
+}
+
+/// A fault that there is, with a line that there can be.
+fn known_fault(number: u8, line: Option<u32>, place: Range<usize>) -> Result<Refusal, Wrong> {
     if !Cause::ALL.iter().any(|cause| cause.number() == number) {
         let what = format!("there is no fault {number}; docs/numeric-code.md lists them");
-        return Err(wrong(Some(fault.span()), what));
+        return Err(wrong(Some(place), what));
     }
     if line == Some(0) {
         let what = "lines count from 1; leave `line` out where the fault has none";
-        return Err(wrong(Some(fault.span()), what));
+        return Err(wrong(Some(place), what));
     }
     Ok(Refusal { number, line })
 }
@@ -186,6 +205,11 @@ fn timeline(keys: &FileKeys) -> Result<Timeline, Wrong> {
     };
     let steps = steps(&keys.step, period)?;
     let last = steps.last().map(|step| step.at);
+    let stop = match &keys.stops {
+        Some(stop) => Some(self::stop(stop, keys, last, period)?),
+        None => None,
+    };
+    let last = last.max(stop.map(|stop| stop.at));
     let until = match (&keys.until, last) {
         (Some(until), Some(last)) if *until.get_ref() < last => {
             let what = format!("`until` comes before the last step, at {last} ms");
@@ -203,13 +227,42 @@ fn timeline(keys: &FileKeys) -> Result<Timeline, Wrong> {
         period,
         steps,
         until,
+        stop,
     })
+}
+
+/// The fault that a run ends in.
+fn stop(
+    stop: &Spanned<StopKeys>,
+    keys: &FileKeys,
+    last: Option<Millis>,
+    period: NonZeroU32,
+) -> Result<Stop, Wrong> {
+    let &StopKeys { at, number, line } = stop.get_ref();
+    if keys.until.is_some() || last > Some(at) {
+        let what = "a run ends where it `stops`; remove `until` and later steps";
+        return Err(wrong(Some(stop.span()), what));
+    }
+    if at % period != 0 {
+        return Err(wrong(Some(stop.span()), no_scan(at, period)));
+    }
+    let refusal = known_fault(number, line, stop.span())?;
+    Ok(Stop { at, refusal })
+}
+
+fn no_scan(at: Millis, period: NonZeroU32) -> String {
+    format!("no scan runs at {at} ms; scans run every {period} ms (`scan_ms`)")
 }
 
 fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Wrong> {
     let mut steps: Vec<Step> = Vec::new();
     for step in keys {
-        let StepKeys { at, set, expect } = step.get_ref();
+        let StepKeys {
+            at,
+            restart,
+            set,
+            expect,
+        } = step.get_ref();
         let (place, at) = (Some(at.span()), *at.get_ref());
         if let Some(last) = steps.last().filter(|last| last.at >= at) {
             let what = format!(
@@ -219,55 +272,92 @@ fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Wr
             return Err(wrong(place, what));
         }
         if at % period != 0 {
-            let what = format!("no scan runs at {at} ms; scans run every {period} ms (`scan_ms`)");
-            return Err(wrong(place, what));
+            return Err(wrong(place, no_scan(at, period)));
         }
-        let set = states(set, 'I', "an input", BOARD.inputs, binary)?;
-        let expect = states(expect, 'Q', "an output", BOARD.outputs, binary_or_any)?;
-        steps.push(Step { at, set, expect });
+        let set = set.iter().map(setting).collect::<Result<_, Wrong>>()?;
+        let expect = expect
+            .iter()
+            .map(expectation)
+            .collect::<Result<_, Wrong>>()?;
+        steps.push(Step {
+            at,
+            restart: *restart,
+            set,
+            expect,
+        });
     }
     Ok(steps)
 }
 
-/// Reads `{ I1 = 1, … }`: points of one kind and their states.
-fn states<T>(
-    keys: &BTreeMap<Spanned<String>, Spanned<toml::Value>>,
-    letter: char,
-    kind: &str,
-    count: u8,
-    state: impl Fn(&toml::Value) -> Result<T, &'static str>,
-) -> Result<Vec<(Point, T)>, Wrong> {
-    let mut states = Vec::new();
-    for (name, value) in keys {
-        let named = |number: &u8| name.get_ref() == &format!("{letter}{number}");
-        let point = (1..=count).find(named).and_then(|n| Point::new(n, count));
-        let point = point.ok_or_else(|| {
+/// A name, and the value that it is to have: `I1 = 1`.
+type Pair<'k> = (&'k Spanned<String>, &'k Spanned<toml::Value>);
+
+/// What is set: `I1 = 1`, `A0 = 512`, `M2 = 1`, `D3 = -5`.
+fn setting(pair: Pair<'_>) -> Result<Setting, Wrong> {
+    let name = pair.0.get_ref();
+    let input = (1..=BOARD.inputs).find(|number| *name == format!("I{number}"));
+    if let Some(point) = input.and_then(|number| Point::new(number, BOARD.inputs)) {
+        return Ok(Setting::Input(point, number(pair, 0..=1)? == 1));
+    }
+    if let Some(input) = (0..ANALOGUE).find(|number| *name == format!("A{number}")) {
+        return Ok(Setting::Analogue(input, number(pair, 0..=1023)? as u16));
+    }
+    match Place::of_name(name) {
+        Some(Place::Cell(cell @ Cell::Marker(_))) => Ok(Setting::Cell(cell, number(pair, 0..=1)?)),
+        Some(Place::Cell(cell)) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
+        _ => {
             let what = format!(
-                "{} is not {kind} of the board; it has {letter}1 to {letter}{count}",
-                name.get_ref()
+                "{name} cannot be set; what can is I1 to I{}, A0 to A{}, M1 to M{MARKERS} and \
+                 D1 to D{REGISTERS}",
+                BOARD.inputs,
+                ANALOGUE - 1
             );
-            wrong(Some(name.span()), what)
-        })?;
-        let state = state(value.get_ref()).map_err(|valid| {
-            let what = format!("{} must be {valid}", name.get_ref());
-            wrong(Some(value.span()), what)
-        })?;
-        states.push((point, state));
-    }
-    Ok(states)
-}
-
-fn binary(value: &toml::Value) -> Result<bool, &'static str> {
-    match value.as_integer() {
-        Some(0) => Ok(false),
-        Some(1) => Ok(true),
-        _ => Err("0 or 1"),
+            Err(wrong(Some(pair.0.span()), what))
+        }
     }
 }
 
-fn binary_or_any(value: &toml::Value) -> Result<Option<bool>, &'static str> {
-    match value.as_str() {
-        Some("any") => Ok(None),
-        _ => binary(value).map(Some).map_err(|_| "0, 1 or \"any\""),
+/// What is expected: `Q1 = 1`, `M2 = 0`, `D3 = -5`, `P4 = 128`, each also `"any"`.
+fn expectation(pair: Pair<'_>) -> Result<(Place, Option<i32>), Wrong> {
+    let name = pair.0.get_ref();
+    let Some(place) = Place::of_name(name) else {
+        let what = format!(
+            "{name} cannot be expected; what can is Q1 to Q{}, M1 to M{MARKERS}, D1 to \
+             D{REGISTERS}, P1 and P4",
+            BOARD.outputs
+        );
+        return Err(wrong(Some(pair.0.span()), what));
+    };
+    if pair.1.get_ref().as_str() == Some("any") {
+        return Ok((place, None));
     }
+    let range = match place {
+        _ if place.is_bit() => 0..=1,
+        Place::Pwm(_) => 0..=255,
+        _ => i32::MIN..=i32::MAX,
+    };
+    let number = number(pair, range).map_err(|mut wrong| {
+        wrong.what += ", or \"any\"";
+        wrong
+    })?;
+    Ok((place, Some(number)))
+}
+
+/// A number of this range.
+fn number((name, value): Pair<'_>, range: RangeInclusive<i32>) -> Result<i32, Wrong> {
+    let number = value.get_ref().as_integer();
+    let number = number.and_then(|number| i32::try_from(number).ok());
+    number
+        .filter(|number| range.contains(number))
+        .ok_or_else(|| {
+            let (from, to) = range.into_inner();
+            let valid = match (from, to) {
+                (0, 1) => "0 or 1".to_owned(),
+                _ => format!("a number from {from} to {to}"),
+            };
+            wrong(
+                Some(value.span()),
+                format!("{} must be {valid}", name.get_ref()),
+            )
+        })
 }

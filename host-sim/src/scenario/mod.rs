@@ -1,16 +1,18 @@
-//! Scenarios: a program, inputs over time, and the outputs expected over time, or the fault
-//! expected.
+//! Scenarios: a program, inputs over time, and what is expected over time of outputs and memory, or
+//! the fault expected.
 //!
 //! A scenario is a TOML file, read by [`Scenario::load`]. [`check`] runs it on any [`Engine`] and
 //! gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
 
 mod check;
 mod file;
+mod place;
 mod report;
 
 pub use check::{Engine, Outcome, check};
 pub use file::LoadError;
-pub use report::{Change, Report, Unmet, Verdict};
+pub use place::{Cell, Place};
+pub use report::{Change, Columns, Report, Unmet, Verdict};
 
 use crate::BOARD;
 use std::fmt;
@@ -45,7 +47,7 @@ enum Goal {
     Refusal(Refusal),
 }
 
-/// The scans of a run, the inputs they see and the outputs they must give.
+/// The scans of a run, what they see and what they must give.
 #[derive(Clone, Debug)]
 struct Timeline {
     /// Reading of the millisecond clock at the first scan.
@@ -56,6 +58,16 @@ struct Timeline {
     steps: Vec<Step>,
     /// No scan comes after this time, in ms after the first scan.
     until: Millis,
+    /// The fault that the run ends in; its scan is then the last.
+    stop: Option<Stop>,
+}
+
+/// A fault at run time.
+#[derive(Clone, Copy, Debug)]
+struct Stop {
+    /// The scan, in ms after the first.
+    at: Millis,
+    refusal: Refusal,
 }
 
 /// What changes at one moment of a scenario.
@@ -63,13 +75,36 @@ struct Timeline {
 struct Step {
     /// ms after the first scan.
     at: Millis,
-    /// Inputs, and their state from this scan on.
-    set: Vec<(Point, bool)>,
-    /// Outputs, and the state that each scan from this one on must give them; none: any.
-    expect: Vec<(Point, Option<bool>)>,
+    /// Whether the power is cut before all else.
+    restart: bool,
+    /// What is set before this scan.
+    set: Vec<Setting>,
+    /// Places, and the value that each scan from this one on must give them; none: any.
+    expect: Vec<(Place, Option<i32>)>,
 }
 
-/// How an engine refuses a program: what every engine must say alike of a faulty program (NC-11).
+/// What a step sets.
+#[derive(Clone, Copy, Debug)]
+enum Setting {
+    /// An input has this state from this scan on.
+    Input(Point, bool),
+    /// The analogue input with this number, from 0, reads so from this scan on.
+    Analogue(u8, u16),
+    /// A cell is given this value once.
+    Cell(Cell, i32),
+}
+
+impl Step {
+    /// Whether the step needs a board that stands still between its scans: it looks into memory, sets
+    /// it, or reads a voltage.
+    fn holds_still(&self) -> bool {
+        let outside = |setting: &Setting| matches!(setting, Setting::Input(..));
+        let output = |(place, _): &(Place, _)| matches!(place, Place::Output(_));
+        self.restart || !self.set.iter().all(outside) || !self.expect.iter().all(output)
+    }
+}
+
+/// How an engine refuses a program or ends it: what every engine must say alike (NC-11).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The number of the fault, 11–99.
@@ -104,6 +139,15 @@ impl Scenario {
         match &self.goal {
             Goal::Refusal(_) => 0,
             Goal::Run(timeline) => timeline.until,
+        }
+    }
+
+    /// Whether the scenario looks into memory, sets it or uses analogue inputs, and so can be run only
+    /// where the scans are those of the scenario and no others.
+    pub fn is_for_lockstep(&self) -> bool {
+        match &self.goal {
+            Goal::Refusal(_) => false,
+            Goal::Run(timeline) => timeline.steps.iter().any(Step::holds_still),
         }
     }
 

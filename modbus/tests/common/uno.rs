@@ -1,5 +1,4 @@
-//! The UNO's map in memory, as far as `frames.toml` goes: in STOP, with no timer, counter or analogue input
-//! in the program.
+//! The UNO's map in memory, as far as `frames.toml` goes: in STOP.
 
 use std::collections::BTreeMap;
 
@@ -12,30 +11,23 @@ pub struct Uno {
     words: BTreeMap<u16, u16>,
 }
 
+/// The window of an upload, which is not under way.
+const WINDOW: u16 = 1000;
+
 /// First and last of the addresses.
 fn ranges(table: Table) -> &'static [(u16, u16)] {
     match table {
-        Table::Coils => &[(0, 71)],
-        Table::DiscreteInputs => &[(0, 127)],
-        Table::InputRegisters => &[(0, 38), (64, 255), (256, 287)],
-        Table::HoldingRegisters => &[
-            (2048, 2095),
-            (3072, 3263),
-            (3328, 3359),
-            (4096, 4100),
-            (4112, 4115),
-        ],
+        Table::Coils | Table::DiscreteInputs => &[(0, 3)],
+        Table::InputRegisters => &[(16, 32)],
+        Table::HoldingRegisters => &[(400, 400), (402, 405), (410, 413)],
     }
 }
 
 impl Device for Uno {
-    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
-        let mut addresses = first..=first + (count - 1);
-        addresses.all(|address| {
-            let within = |&(first, last): &(u16, u16)| (first..=last).contains(&address);
-            let only_read = table == Table::Coils && within(&(4, 7));
-            ranges(table).iter().any(within) && !(only_read && access == Access::Write)
-        })
+    fn has(&self, table: Table, first: u16, count: u16, _: Access) -> bool {
+        let last = first + (count - 1);
+        let within = |&(start, end): &(u16, u16)| start <= first && last <= end;
+        ranges(table).iter().any(within)
     }
 
     fn bit(&self, table: Table, address: u16) -> bool {
@@ -44,10 +36,11 @@ impl Device for Uno {
 
     fn word(&self, table: Table, address: u16) -> u16 {
         let initial = match (table, address) {
-            (Table::HoldingRegisters, 4112) => 1,
-            (Table::HoldingRegisters, 4113) => 1152,
-            (Table::HoldingRegisters, _) => 0,
-            _ => return 0,
+            (Table::InputRegisters, 16) | (Table::HoldingRegisters, 400) => return 2,
+            (Table::InputRegisters, _) => return 0,
+            (_, 410) => 1,
+            (_, 411) => 1152,
+            _ => 0,
         };
         *self.words.get(&address).unwrap_or(&initial)
     }
@@ -58,11 +51,12 @@ impl Device for Uno {
 
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
         let fine = match address {
-            4112 => (1..=247).contains(&value),
-            4113 => [24, 48, 96, 192, 384, 576, 1152].contains(&value),
-            4114 => value <= 2,
-            4115 => value <= 1,
-            _ => true,
+            400 => (1..=5).contains(&value),
+            402..=405 => value < 16,
+            410 => (1..=247).contains(&value),
+            411 => (24..=1152).contains(&value),
+            412 => value <= 2,
+            _ => value <= 1,
         };
         if fine {
             Ok(())
@@ -75,8 +69,12 @@ impl Device for Uno {
         self.words.insert(address, value);
     }
 
+    fn take(&mut self, first: u16, _: &[u8]) -> Option<Result<(), Exception>> {
+        (first == WINDOW).then_some(Err(Exception::ServerDeviceFailure))
+    }
+
     fn identification(&self, object: u8, index: u8) -> Option<u8> {
-        let texts = ["unoclp", "UNO", "0.1.0"];
+        let texts = ["unoclp", "unoclp UNO", "0.1.0"];
         let text = texts[usize::from(object)].as_bytes();
         text.get(usize::from(index)).copied()
     }

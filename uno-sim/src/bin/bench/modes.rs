@@ -8,7 +8,7 @@ use std::path::Path;
 use unoclp_card::image::{Fat, Image};
 use unoclp_host_sim::random::Random;
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{CYCLES_PER_MS, Program, RAM_START, Slot, Uno};
+use unoclp_uno_sim::{CYCLES_PER_MS, Pin, Program, RAM_START, Slot, Uno};
 
 /// How long a mode is watched, ms: a fault is displayed, and the state saved, several times.
 const WATCH: u64 = 3_000;
@@ -57,9 +57,11 @@ pub fn measure(firmware: &Program, template: &Path) -> Result<Modes> {
     ];
 
     uno.reset_min_sp();
+    uno.take_edges();
     uno.set_stop(true);
     uno.run_ms(WATCH)?;
-    ensure!(uno.serial().contains("STOP"), "STOP did not come");
+    let flashes = uno.take_edges().iter().any(|edge| edge.pin == Pin::Led);
+    ensure!(flashes, "STOP did not come");
     stack.push(mode("STOP, from the scan that sees it", &uno));
 
     uno.set_stop(false);
@@ -67,8 +69,9 @@ pub fn measure(firmware: &Program, template: &Path) -> Result<Modes> {
     uno.reset_min_sp();
     uno.set_supply(TOO_LOW);
     uno.run_ms(WATCH)?;
+    let faults = uno.symbol("FAULTS").context("the firmware counts faults")?;
     ensure!(
-        uno.serial().contains("\r\nfault "),
+        uno.read_ram(faults.address, 1)? == [1],
         "the fault did not come"
     );
     stack.push(mode("fault found in RUN, and its display", &uno));

@@ -1,0 +1,74 @@
+//! What the engine keeps outside of run memory, at a fixed place in the page: the handlers know it by
+//! address.
+
+use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, RETENTIVE};
+
+/// A bit of its own, as a byte: [`ON`] or 0.
+pub type Cell = u8;
+/// The only bit of a cell that counts.
+pub const ON: Cell = 0x80;
+
+/// Images, markers, registers and readings.
+#[repr(C)]
+pub struct Data {
+    /// S 01 … S 04.
+    pub system: [Cell; 4],
+    /// Inputs 05 … 08.
+    pub inputs: [Cell; 4],
+    /// The input image, bit 0 input 01.
+    pub image: u8,
+    /// What is left for jumps back in this scan (NC-19); less than 0 where one went beyond.
+    pub budget: i16,
+    /// The line of that jump.
+    pub line: u16,
+    /// PWM of the output with this index.
+    pub pwm: [u8; 4],
+    /// The readings of A 00 … A 04, 0 to 1023.
+    pub analogue: [u16; ANALOGUE as usize],
+    /// How long the last scan took, µs; and the time stamp of this scan, ms.
+    pub readings: [u32; 2],
+    /// M 01 … M 64.
+    pub markers: [Cell; MARKERS as usize],
+    /// D 01 … D 32, low byte first.
+    pub registers: [[u8; 4]; REGISTERS as usize],
+}
+
+// `handlers.s` has these by number.
+const _: () = {
+    assert!(core::mem::offset_of!(Data, system) + 3 == 3);
+    assert!(core::mem::offset_of!(Data, image) == 8);
+    assert!(core::mem::offset_of!(Data, budget) == 9);
+    assert!(core::mem::offset_of!(Data, line) == 11);
+    assert!(core::mem::offset_of!(Data, markers) == 35);
+    assert!(core::mem::offset_of!(Data, registers) == 99);
+    assert!(size_of::<Data>() <= 232);
+};
+
+impl Data {
+    /// As before the first scan; but the retentive markers keep their states (NC-12).
+    pub fn restart(&mut self) {
+        self.pwm.fill(0);
+        let kept = usize::from(RETENTIVE) - 1;
+        self.markers.iter_mut().take(kept).for_each(|cell| *cell = 0);
+        self.registers.as_flattened_mut().fill(0);
+    }
+
+    /// How long the last scan took, µs.
+    pub fn scan_time(&mut self, time: u16) {
+        self.readings[0] = time.into();
+    }
+
+    /// The retentive markers, bit 0 M 57.
+    pub fn retained(&self) -> u8 {
+        let kept = self.markers.last_chunk::<8>();
+        kept.into_iter().flatten().fold(0, |bits, cell| bits >> 1 | cell & ON)
+    }
+
+    /// Brings back what was kept over a power cut, before the first scan.
+    pub fn retain(&mut self, mut bits: u8) {
+        for cell in self.markers.last_chunk_mut::<8>().into_iter().flatten() {
+            *cell = if bits & 1 != 0 { ON } else { 0 };
+            bits >>= 1;
+        }
+    }
+}

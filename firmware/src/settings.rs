@@ -1,0 +1,115 @@
+//! The settings of the serial line, kept in the EEPROM.
+//!
+//! | byte | |
+//! | --- | --- |
+//! | 908 … 915 | address, rate, parity, direction: a word each, low byte first |
+//! | 916, 917 | CRC-16 of these, high byte first |
+//!
+//! What is damaged or was written in part counts as the defaults.
+
+use crate::board::eeprom::Eeprom;
+use crate::store;
+use unoclp_core::Crc16;
+
+const PLACE: u16 = 908;
+/// How many settings there are.
+pub const COUNT: u8 = 4;
+/// Bytes of all of them, and with the check sum behind them.
+const VALUES: usize = 2 * COUNT as usize;
+const BYTES: usize = VALUES + 2;
+
+/// Clock cycles of 8 in a second, in hundreds.
+const EIGHTHS: u16 = (crate::board::CLOCK_HZ / 8 / 100) as u16;
+
+/// The server's address; the rate in 100 baud; parity, 0 none, 1 even, 2 odd; whether A4 is the direction of
+/// an RS-485 driver.
+#[derive(Clone, Copy)]
+pub struct Settings([u8; BYTES]);
+
+impl Settings {
+    /// What is kept, or the defaults.
+    #[inline(never)]
+    pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
+        let mut settings = Settings([0; BYTES]);
+        let mut address = PLACE;
+        for byte in &mut settings.0 {
+            *byte = eeprom.read(address);
+            address += 1;
+        }
+        if defaults || Crc16::of(&settings.0).value() != 0 || settings.address() == 0 {
+            settings.0.fill(0);
+            settings.set(0, 1);
+            settings.set(1, 1152);
+        }
+        settings
+    }
+
+    /// Keeps them. Takes 34 ms at most.
+    #[inline(never)]
+    pub fn save(&mut self, eeprom: &Eeprom) {
+        let [values @ .., high, low] = &mut self.0;
+        [*high, *low] = Crc16::of(values).value().to_be_bytes();
+        store::write(eeprom, PLACE, &self.0);
+    }
+
+    /// A setting, by its number.
+    #[inline(never)]
+    pub fn get(&self, number: u8) -> u16 {
+        match self.0.get(usize::from(number) * 2..) {
+            Some([low, high, ..]) => u16::from_le_bytes([*low, *high]),
+            _ => 0,
+        }
+    }
+
+    /// Sets one.
+    #[inline(never)]
+    pub fn set(&mut self, number: u8, value: u16) {
+        if let Some([low, high, ..]) = self.0.get_mut(usize::from(number) * 2..) {
+            [*low, *high] = value.to_le_bytes();
+        }
+    }
+
+    /// The server's address.
+    pub fn address(&self) -> u8 {
+        self.0[0]
+    }
+
+    /// The divider of the rate with U2X, rounded: at 115200 baud 17, which is 117647 baud, 2.1 % fast, as the
+    /// Arduino core has it. By subtraction, since a division would cost flash.
+    pub fn divider(&self) -> u16 {
+        let rate = self.get(1);
+        let mut rest = EIGHTHS + rate / 2;
+        let mut divider = 0;
+        while rest >= rate {
+            rest -= rate;
+            divider += 1;
+        }
+        divider
+    }
+
+    /// UPM0, in its place.
+    pub fn parity_bits(&self) -> u8 {
+        match self.0[4] {
+            0 => 0,
+            1 => 0b10 << 4,
+            _ => 0b11 << 4,
+        }
+    }
+
+    /// Whether there is a direction pin.
+    pub fn has_direction(&self) -> bool {
+        self.0[6] != 0
+    }
+}
+
+/// Whether a setting may have this value.
+#[inline(never)]
+pub fn allows(number: u8, value: u16) -> bool {
+    let (least, most) = match number {
+        0 => (1, 247),
+        1 => (24, 1152),
+        2 => (0, 2),
+        _ => (0, 1),
+    };
+    value >= least && value <= most
+}

@@ -1,0 +1,196 @@
+//! Random valid programs, and random inputs and times to run them with.
+//!
+//! Everything follows from a seed, so a failure is repeated by its seed alone.
+
+mod program;
+mod write;
+
+use crate::{BOARD, engine};
+use unoclp_core::{Cause, Inputs, Instruction, Millis, Needs};
+
+/// A stream of random numbers that its seed decides: SplitMix64 (Steele, Lea and Flood, 2014).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The stream of this seed.
+    pub fn new(seed: u64) -> Random {
+        Random(seed)
+    }
+
+    /// The next 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let z = self.0;
+        let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// A number from 0 to `limit` − 1; 0 where the limit is 0.
+    pub fn below(&mut self, limit: u32) -> u32 {
+        // The high word of the product is below the limit.
+        ((u64::from(limit) * (self.bits() >> 32)) >> 32) as u32
+    }
+
+    /// True in this many of a hundred cases.
+    pub fn percent(&mut self, cases: u32) -> bool {
+        self.below(100) < cases
+    }
+
+    /// One of these; none where there are none.
+    pub fn pick<T: Copy>(&mut self, from: &[T]) -> Option<T> {
+        from.get(self.below(from.len() as u32) as usize).copied()
+    }
+
+    /// A number from `first` to `last`.
+    fn number(&mut self, first: u8, last: u8) -> u8 {
+        let count = u32::from(last.saturating_sub(first)) + 1;
+        first + self.below(count) as u8
+    }
+}
+
+/// A random program that the board accepts: of any size up to nearly full, with every instruction, and
+/// written in any of the ways that NC-3 allows.
+pub fn random_program(random: &mut Random) -> String {
+    let mut rungs = program::random_rungs(random);
+    loop {
+        let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
+        let text = write::write(random, &instructions);
+        let mut memory = vec![0; BOARD.plc_bytes()];
+        match engine::load(text.as_bytes(), &mut memory) {
+            // Sizes were only estimated.
+            Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
+                drop(rungs.pop());
+            }
+            _ => return text,
+        }
+    }
+}
+
+/// Inputs for the next scan of a program that needs this: mostly as they were, sometimes with one
+/// changed, seldom all anew.
+pub fn random_inputs(random: &mut Random, needs: Needs, before: Inputs) -> Inputs {
+    let mut inputs = before;
+    // A pin that is an analogue input has no button.
+    let buttons = !(u16::from(needs.analogue & 0x0F) << 4) & 0xFF;
+    match random.below(100) {
+        0..70 => {}
+        70..95 => inputs.points.0 ^= 1 << random.below(BOARD.inputs.into()) & buttons,
+        _ => inputs.points.0 = random.bits() as u16 & buttons,
+    }
+    for (input, reading) in inputs.analogue.iter_mut().enumerate() {
+        if needs.analogue >> input & 1 != 0 && random.percent(30) {
+            *reading = random.below(1024) as u16;
+        }
+    }
+    inputs
+}
+
+/// ms to the next scan: mostly a few, sometimes none or as many as a timer takes, seldom an age.
+pub fn random_pause(random: &mut Random) -> Millis {
+    match random.below(100) {
+        0..80 => random.below(4),
+        80..99 => random.below(60),
+        _ => random.bits() as Millis,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use unoclp_core::isa::Opcode;
+
+    #[test]
+    fn random_programs_are_valid_and_together_use_everything() {
+        let mut seen = BTreeSet::new();
+        let (mut smallest, mut most_stored, mut most_linked) = (usize::MAX, 0, 0);
+        for seed in 0..500 {
+            let text = random_program(&mut Random::new(seed));
+            let mut memory = vec![0; BOARD.plc_bytes()];
+            let program = engine::load(text.as_bytes(), &mut memory)
+                .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
+            smallest = smallest.min(program.stored_bytes());
+            most_stored = most_stored.max(program.stored_bytes());
+            most_linked = most_linked.max(program.linked_bytes());
+            seen.extend(program.steps().map(|step| step.opcode));
+        }
+        for &opcode in Opcode::ALL {
+            assert!(seen.contains(&opcode), "{opcode:?} never occurs");
+        }
+        assert_eq!(smallest, 0);
+        assert!(
+            most_stored > usize::from(BOARD.stored_bytes) * 3 / 4,
+            "{most_stored}"
+        );
+        assert!(
+            most_linked > usize::from(BOARD.linked_bytes) * 9 / 10,
+            "{most_linked}"
+        );
+    }
+
+    #[test]
+    fn some_programs_jump_back_too_often_and_most_do_not() {
+        let mut faults = 0;
+        for seed in 0..500 {
+            let mut random = Random::new(seed);
+            let text = random_program(&mut random);
+            let mut machine = engine::Machine::load(text.as_bytes()).unwrap();
+            let mut inputs = Inputs::default();
+            for now in 0..60 {
+                inputs = random_inputs(&mut random, machine.plc().needs(), inputs);
+                if machine.scan_observed(inputs, now, |_, _| ()).is_err() {
+                    faults += 1;
+                    break;
+                }
+            }
+        }
+        assert!((5..100).contains(&faults), "{faults}");
+    }
+
+    #[test]
+    fn the_seed_decides_the_program() {
+        let program = |seed| random_program(&mut Random::new(seed));
+        assert_eq!(program(7), program(7));
+        assert_ne!(program(7), program(8));
+    }
+
+    #[test]
+    fn numbers_stay_below_their_limit_and_reach_it() {
+        let mut random = Random::new(1);
+        let mut seen = [false; 5];
+        for _ in 0..200 {
+            seen[random.below(5) as usize] = true;
+        }
+        assert_eq!(seen, [true; 5]);
+        assert_eq!(random.below(0), 0);
+    }
+
+    #[test]
+    fn inputs_change_and_stay_on_the_board() {
+        let mut random = Random::new(1);
+        let mut inputs = Inputs::default();
+        let needs = Needs {
+            analogue: 0b1_0010,
+            ..Needs::default()
+        };
+        let (mut ever, mut held, mut readings) = (0, 0, [0; 5]);
+        for _ in 0..1_000 {
+            let next = random_inputs(&mut random, needs, inputs);
+            held += usize::from(next.points == inputs.points);
+            ever |= next.points.0;
+            for (most, reading) in readings.iter_mut().zip(next.analogue) {
+                *most = reading.max(*most);
+            }
+            inputs = next;
+        }
+        assert_eq!(ever, 0b1101_1111);
+        assert!((500..900).contains(&held), "{held}");
+        assert_eq!(
+            readings.map(|most| most > 900),
+            [false, true, false, false, true]
+        );
+        assert!(readings.iter().all(|most| *most < 1024));
+    }
+}

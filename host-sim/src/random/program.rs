@@ -1,0 +1,413 @@
+//! The instructions of a random program.
+
+use super::Random;
+use crate::BOARD;
+use unoclp_core::isa::{self, Kind, Opcode, Operand, Value};
+use unoclp_core::{Delay, Instruction, Target, TimerBlock};
+
+/// A rung, with the new rung that begins it.
+type Rung = Vec<Instruction<'static>>;
+
+/// Rungs that take about as many bytes as the board has, or fewer. They name timers and labels that are
+/// still to be found: see [`resolve`].
+pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
+    // As many programs of about 10 bytes as of 100 or of 1000.
+    let magnitude = random.below(9);
+    let size = random.below(4 << magnitude) as usize;
+    let mut draft = Draft {
+        size: size.min(BOARD.linked_bytes.into()),
+        analogue: random.below(32) as u8,
+        pwm: random.below(16) as u8 & 0b1001,
+        old: random.percent(20),
+        random,
+        rung: Rung::new(),
+        taken: 0,
+        depth: 0,
+        points: Vec::new(),
+        timers: 0,
+    };
+    let mut rungs = Vec::new();
+    // A program may begin without a new rung.
+    let mut begins = draft.random.percent(80);
+    while draft.taken + 1 < draft.size {
+        if begins {
+            draft.put(Instruction::plain(Opcode::NewRung));
+        }
+        begins = true;
+        draft.rung();
+        rungs.push(std::mem::take(&mut draft.rung));
+    }
+    rungs
+}
+
+/// The instructions of these rungs, in which every timer and label that is named exists. Most jumps lead
+/// forward, and in most programs all do.
+pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'static>> {
+    let mut instructions: Vec<Instruction<'static>> = rungs.concat();
+    let timers = instructions
+        .iter()
+        .filter(|step| Delay::of(step.opcode).is_some());
+    let timers = timers.count().min(isa::TIMERS.into()) as u8;
+    // Each label once: the first of its number stays.
+    let mut labels: Vec<(usize, u8)> = Vec::new();
+    let mut defined = Vec::new();
+    instructions.retain(|step| match step.number() {
+        Some(label) if step.opcode == Opcode::Label => {
+            let new = !defined.contains(&label);
+            defined.push(label);
+            new
+        }
+        _ => true,
+    });
+    for (at, step) in instructions.iter().enumerate() {
+        labels.extend(
+            step.number()
+                .filter(|_| step.opcode == Opcode::Label)
+                .map(|label| (at, label)),
+        );
+    }
+    let back = random.percent(20);
+    for (at, step) in instructions.iter_mut().enumerate() {
+        let not = Instruction::plain(Opcode::Not);
+        match (step.opcode.row().kind, step.number()) {
+            (Kind::TimerQ, Some(number)) => {
+                *step = match timers {
+                    0 => not,
+                    _ => Instruction::numbered(step.opcode, number % timers + 1),
+                };
+            }
+            (Kind::Jump, Some(number)) => {
+                let ahead = labels.iter().filter(|(place, _)| *place > at);
+                let mut choice: Vec<u8> = ahead.map(|(_, label)| *label).collect();
+                // Those that loop have named their own label, which stands before them.
+                let own = labels
+                    .iter()
+                    .any(|&(place, label)| place < at && label == number);
+                if own && (back && random.percent(10) || is_loop(number)) {
+                    choice = vec![number];
+                }
+                *step = match random.pick(&choice) {
+                    Some(label) => jump(step.opcode, label),
+                    None => not,
+                };
+            }
+            _ => {}
+        }
+    }
+    instructions
+}
+
+/// Labels from this one on are of loops that come to an end.
+const LOOPS: u8 = 25;
+
+fn is_loop(label: u8) -> bool {
+    label >= LOOPS
+}
+
+fn jump(opcode: Opcode, label: u8) -> Instruction<'static> {
+    // The line is that of the file, which the loader finds.
+    let operand = Operand::Jump { label, line: 0 };
+    Instruction { opcode, operand }
+}
+
+/// Rungs under construction, and what they may use.
+struct Draft<'r> {
+    random: &'r mut Random,
+    /// Bytes that the program is to take.
+    size: usize,
+    /// Analogue inputs that may be used, bit 0 A 00; of the pins that they share, the others are inputs.
+    analogue: u8,
+    /// Outputs that are PWM, bit 0 output 01.
+    pwm: u8,
+    /// Whether only contacts, coils, branches and timers occur.
+    old: bool,
+    rung: Rung,
+    /// Bytes taken so far, about.
+    taken: usize,
+    /// Branches and blocks open.
+    depth: u8,
+    /// The branch points that this rung has stored.
+    points: Vec<u8>,
+    timers: u8,
+}
+
+impl Draft<'_> {
+    fn put(&mut self, instruction: Instruction<'static>) {
+        let more = match instruction.operand {
+            Operand::Drum { steps, .. } => steps.len(),
+            Operand::Value(Value::Constant(_)) => 4,
+            _ => 0,
+        };
+        self.taken += usize::from(instruction.opcode.row().run.max(2)) - 1 + more;
+        self.rung.push(instruction);
+    }
+
+    /// Adds the instructions of a rung; its branches are closed in the end.
+    fn rung(&mut self) {
+        self.points.clear();
+        if !self.old && self.random.percent(10) {
+            return self.counted_loop();
+        }
+        if !self.old && self.random.percent(20) {
+            let label = self.random.number(1, LOOPS - 1);
+            self.put(Instruction::numbered(Opcode::Label, label));
+        }
+        // Mostly short: the longer a rung, the more seldom its coils see a 1.
+        let most = self.random.below(24);
+        for _ in 0..self.random.below(most + 1) {
+            if let Some(instruction) = self.instruction() {
+                self.put(instruction);
+                self.follow(instruction);
+            }
+        }
+        while self.depth > 0 {
+            self.put(Instruction::plain(Opcode::CloseBranch));
+            self.depth -= 1;
+        }
+        // Most rungs end in a coil, or nothing would be seen of them.
+        if self.random.percent(80) {
+            let coil = self.with_operand(Opcode::Coil);
+            coil.into_iter().for_each(|coil| self.put(coil));
+        }
+    }
+
+    /// Counts a register round and round, a few times in each scan.
+    fn counted_loop(&mut self) {
+        let label = self.random.number(LOOPS, isa::LABELS);
+        let register = self.random.number(1, isa::REGISTERS);
+        let constant = |opcode, number| Instruction {
+            opcode,
+            operand: Operand::Value(Value::Constant(number)),
+        };
+        let load = Operand::Value(Value::Register(register));
+        self.put(Instruction::numbered(Opcode::Label, label));
+        self.put(Instruction {
+            opcode: Opcode::Load,
+            operand: load,
+        });
+        self.put(constant(Opcode::Add, 1));
+        self.put(constant(Opcode::AndWord, 7));
+        self.put(Instruction::numbered(Opcode::Store, register));
+        self.put(constant(Opcode::NotEqual, 0));
+        self.put(jump(Opcode::Jump, label));
+    }
+
+    /// Any instruction that is allowed here.
+    fn instruction(&mut self) -> Option<Instruction<'static>> {
+        let opened = self.rung.last().is_some_and(|last| last.opcode.opens());
+        let opcode = match self.random.below(if self.old { 100 } else { 200 }) {
+            0..20 => Opcode::InputContact,
+            20..40 => Opcode::InputContactNot,
+            40..47 => Opcode::OutputContact,
+            47..54 => Opcode::OutputContactNot,
+            54..64 => self.random.pick(match self.old {
+                true => &[Opcode::OpenBranch],
+                false => &[Opcode::OpenBranch, Opcode::OpenAnd, Opcode::OpenXor],
+            })?,
+            64..74 => Opcode::CloseBranch,
+            74..80 => Opcode::StoreBranch,
+            80..86 => Opcode::Coil,
+            86..90 => Opcode::SetCoil,
+            90..94 => Opcode::ResetCoil,
+            94..97 => Opcode::OnDelay,
+            97..100 => Opcode::OffDelay,
+            _ => self.random.pick(Opcode::ALL)?,
+        };
+        match opcode {
+            // They have their own places.
+            Opcode::NewRung | Opcode::RecallBranch | Opcode::Label => None,
+            _ if opcode.opens() && self.depth >= isa::DEEPEST => None,
+            Opcode::CloseBranch if self.depth == 0 => None,
+            // Right behind an opening code this would recall.
+            Opcode::StoreBranch if opened => None,
+            // These end the scan, so they are seldom.
+            Opcode::Return | Opcode::ReturnNot if self.depth > 0 || self.random.percent(80) => None,
+            Opcode::Jump | Opcode::JumpNot if self.depth > 0 => None,
+            _ => self.with_operand(opcode),
+        }
+    }
+
+    /// Notes what an added instruction means for those after it; after an opening code, perhaps recalls.
+    fn follow(&mut self, instruction: Instruction<'static>) {
+        match (instruction.opcode, instruction.number()) {
+            (Opcode::StoreBranch, point) => self.points.extend(point),
+            (Opcode::CloseBranch, _) => self.depth -= 1,
+            (opcode, _) if opcode.opens() => {
+                self.depth += 1;
+                if let Some(point) = self.random.pick(&self.points)
+                    && self.random.percent(60)
+                {
+                    self.put(Instruction::numbered(Opcode::RecallBranch, point));
+                }
+            }
+            // How long a scan takes differs from machine to machine, so nothing is made of it.
+            (Opcode::LoadSystem, Some(1)) => self.put(Instruction {
+                opcode: Opcode::AndWord,
+                operand: Operand::Value(Value::Constant(0)),
+            }),
+            _ => {}
+        }
+    }
+
+    /// An instruction with an operand that exists; none where there is no such.
+    fn with_operand(&mut self, opcode: Opcode) -> Option<Instruction<'static>> {
+        let kind = opcode.row().kind;
+        let operand = match kind {
+            Kind::None => Operand::None,
+            Kind::Timer => Operand::Timer(self.timer()?),
+            Kind::Count => Operand::Count {
+                counter: self.random.number(1, isa::COUNTERS),
+                preset: match self.random.below(10) {
+                    0..8 => self.random.below(6) as i32,
+                    _ => (self.random.bits() as u32 >> 1).cast_signed(),
+                },
+            },
+            Kind::Value => Operand::Value(match self.random.percent(50) {
+                true => Value::Register(self.register()),
+                false => Value::Constant(self.constant()),
+            }),
+            Kind::Move => {
+                let count = match self.random.percent(80) {
+                    true => self.random.number(1, 5),
+                    false => self.random.number(1, isa::REGISTERS),
+                };
+                let last = isa::REGISTERS + 1 - count;
+                let (from, to) = (self.random.number(1, last), self.random.number(1, last));
+                Operand::Move { from, to, count }
+            }
+            Kind::Drum => {
+                let from = self.random.below(STEPS.len() as u32 - 1) as usize;
+                let most = (STEPS.len() - from).min(isa::REGISTERS.into());
+                let count = 1 + self.random.below(most as u32) as usize;
+                Operand::Drum {
+                    register: self.register(),
+                    steps: &STEPS[from..from + count],
+                }
+            }
+            Kind::Scale => {
+                let (one, other) = (self.bound(), self.bound());
+                if one == other {
+                    return None;
+                }
+                Operand::Scale {
+                    from: [one.min(other), one.max(other)],
+                    to: [self.bound(), self.bound()],
+                }
+            }
+            Kind::Filter => Operand::Filter {
+                strength: self.random.number(1, 8),
+                time: match self.random.below(10) {
+                    0..3 => 0,
+                    3..9 => self.random.below(50) as u16,
+                    _ => self.random.below(30_001) as u16,
+                },
+            },
+            Kind::Jump => return Some(jump(opcode, self.random.number(1, LOOPS - 1))),
+            _ => Operand::Number(self.xx(kind)?),
+        };
+        Some(Instruction { opcode, operand })
+    }
+
+    /// XX of a code of this kind that has nothing else.
+    fn xx(&mut self, kind: Kind) -> Option<u8> {
+        let allowed = |mask: u8, first: u8| -> Vec<u8> {
+            (0..8)
+                .filter(|bit| mask >> bit & 1 != 0)
+                .map(|bit| first + bit)
+                .collect()
+        };
+        // Pins that are used in another way are none.
+        let choice = match kind {
+            Kind::Input => allowed(!(self.analogue << 4), 1),
+            Kind::Output => allowed(!self.pwm & 0x0F, 1),
+            Kind::Pwm => allowed(self.pwm, 1),
+            Kind::Analogue => allowed(self.analogue, 0),
+            Kind::Marker if self.random.percent(80) => vec![1, 2, 8, 9, 57, 63, 64],
+            Kind::Marker => (1..=isa::MARKERS).collect(),
+            Kind::System => (1..=isa::SYSTEM_MARKERS).collect(),
+            Kind::Branch => (1..=isa::BRANCH_POINTS).collect(),
+            Kind::TimerQ => (0..isa::TIMERS).collect(),
+            Kind::Counter => (1..=isa::COUNTERS).collect(),
+            Kind::Register => vec![self.register()],
+            Kind::Reading => vec![1, 2],
+            Kind::Group => (1..=8).collect(),
+            Kind::Bit => (0..32).collect(),
+            Kind::Time => vec![0, 1, 5, 20, 99],
+            _ => return None,
+        };
+        self.random.pick(&choice)
+    }
+
+    /// A register, most often one of the first few.
+    fn register(&mut self) -> u8 {
+        match self.random.percent(80) {
+            true => self.random.number(1, 6),
+            false => self.random.number(1, isa::REGISTERS),
+        }
+    }
+
+    fn constant(&mut self) -> i32 {
+        match self.random.below(10) {
+            0..4 => self.random.pick(EDGES).unwrap_or_default(),
+            4..8 => self.random.below(200) as i32 - 100,
+            _ => self.random.bits() as i32,
+        }
+    }
+
+    fn bound(&mut self) -> i16 {
+        match self.random.below(10) {
+            0..2 => self
+                .random
+                .pick(&[i16::MIN, 0, 1023, i16::MAX])
+                .unwrap_or_default(),
+            2..7 => self.random.below(2_000) as i16 - 1_000,
+            _ => self.random.bits() as i16,
+        }
+    }
+
+    fn timer(&mut self) -> Option<TimerBlock> {
+        if self.timers >= isa::TIMERS {
+            return None;
+        }
+        self.timers += 1;
+        let preset = match self.random.below(100) {
+            0..60 => self.random.below(51),
+            60..90 => self.random.below(2_001),
+            _ => self.random.bits() as u32 >> 1,
+        };
+        let target = match self.old || self.random.percent(50) {
+            true => Target::Output(self.xx(Kind::Output)?),
+            false => Target::Marker(self.xx(Kind::Marker)?),
+        };
+        Some(TimerBlock { preset, target })
+    }
+}
+
+/// Numbers at which arithmetic may go wrong.
+const EDGES: &[i32] = &[
+    0,
+    1,
+    -1,
+    2,
+    10,
+    255,
+    256,
+    -256,
+    1000,
+    32767,
+    -32768,
+    65536,
+    i32::MAX,
+    i32::MIN,
+];
+
+/// Steps of drums, of which each takes a part.
+const STEPS: [u8; 48] = {
+    let mut steps = [0; 48];
+    let mut at = 0;
+    while at < steps.len() {
+        steps[at] = (at * 7 + at / 5) as u8 & 0x0F;
+        at += 1;
+    }
+    steps
+};

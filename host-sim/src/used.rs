@@ -1,0 +1,151 @@
+//! What a program uses of the board and its memory, for those who show it.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use unoclp_core::isa::{Kind, Operand, Value};
+use unoclp_core::{Inputs, Instruction, Needs, Plc, Program, Target};
+
+/// The numbers that a program names, in rising order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Used {
+    /// Inputs that contacts name.
+    pub inputs: BTreeSet<u8>,
+    /// Analogue inputs, from 0.
+    pub analogue: BTreeSet<u8>,
+    /// Outputs that are named, PWM apart.
+    pub outputs: BTreeSet<u8>,
+    /// Outputs that are PWM.
+    pub pwm: BTreeSet<u8>,
+    /// Markers, those of groups among them.
+    pub markers: BTreeSet<u8>,
+    /// Registers, those of block moves among them.
+    pub registers: BTreeSet<u8>,
+    /// Counters.
+    pub counters: BTreeSet<u8>,
+}
+
+impl Used {
+    /// What this program uses.
+    pub fn of(program: &Program<'_>) -> Used {
+        Used::of_steps(program.steps(), program.needs())
+    }
+
+    /// What the program of this PLC uses.
+    pub fn of_plc(plc: &Plc<'_>) -> Used {
+        Used::of_steps(plc.steps(), plc.needs())
+    }
+
+    fn of_steps<'c>(steps: impl Iterator<Item = Instruction<'c>>, needs: Needs) -> Used {
+        let bits = |bits: u8, first: u8| -> BTreeSet<u8> {
+            let set = (0..8).filter(|bit| bits >> bit & 1 != 0);
+            set.map(|bit| bit + first).collect()
+        };
+        let mut used = Used {
+            analogue: bits(needs.analogue, 0),
+            outputs: bits(needs.outputs, 1),
+            pwm: bits(needs.pwm, 1),
+            ..Used::default()
+        };
+        for step in steps {
+            used.note(&step);
+        }
+        used
+    }
+
+    fn note(&mut self, step: &Instruction<'_>) {
+        let xx = step.number().unwrap_or_default();
+        match step.opcode.row().kind {
+            Kind::Input => drop(self.inputs.insert(xx)),
+            Kind::Marker => drop(self.markers.insert(xx)),
+            Kind::Group => self.markers.extend(xx * 8 - 7..=xx * 8),
+            Kind::Register | Kind::Drum => drop(self.registers.insert(xx)),
+            Kind::Counter | Kind::Count => drop(self.counters.insert(xx)),
+            _ => {}
+        }
+        match step.operand {
+            Operand::Value(Value::Register(register)) => drop(self.registers.insert(register)),
+            Operand::Move { from, to, count } => {
+                self.registers.extend(from..from + count);
+                self.registers.extend(to..to + count);
+            }
+            Operand::Timer(block) => {
+                if let Target::Marker(marker) = block.target {
+                    self.markers.insert(marker);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The quantities beside inputs, outputs and timers as they stand after a scan with these inputs; in
+    /// the same order each time.
+    pub fn quantities(&self, plc: &Plc<'_>, inputs: &Inputs) -> Vec<Quantity> {
+        let quantity =
+            |letter: char, number: u8, bits: u32, value: i32, of: Option<i32>| Quantity {
+                name: format!("{letter}{number}"),
+                bits,
+                value,
+                of,
+            };
+        let reading = |input: u8| inputs.analogue.get(usize::from(input)).copied();
+        let analogue = self.analogue.iter().map(|&input| {
+            let reading = reading(input).unwrap_or_default();
+            quantity('A', input, 10, reading.into(), None)
+        });
+        let pwm = self.pwm.iter().map(|&output| {
+            let duty = plc.pwm(output);
+            quantity('P', output, 8, duty.into(), None)
+        });
+        let states: Vec<_> = plc.counters().collect();
+        let counters = self.counters.iter().filter_map(|&counter| {
+            let state = states.get(usize::from(counter).wrapping_sub(1))?;
+            Some(quantity('C', counter, 32, state.value, Some(state.preset)))
+        });
+        let registers = self.registers.iter().filter_map(|&register| {
+            let value = plc.registers().get(usize::from(register).wrapping_sub(1))?;
+            Some(quantity('D', register, 32, *value, None))
+        });
+        let markers = self.markers.iter().map(|&marker| {
+            let state = plc.markers() >> marker.wrapping_sub(1) & 1;
+            quantity('M', marker, 1, state as i32, None)
+        });
+        analogue
+            .chain(pwm)
+            .chain(counters)
+            .chain(registers)
+            .chain(markers)
+            .collect()
+    }
+}
+
+impl fmt::Display for Used {
+    /// The pins: `I1 I2 A0 Q1 P4`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kinds = [
+            ('I', &self.inputs),
+            ('A', &self.analogue),
+            ('Q', &self.outputs),
+            ('P', &self.pwm),
+        ];
+        let names = kinds.iter().flat_map(|(letter, numbers)| {
+            numbers
+                .iter()
+                .map(move |number| format!("{letter}{number}"))
+        });
+        let names: Vec<String> = names.collect();
+        f.write_str(&names.join(" "))
+    }
+}
+
+/// A number or state of a running program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    /// `D3`
+    pub name: String,
+    /// How many bits it has; 1 where it is a state.
+    pub bits: u32,
+    /// What it is.
+    pub value: i32,
+    /// A counter's preset.
+    pub of: Option<i32>,
+}

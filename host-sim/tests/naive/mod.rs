@@ -1,0 +1,413 @@
+//! An interpreter written from docs/numeric-code.md alone, as plainly as can be: numbers of 64 bits, time
+//! that never wraps, every instruction looked up by its letters.
+
+pub mod read;
+mod timer;
+
+use read::{OPERATIONS, Step};
+use std::collections::HashMap;
+use timer::Timer;
+
+/// What comes into a scan.
+#[derive(Default)]
+pub struct World {
+    /// Inputs, 01 first.
+    pub inputs: [bool; 8],
+    /// Readings of A 00 to A 04.
+    pub analogue: [i64; 5],
+}
+
+#[derive(Clone, Default)]
+pub struct Counter {
+    pub value: i64,
+    pub preset: i64,
+    /// acc when CTU and CTD last reached it.
+    before: HashMap<String, bool>,
+}
+
+/// What a filter or an integration remembers.
+struct Smooth {
+    since: i64,
+    /// 256ths, or thousandths.
+    sum: i64,
+}
+
+/// A program and all that it remembers. Points, markers, registers and the like are counted from 1; index 0
+/// is nothing.
+pub struct Naive {
+    steps: Vec<Step>,
+    pub timers: Vec<Timer>,
+    pub counters: Vec<Counter>,
+    pub outputs: [bool; 5],
+    pub markers: [bool; 65],
+    pub registers: [i64; 33],
+    pub pwm: [i64; 5],
+    inputs: [bool; 9],
+    /// Since when each input has been seen at its other level.
+    differs: [Option<i64>; 9],
+    filter: i64,
+    /// acc at an edge or an integration, by its place.
+    before: HashMap<usize, bool>,
+    smooth: HashMap<usize, Smooth>,
+    first: bool,
+    clock_since: i64,
+    clock_phase: i64,
+}
+
+/// What lives as long as a scan.
+struct Pass<'w> {
+    world: &'w World,
+    now: i64,
+    acc: bool,
+    value: i64,
+    error: bool,
+    open: Vec<(String, bool)>,
+    points: [bool; 9],
+}
+
+impl Naive {
+    pub fn new(text: &str) -> Naive {
+        let steps = read::read(text);
+        let is_timer = |step: &&Step| matches!(&*step.letters, "TON" | "TOF" | "TOR" | "TP");
+        let timers = steps.iter().filter(is_timer);
+        let timers = timers
+            .map(|step| Timer::new(&step.letters, step.lines[0]))
+            .collect();
+        let mut counters = vec![Counter::default(); 17];
+        for step in &steps {
+            if step.letters == "CTU" || step.letters == "CTD" {
+                counters[step.xx].preset = step.lines[0];
+            }
+        }
+        let filter = steps.iter().rfind(|step| step.letters == "FI");
+        Naive {
+            timers,
+            counters,
+            filter: filter.map_or(0, |step| step.xx as i64),
+            steps,
+            outputs: [false; 5],
+            markers: [false; 65],
+            registers: [0; 33],
+            pwm: [0; 5],
+            inputs: [false; 9],
+            differs: [None; 9],
+            before: HashMap::new(),
+            smooth: HashMap::new(),
+            first: true,
+            clock_since: 0,
+            clock_phase: 0,
+        }
+    }
+
+    /// One scan at this time; where it jumps back too often, the line of the jump.
+    pub fn scan(&mut self, world: &World, now: i64) -> Result<(), u32> {
+        self.take_inputs(world, now);
+        self.take_clocks(now);
+        let mut pass = Pass {
+            world,
+            now,
+            acc: true,
+            value: 0,
+            error: false,
+            open: Vec::new(),
+            points: [false; 9],
+        };
+        let mut budget = 2_000;
+        let mut at = 0;
+        while at < self.steps.len() {
+            let (xx, line) = (self.steps[at].xx, self.steps[at].line);
+            let taken = match self.steps[at].letters.as_str() {
+                "JMP" | "RET" => pass.acc,
+                "-JMP" | "-RET" => !pass.acc,
+                _ => {
+                    self.step(at, &mut pass);
+                    at += 1;
+                    continue;
+                }
+            };
+            if !taken {
+                at += 1;
+                continue;
+            }
+            if self.steps[at].letters.ends_with("RET") {
+                break;
+            }
+            let is_label = |step: &Step| step.letters == "LB" && step.xx == xx;
+            let label = self.steps.iter().position(is_label).unwrap();
+            if label < at {
+                budget -= self.steps[label..=at]
+                    .iter()
+                    .map(|step| step.bytes)
+                    .sum::<i64>();
+                if budget < 0 {
+                    self.outputs = [false; 5];
+                    return Err(line);
+                }
+            }
+            at = label;
+            pass.acc = true;
+        }
+        self.first = false;
+        Ok(())
+    }
+
+    fn take_inputs(&mut self, world: &World, now: i64) {
+        let named = |xx: usize| {
+            let reads = |step: &&Step| matches!(&*step.letters, "RI" | "-RI" | "XI" | "-XI");
+            self.steps.iter().filter(reads).any(|step| step.xx == xx)
+        };
+        for xx in 1..=8 {
+            let level = world.inputs[xx - 1] && (xx <= 4 || named(xx));
+            let since = *self.differs[xx].get_or_insert(now);
+            if self.first || self.inputs[xx] == level || now - since >= self.filter {
+                (self.inputs[xx], self.differs[xx]) = (level, None);
+            }
+        }
+    }
+
+    fn take_clocks(&mut self, now: i64) {
+        if self.first {
+            self.clock_since = now;
+        } else if now - self.clock_since >= 50 {
+            self.clock_since += 50;
+            self.clock_phase += 1;
+        }
+    }
+
+    fn system(&self, xx: usize, pass: &Pass<'_>) -> bool {
+        match xx {
+            1 => self.first,
+            2 => self.clock_phase / 10 % 2 == 1,
+            3 => self.clock_phase % 2 == 1,
+            _ => pass.error,
+        }
+    }
+
+    fn is_pwm(&self, output: usize) -> bool {
+        self.steps
+            .iter()
+            .any(|step| step.letters == "STP" && step.xx == output)
+    }
+
+    fn step(&mut self, at: usize, pass: &mut Pass<'_>) {
+        let step = &self.steps[at];
+        let (xx, acc, now) = (step.xx, pass.acc, pass.now);
+        let lines = step.lines.clone();
+        let letters = step.letters.clone();
+        let (name, inverse) = match letters.strip_prefix('-') {
+            Some(name) => (name, true),
+            None => (letters.as_str(), false),
+        };
+        if OPERATIONS.contains(&name) {
+            let operand = lines.first().copied().unwrap_or(self.registers[xx]);
+            return pass.operate(name, operand);
+        }
+        match name {
+            "NL" => pass.acc = true,
+            "(" | "A(" | "X(" => {
+                pass.open.push((letters, acc));
+                pass.acc = true;
+            }
+            ")" => {
+                let (opened, popped) = pass.open.pop().unwrap();
+                pass.acc = match opened.as_str() {
+                    "(" => popped | acc,
+                    "A(" => popped & acc,
+                    _ => popped ^ acc,
+                };
+            }
+            "()" => match at
+                .checked_sub(1)
+                .map(|before| self.steps[before].letters.as_str())
+            {
+                Some("(" | "A(" | "X(") => pass.acc = pass.points[xx],
+                _ => pass.points[xx] = acc,
+            },
+            "NOT" => pass.acc = !acc,
+            "EU" | "ED" => {
+                let before = self.before.insert(at, acc).unwrap_or(false);
+                pass.acc = acc != before && acc == (name == "EU");
+            }
+            "RI" => pass.acc &= self.inputs[xx] != inverse,
+            "RO" => pass.acc &= self.outputs[xx] != inverse,
+            "RM" => pass.acc &= self.markers[xx] != inverse,
+            "RS" => pass.acc &= self.system(xx, pass) != inverse,
+            "RT" => pass.acc &= self.timers[xx - 1].q != inverse,
+            "RC" => pass.acc &= (self.counters[xx].value >= self.counters[xx].preset) != inverse,
+            "RZ" => pass.acc &= (self.counters[xx].value <= 0) != inverse,
+            "XI" => pass.acc ^= self.inputs[xx] != inverse,
+            "XO" => pass.acc ^= self.outputs[xx] != inverse,
+            "XM" => pass.acc ^= self.markers[xx] != inverse,
+            "BIT" => pass.acc &= (pass.value >> xx & 1 == 1) != inverse,
+            "WO" => self.outputs[xx] = acc != inverse,
+            "WM" => self.markers[xx] = acc != inverse,
+            "TON" | "TOF" | "TOR" | "TP" => {
+                let timers = &self.steps[..at];
+                let index = timers
+                    .iter()
+                    .filter(|step| matches!(step.letters.as_str(), "TON" | "TOF" | "TOR" | "TP"));
+                pass.acc = self.timers[index.count()].reach(acc, now);
+                let number = (lines[1] % 100) as usize;
+                match lines[1] / 100 {
+                    79 => self.outputs[number] = pass.acc,
+                    _ => self.markers[number] = pass.acc,
+                }
+            }
+            "CTU" | "CTD" => {
+                let counter = &mut self.counters[xx];
+                let before = counter.before.insert(letters.clone(), acc).unwrap_or(false);
+                let way = if name == "CTU" { 1 } else { -1 };
+                if acc && !before {
+                    let next = counter.value + way;
+                    counter.value = next.clamp(i32::MIN.into(), i32::MAX.into());
+                }
+                pass.acc = match name {
+                    "CTU" => counter.value >= counter.preset,
+                    _ => counter.value <= 0,
+                };
+            }
+            "LDA" => pass.value = pass.world.analogue[xx],
+            "LDT" => pass.value = self.timers[xx - 1].elapsed(now),
+            "LDC" => pass.value = self.counters[xx].value,
+            // No time is told of a scan here.
+            "LDS" => pass.value = if xx == 1 { 0 } else { wrap(now) },
+            "LDM" => pass.value = number(&self.markers[xx * 8 - 7..=xx * 8]),
+            "LDI" => pass.value = number(&self.inputs[1..]),
+            "LDO" => pass.value = number(&self.outputs[1..]),
+            "LDB" => pass.value = acc.into(),
+            "NEG" => pass.value = wrap(-pass.value),
+            "SQR" => {
+                pass.error |= pass.value < 0;
+                pass.value = pass.value.max(0).isqrt();
+            }
+            "SHL" => pass.value = wrap(pass.value << xx),
+            "SHR" => pass.value = wrap((pass.value & 0xFFFF_FFFF) >> xx),
+            "SCL" => pass.value = scale(pass.value, &lines),
+            "FLT" => pass.value = self.filter(at, pass.value, xx, lines[0], now),
+            "INT" => self.integrate(at, pass.value, xx, acc, now),
+            "LB" | "FI" => {}
+            _ if acc => self.store(name, xx, &lines, pass.value),
+            _ => {}
+        }
+    }
+
+    /// What is done only where acc is 1.
+    fn store(&mut self, name: &str, xx: usize, lines: &[i64], value: i64) {
+        match name {
+            "SWO" => self.outputs[xx] = true,
+            "RWO" => self.outputs[xx] = false,
+            "SWM" => self.markers[xx] = true,
+            "RWM" => self.markers[xx] = false,
+            "RWT" => self.timers[xx - 1].reset(),
+            "RWC" => self.counters[xx].value = 0,
+            "SWC" => self.counters[xx].value = self.counters[xx].preset,
+            "ST" => self.registers[xx] = value,
+            "STC" => self.counters[xx].value = value,
+            "STP" => self.pwm[xx] = value.clamp(0, 255),
+            "STM" => {
+                for bit in 0..8 {
+                    self.markers[xx * 8 - 7 + bit] = value >> bit & 1 == 1;
+                }
+            }
+            "STO" => self.set_outputs([0, 1, 2, 3].map(|bit| value >> bit & 1 == 1)),
+            "PVC" => self.counters[xx].preset = value.max(0),
+            "PVT" => self.timers[xx - 1].preset = value.max(0),
+            "MOV" => {
+                let (to, count) = (lines[0] as usize - 6800, lines[1] as usize);
+                let read: Vec<i64> = self.registers[xx..xx + count].to_vec();
+                self.registers[to..to + count].copy_from_slice(&read);
+            }
+            "DRM" => {
+                let step = usize::try_from(self.registers[xx]).ok();
+                let step = step
+                    .and_then(|step| lines[1..].get(step))
+                    .copied()
+                    .unwrap_or(0);
+                self.set_outputs([1000, 100, 10, 1].map(|digit| step / digit % 10 == 1));
+            }
+            _ => panic!("{name} is no instruction of the page"),
+        }
+    }
+
+    fn set_outputs(&mut self, outputs: [bool; 4]) {
+        for (output, state) in (1..).zip(outputs) {
+            if !self.is_pwm(output) {
+                self.outputs[output] = state;
+            }
+        }
+    }
+
+    fn filter(&mut self, at: usize, value: i64, strength: usize, time: i64, now: i64) -> i64 {
+        let value = value.clamp(-4_194_304, 4_194_303) * 256;
+        let filter = self.smooth.entry(at).or_insert(Smooth {
+            since: i64::MAX,
+            sum: value,
+        });
+        if filter.since == i64::MAX {
+            filter.since = now;
+        } else if now - filter.since >= time {
+            filter.since = now;
+            filter.sum += (value - filter.sum).div_euclid(1 << strength);
+        }
+        (filter.sum + 128).div_euclid(256)
+    }
+
+    fn integrate(&mut self, at: usize, value: i64, xx: usize, acc: bool, now: i64) {
+        let before = self.before.insert(at, acc).unwrap_or(false);
+        let integral = self
+            .smooth
+            .entry(at)
+            .or_insert(Smooth { since: now, sum: 0 });
+        if acc && before {
+            let time = (now - integral.since).min(32_767);
+            integral.sum += value.clamp(-32_768, 32_767) * time;
+            self.registers[xx] = wrap(self.registers[xx] + integral.sum / 1000);
+            integral.sum %= 1000;
+        }
+        integral.since = now;
+    }
+}
+
+impl Pass<'_> {
+    fn operate(&mut self, name: &str, operand: i64) {
+        let value = self.value;
+        let result = match name {
+            "GT" => return self.acc &= value > operand,
+            "GE" => return self.acc &= value >= operand,
+            "EQ" => return self.acc &= value == operand,
+            "NE" => return self.acc &= value != operand,
+            "LE" => return self.acc &= value <= operand,
+            "LT" => return self.acc &= value < operand,
+            "LD" => operand,
+            "ADD" => value + operand,
+            "SUB" => value - operand,
+            "MUL" => value * operand,
+            "DIV" | "MOD" if operand == 0 => {
+                self.error = true;
+                0
+            }
+            "DIV" => value / operand,
+            "MOD" => value % operand,
+            "AND" => value & operand,
+            "OR" => value | operand,
+            _ => value ^ operand,
+        };
+        self.value = wrap(result);
+    }
+}
+
+/// The number of 32 bits with a sign that this comes to.
+fn wrap(number: i64) -> i64 {
+    (number + (1 << 31)).rem_euclid(1 << 32) - (1 << 31)
+}
+
+fn number(bits: &[bool]) -> i64 {
+    bits.iter()
+        .rev()
+        .fold(0, |number, &bit| number * 2 + i64::from(bit))
+}
+
+fn scale(value: i64, lines: &[i64]) -> i64 {
+    let value = value.clamp(lines[0], lines[1]);
+    lines[2] + (value - lines[0]) * (lines[3] - lines[2]) / (lines[1] - lines[0])
+}

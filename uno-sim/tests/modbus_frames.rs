@@ -1,0 +1,173 @@
+//! Frames by the table of the protocol's own tests, and frames that nobody would send.
+
+mod common;
+#[path = "../../modbus/tests/common/random.rs"]
+mod random;
+
+use common::modbus::{ask, bits, exchange, with_crc};
+use common::{card, ms_until, to_run, uno};
+use random::Random;
+use unoclp_uno_sim::{Slot, Uno};
+
+/// Each output follows its input.
+const FOLLOW: &str =
+    "0\n827301\n877901\n787600\n827302\n877902\n787600\n827303\n877903\n787600\n827304\n877904\n";
+
+#[derive(serde::Deserialize)]
+struct Table {
+    case: Vec<Case>,
+}
+
+#[derive(serde::Deserialize)]
+struct Case {
+    name: String,
+    frames: Vec<[String; 2]>,
+}
+
+/// The bytes of `01 03 00*2`, which are 1, 3, 0, 0.
+fn bytes(hex: &str) -> Vec<u8> {
+    let some = |text: &str| {
+        let (byte, times) = text.split_once('*').unwrap_or((text, "1"));
+        vec![u8::from_str_radix(byte, 16).expect(text); times.parse().expect(text)]
+    };
+    hex.split_whitespace().flat_map(some).collect()
+}
+
+#[test]
+fn each_request_of_the_table_gets_its_reply() {
+    let table: Table = toml::from_str(include_str!("../../modbus/tests/frames.toml")).unwrap();
+    let mut uno = uno(Slot::Card(card("0\n827301\n877901\n")));
+    uno.set_stop(true);
+    ms_until(&mut uno, &["STOP\r\n"]);
+    uno.run_ms(5).unwrap();
+    let mut frames = 0;
+    for case in table.case {
+        for [request, reply] in &case.frames {
+            let expected = Some(bytes(reply)).filter(|reply| !reply.is_empty());
+            assert_eq!(
+                ask(&mut uno, &bytes(request)),
+                expected,
+                "{}: {request}",
+                case.name
+            );
+            frames += 1;
+        }
+    }
+    println!("{frames} requests of the table");
+}
+
+/// Whether a frame might force something, or command something.
+fn is_serious(frame: &[u8]) -> bool {
+    let [_, function @ (6 | 16), a, b, c, d, ..] = *frame else {
+        return false;
+    };
+    let first = u32::from(a) << 8 | u32::from(b);
+    let count = if function == 6 {
+        1
+    } else {
+        u32::from(c) << 8 | u32::from(d)
+    };
+    first <= 405 && first + count > 400
+}
+
+fn running() -> Uno {
+    let mut uno = uno(Slot::Card(card(FOLLOW)));
+    to_run(&mut uno);
+    uno.run_ms(5).unwrap();
+    uno
+}
+
+/// The board scans on, its outputs are what the program says, and it answers.
+fn assert_well(uno: &mut Uno, inputs: u8) {
+    uno.set_inputs(inputs);
+    uno.run_ms(1).unwrap();
+    assert_eq!(uno.outputs(), inputs);
+    assert_eq!(bits(uno, 2, 0, 4), inputs);
+    assert_eq!(uno.resets(), 0);
+}
+
+const FRAMES: u32 = 50_000;
+const PATIENCE_MS: u64 = 1;
+
+#[test]
+fn mutated_frames() {
+    let mut uno = running();
+    let mut random = Random::new(0x2545_F491);
+    let mut replies = 0;
+    for n in 0..FRAMES {
+        let function = random.pick(&[1, 2, 3, 4, 5, 6, 15, 16, 43]);
+        let first: u16 = random.pick(&[0, 1, 3, 4, 15, 16, 17, 20, 31, 32, 402, 410, 412, 1000]);
+        let count: u16 = random.pick(&[0, 1, 2, 3, 4, 5, 16, 0xFF00, 0xFFFF]);
+        let mut frame = vec![random.pick(&[0, 1, 1, 1, 1, 2]), function];
+        frame.extend(first.to_be_bytes());
+        frame.extend(count.to_be_bytes());
+        match function {
+            15 => frame.extend([1, random.byte()]),
+            16 => {
+                frame.push((count as u8).wrapping_mul(2));
+                frame.extend((0..count.min(16) * 2).map(|_| random.byte() & 1));
+            }
+            43 => frame
+                .splice(2.., [14, random.byte() % 6, random.byte() % 5])
+                .for_each(drop),
+            _ => {}
+        }
+        for _ in 0..random.below(3) {
+            let at = random.below(frame.len() as u32) as usize;
+            match random.below(4) {
+                0 => frame[at] ^= 1 << random.below(8),
+                1 => frame[at] = random.byte(),
+                2 if at > 1 => frame.truncate(at),
+                _ => frame.insert(at, random.byte()),
+            }
+        }
+        if is_serious(&frame) {
+            continue;
+        }
+        let mut sent = with_crc(&frame);
+        if random.below(8) == 0 {
+            let at = random.below(sent.len() as u32) as usize;
+            sent[at] ^= 1 << random.below(8);
+            if is_serious(&sent) {
+                continue;
+            }
+        }
+        if let Some(reply) = exchange(&mut uno, &sent, PATIENCE_MS) {
+            replies += 1;
+            assert_eq!(reply[0], 1, "{sent:02x?}");
+            assert_eq!(reply[1] & 0x7F, sent[1] & 0x7F, "{sent:02x?}");
+        }
+        if n % 64 == 0 {
+            assert_well(&mut uno, random.byte() & 0x0F);
+        }
+    }
+    println!("{replies} of {FRAMES} mutated frames were answered");
+    assert!(replies > FRAMES / 3);
+    assert_well(&mut uno, 0b1010);
+}
+
+#[test]
+fn random_frames() {
+    let mut uno = running();
+    let mut random = Random::new(0x9E37_79B9);
+    let mut replies = 0;
+    for n in 0..FRAMES {
+        let length = random.pick(&[1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 20]);
+        let mut frame: Vec<u8> = (0..length).map(|_| random.byte()).collect();
+        if random.below(4) > 0 {
+            frame[0] = 1;
+            if random.below(2) == 0 {
+                frame = with_crc(&frame);
+            }
+        }
+        if is_serious(&frame) {
+            continue;
+        }
+        replies += u32::from(exchange(&mut uno, &frame, PATIENCE_MS).is_some());
+        if n % 64 == 0 {
+            assert_well(&mut uno, random.byte() & 0x0F);
+        }
+    }
+    println!("{replies} of {FRAMES} random frames were answered");
+    assert_well(&mut uno, 0b0101);
+}
