@@ -166,9 +166,6 @@ fn numbers() {
 
 #[test]
 fn edges_and_first_values() {
-    let text =
-        "VAR r : R_TRIG; f : F_TRIG; on : BOOL := TRUE; n : INT := 7; kept RETAIN_ : BOOL; END_VAR";
-    assert!(compile(text, &large()).has_errors());
     let text = "VAR r : R_TRIG; f : F_TRIG; on : BOOL := TRUE; n : INT := 7; END_VAR\nVAR RETAIN kept : BOOL; END_VAR\n\
         CAL r (CLK:=I1)\nLD r.Q\nST Q1\nCAL f (I1)\nLD f.Q\nST Q2\nLD on\nST Q3\nST kept\nLD n\nEQ 7\nST Q4";
     assert_eq!(steps(text, &[1, 1, 0, 0]), [0b1101, 0b1100, 0b1110, 0b1100]);
