@@ -168,8 +168,7 @@ pub(crate) const SPELLINGS: &[&str] = &[
 /// The spelling that is one slip of the hand away: a letter wrong, missing or too many.
 pub(crate) fn nearest(word: &str) -> Option<&'static str> {
     let known = |known: &&&str| one_slip(known.as_bytes(), word.as_bytes());
-    let mut near = SPELLINGS.iter().filter(known);
-    near.next_back().copied()
+    SPELLINGS.iter().find(known).copied()
 }
 
 fn one_slip(a: &[u8], b: &[u8]) -> bool {

@@ -5,17 +5,20 @@
 
 mod bits;
 mod blocks;
+mod calls;
 mod counters;
+mod defer;
 mod finish;
 mod jumps;
 mod stack;
 mod stores;
 mod timers;
 mod units;
+mod values;
 
-use crate::ast::{Instr, Operand, Stmt, Unit, UnitKind};
+use crate::ast::{Instr, Stmt, Unit, UnitKind};
 use crate::diagnostics::{Code, Found, Span};
-use crate::names::{Names, Place};
+use crate::names::Names;
 use crate::operators::Op;
 use crate::rung::{Holds, Rungs, Step, Written};
 use crate::tree::{Bit, Expr, Num, Number};
@@ -245,162 +248,6 @@ impl<'a> Lower<'a> {
         }
     }
 
-    // What the others share.
-
-    fn instance(&self) -> Option<usize> {
-        self.scopes.last().map(|scope| scope.instance)
-    }
-
-    /// What an operand means.
-    fn place(&mut self, operand: &Operand) -> Place {
-        if let Some(place) = self.block_member(operand) {
-            return place;
-        }
-        let instance = self.instance();
-        // Names get markers that no intermediate result has had.
-        self.names.temps = self.rungs.temps;
-        let place = self.names.place(operand, instance, self.found);
-        self.rungs.temps = self.names.temps;
-        place
-    }
-
-    /// The operand's value.
-    fn value(&mut self, operand: &Operand) -> Acc {
-        let span = operand.span;
-        let bit = |bit| {
-            Acc::Bit(Expr::Lit {
-                bit,
-                negated: false,
-                span,
-            })
-        };
-        match self.place(operand) {
-            Place::Bit(place) => {
-                match place {
-                    Bit::Input(n) => self.names.inputs_read |= 1 << (n - 1),
-                    Bit::Timer(timer) => self.reads_timer(timer, span),
-                    _ => {}
-                }
-                bit(place)
-            }
-            Place::Always(state) => Acc::Bit(Expr::Const(state)),
-            Place::Number(Num::Pwm(_) | Num::CountPreset(_) | Num::TimerPreset(_)) => {
-                let name = self.spelled(operand);
-                let help = ("it can only be written", "só pode ser escrito");
-                self.found.tell(
-                    Code::NoSuchMember,
-                    span,
-                    ["PLC".into(), name.into(), help.into()],
-                );
-                Acc::Unknown
-            }
-            Place::Number(num) => {
-                match num {
-                    Num::Inputs => self.names.inputs_read = u16::MAX,
-                    Num::Elapsed(timer) => self.reads_timer(timer, span),
-                    _ => {}
-                }
-                Acc::Number(Number::Leaf(num, span))
-            }
-            Place::Timer(timer) => {
-                self.reads_timer(timer, span);
-                bit(Bit::Timer(timer))
-            }
-            Place::Counter(counter) => {
-                let counter = &self.names.counters[counter];
-                match counter.kind {
-                    Some(Opcode::CountDown) => bit(Bit::Zero(counter.number)),
-                    _ => bit(Bit::Reached(counter.number)),
-                }
-            }
-            Place::Trigger(_, marker) => bit(Bit::Marker(marker)),
-            Place::Instance(_) => {
-                let name = self.spelled(operand);
-                self.wrong_type(name, span, BLOCK, BOOL);
-                Acc::Unknown
-            }
-            Place::Unknown => Acc::Unknown,
-        }
-    }
-
-    fn reads_timer(&mut self, timer: usize, span: Span) {
-        self.names.timers[timer].read.get_or_insert(span);
-    }
-
-    fn spelled(&self, operand: &Operand) -> String {
-        match operand.name() {
-            Some(name) => name.to_owned(),
-            None => operand.number().unwrap_or(0).to_string(),
-        }
-    }
-
-    fn wrong_type(&mut self, what: String, span: Span, is: Words, needed: Words) {
-        self.found.tell(
-            Code::WrongType,
-            span,
-            [what.into(), is.into(), needed.into()],
-        );
-    }
-
-    /// As a bit; the constants 0 and 1 are both bit and number.
-    fn as_bit(&mut self, acc: Acc, what: &str, span: Span) -> Option<Expr> {
-        match acc {
-            Acc::Bit(expr) => Some(expr),
-            Acc::Number(number) => match number.constant() {
-                Some(number @ 0..=1) => Some(Expr::Const(number == 1)),
-                _ => {
-                    self.wrong_type(what.to_owned(), span, NUMBER, BOOL);
-                    None
-                }
-            },
-            Acc::Empty | Acc::Unknown => None,
-        }
-    }
-
-    fn as_number(&mut self, acc: Acc, what: &str, span: Span) -> Option<Number> {
-        match acc {
-            Acc::Number(number) => Some(number),
-            Acc::Bit(_) => {
-                self.wrong_type(what.to_owned(), span, BOOL, NUMBER);
-                None
-            }
-            Acc::Empty | Acc::Unknown => None,
-        }
-    }
-
-    /// The accumulator, for an instruction that uses it.
-    fn take_acc(&mut self, what: &str, span: Span) -> Acc {
-        self.unused = None;
-        let acc = std::mem::replace(&mut self.acc, Acc::Unknown);
-        if acc == Acc::Empty {
-            self.found.tell(Code::NothingLoaded, span, [what.into()]);
-            return Acc::Unknown;
-        }
-        acc
-    }
-
-    /// The accumulator as a bit.
-    fn take_bit(&mut self, what: &str, span: Span) -> Option<Expr> {
-        let acc = self.take_acc(what, span);
-        self.as_bit(acc, ACCUMULATOR, span)
-    }
-
-    /// The accumulator as a condition: a number is true where it is not 0.
-    fn take_condition(&mut self, what: &str, span: Span) -> Option<Expr> {
-        let acc = self.take_acc(what, span);
-        match acc {
-            Acc::Number(number) if !matches!(number.constant(), Some(0..=1)) => {
-                Some(Expr::Compare {
-                    op: Opcode::NotEqual,
-                    left: Box::new(number),
-                    right: Box::new(Number::Leaf(Num::Const(0), span)),
-                    span,
-                })
-            }
-            acc => self.as_bit(acc, ACCUMULATOR, span),
-        }
-    }
-
     /// Brings an expression into the board's accumulator, where the text's stays on it.
     fn bring(&mut self, expr: Expr, span: Span) {
         self.freeze(span);
@@ -496,7 +343,7 @@ type Words = (&'static str, &'static str);
 const BOOL: Words = ("true or false (BOOL)", "verdadeiro ou falso (BOOL)");
 const NUMBER: Words = ("a number", "um número");
 const BLOCK: Words = ("a block", "um bloco");
-/// What messages call the accumulator.
+/// What stands for the accumulator in messages.
 const ACCUMULATOR: &str = "(acc)";
 /// The deepest nesting of deferred operations.
 const MOST_FRAMES: usize = DEEPEST as usize;
