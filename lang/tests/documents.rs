@@ -106,3 +106,33 @@ fn both_languages_have_help_or_none() {
         assert_eq!(en, pt, "{code}");
     }
 }
+
+/// What addresses mean stands in one table, in each language.
+#[test]
+fn addresses() {
+    for page in ["docs/instruction-list.md", "docs/instruction-list.pt-BR.md"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(page);
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{page}: {error}"));
+        let (_, rest) = text.split_once("<!-- addresses:begin -->").unwrap();
+        let (table, _) = rest.split_once("<!-- addresses:end -->").unwrap();
+        let rows: Vec<Vec<&str>> = table
+            .lines()
+            .filter(|line| line.starts_with("| `"))
+            .map(|row| row.trim_matches('|').split('|').map(str::trim).collect())
+            .collect();
+        assert!(rows.len() > 30, "{page}");
+        for row in rows {
+            let [written, of, _, code] = row[..] else { panic!("{page}: {row:?}") };
+            let written = written.trim_matches('`');
+            let number = code.starts_with("766");
+            let store = if number { "ST D9" } else { "ST M9" };
+            let options = Options {
+                dialect: unoclp_lang::Dialect::named(of),
+                ..Options::default()
+            };
+            let compiled = compile(&format!("LD {written}\n{store}"), &options);
+            assert_eq!(compiled.codes()[1].to_string(), code, "{page}: {written}");
+            assert!(!compiled.has_errors(), "{page}: {written}: {:?}", compiled.diagnostics);
+        }
+    }
+}
