@@ -222,6 +222,11 @@ messages! {
         "call it: CAL {0} (IN:=%IX1, PT:=T#20s)"
         "{0} é lido, mas nada o aciona"
         "chame-o: CAL {0} (IN:=%IX1, PT:=T#20s)";
+    59 CallsTooDeep Error
+        "calls go too deep here, or there are too many: each puts a body into the program"
+        "call fewer functions from one another"
+        "as chamadas vão fundo demais aqui, ou são muitas: cada uma põe um corpo no programa"
+        "chame menos funções umas das outras";
     61 WrittenTwice Warning
         "{0} is written again here; only the last store in a scan is seen at the output"
         "combine the conditions with OR and write it once, or use S and R"

@@ -243,18 +243,26 @@ fn large_texts() {
     }
 }
 
-/// Functions that call the next one twice would be 2 to the power of 30 bodies.
+/// Functions that call the next one twice would be 2 to the power of 30 bodies, with or without anything in
+/// them; and a long chain of calls would be deep.
 #[test]
 fn calls_do_not_explode() {
-    let mut text = "CAL f0\n".to_owned();
-    for n in 0..30 {
-        let next = n + 1;
-        text += &format!(
-            "FUNCTION f{n} : BOOL\nLD I1\nST M1\nCAL f{next}\nCAL f{next}\nEND_FUNCTION\n"
-        );
+    let chain = |functions: usize, body: &str, calls: usize| {
+        let mut text = "CAL f0\n".to_owned();
+        for n in 0..functions {
+            let call = format!("CAL f{}\n", n + 1).repeat(calls);
+            text += &format!("FUNCTION f{n} : BOOL\n{body}{call}END_FUNCTION\n");
+        }
+        text + &format!("FUNCTION f{functions} : BOOL\nLD I1\nST M1\nEND_FUNCTION\n")
+    };
+    for text in [
+        chain(30, "LD I1\nST M1\n", 2),
+        chain(15, "", 10),
+        chain(30, "", 2),
+        chain(5_000, "", 1),
+    ] {
+        let compiled = compile(&text, &Options::default());
+        let told = |d: &unoclp_lang::Diagnostic| d.severity() == Severity::Error;
+        assert!(compiled.diagnostics.iter().any(told));
     }
-    text += "FUNCTION f30 : BOOL\nLD I1\nST M1\nEND_FUNCTION\n";
-    let compiled = compile(&text, &Options::default());
-    let told = |d: &unoclp_lang::Diagnostic| d.severity() == Severity::Error;
-    assert!(compiled.diagnostics.iter().any(told));
 }

@@ -122,7 +122,9 @@ fn addresses() {
             .collect();
         assert!(rows.len() > 30, "{page}");
         for row in rows {
-            let [written, of, _, code] = row[..] else { panic!("{page}: {row:?}") };
+            let [written, of, _, code] = row[..] else {
+                panic!("{page}: {row:?}")
+            };
             let written = written.trim_matches('`');
             let number = code.starts_with("766");
             let store = if number { "ST D9" } else { "ST M9" };
@@ -132,7 +134,11 @@ fn addresses() {
             };
             let compiled = compile(&format!("LD {written}\n{store}"), &options);
             assert_eq!(compiled.codes()[1].to_string(), code, "{page}: {written}");
-            assert!(!compiled.has_errors(), "{page}: {written}: {:?}", compiled.diagnostics);
+            assert!(
+                !compiled.has_errors(),
+                "{page}: {written}: {:?}",
+                compiled.diagnostics
+            );
         }
     }
 }

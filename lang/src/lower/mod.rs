@@ -74,6 +74,9 @@ pub(crate) struct Label {
 /// More steps than this are never written: no board holds them, and functions that call functions could
 /// make them without end.
 const MOST_STEPS: usize = 40_000;
+/// Likewise calls, which may have nothing to write; and how deep they may go.
+const MOST_CALLS: u32 = 5_000;
+const MOST_SCOPES: usize = 16;
 /// Operations in one expression, before a part of it is written out.
 const MOST_LINKS: u32 = 40;
 
@@ -97,6 +100,8 @@ pub(crate) struct Lower<'a> {
     /// N behind a parenthesis, for the load that follows.
     invert_load: bool,
     called: HashSet<usize>,
+    /// Calls of functions and function blocks so far.
+    calls: u32,
     functions: HashMap<String, usize>,
     function_instances: HashMap<usize, usize>,
     coils: HashMap<u8, Span>,
@@ -128,6 +133,7 @@ pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered 
         unreachable: false,
         invert_load: false,
         called: HashSet::new(),
+        calls: 0,
         functions: HashMap::new(),
         function_instances: HashMap::new(),
         coils: HashMap::new(),

@@ -1,6 +1,6 @@
 //! Functions and function blocks of the text's own. A call compiles the body in its place.
 
-use super::{Acc, Lower};
+use super::{Acc, Lower, MOST_CALLS, MOST_SCOPES, MOST_STEPS};
 use crate::ast::{Param, Section, UnitKind};
 use crate::diagnostics::{Code, Span};
 use crate::names::{Instance, Place};
@@ -90,6 +90,14 @@ impl Lower<'_> {
         self.called.insert(unit);
         if self.scopes.iter().any(|scope| scope.unit == unit) {
             self.found.tell(Code::Recursive, span, [name.into()]);
+            self.acc = Acc::Unknown;
+            return;
+        }
+        self.calls += 1;
+        if self.scopes.len() > MOST_SCOPES || self.calls > MOST_CALLS {
+            if self.calls <= MOST_CALLS + 1 {
+                self.found.tell(Code::CallsTooDeep, span, []);
+            }
             self.acc = Acc::Unknown;
             return;
         }
@@ -188,8 +196,9 @@ impl Lower<'_> {
 
     /// What nothing calls is checked all the same, and not kept.
     pub(super) fn check_uncalled(&mut self) {
+        let mut steps = self.rungs.steps.len();
         for unit in 1..self.units.len() {
-            if self.called.contains(&unit) {
+            if self.called.contains(&unit) || steps > MOST_STEPS {
                 continue;
             }
             let instance = match self.function_instances.get(&unit) {
@@ -207,7 +216,7 @@ impl Lower<'_> {
             let labels = self.labels.len();
             self.unit_body(unit, instance, Some(usize::MAX));
             self.labels.truncate(labels);
-            self.rungs = kept;
+            steps += std::mem::replace(&mut self.rungs, kept).steps.len();
         }
     }
 }
