@@ -10,6 +10,7 @@ mod counters;
 mod defer;
 mod finish;
 mod jumps;
+mod keep;
 mod stack;
 mod stores;
 mod timers;
@@ -21,7 +22,7 @@ use crate::diagnostics::{Code, Found, Span};
 use crate::names::Names;
 use crate::operators::Op;
 use crate::rung::{Holds, Rungs, Step, Written};
-use crate::tree::{Bit, Expr, Num, Number};
+use crate::tree::{Expr, Number};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::{DEEPEST, Opcode};
 
@@ -251,85 +252,6 @@ impl<'a> Lower<'a> {
             Op::EndBlock => self.end_block(instr),
             Op::Input(opcode) => self.input_operator(instr, opcode),
             Op::Code => self.code(instr),
-        }
-    }
-
-    /// Brings an expression into the board's accumulator, where the text's stays on it.
-    fn bring(&mut self, expr: Expr, span: Span) {
-        self.freeze(span);
-        let constant = expr == Expr::Const(true);
-        self.rungs.logic(expr, span);
-        self.acc = Acc::Bit(if constant {
-            Expr::Const(true)
-        } else {
-            Expr::Live
-        });
-        self.links = 0;
-    }
-
-    /// Before anything changes: what waits for a `)` or in a block is worked out with what holds now.
-    fn freeze(&mut self, span: Span) {
-        let mut frames = std::mem::take(&mut self.frames);
-        for frame in &mut frames {
-            frame.acc = self.fixed(std::mem::replace(&mut frame.acc, Acc::Unknown), frame.span);
-        }
-        self.frames = frames;
-        self.freeze_block(span);
-    }
-
-    /// The same value, from where nothing changes it.
-    fn fixed(&mut self, acc: Acc, span: Span) -> Acc {
-        match acc {
-            Acc::Bit(expr) => Acc::Bit(self.fixed_bit(expr, span)),
-            Acc::Number(Number::Leaf(Num::Register(n), at))
-                if self.rungs.temps.is_busy_register(n) =>
-            {
-                Acc::Number(Number::Leaf(Num::Register(n), at))
-            }
-            Acc::Number(number) if number.constant().is_none() => {
-                self.rungs.number(&number, span);
-                let register = self.rungs.keep(span);
-                Acc::Number(Number::Leaf(Num::Register(register), span))
-            }
-            other => other,
-        }
-    }
-
-    fn fixed_bit(&mut self, expr: Expr, span: Span) -> Expr {
-        match expr {
-            Expr::Const(_) => return expr,
-            Expr::Lit {
-                bit: Bit::Marker(n),
-                ..
-            } if self.rungs.temps.is_busy(n) => return expr,
-            _ => {}
-        }
-        let marker = self.rungs.temps.marker();
-        self.rungs.logic(expr, span);
-        self.rungs
-            .coil(unoclp_core::Target::Marker(marker), false, span);
-        Expr::Lit {
-            bit: Bit::Marker(marker),
-            negated: false,
-            span,
-        }
-    }
-
-    /// Long expressions are written out in parts.
-    fn link(&mut self, span: Span) {
-        self.links += 1;
-        if self.links < MOST_LINKS {
-            return;
-        }
-        self.links = 0;
-        match std::mem::replace(&mut self.acc, Acc::Unknown) {
-            Acc::Bit(expr) => self.bring(expr, span),
-            Acc::Number(number) => {
-                self.freeze(span);
-                self.rungs.number(&number, span);
-                self.acc = Acc::Number(Number::Live);
-            }
-            other => self.acc = other,
         }
     }
 
