@@ -91,6 +91,20 @@ impl Temps {
         }
     }
 
+    /// A marker that holds something for the whole program, the highest that is free.
+    pub(crate) fn lasting_marker(&mut self) -> u8 {
+        let marker = self.marker();
+        self.markers |= 1 << (marker - 1);
+        marker
+    }
+
+    /// Likewise a register.
+    pub(crate) fn lasting_register(&mut self) -> u8 {
+        let register = self.register();
+        self.registers |= 1 << (register - 1);
+        register
+    }
+
     /// Whether this marker holds an intermediate result, which nothing else writes.
     pub(crate) fn is_busy(&self, marker: u8) -> bool {
         self.busy_markers >> marker.wrapping_sub(1) & 1 != 0

@@ -175,6 +175,23 @@ fn edges_and_first_values() {
     });
 }
 
+/// The accumulator is the same behind a label, whichever way leads there.
+#[test]
+fn the_accumulator_over_a_label() {
+    let choose = "LD I1\nJMPC first\nLD I2\nJMP last\nfirst: LD I3\nlast: ST Q1";
+    for points in 0..8_u16 {
+        let (a, b, c) = (points & 1, points >> 1 & 1, points >> 2 & 1);
+        let expected = if a == 1 { c } else { b };
+        assert_eq!(steps(choose, &[points as u8]), [expected], "{points}");
+    }
+    let either = "LD I1\nJMPC done\nLD I2\ndone: ST Q1";
+    assert_eq!(steps(either, &[0, 1, 2, 3]), [0, 1, 1, 1]);
+    let count = "LD 0\nST D1\nmore: ADD 3\nST D1\nLD D1\nGE 10\nJMPC done\nLD D1\nJMP more\ndone: LD D1\nEQ 12\nST Q1";
+    assert_eq!(steps(count, &[0]), [1]);
+    let told = compile("LD D1\nJMP a\nLD I1\na: ST Q1", &large()).diagnostics;
+    assert!(told.iter().any(|d| d.code == Code::WrongType), "{told:?}");
+}
+
 /// The next state of a rung does not disturb what waits between parentheses.
 #[test]
 fn a_store_between_parentheses() {

@@ -152,7 +152,8 @@ struct Writer {
     open: Vec<(bool, bool)>,
     labels: usize,
     /// The label of the jump that is open, and the instructions to it.
-    ahead: Option<usize>,
+    /// The type of the accumulator at the jump.
+    ahead: Option<(usize, bool)>,
 }
 
 impl Writer {
@@ -253,7 +254,7 @@ impl Writer {
             }
             95..98 if self.open.is_empty() && self.ahead.is_none() => {
                 self.labels += 1;
-                self.ahead = Some(self.labels);
+                self.ahead = Some((self.labels, self.bit));
                 let operator = self.random.pick(&["JMP", "JMPC", "JMPCN"]);
                 self.line(&format!("{operator} L{}", self.labels));
                 self.load();
@@ -267,8 +268,12 @@ impl Writer {
     }
 
     fn label_or_load(&mut self) {
-        if let Some(label) = self.ahead.take() {
+        if let Some((label, bit)) = self.ahead.take() {
             self.line(&format!("L{label}:"));
+            // What comes over a jump is of the same type as what comes from above.
+            if bit == self.bit && self.random.percent(60) {
+                return;
+            }
         }
         self.load();
     }
@@ -322,7 +327,7 @@ fn random_text(seed: u64) -> String {
         writer.close();
     }
     writer.store();
-    if let Some(label) = writer.ahead {
+    if let Some((label, _)) = writer.ahead {
         writer.line(&format!("L{label}:"));
     }
     writer.text

@@ -1,5 +1,6 @@
 //! Labels, jumps and returns.
 
+use super::carry::needs;
 use super::{Acc, Label, Lower, Scope, Waiting, forget};
 use crate::ast::{Instr, Stmt, Word};
 use crate::diagnostics::{Code, Span};
@@ -38,13 +39,18 @@ impl Lower<'_> {
             unit,
             instance,
             labels,
+            needs: needs(body),
             wanted,
             end,
         }
     }
 
     pub(super) fn new_label(&mut self, span: Span, number: Option<u8>) -> usize {
-        self.labels.push(Label { number, span });
+        self.labels.push(Label {
+            number,
+            span,
+            carry: None,
+        });
         self.labels.len() - 1
     }
 
@@ -57,9 +63,23 @@ impl Lower<'_> {
             .copied();
         let Some(index) = index else { return };
         self.not_deferred(&word.text, word.span);
-        self.warn_unused();
-        self.unreachable = false;
+        let falls_in = !std::mem::replace(&mut self.unreachable, false);
+        if !self.is_needed(&word.text) {
+            self.warn_unused();
+            return self.place_label(index, word.span);
+        }
+        if falls_in {
+            self.carry_to(index, &word.text, word.span);
+        }
         self.place_label(index, word.span);
+        self.acc = self.carried(index, word.span);
+    }
+
+    /// Whether the accumulator is needed behind this label.
+    fn is_needed(&self, label: &str) -> bool {
+        self.scopes
+            .last()
+            .is_some_and(|scope| scope.needs.contains(label))
     }
 
     /// A label at the head of a rung.
@@ -71,7 +91,6 @@ impl Lower<'_> {
         self.rungs.head = true;
         self.rungs.holds = Holds::One;
         self.acc = Acc::Empty;
-        // Which block a timer's Q is of depends on the way.
     }
 
     pub(super) fn jump(&mut self, instr: &Instr) {
@@ -87,8 +106,14 @@ impl Lower<'_> {
             .and_then(|scope| scope.labels.get(&name))
             .copied();
         if index.is_none() {
+            let name = name.as_str();
             self.found
                 .tell(Code::NoSuchLabel, operand.span, [name.into()]);
+        }
+        if let Some(index) = index
+            && self.is_needed(&name)
+        {
+            self.carry_to(index, "JMP", instr.span);
         }
         if instr.conditional {
             let Some(expr) = self.take_condition("JMPC", instr.span) else {

@@ -6,6 +6,7 @@
 mod bits;
 mod blocks;
 mod calls;
+mod carry;
 mod counters;
 mod defer;
 mod finish;
@@ -61,6 +62,8 @@ struct Scope {
     labels: HashMap<String, usize>,
     /// Labels that a jump of the unit leads to.
     wanted: HashSet<String>,
+    /// Labels behind which the accumulator is used as it comes.
+    needs: HashSet<String>,
     /// Where RET leads; of the program it ends the scan.
     end: Option<usize>,
 }
@@ -70,6 +73,8 @@ pub(crate) struct Label {
     /// What its name asks for: `L07` is label 07.
     pub number: Option<u8>,
     pub span: Span,
+    /// Where the accumulator is, if it is needed behind the label.
+    carry: Option<carry::Carry>,
 }
 
 /// More steps than this are never written: no board holds them, and functions that call functions could
