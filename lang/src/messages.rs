@@ -108,10 +108,15 @@ messages! {
         "`{0}` foi entendido como rótulo, mas faltam os dois-pontos"
         "escreva `{0}:`";
     29 Structure Error
-        "{0} does not fit here"
+        "{0} stands alone: its other half is missing"
         "{1}"
-        "{0} não cabe aqui"
+        "{0} está sozinho: falta o seu par"
         "{1}";
+    30 CommaMissing Error
+        "a comma is missing before `{0}`"
+        "write a comma between operands: TON T1, 100"
+        "falta uma vírgula antes de `{0}`"
+        "escreva uma vírgula entre operandos: TON T1, 100";
     31 CloseWithoutOpen Error
         "this ) closes nothing: no operation has been deferred"
         "delete it, or write the ( that belongs to it"
@@ -248,10 +253,10 @@ messages! {
         "o programa nunca chega aqui: um desvio acima o levou para outro lugar"
         "escreva um rótulo antes desta linha ou apague-a";
     65 ResultUnused Warning
-        "the result of this is never used: another LD comes before any ST"
-        "store it, or use AND or OR in place of the next LD"
-        "o resultado disto nunca é usado: outro LD vem antes de qualquer ST"
-        "armazene-o, ou use AND ou OR no lugar do próximo LD";
+        "the result of this is never used: no ST follows before the next LD or the end"
+        "store it, or use AND or OR in place of the LD that follows"
+        "o resultado disto nunca é usado: não há ST antes do próximo LD ou do fim"
+        "armazene-o, ou use AND ou OR no lugar do LD que segue";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
         "it holds {0} bytes of program and has {1} bytes to run it; timers and counters take the most"

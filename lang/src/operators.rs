@@ -62,6 +62,14 @@ impl Op {
         matches!(self, Op::Load | Op::Store | Op::And | Op::Or | Op::Xor)
     }
 
+    /// Whether it may have more than one operand.
+    pub(crate) fn may_have_more(self) -> bool {
+        matches!(
+            self,
+            Op::Timer(_) | Op::CountUp | Op::CountDown | Op::CountUpDown | Op::Function | Op::Code
+        )
+    }
+
     /// Whether a parenthesis may follow.
     pub(crate) fn may_defer(self) -> bool {
         matches!(

@@ -1,6 +1,6 @@
 //! What works on the accumulator: loads, operations, and their deferral.
 
-use super::{ACCUMULATOR, Acc, Lower, numbered};
+use super::{ACCUMULATOR, Acc, Lower, OPERAND, numbered};
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
@@ -122,7 +122,7 @@ impl Lower<'_> {
         };
         if on_bits {
             let left = self.as_bit(left, ACCUMULATOR, span);
-            let right = self.as_bit(right, name(op), span);
+            let right = self.as_bit(right, OPERAND, span);
             let (Some(left), Some(right)) = (left, right) else {
                 return Acc::Unknown;
             };
@@ -134,7 +134,7 @@ impl Lower<'_> {
             });
         }
         let left = self.as_number(left, ACCUMULATOR, span);
-        let right = self.as_number(right, name(op), span);
+        let right = self.as_number(right, OPERAND, span);
         let (Some(left), Some(right)) = (left, right) else {
             return Acc::Unknown;
         };

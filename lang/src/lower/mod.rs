@@ -278,6 +278,8 @@ const NUMBER: Words = ("a number", "um número");
 const BLOCK: Words = ("a block", "um bloco");
 /// What stands for the accumulator in messages.
 const ACCUMULATOR: &str = "(acc)";
+/// What stands for an operand.
+const OPERAND: &str = "(operand)";
 /// The deepest nesting of deferred operations.
 const MOST_FRAMES: usize = DEEPEST as usize;
 

@@ -90,8 +90,7 @@ impl Lower<'_> {
         if let Acc::Number(number) = &acc
             && !matches!(number.constant(), Some(0..=1))
         {
-            let name = self.spelled(operand);
-            self.wrong_type(name, operand.span, BOOL, NUMBER);
+            self.wrong_type(ACCUMULATOR.to_owned(), operand.span, NUMBER, BOOL);
             return acc;
         }
         let Some(expr) = self.as_bit(acc, ACCUMULATOR, span) else {
@@ -111,8 +110,7 @@ impl Lower<'_> {
         span: Span,
     ) -> Acc {
         if let Acc::Bit(_) = acc {
-            let name = self.spelled(operand);
-            self.wrong_type(name, operand.span, NUMBER, BOOL);
+            self.wrong_type(ACCUMULATOR.to_owned(), operand.span, BOOL, NUMBER);
             return acc;
         }
         let Some(mut number) = self.as_number(acc, ACCUMULATOR, span) else {

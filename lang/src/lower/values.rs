@@ -1,6 +1,6 @@
 //! What operands and the accumulator are worth.
 
-use super::{ACCUMULATOR, Acc, BLOCK, BOOL, Lower, NUMBER, Words};
+use super::{ACCUMULATOR, Acc, BLOCK, BOOL, Lower, NUMBER, OPERAND, Words};
 use crate::ast::Operand;
 use crate::diagnostics::{Code, Span, Word};
 use crate::names::Place;
@@ -98,6 +98,7 @@ impl Lower<'_> {
     pub(super) fn wrong_type(&mut self, what: String, span: Span, is: Words, needed: Words) {
         let what: Word = match what.as_str() {
             ACCUMULATOR => ("the accumulator", "o acumulador").into(),
+            OPERAND => ("the operand", "o operando").into(),
             _ => what.into(),
         };
         let words = [what, is.into(), needed.into()];

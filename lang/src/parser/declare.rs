@@ -4,6 +4,7 @@ use super::Parser;
 use crate::ast::{Operand, Section, Unit, Var, Word};
 use crate::diagnostics::Code;
 use crate::lexer::{Kind, Token};
+use crate::operators;
 
 impl Parser<'_, '_> {
     /// The section that this word opens.
@@ -37,8 +38,8 @@ impl Parser<'_, '_> {
                     self.at += 1;
                     return;
                 }
-                Kind::Name => self.declaration(section, unit),
-                Kind::End => {
+                Kind::Name if !self.is_instruction() => self.declaration(section, unit),
+                Kind::Name | Kind::End => {
                     let why = (
                         "write END_VAR behind the declarations",
                         "escreva END_VAR depois das declarações",
@@ -49,6 +50,13 @@ impl Parser<'_, '_> {
                 _ => self.unexpected(),
             }
         }
+    }
+
+    /// Whether an instruction comes, and not a declaration.
+    fn is_instruction(&self) -> bool {
+        let next = self.ahead(1);
+        let declares = matches!(next.kind, Kind::Colon | Kind::Comma) || self.is(next, "AT");
+        !declares && operators::find(&self.word(self.peek()).text).is_some()
     }
 
     /// `start, stop AT %IX1 : BOOL := TRUE;`

@@ -5,6 +5,7 @@ use crate::ast::{Operand, OperandKind, Param};
 use crate::diagnostics::Code;
 use crate::lexer::Kind;
 use crate::literal;
+use crate::operators;
 
 impl Parser<'_, '_> {
     /// The operand that comes next; none, and nothing taken, where there is none.
@@ -60,16 +61,34 @@ impl Parser<'_, '_> {
         OperandKind::Number(0)
     }
 
-    /// Operands with commas between them.
-    pub(super) fn operands(&mut self) -> Vec<Operand> {
+    /// Operands with commas between them; with `more`, one that is missing is told.
+    pub(super) fn operands(&mut self, more: bool) -> Vec<Operand> {
         let mut operands = Vec::new();
         while let Some(operand) = self.operand() {
             operands.push(operand);
-            if self.take(Kind::Comma).is_none() {
+            if self.take(Kind::Comma).is_none() && !(more && self.tell_comma()) {
                 break;
             }
         }
         operands
+    }
+
+    /// Tells that a comma is missing, where an operand or parameter follows.
+    fn tell_comma(&mut self) -> bool {
+        let next = self.peek();
+        let follows = matches!(
+            next.kind,
+            Kind::Number | Kind::Literal | Kind::Name | Kind::Minus
+        );
+        let is_operator =
+            next.kind == Kind::Name && operators::find(&self.word(next).text).is_some();
+        // PT := … in a call is a parameter, whatever its name.
+        if !follows || is_operator && self.ahead(1).kind != Kind::Assign {
+            return false;
+        }
+        let text = self.text_of(next.span).to_owned();
+        self.tell(Code::CommaMissing, next.span, [text.into()]);
+        true
     }
 
     /// From behind the parenthesis of a call to its end. They may go over lines.
@@ -86,7 +105,10 @@ impl Parser<'_, '_> {
             };
             params.push(param);
             while self.take(Kind::NewLine).is_some() {}
-            if self.take(Kind::Comma).is_none() && self.peek().kind != Kind::Close {
+            if self.take(Kind::Comma).is_none()
+                && self.peek().kind != Kind::Close
+                && !self.tell_comma()
+            {
                 self.unexpected();
                 return params;
             }

@@ -86,7 +86,7 @@ impl Parser<'_, '_> {
             | Op::OrBlock
             | Op::OutBlock
             | Op::EndBlock => Vec::new(),
-            _ => self.operands(),
+            op => self.operands(op.may_have_more()),
         };
         let mut params = Vec::new();
         if matches!(op, Op::Call | Op::Function) && self.take(Kind::Open).is_some() {
