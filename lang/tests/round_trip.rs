@@ -148,7 +148,7 @@ fn random_program(random: &mut Random) -> String {
 fn random_programs() {
     let mut random = Random(7);
     let (mut count, mut said) = (0, 0);
-    while count < 500 {
+    while count < 2_000 {
         let file = random_program(&mut random);
         // A branch point of another rung may be recalled: such a program is none.
         if to_il(file.as_bytes(), LARGE).is_err() {
@@ -158,7 +158,7 @@ fn random_programs() {
         let text = holds(&file, LARGE);
         said += usize::from(text.lines().any(|line| line.starts_with("LD")));
     }
-    assert!(said > 100, "{said}");
+    assert!(said > 400, "{said}");
 }
 
 /// What the compiler makes of a listing is read back as the listing has it.

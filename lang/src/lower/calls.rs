@@ -143,7 +143,7 @@ impl Lower<'_> {
                 Place::Bit(Bit::Marker(n)) => self.write(Opcode::SetMarker, n, span),
                 Place::Number(Num::Register(n)) => {
                     let value = Number::Leaf(Num::Const(initial.value), span);
-                    self.rungs.number(&value, span);
+                    self.rungs.number(&value);
                     self.write(Opcode::Store, n, span);
                 }
                 _ => {}

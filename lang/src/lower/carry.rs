@@ -96,7 +96,7 @@ impl Lower<'_> {
                 self.labels[label].carry = Some(Carry::Register(register));
                 self.freeze(span);
                 self.rungs.fresh(span);
-                self.rungs.number(&number, span);
+                self.rungs.number(&number);
                 self.write(Opcode::Store, register, span);
                 self.acc = Acc::Number(Number::Leaf(Num::Register(register), span));
             }

@@ -162,7 +162,7 @@ impl Lower<'_> {
             Some(Preset::Constant(preset)) => preset,
             Some(Preset::Number(value)) => {
                 self.rungs.fresh(span);
-                self.rungs.number(&value, span);
+                self.rungs.number(&value);
                 self.write(Opcode::PresetCounter, number, span);
                 self.names.counters[counter].preset.unwrap_or(0)
             }

@@ -39,7 +39,7 @@ impl Lower<'_> {
                 Acc::Number(Number::Leaf(Num::Register(n), at))
             }
             Acc::Number(number) if number.constant().is_none() => {
-                self.rungs.number(&number, span);
+                self.rungs.number(&number);
                 let register = self.rungs.keep(span);
                 Acc::Number(Number::Leaf(Num::Register(register), span))
             }
@@ -77,7 +77,7 @@ impl Lower<'_> {
             Acc::Bit(expr) => self.bring(expr, span),
             Acc::Number(number) => {
                 self.freeze(span);
-                self.rungs.number(&number, span);
+                self.rungs.number(&number);
                 self.acc = Acc::Number(Number::Live);
             }
             other => self.acc = other,

@@ -1,7 +1,8 @@
 //! From the syntax tree to codes: a run of the program on expressions in place of values.
 //!
-//! `bits` has what works on the accumulator, `stores` what writes, `jumps` labels and returns, `timers`,
-//! `counters` and `blocks` what is called, `units` functions and function blocks of the text's own.
+//! `values` tells what operands are worth; `bits`, `defer` and `stack` have what works on the accumulator,
+//! `stores` what writes, `jumps` and `carry` labels and the accumulator over them; `calls` leads to `timers`,
+//! `counters`, `blocks` and `units`, the text's own functions. `keep` says when an expression is written out.
 
 mod bits;
 mod blocks;
@@ -283,7 +284,7 @@ const OPERAND: &str = "(operand)";
 /// The deepest nesting of deferred operations.
 const MOST_FRAMES: usize = DEEPEST as usize;
 
-/// An instruction of the text without a jump, as far as the accumulator goes.
+/// Whether a load comes next, so that the accumulator is needed no more.
 fn loads(next: Option<&Stmt>) -> bool {
     matches!(next, Some(Stmt::Instr(instr)) if instr.op == Op::Load)
 }

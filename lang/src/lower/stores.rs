@@ -118,7 +118,7 @@ impl Lower<'_> {
         };
         self.freeze(span);
         self.rungs.fresh(span);
-        self.rungs.number(&number, span);
+        self.rungs.number(&number);
         // What takes one code to load again is loaded again: it outlives what others do with the value.
         if !matches!(number, Number::Leaf(Num::Const(_) | Num::Register(_), _)) {
             number = Number::Live;

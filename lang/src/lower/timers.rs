@@ -146,7 +146,7 @@ impl Lower<'_> {
                     input
                 };
                 self.rungs.fresh(span);
-                self.rungs.number(&number, span);
+                self.rungs.number(&number);
                 // The block comes next, so its number is known.
                 let block = self.rungs.timers.saturating_add(1);
                 self.write(Opcode::PresetTimer, block, span);

@@ -185,7 +185,7 @@ impl Lower<'_> {
                 if let Some(number) = self.as_number(acc, "VAR_INPUT", span) {
                     self.freeze(span);
                     self.rungs.fresh(span);
-                    self.rungs.number(&number, span);
+                    self.rungs.number(&number);
                     self.write(Opcode::Store, n, span);
                 }
             }

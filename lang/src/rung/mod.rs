@@ -234,10 +234,6 @@ impl Rungs {
             },
             span,
         );
-        if self.holds == Holds::One {
-            // It still is, but a label can no longer stand here.
-            self.head = false;
-        }
     }
 
     /// A timer block, whose IN is the accumulator.

@@ -15,16 +15,16 @@ impl Rungs {
     }
 
     /// Brings a number into the board's value. The accumulator stays as it is.
-    pub(crate) fn number(&mut self, number: &Number, span: Span) {
+    pub(crate) fn number(&mut self, number: &Number) {
         match number {
             Number::Live => {}
             Number::Leaf(num, span) => self.load(*num, *span),
             Number::Unary(op, inner, span) => {
-                self.number(inner, *span);
+                self.number(inner);
                 self.write(Written::Plain(*op), *span);
             }
             Number::Shift(op, inner, bits, span) => {
-                self.number(inner, *span);
+                self.number(inner);
                 self.write(Written::Numbered(*op, *bits), *span);
             }
             Number::Binary(op, left, right, span) => {
@@ -39,28 +39,27 @@ impl Rungs {
                 self.write(Written::Value(*op, operand), *span);
             }
         }
-        let _ = span;
     }
 
     /// Brings the left number into the value, and the right one to where an operation can take it from.
     fn pair(&mut self, left: &Number, right: &Number, span: Span) -> Value {
         if let Some(value) = simple(right) {
-            self.number(left, span);
+            self.number(left);
             return value;
         }
         let kept = left.has_live().then(|| {
             // The left one begins with what the value holds, so it comes first.
-            self.number(left, span);
+            self.number(left);
             self.keep(span)
         });
-        self.number(right, span);
+        self.number(right);
         let operand = Value::Register(self.keep(span));
         match kept {
             Some(register) => self.write(
                 Written::Value(Opcode::Load, Value::Register(register)),
                 span,
             ),
-            None => self.number(left, span),
+            None => self.number(left),
         }
         operand
     }
