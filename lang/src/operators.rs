@@ -47,7 +47,7 @@ pub(crate) enum Op {
     Function,
 }
 
-/// Which modifiers an operator may have, as in the seed's Table 1.
+/// Which modifiers an operator may have, as in the course's Table 1.
 pub(crate) struct Spelling {
     pub op: Op,
     pub negated: bool,
