@@ -64,7 +64,7 @@ impl Machine {
 
     /// Takes over what a board tells; see [`Plc::adopt`].
     pub fn adopt(&mut self, board: &Snapshot<'_>, now: Millis) {
-        self.0.with_dependent_mut(|_, plc| plc.adopt(board, now));
+        self.with_plc(|plc| plc.adopt(board, now));
     }
 
     /// One scan; see [`Plc::scan_observed`].

@@ -3,7 +3,7 @@
 use crate::board::diagnostics::Kept;
 use crate::board::watch::{Meter, Reading, Scope};
 use crate::engine::Machine;
-use crate::panel::{Flow, Rung};
+use crate::panel::{Flow, Rungs};
 use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};
 
 /// A program, to show a board's timers, counters and rungs by.
@@ -12,7 +12,7 @@ pub struct Program {
     pub(super) name: String,
     /// How a board keeps it.
     pub(super) kept: Kept,
-    pub(super) rungs: Vec<Rung>,
+    pub(super) rungs: Rungs,
     /// What each timer does.
     pub(super) timers: Vec<Delay>,
     counters: u16,
@@ -33,7 +33,7 @@ impl Program {
         Ok(Program {
             name,
             kept: Kept::of(file).unwrap_or_default(),
-            rungs: Rung::all(plc.steps()),
+            rungs: Rungs::new(plc.steps()),
             timers: plc
                 .steps()
                 .filter_map(|step| Delay::of(step.opcode))
@@ -60,23 +60,22 @@ impl Program {
             counters: &counters,
         };
         self.twin.adopt(&board, now);
+        let mut flow = Flow::default();
+        // Before the scan they stand as the board has told them.
+        flow.look(self.twin.plc(), now);
         let mut inputs = Inputs::from(Image(reading.inputs));
         for (input, value) in inputs.analogue.iter_mut().zip(&reading.analogue) {
             *input = *value;
         }
-        let mut acc = vec![None; self.steps];
+        flow.acc = vec![None; self.steps];
         let observe = |step: usize, on| {
-            if let Some(acc) = acc.get_mut(step) {
+            if let Some(acc) = flow.acc.get_mut(step) {
                 *acc = Some(on);
             }
         };
         // A scan with too many jumps shows how far it has come.
         let _ = self.twin.scan_observed(inputs, now, observe);
-        Flow {
-            acc,
-            elapsed: timers.iter().map(|timer| timer.0).collect(),
-            counted: counters.iter().map(|counter| counter.0).collect(),
-        }
+        flow
     }
 
     /// How much of a board there is to read for it.

@@ -104,8 +104,8 @@ fn the_screen_shows_the_board() {
 ─ Timers (ms) and counters ─────────────────────────────────────────────────────
  T1 TON    ███████████████░░░░░ 15/20  C1        ██████████████████████ 3/3
 ─ Rungs ────────────────────────────────────────────────────────────────────────
-  1 ┣━━┥ I1 ┝━━[T1 TON 15/20 Q1]
-  2 ┣━━┤ I2 ├──[C1 CTU 3/3]━━( Q2 )
+  1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
+  2 ┣━━┤ I2 ├──[ CTU C1 3/3 ]━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
 
  q quit  space stop  1-8 force  o outputs  x release  s scan  r restart  ↑↓";
     assert_eq!(screen(&mut showing(reading()), 80, 17), expected);

@@ -312,10 +312,7 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     else {
         return;
     };
-    let width = usize::from(area.width);
-    let numbered = (1..).zip(&program.rungs);
-    let lines = numbered.flat_map(|(number, rung)| rung.lines(number, &app.flow, width));
-    let lines: Vec<Line> = lines.collect();
+    let lines = program.rungs.lines(&app.flow, usize::from(area.width));
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);
     app.top = app.top.min(lines.len().saturating_sub(height));
