@@ -40,7 +40,7 @@ pub use image::{Image, Point};
 pub use isa::Instruction;
 pub use loader::Loader;
 pub use needs::Needs;
-pub use plc::{Clocks, CounterState, Debounce, Inputs, Millis, Plc, TimerState};
+pub use plc::{Clocks, CounterState, Debounce, Inputs, Millis, Plc, Snapshot, TimerState};
 pub use profile::Profile;
 pub use program::{Program, Steps};
 pub use timer::{Delay, Target, TimerBlock};

@@ -90,6 +90,35 @@ impl Timer {
         }
     }
 
+    /// A timer of which this is seen from outside, `on` being the state of what it drives. Where that leaves
+    /// two phases open, the next scan of the timer finds the right one by its input.
+    pub(crate) fn seen(
+        delay: Delay,
+        elapsed: Millis,
+        preset: Millis,
+        on: bool,
+        now: Millis,
+    ) -> Timer {
+        let over = elapsed != 0 && elapsed >= preset;
+        let (phase, since) = match delay {
+            Delay::Retentive if over => (Phase::Done, 0),
+            Delay::Retentive => (Phase::Idle, elapsed),
+            _ if elapsed == 0 => (Phase::Idle, 0),
+            _ => (Phase::Timing, now.wrapping_sub(elapsed)),
+        };
+        let q = match delay {
+            Delay::On | Delay::Retentive => over,
+            Delay::Off => elapsed != 0 || on,
+            Delay::Pulse => elapsed != 0 && !over,
+        };
+        Timer {
+            phase,
+            q,
+            since,
+            preset,
+        }
+    }
+
     /// The timer that these bytes of run memory hold.
     pub(crate) fn load([state, bytes @ ..]: [u8; TIMER_DATA]) -> Timer {
         let [a, b, c, d, e, f, g, h] = bytes;

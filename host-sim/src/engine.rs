@@ -5,7 +5,7 @@ use crate::scenario::{Cell, Engine, Outcome, Refusal};
 use crate::used::Used;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
-use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program};
+use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program, Snapshot};
 
 self_cell!(
     /// A running program together with its run memory, which a [`Plc`] only borrows.
@@ -60,6 +60,11 @@ impl Machine {
                 plc.registers().get(index).copied().unwrap_or_default()
             }
         }
+    }
+
+    /// Takes over what a board tells; see [`Plc::adopt`].
+    pub fn adopt(&mut self, board: &Snapshot<'_>, now: Millis) {
+        self.with_plc(|plc| plc.adopt(board, now));
     }
 
     /// One scan; see [`Plc::scan_observed`].

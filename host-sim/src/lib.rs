@@ -7,13 +7,17 @@
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
 //! - [`used`]: what a program uses of the board and its memory
+//! - [`board`]: a board at a serial port, over Modbus
+//! - [`monitor`]: such a board in a terminal
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
 //!
 //! The PLC itself is `unoclp-core`; nothing here decides what a program means.
 
+pub mod board;
 pub mod diagnosis;
 pub mod engine;
 pub mod list;
+pub mod monitor;
 pub mod panel;
 pub mod random;
 pub mod scenario;

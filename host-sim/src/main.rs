@@ -1,12 +1,16 @@
-//! The command line: `unoclp check`, `unoclp list` and `unoclp sim`.
+//! The command line: `unoclp check`, `unoclp list` and `unoclp sim` on this PC, `unoclp upload`, `unoclp
+//! monitor` and `unoclp settings` on a board.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
+
+mod commands;
 
 use annotate_snippets::Renderer;
 use anstream::{eprintln, print, println};
 use anyhow::{Context, anyhow, bail};
 use clap::{Parser, Subcommand};
+use commands::{At, Changes};
 use ratatui::crossterm::terminal;
 use std::fs::File;
 use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
@@ -20,7 +24,7 @@ use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_ladder::NARROWEST;
 
-/// The unoclp PLC on this PC: check programs and simulate them
+/// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
 #[derive(Parser)]
 #[command(name = "unoclp", version, arg_required_else_help = true)]
 struct Arguments {
@@ -61,6 +65,30 @@ enum Command {
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
     },
+    /// Put a program on a board, over its serial port, in place of a card
+    Upload {
+        /// The program file
+        file: PathBuf,
+        #[command(flatten)]
+        at: At,
+        /// Leave the board in STOP
+        #[arg(long)]
+        stop: bool,
+    },
+    /// Watch a board, force its inputs and outputs, and let it run and stop
+    Monitor {
+        /// The program that it runs, to show its rungs, timers and counters
+        file: Option<PathBuf>,
+        #[command(flatten)]
+        at: At,
+    },
+    /// Show and set a board's address, rate, parity and direction pin
+    Settings {
+        #[command(flatten)]
+        at: At,
+        #[command(flatten)]
+        changes: Changes,
+    },
 }
 
 /// Whether what the command was asked about is well.
@@ -86,6 +114,9 @@ fn main() -> ExitCode {
                 "nothing to simulate; name a program or a --scenario"
             )),
         },
+        Command::Upload { file, at, stop } => commands::upload(&file, &at.line(), stop),
+        Command::Monitor { file, at } => commands::monitor(file.as_deref(), at.line()),
+        Command::Settings { at, changes } => commands::settings(&at.line(), &changes),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

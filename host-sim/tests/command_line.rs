@@ -95,7 +95,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram; leave out --as, or --svg"),
         (&["list", &program, "--svg", "no-such/o.svg"], "error: no-such/o.svg cannot be written: "),
         (&["fly"], "error: unrecognized subcommand 'fly'"),
-        (&[], "The unoclp PLC on this PC"),
+        (&[], "The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it"),
     ];
     for (arguments, message) in cases {
         let (code, out, err) = outcome(arguments);

@@ -48,6 +48,12 @@ impl Counter {
         self.is_zero()
     }
 
+    /// As seen from outside. No rise is counted: the board has counted it.
+    pub(super) fn seen(&mut self, value: i32, preset: i32) {
+        (self.value, self.preset) = (value, preset);
+        (self.up, self.down) = (true, true);
+    }
+
     pub(super) fn is_reached(&self) -> bool {
         self.value >= self.preset
     }

@@ -1,5 +1,6 @@
 //! The running PLC: images, timers, counters, registers and the scan.
 
+mod adopt;
 mod clocks;
 mod counter;
 mod inputs;
@@ -7,6 +8,7 @@ mod scan;
 mod smooth;
 mod value;
 
+pub use adopt::Snapshot;
 pub use clocks::Clocks;
 pub use inputs::{Debounce, Inputs};
 

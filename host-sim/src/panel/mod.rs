@@ -20,6 +20,7 @@ mod view;
 mod tests;
 
 pub use app::App;
+pub(crate) use ladder::{Flow, Rungs};
 pub use run::run;
 
 use ratatui::style::{Color, Modifier, Style};

@@ -1,0 +1,134 @@
+//! The syntax tree: what a text says, each part with its place, before anything is known of its names.
+
+use crate::diagnostics::Span;
+use crate::operators::Op;
+
+/// A name as it is written, in upper case and without blanks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Word {
+    pub text: String,
+    pub span: Span,
+}
+
+/// A program, function or function block.
+#[derive(Debug)]
+pub(crate) struct Unit {
+    pub kind: UnitKind,
+    pub name: Option<Word>,
+    /// The type of a function's result.
+    pub result: Option<Word>,
+    pub vars: Vec<Var>,
+    pub body: Vec<Stmt>,
+    pub span: Span,
+}
+
+/// What a unit is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum UnitKind {
+    Program,
+    Function,
+    FunctionBlock,
+}
+
+/// The part of the declarations that a variable stands in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Section {
+    Local,
+    Retain,
+    Input,
+    Output,
+}
+
+/// A declared variable.
+#[derive(Debug)]
+pub(crate) struct Var {
+    pub section: Section,
+    pub name: Word,
+    pub at: Option<Operand>,
+    pub ty: Word,
+    pub init: Option<Operand>,
+}
+
+/// An operand: a constant, or a name that is yet to be looked up.
+#[derive(Clone, Debug)]
+pub(crate) struct Operand {
+    pub kind: OperandKind,
+    pub span: Span,
+}
+
+/// See [`Operand`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum OperandKind {
+    /// In upper case and without blanks, members and all: `%IX1`, `T1.Q`.
+    Name(String),
+    /// A number, or a time in ms.
+    Number(i32),
+    Bool(bool),
+}
+
+/// `IN := %IX1`, or `Q => %QX1`, or an operand alone.
+#[derive(Clone, Debug)]
+pub(crate) struct Param {
+    pub name: Option<Word>,
+    /// `=>`: the block gives it.
+    pub out: bool,
+    /// `NOT` before the operand.
+    pub negated: bool,
+    pub value: Operand,
+}
+
+/// A deferral: `(`, or `(N`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Open {
+    pub span: Span,
+    /// N behind the parenthesis: the first operand is inverted.
+    pub negated: bool,
+}
+
+/// An instruction.
+#[derive(Debug)]
+pub(crate) struct Instr {
+    pub op: Op,
+    /// The name of a function that is called as an operator.
+    pub function: Option<String>,
+    /// The modifier N, before any parenthesis.
+    pub negated: bool,
+    /// The modifier C.
+    pub conditional: bool,
+    pub open: Option<Open>,
+    pub operands: Vec<Operand>,
+    /// What stands in the parentheses of a call.
+    pub params: Vec<Param>,
+    /// The operator and its modifiers.
+    pub span: Span,
+    /// The whole instruction.
+    pub whole: Span,
+}
+
+/// A part of a body.
+#[derive(Debug)]
+pub(crate) enum Stmt {
+    Label(Word),
+    Instr(Instr),
+    /// `)`
+    Close(Span),
+}
+
+impl Operand {
+    /// The name; none of a constant.
+    pub(crate) fn name(&self) -> Option<&str> {
+        match &self.kind {
+            OperandKind::Name(name) => Some(name),
+            _ => None,
+        }
+    }
+
+    /// The number; none of a name.
+    pub(crate) fn number(&self) -> Option<i32> {
+        match self.kind {
+            OperandKind::Number(number) => Some(number),
+            OperandKind::Bool(state) => Some(state.into()),
+            OperandKind::Name(_) => None,
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! What is wrong with a text, or worth a second look.
+
+pub use crate::messages::Code;
+use std::fmt;
+use std::ops::Range;
+
+/// Whether a text can be compiled all the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// There is no program.
+    Error,
+    /// There is one, but it may not be what was meant.
+    Warning,
+}
+
+/// The language in which a diagnostic speaks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// Brazilian Portuguese.
+    Pt,
+}
+
+/// A word that a place in the text adds to a message: the same in every language, or one for each.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Word {
+    /// What stands in the text.
+    Text(String),
+    /// English, and Portuguese.
+    Both(String, String),
+}
+
+impl From<&str> for Word {
+    fn from(text: &str) -> Word {
+        Word::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Word {
+    fn from(text: String) -> Word {
+        Word::Text(text)
+    }
+}
+
+impl From<(&str, &str)> for Word {
+    fn from((en, pt): (&str, &str)) -> Word {
+        Word::Both(en.to_owned(), pt.to_owned())
+    }
+}
+
+impl From<(String, String)> for Word {
+    fn from((en, pt): (String, String)) -> Word {
+        Word::Both(en, pt)
+    }
+}
+
+/// Bytes of the text, from the first to behind the last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Span {
+    /// The first byte.
+    pub start: u32,
+    /// Behind the last.
+    pub end: u32,
+}
+
+impl Span {
+    /// As a range of indices.
+    pub fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+
+    /// From the beginning of this to the end of that.
+    pub fn to(self, end: Span) -> Span {
+        Span {
+            start: self.start,
+            end: end.end.max(self.end),
+        }
+    }
+}
+
+/// One error or warning at one place of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What it is about.
+    pub code: Code,
+    /// The offending text.
+    pub span: Span,
+    words: Vec<Word>,
+}
+
+impl Diagnostic {
+    /// A diagnostic whose message takes these words.
+    pub fn new(code: Code, span: Span, words: Vec<Word>) -> Diagnostic {
+        Diagnostic { code, span, words }
+    }
+
+    /// Whether there is a program all the same.
+    pub fn severity(&self) -> Severity {
+        self.code.severity()
+    }
+
+    /// What is wrong, in a sentence without a full stop.
+    pub fn message(&self, lang: Lang) -> String {
+        let words = match lang {
+            Lang::En => self.code.english(),
+            Lang::Pt => self.code.portuguese(),
+        };
+        self.fill(words.message, lang)
+    }
+
+    /// What to do about it; empty where there is nothing to say.
+    pub fn help(&self, lang: Lang) -> String {
+        let words = match lang {
+            Lang::En => self.code.english(),
+            Lang::Pt => self.code.portuguese(),
+        };
+        self.fill(words.help, lang)
+    }
+
+    fn fill(&self, template: &str, lang: Lang) -> String {
+        let mut text = String::with_capacity(template.len());
+        let mut rest = template;
+        while let Some((before, behind)) = rest.split_once('{') {
+            text.push_str(before);
+            let Some((number, after)) = behind.split_once('}') else {
+                break;
+            };
+            match number.parse().ok().and_then(|n: usize| self.words.get(n)) {
+                Some(Word::Text(word)) => text.push_str(word),
+                Some(Word::Both(en, pt)) => text.push_str(match lang {
+                    Lang::En => en,
+                    Lang::Pt => pt,
+                }),
+                None => {}
+            }
+            rest = after;
+        }
+        text.push_str(rest);
+        text
+    }
+}
+
+impl fmt::Display for Code {
+    /// `IL-11`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "IL-{}", *self as u8)
+    }
+}
+
+/// Where the lines of a text begin.
+#[derive(Clone, Debug)]
+pub struct Lines(Vec<u32>);
+
+impl Lines {
+    /// Of this text.
+    pub fn new(text: &str) -> Lines {
+        let behind = text.bytes().zip(1..).filter(|(byte, _)| *byte == b'\n');
+        Lines(std::iter::once(0).chain(behind.map(|(_, at)| at)).collect())
+    }
+
+    /// The line that this byte stands in, from 1.
+    pub fn line(&self, byte: u32) -> u32 {
+        self.0.partition_point(|&start| start <= byte) as u32
+    }
+
+    /// The line and the column of a byte, each from 1; a column is a character.
+    pub fn place(&self, text: &str, byte: u32) -> (u32, u32) {
+        let line = self.line(byte);
+        let start = self.0.get(line as usize - 1).copied().unwrap_or(0);
+        let before = text.get(start as usize..byte as usize).unwrap_or_default();
+        (line, before.chars().count() as u32 + 1)
+    }
+}
+
+/// The diagnostics of a run, as they are found.
+#[derive(Debug, Default)]
+pub(crate) struct Found(pub(crate) Vec<Diagnostic>);
+
+impl Found {
+    pub(crate) fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Word; N]) {
+        self.0.push(Diagnostic::new(code, span, words.into()));
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        self.0.iter().any(|d| d.severity() == Severity::Error)
+    }
+}

@@ -1,0 +1,219 @@
+//! From instructions to the lines of a program file, each with where it comes from.
+
+use crate::diagnostics::{Code, Found, Lines, Span};
+use crate::lower::Lowered;
+use crate::rung::Written;
+use unoclp_core::isa::{self, LABELS, Opcode, Operand};
+use unoclp_core::{Cause, Instruction, Loader, Profile, Target, TimerBlock};
+
+/// A line of the program file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeLine {
+    /// The code or operand.
+    pub code: i32,
+    /// What the code spells, `RI 01`; empty of an operand line.
+    pub letters: String,
+    /// What of the text it comes from, such as `start`; it may be empty.
+    pub symbol: String,
+    /// The line of the text it comes from, from 1; none of program start.
+    pub source: Option<u32>,
+}
+
+/// Writes out what has been compiled. The numbers of labels are decided here, and the marker that takes
+/// the Q of timers that nobody asks for it.
+pub(crate) fn emit(
+    text: &str,
+    lines: &Lines,
+    lowered: &mut Lowered,
+    found: &mut Found,
+) -> (Vec<CodeLine>, Vec<Span>) {
+    let labels = number_labels(lowered, found);
+    let mut unused = None;
+    let mut out = vec![CodeLine {
+        code: isa::START,
+        letters: "program start".to_owned(),
+        symbol: String::new(),
+        source: None,
+    }];
+    let mut spans = vec![Span::default()];
+    let label = |index: usize| labels.get(index).copied().flatten().unwrap_or(1);
+    for step in &lowered.steps {
+        let operand = |operand| move |opcode| Instruction { opcode, operand };
+        let instruction = match step.written {
+            Written::Plain(opcode) => Instruction::plain(opcode),
+            Written::Numbered(opcode, number) => Instruction::numbered(opcode, number),
+            Written::Value(opcode, value) => operand(Operand::Value(value))(opcode),
+            Written::OfTimer(opcode, _, block) => Instruction::numbered(opcode, block.unwrap_or(1)),
+            Written::Timer(opcode, preset, target) => {
+                let target = target.unwrap_or_else(|| {
+                    let temps = &mut lowered.names.temps;
+                    Target::Marker(*unused.get_or_insert_with(|| temps.named_marker(false)))
+                });
+                let preset = preset.cast_unsigned();
+                operand(Operand::Timer(TimerBlock { preset, target }))(opcode)
+            }
+            Written::Count(opcode, counter, preset) => {
+                operand(Operand::Count { counter, preset })(opcode)
+            }
+            Written::Label(index) => Instruction::numbered(Opcode::Label, label(index)),
+            Written::Jump(opcode, index) => {
+                let label = label(index);
+                operand(Operand::Jump { label, line: 0 })(opcode)
+            }
+            Written::Code(code) => {
+                out.push(CodeLine {
+                    code,
+                    letters: String::new(),
+                    symbol: String::new(),
+                    source: Some(lines.line(step.span.start)),
+                });
+                spans.push(step.span);
+                continue;
+            }
+        };
+        // What only holds others together comes from no word of the text.
+        let symbol = match step.written {
+            Written::Plain(_) => "",
+            _ => text.get(step.span.range()).unwrap_or_default(),
+        };
+        let symbol = symbol.lines().next().unwrap_or_default().trim();
+        for (index, code) in instruction.codes().enumerate() {
+            let first = index == 0;
+            out.push(CodeLine {
+                code,
+                letters: if first {
+                    letters(instruction)
+                } else {
+                    String::new()
+                },
+                symbol: if first {
+                    symbol.to_owned()
+                } else {
+                    String::new()
+                },
+                source: Some(lines.line(step.span.start)),
+            });
+            spans.push(step.span);
+        }
+    }
+    lowered.names.told_none_left(Span::default(), found);
+    (out, spans)
+}
+
+/// What a code spells, with its XX.
+fn letters(instruction: Instruction<'_>) -> String {
+    let letters = instruction.opcode.row().letters;
+    match instruction.number() {
+        Some(number) => format!("{letters} {number:02}"),
+        None => letters.to_owned(),
+    }
+}
+
+/// The number of each label that stands in the program: the one that its name asks for, or one that is free.
+fn number_labels(lowered: &Lowered, found: &mut Found) -> Vec<Option<u8>> {
+    let mut numbers: Vec<Option<u8>> = vec![None; lowered.labels.len()];
+    let standing = || {
+        lowered.steps.iter().filter_map(|step| match step.written {
+            Written::Label(index) => Some(index),
+            _ => None,
+        })
+    };
+    let mut used: u64 = 0;
+    for step in &lowered.steps {
+        // Labels that the text writes as codes keep their numbers.
+        if let Written::Code(code) = step.written
+            && let number @ 1..=32 = code - Opcode::Label.row().code
+        {
+            used |= 1 << number;
+        }
+    }
+    for index in standing() {
+        if let Some(number) = lowered.labels[index].number
+            && used >> number & 1 == 0
+        {
+            used |= 1 << number;
+            numbers[index] = Some(number);
+        }
+    }
+    for index in standing() {
+        if numbers[index].is_some() {
+            continue;
+        }
+        match (1..=LABELS).find(|number| used >> number & 1 == 0) {
+            Some(number) => {
+                used |= 1 << number;
+                numbers[index] = Some(number);
+            }
+            None => {
+                let words = ("label", "rótulo");
+                found.tell(Code::NoneLeft, lowered.labels[index].span, [words.into()]);
+                return numbers;
+            }
+        }
+    }
+    numbers
+}
+
+/// The program file.
+pub(crate) fn file(lines: &[CodeLine]) -> String {
+    let mut file = String::new();
+    for line in lines {
+        let CodeLine {
+            code,
+            letters,
+            symbol,
+            ..
+        } = line;
+        let row = match (letters.is_empty(), symbol.is_empty()) {
+            (true, _) => code.to_string(),
+            (_, true) => format!("{code:<10}/ {letters}"),
+            _ => format!("{code:<10}/ {letters:<8} {symbol}"),
+        };
+        file.push_str(row.trim_end());
+        file.push('\n');
+    }
+    file
+}
+
+/// Gives the program to the loader, as the board would.
+pub(crate) fn check(lines: &[CodeLine], spans: &[Span], board: Profile, found: &mut Found) {
+    let mut memory = vec![0; usize::from(board.linked_bytes)];
+    let mut loader = Loader::new(&mut memory, board);
+    let mut faults = Vec::new();
+    for line in lines {
+        let code = line.code.to_string();
+        faults.extend(
+            code.bytes()
+                .chain([b'\n'])
+                .filter_map(|byte| loader.push(byte).err()),
+        );
+        if faults
+            .iter()
+            .any(|fault| fault.cause == Cause::ProgramFull || fault.cause == Cause::RunMemoryFull)
+        {
+            break;
+        }
+    }
+    if faults.is_empty() {
+        while let Err(fault) = loader.end() {
+            faults.push(fault);
+        }
+    }
+    for fault in faults {
+        let index = fault.line.map_or(0, |line| line as usize - 1);
+        let span = spans.get(index).copied().unwrap_or_default();
+        match fault.cause {
+            Cause::ProgramFull | Cause::RunMemoryFull => {
+                let most = [
+                    board.stored_bytes.to_string().into(),
+                    board.linked_bytes.to_string().into(),
+                ];
+                found.tell(Code::DoesNotFit, span, most);
+            }
+            cause => {
+                let words = [cause.number().to_string().into(), cause.text().into()];
+                found.tell(Code::Refused, span, words);
+            }
+        }
+    }
+}

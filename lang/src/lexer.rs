@@ -1,0 +1,288 @@
+//! From the bytes of a text to its words.
+//!
+//! Owns comments, numbers and names; must not know an operator from a name.
+
+use crate::diagnostics::{Code, Found, Span};
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A name or address: `LD`, `%IX1`, `I0.0`, `T1.Q`, `% IX1`.
+    Name,
+    /// Digits, perhaps with a point: `20`, `0.00`.
+    Number,
+    /// `T#20s`, `16#FF`.
+    Literal,
+    Open,
+    Close,
+    Comma,
+    Colon,
+    /// `:=`
+    Assign,
+    /// `=>`
+    Arrow,
+    /// `=`
+    Equals,
+    Semicolon,
+    /// `&`
+    And,
+    Minus,
+    /// The end of a line.
+    NewLine,
+    /// The end of the text.
+    End,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Token {
+    pub kind: Kind,
+    pub span: Span,
+}
+
+/// The tokens of a text, an [`Kind::End`] the last.
+pub(crate) fn tokens(text: &str, found: &mut Found) -> Vec<Token> {
+    let mut lexer = Lexer {
+        text,
+        bytes: text.as_bytes(),
+        at: 0,
+        unclosed: 0,
+        found,
+    };
+    let mut tokens = Vec::with_capacity(text.len() / 3 + 1);
+    if text.starts_with('\u{FEFF}') {
+        lexer.at = '\u{FEFF}'.len_utf8();
+    }
+    while let Some(token) = lexer.next() {
+        tokens.push(token);
+    }
+    let end = Span {
+        start: text.len() as u32,
+        end: text.len() as u32,
+    };
+    tokens.push(Token {
+        kind: Kind::End,
+        span: end,
+    });
+    tokens
+}
+
+struct Lexer<'t, 'f> {
+    text: &'t str,
+    bytes: &'t [u8],
+    at: usize,
+    /// There is no `*)` from `at` to here.
+    unclosed: usize,
+    found: &'f mut Found,
+}
+
+impl Lexer<'_, '_> {
+    fn next(&mut self) -> Option<Token> {
+        loop {
+            let start = self.at;
+            let first = *self.bytes.get(start)?;
+            self.at += 1;
+            let second = self.bytes.get(self.at).copied();
+            let kind = match first {
+                b' ' | b'\t' | b'\r' => continue,
+                b'\n' => Kind::NewLine,
+                b'(' if second == Some(b'*') => {
+                    self.comment(start);
+                    continue;
+                }
+                b'/' if second == Some(b'/') => {
+                    while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
+                        self.at += 1;
+                    }
+                    continue;
+                }
+                b'(' => Kind::Open,
+                b')' => Kind::Close,
+                b',' => Kind::Comma,
+                b';' => Kind::Semicolon,
+                b'&' => Kind::And,
+                b'-' => Kind::Minus,
+                b':' if second == Some(b'=') => self.two(Kind::Assign),
+                b':' => Kind::Colon,
+                b'=' if second == Some(b'>') => self.two(Kind::Arrow),
+                b'=' => Kind::Equals,
+                b'0'..=b'9' => self.number(),
+                b'%' => {
+                    while matches!(self.bytes.get(self.at), Some(b' ' | b'\t')) {
+                        self.at += 1;
+                    }
+                    if self.word() {
+                        self.members();
+                        Kind::Name
+                    } else {
+                        self.at = start + 1;
+                        self.stray(start);
+                        continue;
+                    }
+                }
+                _ => {
+                    self.at = start;
+                    if !self.word() {
+                        self.at = self.character_end(start);
+                        self.stray(start);
+                        continue;
+                    }
+                    if self.bytes.get(self.at) == Some(&b'#') {
+                        self.at += 1;
+                        self.literal();
+                        Kind::Literal
+                    } else {
+                        self.members();
+                        Kind::Name
+                    }
+                }
+            };
+            let span = self.span(start);
+            return Some(Token { kind, span });
+        }
+    }
+
+    fn two(&mut self, kind: Kind) -> Kind {
+        self.at += 1;
+        kind
+    }
+
+    /// Letters, digits and underscores, the first no digit; false where there are none.
+    fn word(&mut self) -> bool {
+        let start = self.at;
+        while let Some(&byte) = self.bytes.get(self.at) {
+            match byte {
+                b'A'..=b'Z' | b'a'..=b'z' | b'_' => self.at += 1,
+                b'0'..=b'9' if self.at > start => self.at += 1,
+                0x80.. => {
+                    let end = self.character_end(self.at);
+                    let letter = self.text.get(self.at..end);
+                    if !letter.is_some_and(|letter| letter.chars().all(char::is_alphabetic)) {
+                        break;
+                    }
+                    self.at = end;
+                }
+                _ => break,
+            }
+        }
+        self.at > start
+    }
+
+    /// `.Q`, `.1`, as often as they follow.
+    fn members(&mut self) {
+        while self.bytes.get(self.at) == Some(&b'.') {
+            let point = self.at;
+            self.at += 1;
+            if !self.word() && !self.digits() {
+                self.at = point;
+                return;
+            }
+        }
+    }
+
+    fn digits(&mut self) -> bool {
+        let start = self.at;
+        while matches!(self.bytes.get(self.at), Some(b'0'..=b'9' | b'_')) {
+            self.at += 1;
+        }
+        self.at > start
+    }
+
+    fn number(&mut self) -> Kind {
+        self.digits();
+        if self.bytes.get(self.at) == Some(&b'#') {
+            self.at += 1;
+            self.literal();
+            return Kind::Literal;
+        }
+        if self.bytes.get(self.at) == Some(&b'.') {
+            self.at += 1;
+            self.digits();
+        }
+        Kind::Number
+    }
+
+    /// What follows a `#`.
+    fn literal(&mut self) {
+        if self.bytes.get(self.at) == Some(&b'-') {
+            self.at += 1;
+        }
+        while matches!(
+            self.bytes.get(self.at),
+            Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
+        ) {
+            self.at += 1;
+        }
+    }
+
+    /// A comment, from behind its `(`. It may go over lines. One that the line closes by `* )` is meant to
+    /// be closed there: else it would swallow the next instructions without a word.
+    fn comment(&mut self, start: usize) {
+        self.at += 1;
+        let mut spaced = None;
+        while let Some(&byte) = self.bytes.get(self.at) {
+            self.at += 1;
+            match byte {
+                b'*' if self.bytes.get(self.at) == Some(&b')') => {
+                    self.at += 1;
+                    return;
+                }
+                b'*' if spaced.is_none() => {
+                    let rest = &self.bytes[self.at..];
+                    let blanks = rest
+                        .iter()
+                        .take_while(|&&b| b == b' ' || b == b'\t')
+                        .count();
+                    if rest.get(blanks) == Some(&b')') {
+                        let close = (self.at - 1, self.at + blanks + 1);
+                        if self.at < self.unclosed {
+                            return self.close_spaced(close);
+                        }
+                        spaced = Some(close);
+                    }
+                }
+                b'\n' => {
+                    if let Some(close) = spaced {
+                        return self.close_spaced(close);
+                    }
+                }
+                _ => {}
+            }
+        }
+        if let Some(close) = spaced {
+            return self.close_spaced(close);
+        }
+        let open = Span {
+            start: start as u32,
+            end: start as u32 + 2,
+        };
+        self.found.tell(Code::CommentOpen, open, []);
+    }
+
+    /// Closes a comment at its `* )`; up to here there is no other.
+    fn close_spaced(&mut self, (star, end): (usize, usize)) {
+        self.unclosed = self.unclosed.max(self.at);
+        self.at = end;
+        let span = self.span(star);
+        self.found.tell(Code::CommentSpaced, span, []);
+    }
+
+    fn stray(&mut self, start: usize) {
+        let span = self.span(start);
+        let text = self.text.get(span.range()).unwrap_or_default();
+        self.found.tell(Code::StrayCharacter, span, [text.into()]);
+    }
+
+    /// Behind the character that begins here.
+    fn character_end(&self, start: usize) -> usize {
+        let rest = self.text.get(start..).unwrap_or_default();
+        start + rest.chars().next().map_or(1, char::len_utf8)
+    }
+
+    fn span(&self, start: usize) -> Span {
+        Span {
+            start: start as u32,
+            end: self.at as u32,
+        }
+    }
+}

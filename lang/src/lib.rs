@@ -1,0 +1,108 @@
+//! Instruction List (IEC 61131-3) to the numeric code, and back.
+//!
+//! The way of a text through this crate is also its map: `lexer` (bytes → words), `parser` (words → syntax
+//! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
+//! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them).
+//! [`to_il`] goes the other way. What can be wrong with a text is said once, in `messages`.
+//!
+//! It knows no pins, no files and no screen, and no text makes it panic.
+
+#![forbid(unsafe_code)]
+
+mod address;
+mod ast;
+mod back;
+mod diagnostics;
+mod dialect;
+mod emit;
+mod lexer;
+mod literal;
+mod lower;
+mod messages;
+mod names;
+mod operators;
+mod parser;
+mod rung;
+mod show;
+mod spell;
+mod temps;
+mod tree;
+
+pub use back::{instructions_to_il, to_il};
+pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Word};
+pub use dialect::Dialect;
+pub use emit::CodeLine;
+pub use show::show;
+
+use diagnostics::Found;
+use unoclp_core::Profile;
+
+/// How to compile.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Whose Instruction List it is; none: what the text looks like.
+    pub dialect: Option<Dialect>,
+    /// What the program must fit.
+    pub board: Profile,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            dialect: None,
+            board: Profile::UNO,
+        }
+    }
+}
+
+/// What has come of a text.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// Whose Instruction List it was taken to be.
+    pub dialect: Dialect,
+    /// The lines of the program file; what could be compiled, where there are errors.
+    pub lines: Vec<CodeLine>,
+    /// In the order of their places.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Compiled {
+    /// Whether there is no program.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics
+            .iter()
+            .any(|d| d.severity() == Severity::Error)
+    }
+
+    /// The program file with its comments, for `PROGRAM.TXT`; none where there are errors.
+    pub fn file(&self) -> Option<String> {
+        (!self.has_errors()).then(|| emit::file(&self.lines))
+    }
+
+    /// The codes and operands in order.
+    pub fn codes(&self) -> Vec<i32> {
+        self.lines.iter().map(|line| line.code).collect()
+    }
+}
+
+/// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
+pub fn compile(text: &str, options: &Options) -> Compiled {
+    let mut found = Found::default();
+    let parsed = parser::parse(text, &mut found);
+    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let names = names::Names::new(dialect, options.board, &parsed.units);
+    let mut lowered = lower::lower(&parsed.units, names, &mut found);
+    let (lines, spans) = emit::emit(text, &Lines::new(text), &mut lowered, &mut found);
+    if !found.has_errors() {
+        emit::check(&lines, &spans, options.board, &mut found);
+    }
+    let mut diagnostics = found.0;
+    // A function's body is compiled once for each call, and says the same each time.
+    diagnostics.sort_by_key(|d| (d.span.start, d.span.end, d.code));
+    diagnostics.dedup();
+    Compiled {
+        dialect,
+        lines,
+        diagnostics,
+    }
+}

@@ -1,0 +1,102 @@
+//! Numbers and times as they are written.
+
+/// The number or time, in ms, that a literal says: `20`, `2#1010`, `16#FF`, `T#1h2m3s4ms`, `TIME#2.5s`.
+pub(crate) fn value(text: &str) -> Option<i32> {
+    let Some((prefix, rest)) = text.split_once('#') else {
+        return whole(text, 10);
+    };
+    match prefix.to_ascii_uppercase().as_str() {
+        "2" => whole(rest, 2),
+        "8" => whole(rest, 8),
+        "10" => whole(rest, 10),
+        "16" => whole(rest, 16),
+        "T" | "TIME" => time(rest),
+        "INT" | "DINT" | "UINT" | "WORD" | "BYTE" => value(rest),
+        "BOOL" => value(rest).filter(|number| (0..=1).contains(number)),
+        _ => None,
+    }
+}
+
+fn whole(digits: &str, radix: u32) -> Option<i32> {
+    let digits: String = digits.chars().filter(|&c| c != '_').collect();
+    let number = i64::from_str_radix(&digits, radix).ok()?;
+    match radix {
+        // A pattern of 32 bits.
+        2 | 8 | 16 => u32::try_from(number).ok().map(u32::cast_signed),
+        // One more than the largest, because a minus may stand before it.
+        _ => (number <= 1 << 31).then_some(number as i32),
+    }
+}
+
+/// Parts from days to ms, each with its unit; only the last may have a fraction.
+fn time(text: &str) -> Option<i32> {
+    let text = text.to_ascii_lowercase().replace('_', "");
+    let mut rest = text.as_str();
+    let mut ms = 0_u64;
+    let mut smaller_than = u64::MAX;
+    if rest.is_empty() {
+        return None;
+    }
+    while !rest.is_empty() {
+        let digits = rest.len()
+            - rest
+                .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.')
+                .len();
+        let (number, behind) = rest.split_at(digits);
+        let letters = behind.len()
+            - behind
+                .trim_start_matches(|c: char| c.is_ascii_alphabetic())
+                .len();
+        let (unit, behind) = behind.split_at(letters);
+        let unit = match unit {
+            "d" => 86_400_000,
+            "h" => 3_600_000,
+            "m" => 60_000,
+            "s" => 1000,
+            "ms" => 1,
+            _ => return None,
+        };
+        if unit >= smaller_than {
+            return None;
+        }
+        smaller_than = unit;
+        let (whole, fraction) = number.split_once('.').unwrap_or((number, "0"));
+        let whole: u64 = whole.parse().ok()?;
+        let parts: u64 = fraction.get(..fraction.len().min(6))?.parse().ok()?;
+        let scale = 10_u64.pow(fraction.len().min(6) as u32);
+        ms = ms
+            .checked_add(whole.checked_mul(unit)?)?
+            .checked_add(parts * unit / scale)?;
+        rest = behind;
+    }
+    i32::try_from(ms).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::value;
+
+    #[test]
+    fn literals() {
+        let cases = [
+            ("20", Some(20)),
+            ("1_000", Some(1000)),
+            ("2#1010", Some(10)),
+            ("16#FF", Some(255)),
+            ("16#FFFF_FFFF", Some(-1)),
+            ("T#20s", Some(20_000)),
+            ("t#1h2m3s4ms", Some(3_723_004)),
+            ("TIME#2.5s", Some(2500)),
+            ("T#1s2h", None),
+            ("T#s", None),
+            ("T#", None),
+            ("T#25d", None),
+            ("99999999999", None),
+            ("2#3", None),
+            ("7#3", None),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(value(text), expected, "{text}");
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! CAL and what it may call; functions as operators; first values.
+
+use super::{Acc, Lower};
+use crate::ast::{Instr, Operand, Param, Section};
+use crate::diagnostics::{Code, Span};
+use crate::names::Place;
+use crate::rung::Written;
+use crate::tree::{Bit, Expr, Num, Number};
+use unoclp_core::Target;
+use unoclp_core::isa::Opcode;
+
+impl Lower<'_> {
+    /// CAL, CALC, CALCN.
+    pub(super) fn call(&mut self, instr: &Instr) {
+        let Some(operand) = instr.operands.first() else {
+            return self.missing("CAL", instr.span);
+        };
+        let mut params = instr.params.clone();
+        params.extend(instr.operands.iter().skip(1).map(positional));
+        let span = instr.whole;
+        let mut skip = None;
+        if instr.conditional {
+            let Some(condition) = self.take_condition("CALC", instr.span) else {
+                return;
+            };
+            let behind = self.new_label(span, None);
+            self.jump_if(condition, instr.negated, behind, span);
+            skip = Some(behind);
+        }
+        self.unused = None;
+        self.call_operand(operand, &params, span);
+        if let Some(behind) = skip {
+            self.place_label(behind, span);
+            self.acc = Acc::Empty;
+        }
+    }
+
+    fn call_operand(&mut self, operand: &Operand, params: &[Param], span: Span) {
+        let function = operand
+            .name()
+            .and_then(|name| self.functions.get(name))
+            .copied();
+        if let Some(unit) = function {
+            return self.call_unit(unit, self.function_instances[&unit], params, span);
+        }
+        match self.callable(operand) {
+            Place::Timer(timer) => self.call_timer(timer, params, span),
+            Place::Counter(counter) => self.call_counter(counter, params, span),
+            Place::Trigger(opcode, marker) => self.call_trigger(opcode, marker, params, span),
+            Place::Instance(instance) => {
+                let unit = self.names.instances[instance].unit;
+                return self.call_unit(unit, instance, params, span);
+            }
+            Place::Unknown => {}
+            _ => {
+                let name = self.spelled(operand);
+                self.found
+                    .tell(Code::NotCallable, operand.span, [name.into()]);
+            }
+        }
+        self.acc = Acc::Empty;
+    }
+
+    /// What is called. A name that nothing declares is no marker here.
+    fn callable(&mut self, operand: &Operand) -> Place {
+        let known = self.found.0.len();
+        let place = self.place(operand);
+        if self
+            .found
+            .0
+            .get(known)
+            .is_some_and(|told| told.code == Code::Undeclared)
+        {
+            self.found.0.truncate(known);
+        }
+        place
+    }
+
+    /// R_TRIG, F_TRIG: its Q is 1 for one scan.
+    fn call_trigger(&mut self, opcode: Opcode, marker: u8, params: &[Param], span: Span) {
+        let Some(clock) = params.first().filter(|param| !param.out) else {
+            let needs = ("its input, CLK", "sua entrada, CLK");
+            return self
+                .found
+                .tell(Code::ParameterMissing, span, ["TRIG".into(), needs.into()]);
+        };
+        let Some(expr) = self.param_bit(clock) else {
+            return;
+        };
+        self.bring(expr, span);
+        self.rungs.changes(Written::Plain(opcode), span);
+        self.rungs.coil(Target::Marker(marker), false, span);
+    }
+
+    /// `LIMIT a, b`: a function as an operator. One operand less than it has inputs, and the accumulator is the
+    /// first.
+    pub(super) fn function(&mut self, instr: &Instr) {
+        let name = instr.span;
+        let function = instr
+            .function
+            .as_ref()
+            .and_then(|name| self.functions.get(name));
+        let Some(&unit) = function else { return };
+        let inputs = self.units[unit]
+            .vars
+            .iter()
+            .filter(|var| var.section == Section::Input)
+            .count();
+        let mut params = instr.params.clone();
+        params.extend(instr.operands.iter().map(positional));
+        let instance = self.function_instances[&unit];
+        if params.len() + 1 == inputs {
+            let acc = self.take_acc("CAL", name);
+            let first = self.units[unit]
+                .vars
+                .iter()
+                .find(|var| var.section == Section::Input);
+            if let Some(var) = first {
+                let place = self.names.instances[instance]
+                    .names
+                    .get(&var.name.text)
+                    .copied();
+                self.assign(acc, place.unwrap_or(Place::Unknown), name);
+            }
+            return self.call_inputs(unit, instance, &params, 1, name);
+        }
+        self.unused = None;
+        self.call_unit(unit, instance, &params, instr.whole);
+    }
+
+    /// Variables that begin with another value than 0 get it in the first scan.
+    pub(super) fn initials(&mut self) {
+        for initial in std::mem::take(&mut self.names.initials) {
+            let span = initial.span;
+            let first = Expr::Lit {
+                bit: Bit::System(1),
+                negated: false,
+                span,
+            };
+            self.rungs.logic(first, span);
+            match initial.place {
+                Place::Bit(Bit::Output(n)) => self.write(Opcode::SetCoil, n, span),
+                Place::Bit(Bit::Marker(n)) => self.write(Opcode::SetMarker, n, span),
+                Place::Number(Num::Register(n)) => {
+                    let value = Number::Leaf(Num::Const(initial.value), span);
+                    self.rungs.number(&value);
+                    self.write(Opcode::Store, n, span);
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// A parameter without a name.
+fn positional(operand: &Operand) -> Param {
+    Param {
+        name: None,
+        out: false,
+        negated: false,
+        value: operand.clone(),
+    }
+}

@@ -1,0 +1,300 @@
+//! From the syntax tree to codes: a run of the program on expressions in place of values.
+//!
+//! `values` tells what operands are worth; `bits`, `defer` and `stack` have what works on the accumulator,
+//! `stores` what writes, `jumps` and `carry` labels and the accumulator over them; `calls` leads to `timers`,
+//! `counters`, `blocks` and `units`, the text's own functions. `keep` says when an expression is written out.
+
+mod bits;
+mod blocks;
+mod calls;
+mod carry;
+mod counters;
+mod defer;
+mod finish;
+mod jumps;
+mod keep;
+mod stack;
+mod stores;
+mod timers;
+mod units;
+mod values;
+
+use crate::ast::{Instr, Stmt, Unit, UnitKind};
+use crate::diagnostics::{Code, Found, Span};
+use crate::names::Names;
+use crate::operators::Op;
+use crate::rung::{Holds, Rungs, Step, Written};
+use crate::tree::{Expr, Number};
+use std::collections::{HashMap, HashSet};
+use unoclp_core::isa::{DEEPEST, Opcode};
+
+/// What the accumulator of the text holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Acc {
+    /// Nothing has been loaded.
+    Empty,
+    Bit(Expr),
+    Number(Number),
+    /// Something was wrong, and has been told.
+    Unknown,
+}
+
+/// An operation that waits for its `)`, or a result that an LD has pushed.
+struct Frame {
+    acc: Acc,
+    waiting: Waiting,
+    span: Span,
+    links: u32,
+}
+
+/// See [`Frame`].
+#[derive(Clone, Copy)]
+enum Waiting {
+    /// For `)`, with N where the result is inverted.
+    Deferred(Op, bool),
+    /// For ALD, OLD, or a block with more than one input.
+    Pushed,
+}
+
+/// A unit that is being compiled into its caller.
+struct Scope {
+    unit: usize,
+    instance: usize,
+    labels: HashMap<String, usize>,
+    /// Labels that a jump of the unit leads to.
+    wanted: HashSet<String>,
+    /// Labels behind which the accumulator is used as it comes.
+    needs: HashSet<String>,
+    /// Where RET leads; of the program it ends the scan.
+    end: Option<usize>,
+}
+
+/// A label of the board.
+pub(crate) struct Label {
+    /// What its name asks for: `L07` is label 07.
+    pub number: Option<u8>,
+    pub span: Span,
+    /// Where the accumulator is, if it is needed behind the label.
+    carry: Option<carry::Carry>,
+}
+
+/// More steps than this are never written: no board holds them, and functions that call functions could
+/// make them without end.
+const MOST_STEPS: usize = 40_000;
+/// Likewise calls, which may have nothing to write; and how deep they may go.
+const MOST_CALLS: u32 = 5_000;
+const MOST_SCOPES: usize = 16;
+/// Operations in one expression, before a part of it is written out.
+const MOST_LINKS: u32 = 40;
+
+pub(crate) struct Lower<'a> {
+    units: &'a [Unit],
+    pub names: Names,
+    pub rungs: Rungs,
+    pub found: &'a mut Found,
+    pub labels: Vec<Label>,
+    acc: Acc,
+    /// Operations in the accumulator's expression.
+    links: u32,
+    frames: Vec<Frame>,
+    scopes: Vec<Scope>,
+    /// The block between BLK and END_BLK.
+    block: Option<blocks::Block>,
+    /// The load whose result nothing has used yet.
+    unused: Option<Span>,
+    /// Nothing comes here.
+    unreachable: bool,
+    /// N behind a parenthesis, for the load that follows.
+    invert_load: bool,
+    called: HashSet<usize>,
+    /// Calls of functions and function blocks so far.
+    calls: u32,
+    functions: HashMap<String, usize>,
+    function_instances: HashMap<usize, usize>,
+    coils: HashMap<u8, Span>,
+    /// That there are too many steps has been told.
+    full: bool,
+}
+
+/// What has been compiled, before it is written as codes.
+pub(crate) struct Lowered {
+    pub steps: Vec<Step>,
+    pub labels: Vec<Label>,
+    pub names: Names,
+}
+
+pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered {
+    let rungs = Rungs::new(names.temps);
+    let mut lower = Lower {
+        units,
+        names,
+        rungs,
+        found,
+        labels: Vec::new(),
+        acc: Acc::Empty,
+        links: 0,
+        frames: Vec::new(),
+        scopes: Vec::new(),
+        block: None,
+        unused: None,
+        unreachable: false,
+        invert_load: false,
+        called: HashSet::new(),
+        calls: 0,
+        functions: HashMap::new(),
+        function_instances: HashMap::new(),
+        coils: HashMap::new(),
+        full: false,
+    };
+    lower.declare_all();
+    lower.initials();
+    lower.unit_body(0, 0, None);
+    lower.check_uncalled();
+    lower.finish();
+    Lowered {
+        steps: lower.rungs.steps,
+        labels: lower.labels,
+        names: lower.names,
+    }
+}
+
+impl<'a> Lower<'a> {
+    /// The body of a unit, in place.
+    fn unit_body(&mut self, unit: usize, instance: usize, end: Option<usize>) {
+        let units = self.units;
+        let body = &units[unit].body;
+        let scope = self.scope(unit, instance, end);
+        self.scopes.push(scope);
+        let frames = std::mem::take(&mut self.frames);
+        let block = self.block.take();
+        self.acc = Acc::Empty;
+        self.unused = None;
+        self.unreachable = false;
+        let pushed = stack::pushes(body, self.names.dialect);
+        for (index, stmt) in body.iter().enumerate() {
+            let next = body.get(index + 1);
+            match stmt {
+                Stmt::Label(word) => self.label(word),
+                Stmt::Close(span) => self.close(*span),
+                Stmt::Instr(instr) => {
+                    self.reachable(instr);
+                    if pushed.contains(&index) {
+                        self.push_result(instr.span);
+                    }
+                    self.instr(instr, next);
+                }
+            }
+            // Names and intermediate results take from the same markers.
+            self.none_left(stmt);
+        }
+        self.end_of_body();
+        self.frames = frames;
+        self.block = block;
+        self.scopes.pop();
+        self.unreachable = false;
+    }
+
+    fn none_left(&mut self, stmt: &Stmt) {
+        let span = match stmt {
+            Stmt::Label(word) => word.span,
+            Stmt::Close(span) => *span,
+            Stmt::Instr(instr) => instr.span,
+        };
+        let words = self.rungs.temps.none_left.take();
+        if let Some(words) = words {
+            self.found.tell(Code::NoneLeft, span, [words.into()]);
+        }
+        if let Some(span) = self.rungs.too_deep.take() {
+            self.found.tell(Code::TooDeep, span, []);
+        }
+    }
+
+    fn end_of_body(&mut self) {
+        self.warn_unused();
+        for frame in std::mem::take(&mut self.frames) {
+            if let Waiting::Deferred(..) = frame.waiting {
+                self.found.tell(Code::LeftOpen, frame.span, []);
+            }
+        }
+        self.end_of_blocks();
+        self.acc = Acc::Empty;
+    }
+
+    fn reachable(&mut self, instr: &Instr) {
+        if std::mem::take(&mut self.unreachable) {
+            self.found.tell(Code::Unreachable, instr.whole, []);
+        }
+    }
+
+    fn instr(&mut self, instr: &'a Instr, next: Option<&Stmt>) {
+        if self.rungs.steps.len() > MOST_STEPS {
+            if !std::mem::replace(&mut self.full, true) {
+                let most = [self.names.board.stored_bytes, self.names.board.linked_bytes];
+                let words = most.map(|bytes| bytes.to_string().into());
+                self.found.tell(Code::DoesNotFit, instr.whole, words);
+            }
+            return;
+        }
+        match instr.op {
+            Op::Load => self.load(instr),
+            Op::Store => self.store(instr),
+            Op::Set | Op::Reset => self.set_or_reset(instr),
+            Op::Not => self.not(instr),
+            Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => {
+                self.operate(instr, next)
+            }
+            Op::Shift(opcode) => self.shift(instr, opcode),
+            Op::Unary(opcode) => self.unary(instr, opcode),
+            Op::Edge(opcode) => self.edge(instr, opcode),
+            Op::Jump => self.jump(instr),
+            Op::Return => self.ret(instr),
+            Op::Call => self.call(instr),
+            Op::Function => self.function(instr),
+            Op::Timer(opcode) => self.timer_operator(instr, opcode, next),
+            Op::CountUp | Op::CountDown | Op::CountUpDown => self.count_operator(instr),
+            Op::AndBlock | Op::OrBlock => self.pop_result(instr),
+            Op::Block => self.begin_block(instr),
+            Op::OutBlock => self.out_block(instr),
+            Op::EndBlock => self.end_block(instr),
+            Op::Input(opcode) => self.input_operator(instr, opcode),
+            Op::Code => self.code(instr),
+        }
+    }
+
+    fn warn_unused(&mut self) {
+        if let Some(span) = self.unused.take() {
+            self.found.tell(Code::ResultUnused, span, []);
+        }
+    }
+
+    fn kind_of(&self, unit: usize) -> UnitKind {
+        self.units[unit].kind
+    }
+}
+
+/// Words in two languages.
+type Words = (&'static str, &'static str);
+const BOOL: Words = ("true or false (BOOL)", "verdadeiro ou falso (BOOL)");
+const NUMBER: Words = ("a number", "um número");
+const BLOCK: Words = ("a block", "um bloco");
+/// What stands for the accumulator in messages.
+const ACCUMULATOR: &str = "(acc)";
+/// What stands for an operand.
+const OPERAND: &str = "(operand)";
+/// The deepest nesting of deferred operations.
+const MOST_FRAMES: usize = DEEPEST as usize;
+
+/// Whether a load comes next, so that the accumulator is needed no more.
+fn loads(next: Option<&Stmt>) -> bool {
+    matches!(next, Some(Stmt::Instr(instr)) if instr.op == Op::Load)
+}
+
+/// For the rungs: nothing is known of the accumulator.
+fn forget(rungs: &mut Rungs) {
+    rungs.holds = Holds::Other;
+}
+
+/// A numbered instruction.
+fn numbered(opcode: Opcode, number: u8) -> Written {
+    Written::Numbered(opcode, number)
+}

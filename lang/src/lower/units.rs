@@ -1,0 +1,222 @@
+//! Functions and function blocks of the text's own. A call compiles the body in its place.
+
+use super::{Acc, Lower, MOST_CALLS, MOST_SCOPES, MOST_STEPS};
+use crate::ast::{Param, Section, UnitKind};
+use crate::diagnostics::{Code, Span};
+use crate::names::{Instance, Place};
+use crate::rung::{Rungs, Written};
+use crate::tree::{Bit, Num, Number};
+use std::collections::HashMap;
+use unoclp_core::Target;
+use unoclp_core::isa::Opcode;
+
+/// More instances than this no board holds; blocks that contain themselves would make them without end.
+const MOST_INSTANCES: usize = 256;
+
+impl Lower<'_> {
+    /// Gives all declared variables their places.
+    pub(super) fn declare_all(&mut self) {
+        self.new_instance(0);
+        for (index, unit) in self.units.iter().enumerate() {
+            if unit.kind == UnitKind::Function {
+                let instance = self.new_instance(index);
+                self.function_instances.insert(index, instance);
+                if let Some(name) = &unit.name {
+                    self.functions.insert(name.text.clone(), index);
+                }
+            }
+        }
+        // Declaring the variables of one may make more.
+        let mut next = 0;
+        while next < self.names.instances.len() {
+            let unit = self.names.instances[next].unit;
+            if next > MOST_INSTANCES {
+                let (name, span) = self.unit_name(unit);
+                return self.found.tell(Code::Recursive, span, [name.into()]);
+            }
+            let vars = &self.units[unit].vars;
+            self.names.declare(vars, next, self.found);
+            self.declare_result(unit, next);
+            next += 1;
+        }
+        self.rungs.temps = self.names.temps;
+    }
+
+    pub(super) fn new_instance(&mut self, unit: usize) -> usize {
+        self.names.instances.push(Instance {
+            unit,
+            names: HashMap::new(),
+        });
+        self.names.instances.len() - 1
+    }
+
+    /// The result of a function has the function's name.
+    fn declare_result(&mut self, unit: usize, instance: usize) {
+        let unit = &self.units[unit];
+        let (UnitKind::Function, Some(name)) = (unit.kind, &unit.name) else {
+            return;
+        };
+        let place = match unit.result.as_ref().map(|ty| ty.text.as_str()) {
+            None | Some("BOOL") => Place::Bit(Bit::Marker(self.names.temps.named_marker(false))),
+            Some(_) => Place::Number(Num::Register(self.names.temps.named_register())),
+        };
+        self.names.instances[instance]
+            .names
+            .insert(name.text.clone(), place);
+    }
+
+    fn unit_name(&self, unit: usize) -> (String, Span) {
+        let unit = &self.units[unit];
+        match &unit.name {
+            Some(name) => (name.text.clone(), name.span),
+            None => ("PROGRAM".to_owned(), unit.span),
+        }
+    }
+
+    pub(super) fn call_unit(&mut self, unit: usize, instance: usize, params: &[Param], span: Span) {
+        self.call_inputs(unit, instance, params, 0, span);
+    }
+
+    /// Copies the inputs, of which so many have been, and compiles the body in place.
+    pub(super) fn call_inputs(
+        &mut self,
+        unit: usize,
+        instance: usize,
+        params: &[Param],
+        done: usize,
+        span: Span,
+    ) {
+        let (name, _) = self.unit_name(unit);
+        self.called.insert(unit);
+        if self.scopes.iter().any(|scope| scope.unit == unit) {
+            self.found.tell(Code::Recursive, span, [name.into()]);
+            self.acc = Acc::Unknown;
+            return;
+        }
+        self.calls += 1;
+        if self.scopes.len() > MOST_SCOPES || self.calls > MOST_CALLS {
+            if self.calls <= MOST_CALLS + 1 {
+                self.found.tell(Code::CallsTooDeep, span, []);
+            }
+            self.acc = Acc::Unknown;
+            return;
+        }
+        let vars = &self.units[unit].vars;
+        let inputs: Vec<&str> = vars
+            .iter()
+            .filter(|var| var.section == Section::Input)
+            .map(|var| var.name.text.as_str())
+            .collect();
+        for (index, param) in params.iter().enumerate().filter(|(_, param)| !param.out) {
+            let named = param.name.as_ref().map(|name| name.text.as_str());
+            let input = named.or_else(|| inputs.get(index + done).copied());
+            let Some(input) = input.filter(|input| inputs.contains(input)) else {
+                let has = (
+                    format!("it has {}", inputs.join(", ")),
+                    format!("tem {}", inputs.join(", ")),
+                );
+                let (text, span) = match &param.name {
+                    Some(word) => (word.text.clone(), word.span),
+                    None => (self.spelled(&param.value), param.value.span),
+                };
+                self.found.tell(
+                    Code::NoSuchParameter,
+                    span,
+                    [name.as_str().into(), text.into(), has.into()],
+                );
+                continue;
+            };
+            let place = self.names.instances[instance].names.get(input).copied();
+            let mut acc = self.value(&param.value);
+            if param.negated
+                && let Some(expr) = self.param_bit(param)
+            {
+                acc = Acc::Bit(expr);
+            }
+            self.assign(acc, place.unwrap_or(Place::Unknown), param.value.span);
+        }
+        self.freeze(span);
+        let end = self.new_label(span, None);
+        let before = self.rungs.steps.len();
+        self.unit_body(unit, instance, Some(end));
+        let wanted =
+            |written: &Written| matches!(written, Written::Jump(_, label) if *label == end);
+        if self.rungs.steps[before..]
+            .iter()
+            .any(|step| wanted(&step.written))
+        {
+            self.place_label(end, span);
+        }
+        for param in params.iter().filter(|param| param.out) {
+            let output = param.name.as_ref().map_or("", |name| name.text.as_str());
+            let place = self.names.instances[instance].names.get(output).copied();
+            let Some(place) = place else {
+                self.no_parameter(&name, param, ("see its VAR_OUTPUT", "veja seu VAR_OUTPUT"));
+                continue;
+            };
+            let acc = self.held(place, span);
+            self.store_to(acc, &param.value, param.negated, param.value.span);
+        }
+        let result = self.names.instances[instance].names.get(&name).copied();
+        self.acc = match (self.kind_of(unit), result) {
+            (UnitKind::Function, Some(place)) => self.held(place, span),
+            _ => Acc::Empty,
+        };
+    }
+
+    fn held(&self, place: Place, span: Span) -> Acc {
+        match place {
+            Place::Bit(bit) => super::timers::lit(bit, span),
+            Place::Number(num) => Acc::Number(Number::Leaf(num, span)),
+            _ => Acc::Unknown,
+        }
+    }
+
+    /// Stores a value in a variable of a unit.
+    pub(super) fn assign(&mut self, acc: Acc, place: Place, span: Span) {
+        match place {
+            Place::Bit(Bit::Marker(n)) => {
+                if let Some(expr) = self.as_bit(acc, "VAR_INPUT", span) {
+                    self.bring(expr, span);
+                    self.rungs.coil(Target::Marker(n), false, span);
+                }
+            }
+            Place::Number(Num::Register(n)) => {
+                if let Some(number) = self.as_number(acc, "VAR_INPUT", span) {
+                    self.freeze(span);
+                    self.rungs.fresh(span);
+                    self.rungs.number(&number);
+                    self.write(Opcode::Store, n, span);
+                }
+            }
+            _ => {}
+        }
+        self.acc = Acc::Empty;
+    }
+
+    /// What nothing calls is checked all the same, and not kept.
+    pub(super) fn check_uncalled(&mut self) {
+        let mut steps = self.rungs.steps.len();
+        for unit in 1..self.units.len() {
+            if self.called.contains(&unit) || steps > MOST_STEPS {
+                continue;
+            }
+            let instance = match self.function_instances.get(&unit) {
+                Some(&instance) => instance,
+                None => {
+                    let instance = self.new_instance(unit);
+                    self.names.temps = self.rungs.temps;
+                    self.names
+                        .declare(&self.units[unit].vars, instance, self.found);
+                    self.rungs.temps = self.names.temps;
+                    instance
+                }
+            };
+            let kept = std::mem::replace(&mut self.rungs, Rungs::new(self.names.temps));
+            let labels = self.labels.len();
+            self.unit_body(unit, instance, Some(usize::MAX));
+            self.labels.truncate(labels);
+            steps += std::mem::replace(&mut self.rungs, kept).steps.len();
+        }
+    }
+}

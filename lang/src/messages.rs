@@ -1,0 +1,270 @@
+//! Everything that can be said about a text, each with a stable code and its words in two languages.
+//!
+//! `{0}`, `{1}` stand for what the place in the text adds. A code that has been published never changes
+//! its meaning; `docs/il-diagnostics.md` and its translation have an entry for each.
+
+use crate::diagnostics::Severity;
+
+/// The words of a diagnostic in one language; the help is empty where there is none.
+pub(crate) struct Words {
+    pub message: &'static str,
+    pub help: &'static str,
+}
+
+macro_rules! messages {
+    ($($number:literal $name:ident $severity:ident $en:literal $en_help:literal $pt:literal $pt_help:literal;)*) => {
+        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(u8)]
+        pub enum Code {
+            $(#[doc = $en] $name = $number,)*
+        }
+
+        impl Code {
+            /// Every code, in the order of its number.
+            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
+
+            /// Whether the text can be compiled all the same.
+            pub const fn severity(self) -> Severity {
+                match self {
+                    $(Code::$name => Severity::$severity,)*
+                }
+            }
+
+            pub(crate) const fn english(self) -> Words {
+                match self {
+                    $(Code::$name => Words { message: $en, help: $en_help },)*
+                }
+            }
+
+            pub(crate) const fn portuguese(self) -> Words {
+                match self {
+                    $(Code::$name => Words { message: $pt, help: $pt_help },)*
+                }
+            }
+        }
+    };
+}
+
+messages! {
+    11 StrayCharacter Error
+        "`{0}` means nothing in Instruction List"
+        "delete it"
+        "`{0}` não significa nada em Lista de Instruções"
+        "apague-o";
+    12 CommentOpen Error
+        "this comment is never closed, so all that follows is swallowed"
+        "write *) at its end"
+        "este comentário nunca fecha e por isso engole tudo o que vem depois"
+        "escreva *) no fim dele";
+    13 CommentSpaced Warning
+        "the comment was closed at `* )`, which has a space in it"
+        "write *) without the space"
+        "o comentário foi fechado em `* )`, que tem um espaço"
+        "escreva *) sem o espaço";
+    14 BadNumber Error
+        "`{0}` is not a number that fits 32 bits, and not a time"
+        "numbers are like 20, 2#1010 or 16#FF; times like T#20s or T#1h2m3s4ms"
+        "`{0}` não é um número de até 32 bits nem um tempo"
+        "números são como 20, 2#1010 ou 16#FF; tempos como T#20s ou T#1h2m3s4ms";
+    21 UnknownOperator Error
+        "there is no operator `{0}`"
+        "{1}"
+        "não existe o operador `{0}`"
+        "{1}";
+    22 OperandMissing Error
+        "{0} needs to know what it works on"
+        "write an operand behind it, like I1, Q1 or M1"
+        "falta dizer com que {0} deve trabalhar"
+        "escreva um operando depois dele, como I1, Q1 ou M1";
+    23 Unexpected Error
+        "`{0}` was not expected here"
+        "each instruction stands on a line of its own: operator, operand, comment"
+        "`{0}` não era esperado aqui"
+        "cada instrução fica na sua própria linha: operador, operando, comentário";
+    24 BadModifier Error
+        "{0} cannot have the modifier {1}"
+        "N inverts an operand, C makes a jump conditional, ( defers an operation"
+        "{0} não aceita o modificador {1}"
+        "N inverte um operando, C torna um desvio condicional, ( adia uma operação";
+    25 BadLabel Error
+        "`{0}` is no label: a letter, then letters, digits or _, at most 16 characters"
+        "choose a shorter, simpler name"
+        "`{0}` não serve de rótulo: uma letra, depois letras, números ou _, no máximo 16 caracteres"
+        "escolha um nome mais curto e simples";
+    26 LabelTwice Error
+        "the label `{0}` stands twice, so a jump would not know where to go"
+        "give one of them another name"
+        "o rótulo `{0}` aparece duas vezes e um desvio não saberia para onde ir"
+        "dê outro nome a um deles";
+    27 NoSuchLabel Error
+        "there is no label `{0}` here to jump to"
+        "write `{0}:` before the instruction to go on with"
+        "não há aqui um rótulo `{0}` para onde desviar"
+        "escreva `{0}:` antes da instrução em que o programa deve continuar";
+    28 LabelColon Warning
+        "`{0}` was taken as a label, but a colon is missing"
+        "write `{0}:`"
+        "`{0}` foi entendido como rótulo, mas faltam os dois-pontos"
+        "escreva `{0}:`";
+    29 Structure Error
+        "{0} stands alone: its other half is missing"
+        "{1}"
+        "{0} está sozinho: falta o seu par"
+        "{1}";
+    30 CommaMissing Error
+        "a comma is missing before `{0}`"
+        "write a comma between operands: TON T1, 100"
+        "falta uma vírgula antes de `{0}`"
+        "escreva uma vírgula entre operandos: TON T1, 100";
+    31 CloseWithoutOpen Error
+        "this ) closes nothing: no operation has been deferred"
+        "delete it, or write the ( that belongs to it"
+        "este ) não fecha nada: nenhuma operação foi adiada"
+        "apague-o ou escreva o ( que falta";
+    32 LeftOpen Error
+        "this ( is never closed, so the deferred operation is never done"
+        "write ) on a line of its own where it ends"
+        "este ( nunca é fechado e a operação adiada nunca é feita"
+        "escreva ) em uma linha própria onde ela termina";
+    33 TooDeep Error
+        "more than 8 operations are deferred in one another"
+        "store a part of it in a marker first: ST M1"
+        "há mais de 8 operações adiadas umas dentro das outras"
+        "guarde antes uma parte em uma memória: ST M1";
+    34 InParentheses Error
+        "{0} cannot stand between ( and )"
+        "close the deferred operation first"
+        "{0} não pode ficar entre ( e )"
+        "feche antes a operação adiada";
+    35 NothingLoaded Error
+        "the accumulator holds nothing here for {0} to work on"
+        "begin with LD or LDN"
+        "o acumulador não contém nada com que {0} possa trabalhar aqui"
+        "comece com LD ou LDN";
+    41 NoSuchPoint Error
+        "there is no {0} on this board"
+        "{1}"
+        "não existe {0} nesta placa"
+        "{1}";
+    42 Undeclared Warning
+        "nothing says what `{0}` is; it was made a marker, {1}"
+        "declare it: VAR {0} AT %IX1 : BOOL; END_VAR"
+        "nada diz o que é `{0}`; virou uma memória, {1}"
+        "declare-o: VAR {0} AT %IX1 : BOOL; END_VAR";
+    43 NameTwice Error
+        "`{0}` is declared twice"
+        "give one of them another name"
+        "`{0}` foi declarado duas vezes"
+        "dê outro nome a um deles";
+    44 UnknownType Error
+        "there is no type `{0}`"
+        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD or a FUNCTION_BLOCK of this file"
+        "não existe o tipo `{0}`"
+        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD ou um FUNCTION_BLOCK deste arquivo";
+    45 NoSuchMember Error
+        "{0} has nothing called `{1}`"
+        "{2}"
+        "{0} não tem nada chamado `{1}`"
+        "{2}";
+    46 NotCallable Error
+        "`{0}` cannot be called"
+        "CAL takes a timer, a counter, or a FUNCTION or FUNCTION_BLOCK of this file"
+        "`{0}` não pode ser chamado"
+        "CAL aceita um temporizador, um contador, ou uma FUNCTION ou FUNCTION_BLOCK deste arquivo";
+    47 NotWritable Error
+        "nothing can be stored in {0}"
+        "outputs, markers and registers can be written, like Q1, M1 or D1"
+        "não se pode armazenar nada em {0}"
+        "saídas, memórias e registradores podem ser escritos, como Q1, M1 ou D1";
+    48 StoreToInput Warning
+        "{0} is an input: only its sensor can change it, so this store is left out"
+        "store to an output (Q1) or a marker (M1)"
+        "{0} é uma entrada: só o seu sensor pode mudá-la, por isso este armazenamento foi deixado de fora"
+        "armazene em uma saída (Q1) ou em uma memória (M1)";
+    49 NoneLeft Error
+        "the board has no {0} left for this"
+        "the program uses all of them; do with fewer"
+        "não sobrou {0} na placa para isto"
+        "o programa já usa todos; use menos";
+    51 WrongType Error
+        "{0} is {1}, but {2} is needed here"
+        "a comparison (GT, GE, EQ …) turns numbers into true or false"
+        "{0} é {1}, mas aqui é preciso {2}"
+        "uma comparação (GT, GE, EQ …) transforma números em verdadeiro ou falso";
+    52 NoSuchParameter Error
+        "{0} has no parameter `{1}`"
+        "{2}"
+        "{0} não tem o parâmetro `{1}`"
+        "{2}";
+    53 ParameterMissing Error
+        "{0} needs {1}"
+        "write it: CAL T1 (IN:=%IX1, PT:=T#20s), or CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)"
+        "{0} precisa de {1}"
+        "escreva-o: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
+    54 PresetAssumed Warning
+        "nothing says the preset of {0}; it was taken to be {1}, as a Twido would"
+        "declare it: VAR {0} : {2} END_VAR"
+        "nada diz a pré-seleção de {0}; foi tomada como {1}, como em um Twido"
+        "declare-a: VAR {0} : {2} END_VAR";
+    55 RetentiveNumber Warning
+        "on an S7-200, {0} is a retentive timer (TONR); here it is an on-delay timer as TON says"
+        "use T37 for an on-delay timer of 100 ms steps, or write TONR"
+        "no S7-200, {0} é um temporizador retentivo (TONR); aqui ele é um retardo na energização, como diz TON"
+        "use T37 para um temporizador TON em passos de 100 ms, ou escreva TONR";
+    56 Recursive Error
+        "{0} calls itself, directly or by way of another, and would never end"
+        "a function may only call others; use a jump back for a loop"
+        "{0} chama a si mesma, direta ou indiretamente, e nunca terminaria"
+        "uma função só pode chamar outras; para repetir, use um desvio para trás";
+    57 BadValue Error
+        "{0} must be {1}"
+        "change the number"
+        "{0} deve ser {1}"
+        "mude o número";
+    58 NeverCalled Error
+        "{0} is read, but nothing ever starts it"
+        "call it: CAL {0} (IN:=%IX1, PT:=T#20s)"
+        "{0} é lido, mas nada o aciona"
+        "chame-o: CAL {0} (IN:=%IX1, PT:=T#20s)";
+    59 CallsTooDeep Error
+        "calls go too deep here, or there are too many: each puts a body into the program"
+        "call fewer functions from one another"
+        "as chamadas vão fundo demais aqui, ou são muitas: cada uma põe um corpo no programa"
+        "chame menos funções umas das outras";
+    61 WrittenTwice Warning
+        "{0} is written again here; only the last store in a scan is seen at the output"
+        "combine the conditions with OR and write it once, or use S and R"
+        "{0} é escrito outra vez aqui; só o último armazenamento da varredura aparece na saída"
+        "junte as condições com OR e escreva uma só vez, ou use S e R";
+    62 TimerTwice Warning
+        "{0} is called again here; each call is a timer of its own, and {0} means the latest above"
+        "use another timer here"
+        "{0} é chamado outra vez aqui; cada chamada é um temporizador próprio, e {0} é o último acima"
+        "use outro temporizador aqui";
+    63 NeverRead Warning
+        "the input `{0}` is declared, but the program never reads it"
+        "read it with LD {0}, or delete the declaration"
+        "a entrada `{0}` foi declarada, mas o programa nunca a lê"
+        "leia-a com LD {0} ou apague a declaração";
+    64 Unreachable Warning
+        "nothing ever comes here: the program has jumped away above"
+        "write a label before it, or delete it"
+        "o programa nunca chega aqui: um desvio acima o levou para outro lugar"
+        "escreva um rótulo antes desta linha ou apague-a";
+    65 ResultUnused Warning
+        "the result of this is never used: no ST follows before the next LD or the end"
+        "store it, or use AND or OR in place of the LD that follows"
+        "o resultado disto nunca é usado: não há ST antes do próximo LD ou do fim"
+        "armazene-o, ou use AND ou OR no lugar do LD que segue";
+    71 DoesNotFit Error
+        "from here on the program does not fit the board"
+        "it holds {0} bytes of program and has {1} bytes to run it; timers and counters take the most"
+        "daqui em diante o programa não cabe na placa"
+        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo; temporizadores e contadores ocupam mais";
+    72 Refused Error
+        "the board would refuse this: fault {0}, {1}"
+        "docs/faults.md says what to do about the fault"
+        "a placa recusaria isto: falha {0}, {1}"
+        "docs/faults.pt-BR.md diz o que fazer com a falha";
+}

@@ -1,0 +1,142 @@
+//! The points of the board that addresses name, and the parts of timers and counters.
+
+use super::{Counter, Names, Place};
+use crate::address::Address;
+use crate::diagnostics::{Code, Found, Span};
+use crate::tree::{Bit, Num};
+use unoclp_core::isa::{ANALOGUE, MARKERS, Opcode, REGISTERS, SYSTEM_MARKERS};
+
+impl Names {
+    pub(super) fn address(
+        &mut self,
+        address: Address,
+        name: &str,
+        span: Span,
+        found: &mut Found,
+    ) -> Place {
+        let within = |n: u32, first: u32, last: u8| {
+            (first..=u32::from(last)).contains(&n).then_some(n as u8)
+        };
+        let board = self.board;
+        let place = match address {
+            Address::Input(n) => within(n, 1, board.inputs).map(|n| Place::Bit(Bit::Input(n))),
+            Address::Output(n) => within(n, 1, board.outputs).map(|n| Place::Bit(Bit::Output(n))),
+            Address::Marker(n) => within(n, 1, MARKERS).map(|n| Place::Bit(Bit::Marker(n))),
+            Address::System(n) => within(n, 1, SYSTEM_MARKERS).map(|n| Place::Bit(Bit::System(n))),
+            Address::Always => Some(Place::Always(true)),
+            Address::Analogue(n) => {
+                within(n, 0, ANALOGUE - 1).map(|n| Place::Number(Num::Analogue(n)))
+            }
+            Address::Pwm(n) => [1, 4]
+                .contains(&n)
+                .then_some(Place::Number(Num::Pwm(n as u8))),
+            Address::Register(n) => {
+                within(n, 1, REGISTERS).map(|n| Place::Number(Num::Register(n)))
+            }
+            Address::Group(n) => within(n, 1, 8).map(|n| Place::Number(Num::Group(n))),
+            Address::Inputs => Some(Place::Number(Num::Inputs)),
+            Address::Outputs => Some(Place::Number(Num::Outputs)),
+            Address::Timer(key, member) => {
+                let timer = match self.global.get(&key) {
+                    Some(&place) => place,
+                    None => {
+                        let place = self.new_timer(key.clone(), None, None);
+                        self.global.insert(key.clone(), place);
+                        place
+                    }
+                };
+                return match member {
+                    Some(member) => self.member(timer, &key, &member, span, found),
+                    None => timer,
+                };
+            }
+            Address::Counter(key, member) => {
+                let counter = match self.global.get(&key) {
+                    Some(&place) => place,
+                    None => {
+                        let place = self.new_counter(key.clone(), None, None);
+                        self.told_none_left(span, found);
+                        self.global.insert(key.clone(), place);
+                        place
+                    }
+                };
+                return match member {
+                    Some(member) => self.member(counter, &key, &member, span, found),
+                    None => counter,
+                };
+            }
+        };
+        place.unwrap_or_else(|| {
+            found.tell(Code::NoSuchPoint, span, [name.into(), ADDRESS_HELP.into()]);
+            Place::Unknown
+        })
+    }
+
+    /// What a block keeps under this name: `T1.Q`, `C2.CV`.
+    pub(crate) fn member(
+        &mut self,
+        block: Place,
+        name: &str,
+        member: &str,
+        span: Span,
+        found: &mut Found,
+    ) -> Place {
+        let (place, has) = match block {
+            Place::Timer(timer) => (
+                match member {
+                    "Q" => Some(Place::Bit(Bit::Timer(timer))),
+                    "ET" | "V" => Some(Place::Number(Num::Elapsed(timer))),
+                    "PT" | "P" => Some(Place::Number(Num::TimerPreset(timer))),
+                    _ => None,
+                },
+                "Q, ET, PT",
+            ),
+            Place::Counter(counter) => {
+                let Counter { number, kind, .. } = self.counters[counter];
+                let down = kind == Some(Opcode::CountDown);
+                (
+                    match member {
+                        "Q" if down => Some(Place::Bit(Bit::Zero(number))),
+                        "Q" | "QU" | "D" => Some(Place::Bit(Bit::Reached(number))),
+                        "QD" => Some(Place::Bit(Bit::Zero(number))),
+                        "CV" | "V" => Some(Place::Number(Num::Count(number))),
+                        "PV" | "P" => Some(Place::Number(Num::CountPreset(number))),
+                        _ => None,
+                    },
+                    "Q, QU, QD, D, CV, PV",
+                )
+            }
+            Place::Trigger(_, marker) if member == "Q" => {
+                (Some(Place::Bit(Bit::Marker(marker))), "Q")
+            }
+            Place::Trigger(..) => (None, "Q"),
+            Place::Instance(instance) => (
+                self.instances[instance].names.get(member).copied(),
+                "VAR_INPUT, VAR_OUTPUT",
+            ),
+            Place::Unknown => return Place::Unknown,
+            _ => (None, ""),
+        };
+        place.unwrap_or_else(|| {
+            let help = match has {
+                "" => (
+                    "only timers, counters and blocks have parts".to_owned(),
+                    "só temporizadores, contadores e blocos têm partes".to_owned(),
+                ),
+                has => (format!("it has {has}"), format!("tem {has}")),
+            };
+            found.tell(
+                Code::NoSuchMember,
+                span,
+                [name.into(), member.into(), help.into()],
+            );
+            Place::Unknown
+        })
+    }
+}
+
+/// What messages say where there is no such point.
+pub(super) const ADDRESS_HELP: (&str, &str) = (
+    "points count from 1: I1 to I8, Q1 to Q4, M1 to M64, D1 to D32, IW0 to IW4, QW1 and QW4, C1 to C16",
+    "os pontos contam a partir de 1: I1 a I8, Q1 a Q4, M1 a M64, D1 a D32, IW0 a IW4, QW1 e QW4, C1 a C16",
+);

@@ -1,0 +1,212 @@
+//! From words to the syntax tree. It never gives up: what it cannot read is told and passed over.
+
+mod declare;
+mod operand;
+mod statement;
+
+use crate::ast::{Unit, UnitKind, Word};
+use crate::diagnostics::{Code, Found, Span, Word as Said};
+use crate::dialect::Signs;
+use crate::lexer::{Kind, Token, tokens};
+use std::collections::HashSet;
+
+/// What the parser has read.
+pub(crate) struct Parsed {
+    /// The program first, then functions and function blocks.
+    pub units: Vec<Unit>,
+    pub signs: Signs,
+}
+
+pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
+    let tokens = tokens(text, found);
+    let mut parser = Parser {
+        text,
+        functions: HashSet::new(),
+        tokens,
+        at: 0,
+        signs: Signs::default(),
+        found,
+    };
+    parser.find_functions();
+    let units = parser.units();
+    Parsed {
+        units,
+        signs: parser.signs,
+    }
+}
+
+struct Parser<'t, 'f> {
+    text: &'t str,
+    /// The names of the file's functions, which are operators too.
+    functions: HashSet<String>,
+    tokens: Vec<Token>,
+    at: usize,
+    signs: Signs,
+    found: &'f mut Found,
+}
+
+impl Parser<'_, '_> {
+    fn peek(&self) -> Token {
+        self.ahead(0)
+    }
+
+    /// The token so many behind the next one; the last token is the end.
+    fn ahead(&self, more: usize) -> Token {
+        let last = self.tokens.len() - 1;
+        self.tokens[(self.at + more).min(last)]
+    }
+
+    fn advance(&mut self) -> Token {
+        let token = self.peek();
+        self.at += 1;
+        token
+    }
+
+    /// Takes the next token where it is of this kind.
+    fn take(&mut self, kind: Kind) -> Option<Token> {
+        (self.peek().kind == kind).then(|| self.advance())
+    }
+
+    fn text_of(&self, span: Span) -> &str {
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// The name that a token says, in upper case and without blanks.
+    fn word(&self, token: Token) -> Word {
+        let text = self.text_of(token.span);
+        Word {
+            text: text
+                .chars()
+                .filter(|c| !c.is_ascii_whitespace())
+                .flat_map(char::to_uppercase)
+                .collect(),
+            span: token.span,
+        }
+    }
+
+    /// Whether the token is this word, in any letter case.
+    fn is(&self, token: Token, word: &str) -> bool {
+        token.kind == Kind::Name && self.text_of(token.span).eq_ignore_ascii_case(word)
+    }
+
+    fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Said; N]) {
+        self.found.tell(code, span, words);
+    }
+
+    /// Tells that the next token was not expected, and passes over the rest of the line.
+    fn unexpected(&mut self) {
+        let token = self.peek();
+        if !matches!(token.kind, Kind::NewLine | Kind::End) {
+            let text = self.text_of(token.span).to_owned();
+            self.tell(Code::Unexpected, token.span, [text.into()]);
+        }
+        self.skip_line();
+    }
+
+    fn skip_line(&mut self) {
+        while !matches!(self.peek().kind, Kind::NewLine | Kind::End) {
+            self.at += 1;
+        }
+    }
+
+    fn find_functions(&mut self) {
+        for at in 1..self.tokens.len() {
+            let (before, name) = (self.tokens[at - 1], self.tokens[at]);
+            if self.is(before, "FUNCTION") && name.kind == Kind::Name {
+                let name = self.word(name).text;
+                self.functions.insert(name);
+            }
+        }
+    }
+
+    /// What stands outside of any unit is the program's.
+    fn units(&mut self) -> Vec<Unit> {
+        let mut program = self.unit(UnitKind::Program, self.peek().span);
+        let mut others: Vec<Unit> = Vec::new();
+        let mut inside: Option<Unit> = None;
+        while self.peek().kind != Kind::End {
+            let token = self.peek();
+            let begins = [
+                ("PROGRAM", UnitKind::Program),
+                ("FUNCTION", UnitKind::Function),
+                ("FUNCTION_BLOCK", UnitKind::FunctionBlock),
+            ];
+            let begun = begins.into_iter().find(|(word, _)| self.is(token, word));
+            let ends = ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"];
+            if let Some((_, kind)) = begun {
+                others.extend(self.end_unit(inside.take(), None));
+                self.advance();
+                let mut unit = self.unit(kind, token.span);
+                unit.name = self.take(Kind::Name).map(|name| self.word(name));
+                if self.take(Kind::Colon).is_some() {
+                    unit.result = self.take(Kind::Name).map(|name| self.word(name));
+                }
+                if kind == UnitKind::Program {
+                    // Its name says nothing; what stands in it is the program's.
+                    unit.vars.append(&mut program.vars);
+                    unit.body.append(&mut program.body);
+                }
+                inside = Some(unit);
+                self.end_of_statement();
+            } else if ends.into_iter().any(|word| self.is(token, word)) {
+                self.advance();
+                match self.end_unit(inside.take(), Some(token.span)) {
+                    Some(unit) if unit.kind == UnitKind::Program => program = unit,
+                    unit => others.extend(unit),
+                }
+                self.end_of_statement();
+            } else {
+                let mut unit = inside.take();
+                self.part(unit.as_mut().unwrap_or(&mut program));
+                inside = unit;
+            }
+        }
+        match self.end_unit(inside, None) {
+            Some(unit) if unit.kind == UnitKind::Program => program = unit,
+            unit => others.extend(unit),
+        }
+        others.insert(0, program);
+        others
+    }
+
+    /// Where a unit ends; `end` is its own END_…, none where another unit or the text's end came first.
+    fn end_unit(&mut self, unit: Option<Unit>, end: Option<Span>) -> Option<Unit> {
+        match (&unit, end) {
+            (None, Some(end)) => {
+                let text = self.text_of(end).to_owned();
+                let why = ("it ends nothing; delete it", "não termina nada; apague-o");
+                self.tell(Code::Structure, end, [text.into(), why.into()]);
+            }
+            (Some(unit), None) if unit.kind != UnitKind::Program => {
+                let text = self.text_of(unit.span).to_owned();
+                let why = (
+                    "write END_FUNCTION or END_FUNCTION_BLOCK behind its last line",
+                    "escreva END_FUNCTION ou END_FUNCTION_BLOCK depois da última linha",
+                );
+                let span = unit.span;
+                self.tell(Code::Structure, span, [text.into(), why.into()]);
+            }
+            _ => {}
+        }
+        unit
+    }
+
+    fn unit(&self, kind: UnitKind, span: Span) -> Unit {
+        Unit {
+            kind,
+            name: None,
+            result: None,
+            vars: Vec::new(),
+            body: Vec::new(),
+            span,
+        }
+    }
+
+    /// A line's end, or a fault and all up to it.
+    fn end_of_statement(&mut self) {
+        while self.take(Kind::Semicolon).is_some() {}
+        if !matches!(self.peek().kind, Kind::NewLine | Kind::End) {
+            self.unexpected();
+        }
+    }
+}

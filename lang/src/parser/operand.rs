@@ -1,0 +1,139 @@
+//! Operands and parameters.
+
+use super::Parser;
+use crate::ast::{Operand, OperandKind, Param};
+use crate::diagnostics::Code;
+use crate::lexer::Kind;
+use crate::literal;
+use crate::operators;
+
+impl Parser<'_, '_> {
+    /// The operand that comes next; none, and nothing taken, where there is none.
+    pub(super) fn operand(&mut self) -> Option<Operand> {
+        let token = self.peek();
+        let (kind, span) = match token.kind {
+            Kind::Minus => {
+                let number = self.ahead(1);
+                if !matches!(number.kind, Kind::Number | Kind::Literal) {
+                    return None;
+                }
+                self.at += 2;
+                let span = token.span.to(number.span);
+                let text = self.text_of(number.span).to_owned();
+                match literal::value(&text) {
+                    Some(value) => (OperandKind::Number(value.wrapping_neg()), span),
+                    None => (self.bad_number(&text, span), span),
+                }
+            }
+            Kind::Number | Kind::Literal => {
+                self.at += 1;
+                let text = self.text_of(token.span).to_owned();
+                // A channel and bit, as OMRON writes points: 0.00.
+                if token.kind == Kind::Number && text.contains('.') {
+                    (OperandKind::Name(text), token.span)
+                } else {
+                    match literal::value(&text) {
+                        // The smallest number stands only behind a minus.
+                        Some(value) if token.kind == Kind::Literal || value >= 0 => {
+                            (OperandKind::Number(value), token.span)
+                        }
+                        _ => (self.bad_number(&text, token.span), token.span),
+                    }
+                }
+            }
+            Kind::Name => {
+                self.at += 1;
+                let word = self.word(token);
+                let kind = match word.text.as_str() {
+                    "TRUE" => OperandKind::Bool(true),
+                    "FALSE" => OperandKind::Bool(false),
+                    _ => OperandKind::Name(word.text),
+                };
+                (kind, word.span)
+            }
+            _ => return None,
+        };
+        Some(Operand { kind, span })
+    }
+
+    fn bad_number(&mut self, text: &str, span: crate::diagnostics::Span) -> OperandKind {
+        self.tell(Code::BadNumber, span, [text.into()]);
+        OperandKind::Number(0)
+    }
+
+    /// Operands with commas between them; with `more`, one that is missing is told.
+    pub(super) fn operands(&mut self, more: bool) -> Vec<Operand> {
+        let mut operands = Vec::new();
+        while let Some(operand) = self.operand() {
+            operands.push(operand);
+            if self.take(Kind::Comma).is_none() && !(more && self.tell_comma()) {
+                break;
+            }
+        }
+        operands
+    }
+
+    /// Tells that a comma is missing, where an operand or parameter follows.
+    fn tell_comma(&mut self) -> bool {
+        let next = self.peek();
+        let follows = matches!(
+            next.kind,
+            Kind::Number | Kind::Literal | Kind::Name | Kind::Minus
+        );
+        let is_operator =
+            next.kind == Kind::Name && operators::find(&self.word(next).text).is_some();
+        // PT := … in a call is a parameter, whatever its name.
+        if !follows || is_operator && self.ahead(1).kind != Kind::Assign {
+            return false;
+        }
+        let text = self.text_of(next.span).to_owned();
+        self.tell(Code::CommaMissing, next.span, [text.into()]);
+        true
+    }
+
+    /// From behind the parenthesis of a call to its end. They may go over lines.
+    pub(super) fn params(&mut self) -> Vec<Param> {
+        let mut params = Vec::new();
+        loop {
+            while self.take(Kind::NewLine).is_some() {}
+            if self.take(Kind::Close).is_some() {
+                return params;
+            }
+            let Some(param) = self.param() else {
+                self.unexpected();
+                return params;
+            };
+            params.push(param);
+            while self.take(Kind::NewLine).is_some() {}
+            if self.take(Kind::Comma).is_none()
+                && self.peek().kind != Kind::Close
+                && !self.tell_comma()
+            {
+                self.unexpected();
+                return params;
+            }
+        }
+    }
+
+    /// `IN := %IX1`, `Q => %QX1`, `%IX1`; each value may be behind NOT.
+    fn param(&mut self) -> Option<Param> {
+        let (mut name, mut out) = (None, false);
+        let token = self.peek();
+        if token.kind == Kind::Name && matches!(self.ahead(1).kind, Kind::Assign | Kind::Arrow) {
+            self.at += 1;
+            name = Some(self.word(token));
+            out = self.advance().kind == Kind::Arrow;
+        }
+        let negated = self.is(self.peek(), "NOT");
+        if negated {
+            self.at += 1;
+        }
+        let value = self.operand()?;
+        Some(Param {
+            name,
+            out,
+            negated,
+            value,
+        })
+    }
+}

@@ -1,0 +1,213 @@
+//! Labels and instructions.
+
+use super::Parser;
+use crate::Dialect;
+use crate::ast::{Instr, Open, Stmt, Unit};
+use crate::diagnostics::{Code, Span};
+use crate::lexer::{Kind, Token};
+use crate::operators::{self, Op, Spelling};
+
+impl Parser<'_, '_> {
+    /// A line, or what is left of it, or a section of declarations.
+    pub(super) fn part(&mut self, unit: &mut Unit) {
+        let token = self.peek();
+        if let Some(section) = self.section(token) {
+            self.at += 1;
+            return self.declarations(token, section, unit);
+        }
+        match token.kind {
+            Kind::NewLine | Kind::Semicolon => self.at += 1,
+            Kind::Close => {
+                self.at += 1;
+                unit.body.push(Stmt::Close(token.span));
+            }
+            // The number of a line, as listings have it.
+            Kind::Number if self.begins_line() => self.at += 1,
+            Kind::Name if self.is(token, "NETWORK") => self.skip_line(),
+            Kind::Name if self.ahead(1).kind == Kind::Colon => {
+                self.at += 2;
+                self.label(token, unit);
+            }
+            Kind::Name | Kind::And | Kind::Equals => self.instruction(unit),
+            _ => self.unexpected(),
+        }
+    }
+
+    fn word_at(&self, span: Span) -> String {
+        self.text_of(span).to_uppercase()
+    }
+
+    fn begins_line(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
+        before.is_none_or(|before| before.kind == Kind::NewLine)
+    }
+
+    fn label(&mut self, token: Token, unit: &mut Unit) {
+        let word = self.word(token);
+        let mut letters = word.text.chars();
+        let good = letters.next().is_some_and(char::is_alphabetic)
+            && letters.all(|c| c.is_alphanumeric() || c == '_')
+            && word.text.chars().count() <= 16;
+        if !good {
+            let text = self.text_of(token.span).to_owned();
+            self.tell(Code::BadLabel, token.span, [text.into()]);
+        }
+        unit.body.push(Stmt::Label(word));
+    }
+
+    fn instruction(&mut self, unit: &mut Unit) {
+        let Some((spelling, mut span)) = self.operator(unit) else {
+            return self.skip_line();
+        };
+        let op = spelling.op;
+        let mut open = None;
+        if !matches!(op, Op::Function) && self.peek().kind == Kind::Open {
+            let paren = self.advance();
+            span = span.to(paren.span);
+            if op.may_defer() {
+                let n = self.peek();
+                let negated = self.is(n, "N");
+                if negated {
+                    self.at += 1;
+                    span = span.to(n.span);
+                }
+                let span = paren.span;
+                open = Some(Open { span, negated });
+            } else {
+                let name = self.text_of(span).to_owned();
+                self.tell(Code::BadModifier, span, [name.into(), "(".into()]);
+            }
+        }
+        let operands = match op {
+            Op::Not
+            | Op::Edge(_)
+            | Op::Unary(_)
+            | Op::AndBlock
+            | Op::OrBlock
+            | Op::OutBlock
+            | Op::EndBlock => Vec::new(),
+            op => self.operands(op.may_have_more()),
+        };
+        let mut params = Vec::new();
+        if matches!(op, Op::Call | Op::Function) && self.take(Kind::Open).is_some() {
+            params = self.params();
+        }
+        let before = self.at.saturating_sub(1);
+        let end = self.tokens.get(before).map_or(span, |token| token.span);
+        unit.body.push(Stmt::Instr(Instr {
+            op,
+            function: (op == Op::Function).then(|| self.word_at(span)),
+            negated: spelling.negated,
+            conditional: spelling.conditional,
+            open,
+            operands,
+            params,
+            span,
+            whole: if end.start >= span.start {
+                span.to(end)
+            } else {
+                span
+            },
+        }));
+        match self.peek().kind {
+            // It closes what was deferred, on the same line.
+            Kind::Close | Kind::NewLine | Kind::End | Kind::Semicolon => {}
+            _ => self.unexpected(),
+        }
+    }
+
+    /// The operator that comes next, its modifiers but the parenthesis, and its place.
+    fn operator(&mut self, unit: &mut Unit) -> Option<(Spelling, Span)> {
+        let token = self.advance();
+        let made = |op, negated| Spelling {
+            op,
+            negated,
+            conditional: false,
+            dialect: None,
+        };
+        if token.kind == Kind::Equals {
+            self.signs.see(Dialect::S7200);
+            return Some((made(Op::Store, false), token.span));
+        }
+        let next = self.peek();
+        if token.kind == Kind::And {
+            let negated = self.is(next, "N") && next.span.start == token.span.end;
+            if negated {
+                self.at += 1;
+            }
+            let span = if negated {
+                token.span.to(next.span)
+            } else {
+                token.span
+            };
+            return Some((made(Op::And, negated), span));
+        }
+        let word = self.word(token).text;
+        if self.functions.contains(&word) {
+            return Some((made(Op::Function, false), token.span));
+        }
+        let Some(mut spelling) = operators::find(&word) else {
+            let word_follows = next.kind == Kind::Name
+                && operators::find(&self.word(next).text).is_some()
+                && !word.contains(['.', '%']);
+            if word_follows && operators::nearest(&word).is_none() {
+                self.tell(Code::LabelColon, token.span, [word.into()]);
+                self.label(token, unit);
+                return self.operator(unit);
+            }
+            self.no_operator(&word, token);
+            return None;
+        };
+        if let Some(dialect) = spelling.dialect {
+            self.signs.see(dialect);
+        }
+        if word == "OUT" {
+            self.signs.see_out();
+        }
+        let mut span = token.span;
+        let end_behind = matches!(self.ahead(1).kind, Kind::NewLine | Kind::End);
+        if spelling.op.may_negate() && self.is(next, "NOT") {
+            // LD NOT, as OMRON writes it.
+            self.at += 1;
+            self.signs.see(Dialect::Omron);
+            spelling.negated = !spelling.negated;
+            span = span.to(next.span);
+        } else if matches!(spelling.op, Op::And | Op::Or) && self.is(next, "LD") && end_behind {
+            self.at += 1;
+            self.signs.see(Dialect::Omron);
+            spelling.op = match spelling.op {
+                Op::And => Op::AndBlock,
+                _ => Op::OrBlock,
+            };
+            span = span.to(next.span);
+        }
+        Some((spelling, span))
+    }
+
+    /// Tells what may have been meant by a word that is no operator.
+    fn no_operator(&mut self, word: &str, token: Token) {
+        let written = self.text_of(token.span).to_owned();
+        for modifier in ["CN", "C", "N"] {
+            let base = word.strip_suffix(modifier);
+            if let Some(base) = base.filter(|base| operators::find(base).is_some()) {
+                return self.tell(
+                    Code::BadModifier,
+                    token.span,
+                    [base.into(), modifier.into()],
+                );
+            }
+        }
+        let help = match operators::nearest(word) {
+            Some(near) => (format!("is it {near}?"), format!("seria {near}?")),
+            None => (
+                "each line begins with an operator, like LD, AND, OR or ST".to_owned(),
+                "cada linha começa com um operador, como LD, AND, OR ou ST".to_owned(),
+            ),
+        };
+        self.tell(
+            Code::UnknownOperator,
+            token.span,
+            [written.into(), help.into()],
+        );
+    }
+}

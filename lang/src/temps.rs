@@ -1,0 +1,123 @@
+//! Markers and registers that the program does not name.
+
+use unoclp_core::isa::{REGISTERS, RETENTIVE};
+
+/// Which markers and registers are in use.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Temps {
+    /// Bit 0 is M 01.
+    pub markers: u64,
+    /// Bit 0 is D 01.
+    pub registers: u32,
+    /// Those that have ever held an intermediate result; no name may have one of them.
+    temp_markers: u64,
+    temp_registers: u32,
+    busy_markers: u64,
+    busy_registers: u32,
+    /// Which kind has run out.
+    pub none_left: Option<(&'static str, &'static str)>,
+}
+
+const MARKER_WORDS: (&str, &str) = ("marker", "memória");
+const REGISTER_WORDS: (&str, &str) = ("register", "registrador");
+
+impl Temps {
+    /// A marker for a name, the lowest that is free; of those that keep their state where `retained`.
+    pub(crate) fn named_marker(&mut self, retained: bool) -> u8 {
+        let range = match retained {
+            true => RETENTIVE..65,
+            false => 1..RETENTIVE,
+        };
+        let used = self.markers | self.temp_markers;
+        let free = |&n: &u8| used >> (n - 1) & 1 == 0;
+        match range.clone().find(free) {
+            Some(n) => {
+                self.markers |= 1 << (n - 1);
+                n
+            }
+            None => {
+                self.none_left = Some(MARKER_WORDS);
+                range.start
+            }
+        }
+    }
+
+    /// A register for a name, the lowest that is free.
+    pub(crate) fn named_register(&mut self) -> u8 {
+        let used = self.registers | self.temp_registers;
+        let free = |&n: &u8| used >> (n - 1) & 1 == 0;
+        match (1..=REGISTERS).find(free) {
+            Some(n) => {
+                self.registers |= 1 << (n - 1);
+                n
+            }
+            None => {
+                self.none_left = Some(REGISTER_WORDS);
+                1
+            }
+        }
+    }
+
+    /// A marker for an intermediate result, the highest that is free.
+    pub(crate) fn marker(&mut self) -> u8 {
+        let used = self.markers | self.busy_markers;
+        // One that has held such a result before has no name.
+        match (1..RETENTIVE).rev().find(|n| used >> (n - 1) & 1 == 0) {
+            Some(n) => {
+                self.busy_markers |= 1 << (n - 1);
+                self.temp_markers |= self.busy_markers;
+                n
+            }
+            None => {
+                self.none_left = Some(MARKER_WORDS);
+                1
+            }
+        }
+    }
+
+    /// Likewise a register.
+    pub(crate) fn register(&mut self) -> u8 {
+        let used = self.registers | self.busy_registers;
+        match (1..=REGISTERS).rev().find(|n| used >> (n - 1) & 1 == 0) {
+            Some(n) => {
+                self.busy_registers |= 1 << (n - 1);
+                self.temp_registers |= self.busy_registers;
+                n
+            }
+            None => {
+                self.none_left = Some(REGISTER_WORDS);
+                1
+            }
+        }
+    }
+
+    /// A marker that holds something for the whole program, the highest that is free.
+    pub(crate) fn lasting_marker(&mut self) -> u8 {
+        let marker = self.marker();
+        self.markers |= 1 << (marker - 1);
+        marker
+    }
+
+    /// Likewise a register.
+    pub(crate) fn lasting_register(&mut self) -> u8 {
+        let register = self.register();
+        self.registers |= 1 << (register - 1);
+        register
+    }
+
+    /// Whether this marker holds an intermediate result, which nothing else writes.
+    pub(crate) fn is_busy(&self, marker: u8) -> bool {
+        self.busy_markers >> marker.wrapping_sub(1) & 1 != 0
+    }
+
+    /// Likewise a register.
+    pub(crate) fn is_busy_register(&self, register: u8) -> bool {
+        self.busy_registers >> register.wrapping_sub(1) & 1 != 0
+    }
+
+    /// No intermediate result is needed any more.
+    pub(crate) fn release(&mut self) {
+        self.busy_markers = 0;
+        self.busy_registers = 0;
+    }
+}
