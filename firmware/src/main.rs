@@ -63,7 +63,14 @@ fn main() -> ! {
     let outcome = start(&board, page, MEMORY, &mut file);
     board.release_card();
     let Running { frame, data } = page::running(page);
-    serve(&board, MEMORY, file, outcome, &mut Server::new(frame, board.settings), data)
+    serve(
+        &board,
+        MEMORY,
+        file,
+        outcome,
+        &mut Server::new(frame, board.settings),
+        data,
+    )
 }
 
 /// RUN, STOP and FAULT, for ever.
@@ -94,7 +101,15 @@ fn serve(
     loop {
         match &outcome {
             Ok(kept) => {
-                let fault = run(board, memory, kept, data, &mut state, &mut retentive, server);
+                let fault = run(
+                    board,
+                    memory,
+                    kept,
+                    data,
+                    &mut state,
+                    &mut retentive,
+                    server,
+                );
                 board.switch_outputs_off();
                 board.watchdog.stop();
                 if let Some(fault) = fault {

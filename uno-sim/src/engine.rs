@@ -4,8 +4,8 @@ use crate::sd::{Kind, SdCard};
 use crate::{Analogue, CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis, isa::ANALOGUE};
-use unoclp_modbus::Crc;
 use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
+use unoclp_modbus::Crc;
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;
@@ -238,7 +238,6 @@ impl UnoEngine {
         }
     }
 }
-
 
 impl Engine for UnoEngine {
     type Error = EngineError;

@@ -40,6 +40,7 @@ fn random_programs_behave_alike() {
             random.below(u32::MAX)
         };
         let (mut inputs, mut before) = (Inputs::default(), Ok(Image::default()));
+        let mut memory_before = Vec::new();
         for scan in 0..SCANS {
             inputs = random_inputs(random, needs, inputs);
             now = now.wrapping_add(random.below(20));
@@ -58,6 +59,7 @@ fn random_programs_behave_alike() {
                 faults += 1;
                 break;
             }
+            let mut memory = Vec::new();
             for cell in (1..=MARKERS)
                 .map(Cell::Marker)
                 .chain((1..=REGISTERS).map(Cell::Register))
@@ -68,7 +70,10 @@ fn random_programs_behave_alike() {
                     came, expected,
                     "seed {seed}, scan {scan}, {cell:?}:\n{program}"
                 );
+                memory.push(came);
             }
+            changes += u64::from(memory != memory_before);
+            memory_before = memory;
             for output in [1, 4] {
                 let Ok(expected) = host.pwm(output);
                 let came = uno.pwm(output).unwrap();
@@ -80,7 +85,7 @@ fn random_programs_behave_alike() {
         }
     }
     println!(
-        "{PROGRAMS} random programs, {scans} scans alike, outputs changed {changes} times, {faults} faults; seeds from {seed}"
+        "{PROGRAMS} random programs, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
     );
     assert!(
         changes > scans / 20,

@@ -140,7 +140,6 @@ impl Map<'_, '_> {
         // Both have data of the same size.
         usize::from((address - first) >> 1) * TIMER_DATA < memory.len()
     }
-
 }
 
 /// Where values of 32 bits stand.
@@ -207,7 +206,8 @@ impl Device for Map<'_, '_> {
                     || within(FORCES, FORCES_COUNT)
                     || within(SETTINGS, SETTINGS_COUNT)
                     || long()
-                        && (access == Access::Read || self.has_presets(first.wrapping_add(count - 1)))
+                        && (access == Access::Read
+                            || self.has_presets(first.wrapping_add(count - 1)))
             }
         }
     }
@@ -269,7 +269,11 @@ impl Device for Map<'_, '_> {
             // A preset is not negative: its high word tells.
             address < TIMER || address & 1 != 0 || value < 0x8000
         } else if address < SETTINGS {
-            let points = if address - FORCES < 2 { INPUTS } else { OUTPUTS };
+            let points = if address - FORCES < 2 {
+                INPUTS
+            } else {
+                OUTPUTS
+            };
             value < 1 << points
         } else if self.panel.state == State::Run {
             return Err(Exception::ServerDeviceFailure);

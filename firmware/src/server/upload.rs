@@ -2,8 +2,8 @@
 
 use super::{Command, Memory, Panel, Server};
 use crate::board::Board;
-use crate::engine::{self, Data};
 use crate::board::eeprom::Eeprom;
+use crate::engine::{self, Data};
 use crate::server::AT_ONCE;
 use crate::store;
 use core::mem;
