@@ -393,7 +393,7 @@ fn parse_fault(line: &str) -> Option<Refusal> {
 /// 16 of the value; a pin is high for one count more than the timer is told.
 fn duty(high: u64, period: u64) -> u8 {
     let counted = |counts: u64| (high * counts / period).saturating_sub(1);
-    let value = if period % 2000 == 0 {
+    let value = if period.is_multiple_of(2000) {
         (counted(2000) * 16).div_ceil(125)
     } else {
         counted(256)
