@@ -15,8 +15,9 @@ static mut PAGE: Block = [0; 512];
 ///
 /// To be called once.
 pub unsafe fn take() -> &'static mut Block {
+    let page = &raw mut PAGE;
     // SAFETY: there is no other way to it, and this one is taken once.
-    unsafe { &mut *(&raw mut PAGE) }
+    unsafe { &mut *page }
 }
 
 /// The second life.

@@ -23,7 +23,7 @@ pub fn set_d9(timer: &TC1, duty: u8) {
     let count = if duty == u8::MAX {
         1999
     } else {
-        u16::from(duty) * 125 >> 4
+        (u16::from(duty) * 125) >> 4
     };
     timer.ocr1a().write(|w| w.set(count));
     timer.tccr1a().modify(|_, w| {
