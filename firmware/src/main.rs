@@ -169,6 +169,22 @@ fn run(
     board.pins.pull_up(needs.inputs);
     board.analogue.measure(needs.analogue);
     let mut diagnosis = Diagnosis::new(plc.code());
+    scan(board, plc, &mut diagnosis, state, retentive, server)
+}
+
+/// Scan by scan.
+// Apart from `run`, whose frame holds the program and the diagnosis: what lies far in a frame is reached
+// only by detours, and these would be in each scan.
+#[inline(never)]
+fn scan(
+    board: &Board,
+    plc: &mut Linked<'_>,
+    diagnosis: &mut Diagnosis<'_>,
+    state: &mut State,
+    retentive: &mut Retentive,
+    server: &mut Server,
+) -> Option<Fault> {
+    let needs = plc.needs();
     board.watchdog.start();
     server.panel.state = server::State::Run;
     let mut begun = board.forgotten();
