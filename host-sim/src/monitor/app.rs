@@ -110,6 +110,11 @@ impl App {
             _ if key.kind == KeyEventKind::Repeat => {}
             KeyCode::Char('c') if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
             KeyCode::Char('q') | KeyCode::Esc => self.quit = true,
+            KeyCode::Char('v') => {
+                if let Some(program) = &mut self.program {
+                    program.drawn.turn();
+                }
+            }
             KeyCode::Char('o') => {
                 self.side = match self.side {
                     Side::Inputs => Side::Outputs,
