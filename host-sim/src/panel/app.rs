@@ -62,11 +62,11 @@ impl App {
     /// A simulator that runs this program file from now on; its first fault where it has one.
     pub fn new(program: Written) -> Result<App, Fault> {
         let machine = Machine::load(&program.bytes)?;
+        let drawn = Drawn::new(&program, machine.plc());
         Ok(App {
             name: program.name.clone(),
             knobs: Knobs::new(machine.used().analogue.iter().copied()),
             fault: None,
-            drawn: Drawn::new(&program, machine.plc()),
             fault_line: None,
             program,
             machine,
@@ -74,7 +74,8 @@ impl App {
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
             running: true,
-            scroll: Scroll::default(),
+            scroll: Scroll::to(drawn.home()),
+            drawn,
             timer_page: 0,
             memory_page: 0,
             clock: Duration::ZERO,
@@ -215,7 +216,10 @@ impl App {
             (KeyCode::Char('t'), _) => self.timer_page += 1,
             (KeyCode::Char('d'), _) => self.memory_page += 1,
             (KeyCode::Char('r'), _) => self.restart(),
-            (KeyCode::Char('v'), _) => self.drawn.turn(),
+            (KeyCode::Char('v'), _) => {
+                self.drawn.turn();
+                self.scroll = Scroll::to(self.drawn.home());
+            }
             (KeyCode::Char(' '), _) if self.fault.is_none() => {
                 self.running = !self.running;
                 self.owed = Duration::ZERO;
@@ -256,6 +260,14 @@ pub(super) struct Scroll {
 }
 
 impl Scroll {
+    /// From this line on.
+    fn to(top: usize) -> Scroll {
+        Scroll {
+            top,
+            ..Scroll::default()
+        }
+    }
+
     /// Fits to a text and a screen of so many lines; gives the first line to show.
     pub(super) fn fit(&mut self, lines: usize, height: usize) -> usize {
         self.lines = lines;

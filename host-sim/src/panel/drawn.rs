@@ -28,6 +28,15 @@ impl Drawn {
         self.as_text = !self.as_text;
     }
 
+    /// The line that is shown first, counted from 0: of a text the first that does something.
+    pub fn home(&self) -> usize {
+        if self.as_text {
+            self.listing.first()
+        } else {
+            0
+        }
+    }
+
     /// What is shown.
     pub fn title(&self) -> &'static str {
         if self.as_text { "Text" } else { "Rungs" }

@@ -51,6 +51,12 @@ impl Listing {
         Listing(lines)
     }
 
+    /// The first line of which there is something to tell, counted from 0.
+    pub fn first(&self) -> usize {
+        let first = self.0.iter().position(|(_, steps)| !steps.is_empty());
+        first.unwrap_or_default()
+    }
+
     /// The lines as they stand: `●` where acc is 1 behind what the line has become, `○` where it is 0, neither
     /// where the scan has not come there.
     pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {

@@ -488,7 +488,7 @@ fn lines_of_instruction_list_show_what_they_have_come_to() {
     let mut app = App::new(program).unwrap();
     press(&mut app, '2');
     advance(&mut app, 10);
-    let shown = screen(&mut app, 80, 20);
+    let shown = screen(&mut app, 80, 20).join("\n");
     let text = "\
 ─ Text ─────────────────────────────────────────────────────────────────────────
    1   (* Lamp *)
@@ -506,7 +506,7 @@ fn lines_of_instruction_list_show_what_they_have_come_to() {
     assert!(shown.contains("v ladder"), "{shown}");
 
     press(&mut app, 'v');
-    let shown = screen(&mut app, 80, 20);
+    let shown = screen(&mut app, 80, 20).join("\n");
     assert!(
         shown.contains("─ Rungs ─") && shown.contains("┥ I2 ┝"),
         "{shown}"
@@ -520,7 +520,7 @@ fn lines_of_numeric_code_show_what_they_have_come_to() {
     let mut app = app(text);
     press(&mut app, 'v');
     advance(&mut app, 10);
-    let shown = screen(&mut app, 80, 20);
+    let shown = screen(&mut app, 80, 20).join("\n");
     let text = "
    1   / lamp
    2   0
@@ -540,6 +540,6 @@ fn a_fault_names_the_line_of_the_text() {
     let text = "(* a comment *)\n(* and another *)\nbegin: LD I1\nST Q1\nJMP begin\n";
     let mut app = App::new(Written::il("loop.il".to_owned(), text.as_bytes(), None)).unwrap();
     advance(&mut app, 10);
-    let shown = screen(&mut app, 80, 20);
+    let shown = screen(&mut app, 80, 20).join("\n");
     assert!(shown.contains("FAULT 75, line 5"), "{shown}");
 }
