@@ -1,9 +1,11 @@
 //! The tutorial says what the tools say: its programs are those that the scenarios run, the same in both
 //! languages, and its listings and ladders are the real ones.
 
+mod common;
+
+use common::outcome;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Scenario, check};
 use unoclp_lang::{Options, compile};
@@ -61,16 +63,13 @@ fn compiled(text: &str) -> String {
     compiled.file().unwrap()
 }
 
-/// What `unoclp list` draws of a program.
+/// What `unoclp list` draws of a program, without the title above it.
 fn ladder(name: &str) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_unoclp"))
-        .arg("list")
-        .arg(path(&format!("{FOLDER}/{name}.txt")))
-        .args(["--as", "ladder"])
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{name}: {output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    let file = path(&format!("{FOLDER}/{name}.il"));
+    let (code, listing, told) = outcome(&["list", file.to_str().unwrap(), "--as", "ladder"]);
+    assert_eq!((code, told.as_str()), (0, ""), "{name}");
+    let rungs = listing.find("Rung 1").unwrap();
+    listing[rungs..].to_owned()
 }
 
 /// What a block of this kind must hold in the step of this program.
