@@ -236,7 +236,8 @@ fn forcing_stands_between_pins_and_program() {
     assert_eq!(uno.outputs(), 0b0100);
     assert_eq!(words(&mut uno, 4, 16, 2), [RUN, 0]);
     // Only points that exist.
-    assert_eq!(write(&mut uno, 402, 0x10), Err(3));
+    assert_eq!(write(&mut uno, 402, 0x100), Err(3));
+    assert_eq!(write(&mut uno, 404, 0x10), Err(3));
     assert_eq!(write(&mut uno, 405, 0x10), Err(3));
     assert_eq!(write_words(&mut uno, 402, &[1, 1, 1, 0x100]), Err(3));
     assert_eq!(words(&mut uno, 3, 402, 4), [0; 4]);

@@ -1,4 +1,4 @@
-//! The UNO's map in memory, as far as `frames.toml` goes: in STOP.
+//! The UNO's map in memory, as far as `frames.toml` goes: in STOP, with its program.
 
 use std::collections::BTreeMap;
 
@@ -14,20 +14,52 @@ pub struct Uno {
 /// The window of an upload, which is not under way.
 const WINDOW: u16 = 1000;
 
-/// First and last of the addresses.
-fn ranges(table: Table) -> &'static [(u16, u16)] {
-    match table {
-        Table::Coils | Table::DiscreteInputs => &[(0, 3)],
-        Table::InputRegisters => &[(16, 32)],
-        Table::HoldingRegisters => &[(400, 400), (402, 405), (410, 413)],
+/// First and last of the addresses. Of the presets, only those of two timers and two counters can be written.
+fn ranges(table: Table, access: Access) -> &'static [(u16, u16)] {
+    match (table, access) {
+        (Table::Coils, _) => &[(0, 3), (16, 79)],
+        (Table::DiscreteInputs, _) => &[(0, 7)],
+        (Table::InputRegisters, _) => &[(0, 4), (16, 32), (128, 301), (320, 351)],
+        (Table::HoldingRegisters, Access::Read) => &[
+            (0, 63),
+            (128, 301),
+            (320, 351),
+            (400, 400),
+            (402, 405),
+            (410, 413),
+        ],
+        (Table::HoldingRegisters, Access::Write) => &[
+            (0, 63),
+            (128, 131),
+            (320, 323),
+            (400, 400),
+            (402, 405),
+            (410, 413),
+        ],
+    }
+}
+
+/// What a holding register is before it is written: presets, state, settings.
+fn initial(address: u16) -> u16 {
+    match address {
+        129 => 1000,
+        130 => 1,
+        131 => 0x86A0,
+        321 => 5,
+        322 => 1,
+        323 => 0x1170,
+        400 => 2,
+        410 => 1,
+        411 => 1152,
+        _ => 0,
     }
 }
 
 impl Device for Uno {
-    fn has(&self, table: Table, first: u16, count: u16, _: Access) -> bool {
+    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
         let last = first + (count - 1);
         let within = |&(start, end): &(u16, u16)| start <= first && last <= end;
-        ranges(table).iter().any(within)
+        ranges(table, access).iter().any(within)
     }
 
     fn bit(&self, table: Table, address: u16) -> bool {
@@ -35,14 +67,11 @@ impl Device for Uno {
     }
 
     fn word(&self, table: Table, address: u16) -> u16 {
-        let initial = match (table, address) {
-            (Table::InputRegisters, 16) | (Table::HoldingRegisters, 400) => return 2,
-            (Table::InputRegisters, _) => return 0,
-            (_, 410) => 1,
-            (_, 411) => 1152,
-            _ => 0,
-        };
-        *self.words.get(&address).unwrap_or(&initial)
+        match (table, address) {
+            (Table::InputRegisters, 16) => 2,
+            (Table::InputRegisters, _) => 0,
+            _ => *self.words.get(&address).unwrap_or(&initial(address)),
+        }
     }
 
     fn set_bit(&mut self, address: u16, on: bool) {
@@ -51,8 +80,12 @@ impl Device for Uno {
 
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
         let fine = match address {
+            0..128 => true,
+            // Of a preset, the sign.
+            128..400 => address % 2 == 1 || value < 0x8000,
             400 => (1..=5).contains(&value),
-            402..=405 => value < 16,
+            402 | 403 => value < 1 << 8,
+            404 | 405 => value < 1 << 4,
             410 => (1..=247).contains(&value),
             411 => (24..=1152).contains(&value),
             412 => value <= 2,
