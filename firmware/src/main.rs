@@ -168,23 +168,22 @@ fn run(
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board.analogue.measure(needs.analogue);
-    let mut diagnosis = Diagnosis::new(plc.code());
-    scan(board, plc, &mut diagnosis, state, retentive, server)
+    scan(board, plc, state, retentive, server)
 }
 
 /// Scan by scan.
-// Apart from `run`, whose frame holds the program and the diagnosis: what lies far in a frame is reached
-// only by detours, and these would be in each scan.
+// Apart from `run`, whose frame holds the program: what lies far in a frame is reached only by detours,
+// and these would be in each scan.
 #[inline(never)]
 fn scan(
     board: &Board,
     plc: &mut Linked<'_>,
-    diagnosis: &mut Diagnosis<'_>,
     state: &mut State,
     retentive: &mut Retentive,
     server: &mut Server,
 ) -> Option<Fault> {
     let needs = plc.needs();
+    let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;
     let mut begun = board.forgotten();
@@ -201,23 +200,29 @@ fn scan(
         }
         watchdog::scan_begins();
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let inputs = server.panel.forces.inputs(board.pins.inputs(needs.inputs));
-        let now = board.moment();
+        let mut inputs = board.pins.inputs(needs.inputs);
+        let forces = server.panel.forces.any();
+        if forces {
+            inputs = server.panel.forces.inputs(inputs);
+        }
+        let (millis, now) = board.moment();
         diagnosis.scanned(begun, now);
-        let new_millisecond = now.millis as u8 != begun.millis as u8;
+        let new_millisecond = !now.is_of_millisecond(begun);
         begun = now;
-        let outputs = match plc.scan(inputs, now.millis) {
-            Ok(outputs) => server.panel.forces.outputs(outputs),
+        let mut outputs = match plc.scan(inputs, millis) {
+            Ok(outputs) => outputs,
             Err(fault) => return Some(fault),
         };
-        plc.set_outputs(outputs);
+        if forces {
+            outputs = server.panel.forces.outputs(outputs);
+            plc.set_outputs(outputs);
+        }
         if server.panel.state == server::State::Run {
             board.pins.write_outputs(outputs);
             if needs.pwm != 0 {
                 board.write_pwm(needs.pwm, &plc.data().pwm);
             }
         }
-        board.analogue.step(&mut plc.data().analogue);
         let images = Images { inputs, outputs };
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
         if !board.serial.is_quiet() && !board.eeprom.is_busy() {
@@ -230,8 +235,9 @@ fn scan(
         if new_millisecond || diagnosis.is_seldom() {
             indicator::show_run(&board.pins, server.panel.forces.any());
             let data = plc.data();
+            board.analogue.step(&mut data.analogue);
             data.scan_time(diagnosis.times().last);
-            retentive.step(&board.eeprom, data.retained(), now.millis as u16);
+            retentive.step(&board.eeprom, data.retained(), millis as u16);
         }
         match diagnosis.slice(board) {
             Ok(Turn::Free) if state.is_kept() => state.step(board, images, diagnosis.times()),

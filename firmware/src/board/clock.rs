@@ -89,23 +89,18 @@ impl Deadline {
 /// A moment, to half a microsecond.
 #[derive(Clone, Copy)]
 pub struct Moment {
-    /// The time in ms since start, wrapping after 49.7 days.
-    pub millis: Millis,
     /// Half microseconds of this millisecond, 0 to [`TOP`].
     count: u16,
     /// The millisecond that the count belongs to.
     of: u8,
 }
 
-/// This moment.
+/// This moment, and the time in ms since start, wrapping after 49.7 days.
 #[inline(always)]
-pub fn moment(timer: &TC1) -> Moment {
+pub fn moment(timer: &TC1) -> (Millis, Moment) {
     let (millis, count) = undisturbed(|| timer.tcnt1().read().bits());
-    Moment {
-        millis,
-        count,
-        of: millis as u8,
-    }
+    let of = millis as u8;
+    (millis, Moment { count, of })
 }
 
 /// The longest time that is measured between two moments, ms: in half microseconds it fits 16 bits.
@@ -120,6 +115,12 @@ impl Moment {
             of: self.of.wrapping_sub(AGES),
             ..self
         }
+    }
+
+    /// Whether both are of the same millisecond.
+    #[inline(always)]
+    pub fn is_of_millisecond(self, other: Moment) -> bool {
+        self.of == other.of
     }
 
     /// The time from an earlier moment of the same millisecond, in half microseconds.

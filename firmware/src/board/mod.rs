@@ -25,7 +25,7 @@ pub mod watchdog;
 
 use crate::settings::Settings;
 use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
-use unoclp_core::Image;
+use unoclp_core::{Image, Millis};
 
 /// The chip's clock, Hz (ceramic resonator of the UNO).
 pub const CLOCK_HZ: u32 = 16_000_000;
@@ -100,16 +100,16 @@ impl Board {
         self.pins.write_outputs(Image::default());
     }
 
-    /// This moment.
+    /// The time in ms since start, and this moment.
     #[inline(always)]
-    pub fn moment(&self) -> clock::Moment {
+    pub fn moment(&self) -> (Millis, clock::Moment) {
         clock::moment(&self.timer)
     }
 
     /// A moment that no time is measured from.
     #[inline(never)]
     pub fn forgotten(&self) -> clock::Moment {
-        self.moment().forgotten()
+        self.moment().1.forgotten()
     }
 
     /// The bus to the card, which still sleeps.
