@@ -304,7 +304,7 @@ fn led_l_is_dark_for_a_few_ms_a_save() {
         .sum();
     println!("LED L is dark for {} us a save of 250 ms", dark / 16);
     assert!(
-        !led[0].high && dark > 0 && dark < 20 * CYCLES_PER_MS,
+        !led[0].high && dark > 0 && dark < 30 * CYCLES_PER_MS,
         "{dark}"
     );
 }
