@@ -10,6 +10,9 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
+/// Output 01 follows input 01, which starts a TON and counts C 01 up.
+const PROGRAM: &str = "0\n827301\n877901\n67848501\n5\n787600\n827301\n847978\n70000\n7702\n";
+
 /// The firmware with a program behind a pseudo-terminal, in RUN, and the path of that.
 struct Serve {
     child: Child,
@@ -21,7 +24,7 @@ struct Serve {
 impl Serve {
     fn start(name: &str) -> Serve {
         let program = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        std::fs::write(&program, "0\n827301\n877901\n").unwrap();
+        std::fs::write(&program, PROGRAM).unwrap();
         let mut child = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
             .args(["serve", "--elf"])
             .arg(firmware_elf().unwrap())
@@ -121,4 +124,16 @@ fn mbpoll_calls_every_function() {
     assert_eq!(values(&mbpoll(&serve, "-t 0 -r 1 -c 3", "")), [1, 0, 1]);
     // 4
     assert_eq!(values(&mbpoll(&serve, "-t 3 -r 16 -c 2", "")), [1, 4]);
+    // Markers, registers, a timer's preset, a counter.
+    mbpoll(&serve, "-t 0 -r 77", "1 0 1");
+    assert_eq!(values(&mbpoll(&serve, "-t 0 -r 77 -c 3", "")), [1, 0, 1]);
+    mbpoll(&serve, "-t 4 -r 62", "4660 22136");
+    assert_eq!(
+        values(&mbpoll(&serve, "-t 4 -r 62 -c 2", "")),
+        [4660, 22136]
+    );
+    assert_eq!(values(&mbpoll(&serve, "-t 4 -r 128 -c 2", "")), [1, 4464]);
+    mbpoll(&serve, "-t 4 -r 128", "2 0");
+    assert_eq!(values(&mbpoll(&serve, "-t 4 -r 128 -c 2", "")), [2, 0]);
+    assert_eq!(values(&mbpoll(&serve, "-t 3 -r 320 -c 2", "")), [0, 1]);
 }
