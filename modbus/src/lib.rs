@@ -67,7 +67,7 @@ mod request;
 pub use crc::Crc;
 pub use device::{Access, Device, Exception, Table};
 pub use exchange::Exchange;
-pub use request::{Answer, begin};
+pub use request::{Answer, begin, refuse};
 
 /// The longest frame of Modbus RTU: address, 253 bytes, CRC.
 pub const FRAME_BYTES: usize = 256;

@@ -136,7 +136,7 @@ pub(crate) fn operands(frame: &Frame) -> (u16, u8) {
 }
 
 /// Turns the request into an exception response of the length that is returned (section 7).
-pub(crate) fn refuse(frame: &mut Frame, exception: Exception) -> u8 {
+pub fn refuse(frame: &mut Frame, exception: Exception) -> u8 {
     frame[1] |= 0x80;
     frame[2] = exception as u8;
     3

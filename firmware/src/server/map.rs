@@ -326,7 +326,7 @@ impl Device for Map<'_, '_> {
             return None;
         }
         Some(match &mut self.upload {
-            Some(upload) => upload.take(self.board, self.panel, data),
+            Some(upload) => upload.take(data),
             None => Err(Exception::ServerDeviceFailure),
         })
     }

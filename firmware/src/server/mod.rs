@@ -13,7 +13,7 @@ use crate::settings::Settings;
 use crate::state::Images;
 use map::Map;
 use unoclp_core::{Fault, Image};
-use unoclp_modbus::{Answer, Exchange, Frame, begin};
+use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, refuse};
 use upload::Upload;
 
 /// Words, or bytes of 8 bits, that are done between two scans: under 0.3 ms.
@@ -160,6 +160,12 @@ impl Server {
     /// From now on the serial port serves.
     pub fn start(&mut self, board: &Board) {
         board.serial.serve(&mut self.frame);
+    }
+
+    /// Answers the request that is being done by an exception.
+    fn refuse(&mut self, board: &Board, exception: Exception) {
+        self.exchange = None;
+        board.serial.send(refuse(self.frame, exception));
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. `most`

@@ -18,7 +18,12 @@ pub struct Upload<'m> {
     /// The check sum of the text so far, and of all of it when it came for the first time.
     sum: Crc16,
     first: Option<Crc16>,
+    /// How many bytes of text the block in the frame has, which is still to be loaded.
+    block: Option<u8>,
 }
+
+/// Where the text of a block stands in the frame: behind the head of function 16, and the block's own.
+const TEXT: usize = 9;
 
 /// Takes a program into program memory, or leaves there what there is; the panel has the outcome. Run memory is
 /// overwritten either way.
@@ -32,9 +37,18 @@ pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8], data: &mut
             next: 0,
             sum: Crc16::default(),
             first: None,
+            block: None,
         };
         while server.panel.uploading && server.panel.command.is_none() {
             server.step(board, Memory::idle(data), Some(&mut upload), AT_ONCE);
+            // Here and not in the step: the loader goes deep, and the stack has no room for both.
+            if let Some(count) = upload.block.take() {
+                let text = server.frame.get(TEXT..TEXT + usize::from(count));
+                let panel = &mut server.panel;
+                if !upload.load(board, panel, text.unwrap_or_default()) {
+                    server.refuse(board, Exception::ServerDeviceFailure);
+                }
+            }
         }
         server.panel.uploading = false;
     }
@@ -45,21 +59,14 @@ fn loader(memory: &mut [u8]) -> Loader<'_> {
 }
 
 impl Upload<'_> {
-    /// Takes a block: its number, how many bytes of text it holds, the text.
+    /// Takes a block: its number, how many bytes of text it holds, the text. It is loaded later.
     #[inline(never)]
-    pub fn take(
-        &mut self,
-        board: &Board,
-        panel: &mut Panel,
-        block: &[u8],
-    ) -> Result<(), Exception> {
+    pub fn take(&mut self, block: &[u8]) -> Result<(), Exception> {
         let [number, count, rest @ ..] = block else {
             return Err(Exception::IllegalDataValue);
         };
-        let Some(text) = rest.get(..usize::from(*count)) else {
-            return Err(Exception::IllegalDataValue);
-        };
-        if rest.len() - text.len() > 1 {
+        let padding = rest.len().wrapping_sub((*count).into());
+        if padding > 1 {
             return Err(Exception::IllegalDataValue);
         }
         if *number == self.next.wrapping_sub(1) {
@@ -70,7 +77,14 @@ impl Upload<'_> {
             return Err(Exception::IllegalDataValue);
         }
         self.next = self.next.wrapping_add(1);
-        board.pins.led(number & 1 == 0);
+        self.block = Some(*count);
+        Ok(())
+    }
+
+    /// Loads the text of a block; says whether all is well so far.
+    #[inline(never)]
+    fn load(&mut self, board: &Board, panel: &mut Panel, text: &[u8]) -> bool {
+        board.pins.led(self.next & 1 != 0);
         self.sum.extend(text);
         let again = self.first.is_some();
         let over = if !text.is_empty() {
@@ -84,11 +98,8 @@ impl Upload<'_> {
         if over {
             panel.uploading = false;
             self.conclude(&board.eeprom, &mut panel.fault);
-            if panel.fault.is_some() {
-                return Err(Exception::ServerDeviceFailure);
-            }
         }
-        Ok(())
+        panel.fault.is_none()
     }
 
     /// All of the text has come twice, or it has a fault: stores the program, or says what is wrong.
