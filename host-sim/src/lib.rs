@@ -7,6 +7,7 @@
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`panel`]: the simulator in a terminal
 //! - [`used`]: what a program uses of the board and its memory
+//! - [`written`]: a program as a person has written it, in numeric code or Instruction List
 //! - [`board`]: a board at a serial port, over Modbus
 //! - [`monitor`]: such a board in a terminal
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
@@ -24,6 +25,7 @@ pub mod scenario;
 pub mod torture;
 pub mod used;
 pub mod wave;
+pub mod written;
 
 use unoclp_core::Profile;
 

@@ -1,36 +1,9 @@
 //! The program `unoclp` itself: exit codes, messages and files.
 
+mod common;
+
+use common::{file, outcome};
 use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
-
-/// A file for one test.
-fn file(name: &str, content: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    fs::write(&path, content).unwrap();
-    path.to_str().unwrap().to_owned()
-}
-
-/// Runs `unoclp` without a terminal.
-fn unoclp(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
-    command
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-/// Exit code, standard output and standard error.
-fn outcome(arguments: &[&str]) -> (i32, String, String) {
-    let Output {
-        status,
-        stdout,
-        stderr,
-    } = unoclp(arguments);
-    let text = |bytes| String::from_utf8(bytes).unwrap().replace("\r\n", "\n");
-    (status.code().unwrap(), text(stdout), text(stderr))
-}
 
 const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
 

@@ -6,11 +6,16 @@ use std::path::{Path, PathBuf};
 use unoclp_core::isa::{Kind, Opcode};
 use unoclp_host_sim::list::{Form, list, svg};
 use unoclp_host_sim::random::{Random, random_program};
+use unoclp_host_sim::written::Written;
 use unoclp_host_sim::{BOARD, engine};
 use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
 
 fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn numeric(file: impl Into<Vec<u8>>) -> Written {
+    Written::numeric("p.txt".to_owned(), file.into())
 }
 
 /// The stored form of a program file.
@@ -28,7 +33,7 @@ fn samples_are_listed_as_they_shall_be() {
         if path.extension().is_none_or(|extension| extension != "txt") {
             continue;
         }
-        let listing = list(&fs::read(&path).unwrap(), Form::Ladder, 80).unwrap();
+        let listing = list(&numeric(fs::read(&path).unwrap()), Form::Ladder, 80).unwrap();
         let expected = folder("tests/listings").join(&name);
         let expected = fs::read_to_string(&expected).unwrap_or_default();
         assert_eq!(
@@ -89,7 +94,7 @@ fn every_instruction_is_listed() {
             | Opcode::PresetTimer => (format!("0\n{step}787600\n847978\n1\n7901\n"), "T1"),
             _ => (format!("0\n{step}"), ""),
         };
-        let ladder = list(program.as_bytes(), Form::Ladder, 80);
+        let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80);
         let ladder = ladder.unwrap_or_else(|fault| panic!("{opcode:?}: {fault}\n{program}"));
         assert!(ladder.contains(shown), "{opcode:?}:\n{ladder}");
         let first = ladder.lines().find(|line| line.starts_with('├')).unwrap();
@@ -99,7 +104,7 @@ fn every_instruction_is_listed() {
             "{opcode:?}:\n{ladder}"
         );
         let letters = opcode.row().letters;
-        let numeric = list(program.as_bytes(), Form::Numeric, 80).unwrap();
+        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80).unwrap();
         assert!(
             numeric.contains(&format!("/ {letters}")),
             "{opcode:?}:\n{numeric}"
@@ -150,12 +155,12 @@ fn random_programs_keep_every_step_once_at_every_width() {
             assert!(drawn || element.steps.is_empty(), "{element:?}\n{file}");
         }
 
-        let listing = list(file.as_bytes(), Form::Ladder, width).unwrap();
+        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width).unwrap();
         let widest = listing.lines().map(|line| line.chars().count()).max();
         assert!(widest <= Some(width), "{listing}");
-        let numeric = list(file.as_bytes(), Form::Numeric, width).unwrap();
-        assert_eq!(plain(&numeric), plain(&file), "program {number}");
-        assert!(svg(file.as_bytes(), Path::new("p.txt"), width).is_ok());
+        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width).unwrap();
+        assert_eq!(plain(&listed), plain(&file), "program {number}");
+        assert!(svg(&numeric(file.as_bytes()), width).is_ok());
     }
 }
 
@@ -170,11 +175,11 @@ fn plain(file: &str) -> Vec<String> {
 fn a_numeric_listing_is_the_same_program() {
     for name in ["motor", "twohand", "figure6"] {
         let file = fs::read(folder("../programs").join(name).with_extension("txt")).unwrap();
-        let listing = list(&file, Form::Numeric, 80).unwrap();
+        let listing = list(&numeric(&*file), Form::Numeric, 80).unwrap();
         assert_eq!(stored(listing.as_bytes()), stored(&file), "{listing}");
         // A listing of a listing is the same once more.
         assert_eq!(
-            list(listing.as_bytes(), Form::Numeric, 80).unwrap(),
+            list(&numeric(listing.as_bytes()), Form::Numeric, 80).unwrap(),
             listing
         );
     }
@@ -196,5 +201,8 @@ fn a_numeric_listing_is_the_same_program() {
 ";
     let file =
         "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
-    assert_eq!(list(file.as_bytes(), Form::Numeric, 80).unwrap(), expected);
+    assert_eq!(
+        list(&numeric(file.as_bytes()), Form::Numeric, 80).unwrap(),
+        expected
+    );
 }

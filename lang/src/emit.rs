@@ -154,20 +154,28 @@ fn number_labels(lowered: &Lowered, found: &mut Found) -> Vec<Option<u8>> {
     numbers
 }
 
-/// The program file.
+/// The program file, a line for each code. A comment says what the code spells, what of the text it comes
+/// from, and of which line, where that is another than that of the code before.
 pub(crate) fn file(lines: &[CodeLine]) -> String {
     let mut file = String::new();
+    let mut told = None;
     for line in lines {
         let CodeLine {
             code,
             letters,
             symbol,
-            ..
+            source,
         } = line;
-        let row = match (letters.is_empty(), symbol.is_empty()) {
-            (true, _) => code.to_string(),
+        let other = source.filter(|_| *source != told);
+        told = *source;
+        let place = other.map(|line| format!("line {line}"));
+        let parts = [Some(symbol.clone()).filter(|s| !s.is_empty()), place];
+        let from: Vec<String> = parts.into_iter().flatten().collect();
+        let from = from.join(", ");
+        let row = match (letters.is_empty(), from.is_empty()) {
+            (true, true) => code.to_string(),
             (_, true) => format!("{code:<10}/ {letters}"),
-            _ => format!("{code:<10}/ {letters:<8} {symbol}"),
+            _ => format!("{code:<10}/ {letters:<8} {from}"),
         };
         file.push_str(row.trim_end());
         file.push('\n');

@@ -1,10 +1,20 @@
-//! The commands that speak to a board.
+//! What the commands do that are more than a few lines.
+//!
+//! - `open`: reading a program in either language, and `unoclp check`
+//! - `compile`, `card`: from Instruction List to numeric code, and onto a card
+//! - `monitor`, `settings`, `upload`: the commands that speak to a board
 
+mod card;
+mod compile;
 mod monitor;
+mod open;
 mod settings;
 mod upload;
 
+pub use card::card;
+pub use compile::compile;
 pub use monitor::monitor;
+pub use open::{Il, Shown, check, open};
 pub use settings::{Changes, settings};
 pub use upload::upload;
 

@@ -1,24 +1,21 @@
 //! `unoclp monitor`.
 
-use crate::{Outcome, read, refuse};
+use super::open::{Il, Shown, open};
+use crate::Outcome;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
 use unoclp_host_sim::board::{Line, Patience};
-use unoclp_host_sim::diagnosis::diagnose;
 use unoclp_host_sim::monitor::{App, Program, run, watch};
 
 /// Shows a board until the person leaves.
-pub fn monitor(path: Option<&Path>, line: Line) -> Outcome {
+pub fn monitor(path: Option<&Path>, line: Line, il: &Il) -> Outcome {
     let program = match path {
         None => None,
-        Some(path) => {
-            let file = read(path)?;
-            if let Err(faults) = diagnose(&file.bytes) {
-                return Ok(refuse(&file, &faults));
-            }
-            Some(Program::new(file.name, &file.bytes)?)
-        }
+        Some(path) => match open(path, il, Shown::Here)? {
+            Some((program, _)) => Some(Program::new(program)?),
+            None => return Ok(false),
+        },
     };
     if !(stdin().is_terminal() && stdout().is_terminal()) {
         bail!("the monitor needs a terminal");

@@ -1,7 +1,8 @@
 //! `unoclp upload`.
 
 use super::meet;
-use crate::{Outcome, read, refuse};
+use super::open::{Il, Shown, open};
+use crate::{Outcome, refuse};
 use anstream::{eprint, println};
 use anyhow::{Context, bail};
 use std::io::{IsTerminal, stderr};
@@ -11,15 +12,14 @@ use unoclp_host_sim::board::diagnostics::Kept;
 use unoclp_host_sim::board::map::{State, flag};
 use unoclp_host_sim::board::start::Found;
 use unoclp_host_sim::board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
-use unoclp_host_sim::diagnosis::{Diagnosis, diagnose};
+use unoclp_host_sim::diagnosis::Diagnosis;
 
 /// Checks a program, and puts it on a board.
-pub fn upload(path: &Path, line: &Line, stays: bool) -> Outcome {
-    let program = read(path)?;
-    match diagnose(&program.bytes) {
-        Ok(size) => println!("{}: {size}: OK", program.name),
-        Err(faults) => return Ok(refuse(&program, &faults)),
-    }
+pub fn upload(path: &Path, line: &Line, stays: bool, il: &Il) -> Outcome {
+    let Some((program, size)) = open(path, il, Shown::Here)? else {
+        return Ok(false);
+    };
+    println!("{}: {size}: OK", program.name);
     let sent = Kept::of(&program.bytes).context("the program has no stored form")?;
 
     let Found { mut client, .. } = meet(line)?;

@@ -39,13 +39,13 @@ impl App {
         App {
             place,
             identity: String::new(),
+            top: program.as_ref().map_or(0, |program| program.drawn.home()),
             program,
             reading: None,
             flow: Flow::default(),
             lost: None,
             said: None,
             side: Side::Inputs,
-            top: 0,
             page: 1,
             quit: false,
         }
@@ -110,6 +110,12 @@ impl App {
             _ if key.kind == KeyEventKind::Repeat => {}
             KeyCode::Char('c') if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
             KeyCode::Char('q') | KeyCode::Esc => self.quit = true,
+            KeyCode::Char('v') => {
+                if let Some(program) = &mut self.program {
+                    program.drawn.turn();
+                    self.top = program.drawn.home();
+                }
+            }
             KeyCode::Char('o') => {
                 self.side = match self.side {
                     Side::Inputs => Side::Outputs,

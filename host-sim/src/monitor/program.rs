@@ -3,7 +3,8 @@
 use crate::board::diagnostics::Kept;
 use crate::board::watch::{Meter, Reading, Scope};
 use crate::engine::Machine;
-use crate::panel::{Flow, Rungs};
+use crate::panel::{Drawn, Flow};
+use crate::written::Written;
 use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};
 
 /// A program, to show a board's timers, counters and rungs by.
@@ -12,7 +13,7 @@ pub struct Program {
     pub(super) name: String,
     /// How a board keeps it.
     pub(super) kept: Kept,
-    pub(super) rungs: Rungs,
+    pub(super) drawn: Drawn,
     /// What each timer does.
     pub(super) timers: Vec<Delay>,
     counters: u16,
@@ -23,17 +24,16 @@ pub struct Program {
 }
 
 impl Program {
-    /// The program of this file.
+    /// A program of which the text is known.
     ///
     /// # Errors
     /// Its first fault.
-    pub fn new(name: String, file: &[u8]) -> Result<Program, Fault> {
-        let machine = Machine::load(file)?;
+    pub fn new(program: Written) -> Result<Program, Fault> {
+        let machine = Machine::load(&program.bytes)?;
         let plc = machine.plc();
         Ok(Program {
-            name,
-            kept: Kept::of(file).unwrap_or_default(),
-            rungs: Rungs::new(plc.steps()),
+            kept: Kept::of(&program.bytes).unwrap_or_default(),
+            drawn: Drawn::new(&program, plc),
             timers: plc
                 .steps()
                 .filter_map(|step| Delay::of(step.opcode))
@@ -41,6 +41,7 @@ impl Program {
             counters: plc.counters().count() as u16,
             steps: plc.steps().count(),
             twin: machine,
+            name: program.name,
         })
     }
 

@@ -10,6 +10,7 @@ use crate::board::map::{Command, State, flag};
 use crate::board::watch::{Forces, Meter, Reading, Side, Wish};
 use crate::engine::Machine;
 use crate::random::Random;
+use crate::written::Written;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
@@ -19,7 +20,7 @@ use unoclp_core::{Image, Inputs};
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n67848501\n3\n877902\n";
 
 fn program() -> Program {
-    Program::new("motor.txt".to_owned(), PROGRAM.as_bytes()).unwrap()
+    Program::new(Written::numeric("motor.txt".to_owned(), PROGRAM.into())).unwrap()
 }
 
 /// A board that runs the program.
@@ -107,7 +108,7 @@ fn the_screen_shows_the_board() {
   1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
   2 ┣━━┤ I2 ├──[ CTU C1 3/3 ]━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
 
- q quit  space stop  1-8 force  o outputs  x release  s scan  r restart  ↑↓";
+ q quit  space stop  1-8 force  o outputs  x release  s scan  r restart  v text";
     assert_eq!(screen(&mut showing(reading()), 80, 17), expected);
 }
 
@@ -313,7 +314,8 @@ fn there_may_be_nothing_to_scroll() {
 fn rungs_scroll() {
     let rungs = "787600\n827301\n877901\n".repeat(40);
     let file = format!("0\n{rungs}");
-    let program = Program::new("long.txt".to_owned(), file.as_bytes()).unwrap();
+    let program =
+        Program::new(Written::numeric("long.txt".to_owned(), file.clone().into())).unwrap();
     let mut app = app(Some(program));
     let mut reading = reading();
     reading.diagnostics.program = Kept::of(file.as_bytes()).unwrap();
@@ -355,7 +357,7 @@ const RICH: &str = "0\n\
 fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
     let text = RICH.replace(' ', "");
     let mut board = Machine::load(text.as_bytes()).unwrap();
-    let mut program = Program::new("rich.txt".to_owned(), text.as_bytes()).unwrap();
+    let mut program = Program::new(Written::numeric("rich.txt".to_owned(), text.into())).unwrap();
     let mut random = Random::new(7);
     let mut inputs = Image(0);
     let mut compared = 0;

@@ -114,8 +114,13 @@ fn footer(app: &App, frame: &mut Frame, area: Rect) {
         Side::Inputs => "outputs",
         Side::Outputs => "inputs",
     };
-    let keys =
-        format!(" q quit  space {run}  1-8 force  o {other}  x release  s scan  r restart  ↑↓");
+    let view = match &app.program {
+        Some(program) => format!("  v {}", program.drawn.other()),
+        None => String::new(),
+    };
+    let keys = format!(
+        " q quit  space {run}  1-8 force  o {other}  x release  s scan  r restart{view}  ↑↓"
+    );
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
@@ -312,19 +317,20 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     else {
         return;
     };
-    let lines = program.rungs.lines(&app.flow, usize::from(area.width));
+    let lines = program.drawn.lines(&app.flow, usize::from(area.width));
+    let what = program.drawn.title();
     let height = usize::from(area.height.saturating_sub(1));
     app.page = height.saturating_sub(1).max(1);
     app.top = app.top.min(lines.len().saturating_sub(height));
     let count = lines.len();
     let title = if count > height && height > 0 {
         format!(
-            "Rungs: lines {} to {} of {count}",
+            "{what}: lines {} to {} of {count}",
             app.top + 1,
             app.top + height
         )
     } else {
-        "Rungs".to_owned()
+        what.to_owned()
     };
     let shown = lines.into_iter().skip(app.top).take(height).collect();
     panel(title, shown, frame, area);

@@ -3,11 +3,13 @@
 
 use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
-use super::ladder::{Flow, Rungs};
+use super::drawn::Drawn;
+use super::ladder::Flow;
 use crate::BOARD;
 use crate::engine::Machine;
 use crate::used::Quantity;
 use crate::wave::{Recorder, Sample};
+use crate::written::Written;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use std::io::{self, Write};
 use std::time::Duration;
@@ -28,7 +30,10 @@ pub struct App {
     /// What the program is called.
     pub(super) name: String,
     machine: Machine,
-    pub(super) rungs: Rungs,
+    pub(super) drawn: Drawn,
+    /// The line that a fault names, in the text of the program.
+    pub(super) fault_line: Option<u32>,
+    program: Written,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -55,19 +60,22 @@ pub struct App {
 
 impl App {
     /// A simulator that runs this program file from now on; its first fault where it has one.
-    pub fn new(name: String, file: Vec<u8>) -> Result<App, Fault> {
-        let machine = Machine::load(&file)?;
+    pub fn new(program: Written) -> Result<App, Fault> {
+        let machine = Machine::load(&program.bytes)?;
+        let drawn = Drawn::new(&program, machine.plc());
         Ok(App {
-            name,
+            name: program.name.clone(),
             knobs: Knobs::new(machine.used().analogue.iter().copied()),
             fault: None,
-            rungs: Rungs::new(machine.plc().steps()),
+            fault_line: None,
+            program,
             machine,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
             running: true,
-            scroll: Scroll::default(),
+            scroll: Scroll::to(drawn.home()),
+            drawn,
             timer_page: 0,
             memory_page: 0,
             clock: Duration::ZERO,
@@ -159,6 +167,7 @@ impl App {
         let observe = |step, power| acc[step] = Some(power);
         if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
             self.fault = Some(fault);
+            self.fault_line = fault.line.and_then(|line| self.program.line(line));
             self.running = false;
         }
         self.flow.acc = acc;
@@ -207,6 +216,10 @@ impl App {
             (KeyCode::Char('t'), _) => self.timer_page += 1,
             (KeyCode::Char('d'), _) => self.memory_page += 1,
             (KeyCode::Char('r'), _) => self.restart(),
+            (KeyCode::Char('v'), _) => {
+                self.drawn.turn();
+                self.scroll = Scroll::to(self.drawn.home());
+            }
             (KeyCode::Char(' '), _) if self.fault.is_none() => {
                 self.running = !self.running;
                 self.owed = Duration::ZERO;
@@ -247,6 +260,14 @@ pub(super) struct Scroll {
 }
 
 impl Scroll {
+    /// From this line on.
+    fn to(top: usize) -> Scroll {
+        Scroll {
+            top,
+            ..Scroll::default()
+        }
+    }
+
     /// Fits to a text and a screen of so many lines; gives the first line to show.
     pub(super) fn fit(&mut self, lines: usize, height: usize) -> usize {
         self.lines = lines;

@@ -1,6 +1,7 @@
 //! The ladder diagram of a running program, energised parts with heavy lines: `┣━━┥ I1 ┝━━┤/I2 ├──( Q1 )─┤`.
 
 use super::ON;
+use crate::written::Written;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unoclp_core::isa::Operand;
@@ -47,8 +48,11 @@ impl Flow {
 }
 
 impl Rungs {
-    /// The rungs of these steps.
-    pub fn new<'c>(steps: impl Iterator<Item = Instruction<'c>> + Clone) -> Rungs {
+    /// The rungs of this program, which has these steps.
+    pub fn new<'c>(
+        program: &Written,
+        steps: impl Iterator<Item = Instruction<'c>> + Clone,
+    ) -> Rungs {
         let mut timers = 0..;
         let count = |step: Instruction<'_>| match step.operand {
             Operand::Count { counter, .. } => {
@@ -58,10 +62,11 @@ impl Rungs {
             _ if Delay::of(step.opcode).is_some() => timers.next().map(Count::Time),
             _ => None,
         };
+        let ladder = Ladder::new(steps.clone());
         Rungs {
-            counts: steps.clone().map(count).collect(),
-            ladder: Ladder::new(steps),
-            names: Names::new(),
+            names: program.names(&ladder, steps.clone()),
+            counts: steps.map(count).collect(),
+            ladder,
         }
     }
 

@@ -5,13 +5,17 @@
 //! - `analogue`: the analogue inputs, as knobs that keys turn
 //! - `memory`: counters, registers, markers and the like
 //! - `ladder`: the rungs as lines of text, with what is energised
+//! - `listing`: the text of the program, with what each line has come to
+//! - `drawn`: which of the two is shown
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
 
 mod analogue;
 mod app;
 mod buttons;
+mod drawn;
 mod ladder;
+mod listing;
 mod memory;
 mod run;
 mod view;
@@ -20,7 +24,8 @@ mod view;
 mod tests;
 
 pub use app::App;
-pub(crate) use ladder::{Flow, Rungs};
+pub(crate) use drawn::Drawn;
+pub(crate) use ladder::Flow;
 pub use run::run;
 
 use ratatui::style::{Color, Modifier, Style};

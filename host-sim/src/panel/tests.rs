@@ -5,6 +5,7 @@ use super::buttons::KeyUp;
 use super::view;
 use crate::random::{Random, random_program};
 use crate::wave::Recorder;
+use crate::written::Written;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -20,7 +21,7 @@ const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n\
     787600\n827302\n40\n-827303\n41\n827901\n877902\n";
 
 fn app(program: &str) -> App {
-    App::new("motor.txt".to_owned(), program.into()).unwrap()
+    App::new(Written::numeric("motor.txt".to_owned(), program.into())).unwrap()
 }
 
 fn advance(app: &mut App, ms: u64) {
@@ -67,7 +68,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┤ Q1 ├────────────────────────────( Q2 )─┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 
     advance(&mut app, 5);
@@ -81,7 +82,7 @@ fn the_screen_shows_what_is_energised() {
   2 ┣━━┤ I2 ├──┳━━┥ Q1 ┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
     ┣━━┥/I3 ┝━━┛                                           │
 
- q quit  space pause  s scan  r restart  m momentary  ↑↓ scroll";
+ q quit  space pause  s scan  r restart  v text  m momentary  ↑↓ scroll";
     assert_eq!(screen(&mut app, 80, 11).join("\n"), expected);
 }
 
@@ -476,4 +477,69 @@ fn a_session_is_recorded_across_pause_and_restart() {
     // The start, the scan with I1 closed, the scan with I1 open again, and the end.
     assert_eq!(times, ["#0", "#6", "#7", "#8"]);
     assert!(screen(&mut app, 80, 24)[0].contains("REC  PAUSED"));
+}
+
+/// A branch that goes over lines, and a call whose Q is read later.
+const LIST: &str = "(* Lamp *)\nLD I1\nOR( I2\nANDN I3\n)\nST Q1\n\nLD Q1\nTON T1, 20\nST Q2\n";
+
+#[test]
+fn lines_of_instruction_list_show_what_they_have_come_to() {
+    let program = Written::il("lamp.il".to_owned(), LIST.as_bytes(), None);
+    let mut app = App::new(program).unwrap();
+    press(&mut app, '2');
+    advance(&mut app, 10);
+    let shown = screen(&mut app, 80, 20).join("\n");
+    let text = "\
+─ Text ─────────────────────────────────────────────────────────────────────────
+   1   (* Lamp *)
+   2 ○ LD I1
+   3 ● OR( I2
+   4 ● ANDN I3
+   5   )
+   6 ● ST Q1
+   7
+   8 ● LD Q1
+   9 ○ TON T1, 20
+  10   ST Q2
+";
+    assert!(shown.contains(text), "{shown}");
+    assert!(shown.contains("v ladder"), "{shown}");
+
+    press(&mut app, 'v');
+    let shown = screen(&mut app, 80, 20).join("\n");
+    assert!(
+        shown.contains("─ Rungs ─") && shown.contains("┥ I2 ┝"),
+        "{shown}"
+    );
+    assert!(shown.contains("v text"), "{shown}");
+}
+
+#[test]
+fn lines_of_numeric_code_show_what_they_have_come_to() {
+    let text = "/ lamp\n0\n827301 / button\n\n40\n-827302\n41\n877901\n";
+    let mut app = app(text);
+    press(&mut app, 'v');
+    advance(&mut app, 10);
+    let shown = screen(&mut app, 80, 20).join("\n");
+    let text = "
+   1   / lamp
+   2   0
+   3 ○ 827301 / button
+   4
+   5 ● 40
+   6 ● -827302
+   7 ● 41
+   8 ● 877901
+";
+    assert!(shown.contains(text), "{shown}");
+}
+
+#[test]
+fn a_fault_names_the_line_of_the_text() {
+    // Numeric code has the jump in another line.
+    let text = "(* a comment *)\n(* and another *)\nbegin: LD I1\nST Q1\nJMP begin\n";
+    let mut app = App::new(Written::il("loop.il".to_owned(), text.as_bytes(), None)).unwrap();
+    advance(&mut app, 10);
+    let shown = screen(&mut app, 80, 20).join("\n");
+    assert!(shown.contains("FAULT 75, line 5"), "{shown}");
 }

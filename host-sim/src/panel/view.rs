@@ -84,15 +84,16 @@ fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) 
         Some(input) => format!("  a A{input}  +-<> turn"),
         None => String::new(),
     };
+    let view = app.drawn.other();
     let keys = format!(
-        " q quit  space {run}  s scan  r restart  m {mode}{knobs}{timers}{memory}  ↑↓ scroll"
+        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{knobs}{timers}{memory}  ↑↓ scroll"
     );
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
 fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
     let state = match (&app.fault, app.running) {
-        (Some(fault), _) => match fault.line {
+        (Some(fault), _) => match app.fault_line {
             Some(line) => format!("FAULT {}, line {line}", fault.cause.number()),
             None => format!("FAULT {}", fault.cause.number()),
         },
@@ -231,18 +232,19 @@ fn timer_spans(
 
 fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let width = usize::from(area.width);
-    let lines = app.rungs.lines(&app.flow, width);
+    let lines = app.drawn.lines(&app.flow, width);
+    let what = app.drawn.title();
     let height = usize::from(area.height.saturating_sub(1));
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
     let title = if count > height && height > 0 {
         format!(
-            "Rungs: lines {} to {} of {count}",
+            "{what}: lines {} to {} of {count}",
             top + 1,
             top + shown.len()
         )
     } else {
-        "Rungs".to_owned()
+        what.to_owned()
     };
     draw_panel(title, shown, frame, area);
 }
