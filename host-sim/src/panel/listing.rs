@@ -5,8 +5,8 @@ use super::ladder::Flow;
 use crate::written::Written;
 use ratatui::style::Style;
 use ratatui::text::Line;
-use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
+use unoclp_core::{Delay, Instruction};
 
 /// The lines of a text, with the steps that tell how each stands.
 pub struct Listing(Vec<(String, Vec<usize>)>);
@@ -48,6 +48,11 @@ impl Listing {
                 true => {}
             }
         }
+        let timers: Vec<bool> = steps
+            .iter()
+            .map(|step| Delay::of(step.opcode).is_some())
+            .collect();
+        tell_behind_timers(&mut lines, &timers);
         Listing(lines)
     }
 
@@ -70,6 +75,22 @@ impl Listing {
             Line::styled(format!("{number:>4} {lamp} {text}"), style)
         };
         (1..).zip(&self.0).map(line).collect()
+    }
+}
+
+/// A timer drives its point by itself, so lines that load its Q and store it may have no step of their own:
+/// they stand as the timer does.
+fn tell_behind_timers(lines: &mut [(String, Vec<usize>)], timers: &[bool]) {
+    let mut timer = None;
+    for (text, tellers) in lines {
+        let first_word = text.split_whitespace().next().unwrap_or_default();
+        if let Some(&step) = tellers.last() {
+            timer = timers.get(step).is_some_and(|is| *is).then_some(step);
+        } else if ["LD", "ST", "=", "OUT"].contains(&first_word.to_uppercase().as_str()) {
+            tellers.extend(timer);
+        } else if !first_word.is_empty() && !first_word.starts_with("(*") {
+            timer = None;
+        }
     }
 }
 

@@ -500,7 +500,7 @@ fn lines_of_instruction_list_show_what_they_have_come_to() {
    7
    8 ● LD Q1
    9 ○ TON T1, 20
-  10   ST Q2
+  10 ○ ST Q2
 ";
     assert!(shown.contains(text), "{shown}");
     assert!(shown.contains("v ladder"), "{shown}");
