@@ -410,3 +410,25 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
     }
     assert!(compared > 15_000);
 }
+
+#[test]
+fn instruction_list_is_shown_as_text_or_as_rungs() {
+    let text = "VAR\n    button AT %IX1 : BOOL;\nEND_VAR\nLD button\nANDN I2\nST Q1\n";
+    let program = Written::il("lamp.il".to_owned(), text.as_bytes(), None);
+    let mut reading = reading();
+    reading.diagnostics.program = Kept::of(&program.bytes).unwrap();
+    let mut app = app(Some(Program::new(program).unwrap()));
+    app.hear(News::Read(Box::new(reading)));
+    let shown = screen(&mut app, 100, 30);
+    let text = "\n   4 ● LD button\n   5 ● ANDN I2\n   6 ● ST Q1\n";
+    assert!(
+        shown.contains("─ Text ─") && shown.contains(text),
+        "{shown}"
+    );
+    assert_eq!(press(&mut app, KeyCode::Char('v')), None);
+    let shown = screen(&mut app, 100, 30);
+    assert!(
+        shown.contains("─ Rungs ─") && shown.contains("button") && shown.contains("v text"),
+        "{shown}"
+    );
+}
