@@ -108,7 +108,7 @@ fn the_screen_shows_the_board() {
   1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
   2 ┣━━┤ I2 ├──[ CTU C1 3/3 ]━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
 
- q quit  space stop  1-8 force  o outputs  x release  s scan  r restart  v text";
+ q quit  space stop  1-8 force  o outputs  x free  s scan  r restart  v text  ↑↓";
     assert_eq!(screen(&mut showing(reading()), 80, 17), expected);
 }
 

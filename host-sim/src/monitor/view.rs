@@ -118,9 +118,8 @@ fn footer(app: &App, frame: &mut Frame, area: Rect) {
         Some(program) => format!("  v {}", program.drawn.other()),
         None => String::new(),
     };
-    let keys = format!(
-        " q quit  space {run}  1-8 force  o {other}  x release  s scan  r restart{view}  ↑↓"
-    );
+    let keys =
+        format!(" q quit  space {run}  1-8 force  o {other}  x free  s scan  r restart{view}  ↑↓");
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
