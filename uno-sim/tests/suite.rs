@@ -11,7 +11,10 @@ fn run_all(clock: Clock, folders: &[&str], longest: Millis) {
     let (mut passed, mut failed) = (0, Vec::new());
     for path in common::scenarios(folders) {
         let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
-        if scenario.duration() > longest || clock == Clock::Running && scenario.is_for_lockstep() {
+        let running = clock == Clock::Running;
+        // Listings of a course: some hold only if the inputs are what they say from the very first scan.
+        let is_listing = path.components().any(|part| part.as_os_str() == "il");
+        if scenario.duration() > longest || running && (scenario.is_for_lockstep() || is_listing) {
             continue;
         }
         let report = check(&scenario, &mut engine);
