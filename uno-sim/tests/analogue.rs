@@ -22,7 +22,7 @@ fn every_channel_reads_what_is_on_its_pin() {
         for reading in [0, 1, 511, 512, 1023] {
             let mut uno = running(&threshold(channel, 512));
             uno.set_analogue(channel, Analogue::Reading(reading));
-            uno.run_ms(3).unwrap();
+            uno.run_ms(16).unwrap();
             assert_eq!(
                 uno.outputs(),
                 u8::from(reading >= 512),
@@ -46,7 +46,7 @@ fn channels_do_not_disturb_one_another() {
             uno.set_analogue(channel, Analogue::Reading(reading));
         }
         uno.set_analogue(4, Analogue::Reading(600));
-        uno.run_ms(4).unwrap();
+        uno.run_ms(16).unwrap();
         assert_eq!(uno.outputs(), pattern);
     }
 }
@@ -59,7 +59,7 @@ fn a0_to_a3_are_buttons_where_the_program_reads_them_so() {
     let mut uno = running(&format!("0\n{text}"));
     for pattern in [0b0001, 0b1000, 0b0110, 0b1111, 0b0000] {
         uno.set_inputs(pattern << 4);
-        uno.run_ms(3).unwrap();
+        uno.run_ms(16).unwrap();
         assert_eq!(uno.outputs(), pattern);
     }
 }
@@ -83,7 +83,7 @@ fn pwm_follows_a_number() {
     let mut uno = running(DIMMER);
     for (reading, duty) in [(0, 0.0), (4, 0.004), (512, 0.5), (1023, 1.0), (2, 0.0)] {
         uno.set_analogue(0, Analogue::Reading(reading));
-        uno.run_ms(4).unwrap();
+        uno.run_ms(16).unwrap();
         for output in [0, 3] {
             let came = uno.pwm(output).map_or(0.0, |pwm| pwm.duty());
             assert!((came - duty).abs() < 0.005, "{reading}: {came}");
@@ -97,7 +97,7 @@ fn pwm_follows_a_number() {
 fn pwm_is_off_in_stop_and_after_a_restart() {
     let mut uno = running(DIMMER);
     uno.set_analogue(0, Analogue::Reading(600));
-    uno.run_ms(4).unwrap();
+    uno.run_ms(16).unwrap();
     assert!(uno.pwm(0).is_some() && uno.pwm(3).is_some());
     uno.set_stop(true);
     uno.run_ms(10).unwrap();
