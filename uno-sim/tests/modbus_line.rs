@@ -171,6 +171,7 @@ fn the_address_is_kept_and_the_way_back_is_the_switch_and_all_inputs() {
     uno.set_stop(false);
     uno.reset();
     to_run(&mut uno);
+    uno.run_ms(5).unwrap();
     assert_answers(&mut uno, "its own address again");
 }
 
