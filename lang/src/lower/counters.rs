@@ -122,14 +122,10 @@ impl Lower<'_> {
     }
 
     pub(super) fn declared_count(&mut self, counter: usize, span: Span) -> Option<Preset> {
-        let Some(preset) = self.names.counters[counter].preset else {
-            let name = self.names.counters[counter].name.clone();
-            let needs = ("how far it counts, PV", "até quanto conta, PV");
-            self.found
-                .tell(Code::ParameterMissing, span, [name.into(), needs.into()]);
-            return None;
-        };
-        Some(Preset::Constant(preset))
+        let counter = &self.names.counters[counter];
+        let (name, preset) = (counter.name.clone(), counter.preset);
+        let needs = ("how far it counts, PV", "até quanto conta, PV");
+        self.declared(name, preset, needs, span)
     }
 
     /// Writes a counter: it counts, then it is loaded, then it is reset, as the norm has it.

@@ -109,14 +109,25 @@ impl Lower<'_> {
     }
 
     pub(super) fn declared_preset(&mut self, timer: usize, span: Span) -> Option<Preset> {
-        let Some(preset) = self.names.timers[timer].preset else {
-            let name = self.names.timers[timer].name.clone();
-            let needs = ("its time, PT", "seu tempo, PT");
+        let timer = &self.names.timers[timer];
+        let (name, preset) = (timer.name.clone(), timer.preset);
+        self.declared(name, preset, ("its time, PT", "seu tempo, PT"), span)
+    }
+
+    /// The preset of a declaration; where there is none, what the block of this name needs is told, in both
+    /// languages.
+    pub(super) fn declared(
+        &mut self,
+        name: String,
+        preset: Option<i32>,
+        needs: (&'static str, &'static str),
+        span: Span,
+    ) -> Option<Preset> {
+        if preset.is_none() {
             self.found
                 .tell(Code::ParameterMissing, span, [name.into(), needs.into()]);
-            return None;
-        };
-        Some(Preset::Constant(preset))
+        }
+        preset.map(Preset::Constant)
     }
 
     /// Writes a timer block; the board's accumulator is its Q then.
