@@ -15,7 +15,7 @@ mod table;
 
 pub use instruction::{Instruction, Operand, Value};
 pub(crate) use packed::{By, Entry, find};
-pub use packed::{PACKED, PackedTable, kind_of, read_packed, row_of};
+pub use packed::{PACKED, PackedTable, read_packed};
 pub use table::{Opcode, TABLE};
 
 /// What stands in the last two digits of a code, and on the lines that follow it.

@@ -48,13 +48,15 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
 /// In place of a line, where none follows.
 const NO_LINE: u8 = 0xFF;
 
-/// How [`PACKED`] is read where this board keeps it: gives the byte at an index, and anything for an
-/// index beyond its end.
-pub type PackedTable = fn(usize) -> u8;
+/// How [`PACKED`] is read where this board keeps it: fills the bytes from an index on, with anything
+/// beyond its end.
+pub type PackedTable = fn(usize, &mut [u8]);
 
 /// Reads [`PACKED`] where constants stand in memory like all else.
-pub fn read_packed(at: usize) -> u8 {
-    PACKED.get(at).copied().unwrap_or_default()
+pub fn read_packed(at: usize, bytes: &mut [u8]) {
+    for (byte, &packed) in bytes.iter_mut().zip(PACKED.iter().skip(at)) {
+        *byte = packed;
+    }
 }
 
 /// What the loader needs of a row.
@@ -83,47 +85,54 @@ pub(crate) enum By {
 /// The first row that fits, and XX of the code (0 where it has none).
 #[inline(never)]
 pub(crate) fn find(table: PackedTable, by: By) -> Option<(Entry, u8)> {
-    let mut row = [0; ROW];
-    let mut at = match by {
-        By::Code(_) => 0,
-        By::Stored(byte) => row_of(byte) * ROW,
+    let (at, xx) = match by {
+        By::Code(code) => find_code(table, code)?,
+        By::Stored(byte) => (row_of(byte) * ROW, 0),
     };
+    if at >= KINDS {
+        return None;
+    }
+    let mut row = [0; ROW];
+    table(at, &mut row);
+    let [.., kind, stored, run] = row;
+    let mut more = [0; KIND];
+    table(KINDS + KIND * usize::from(kind), &mut more);
+    let [first, last, line_bytes, line] = more;
+    let entry = Entry {
+        kind: Kind::of(kind).unwrap_or(Kind::None),
+        stored,
+        run,
+        first,
+        last,
+        line_bytes,
+        line: Line::of(line),
+    };
+    match by {
+        By::Stored(byte) if first_of(byte) != stored => None,
+        _ => Some((entry, xx)),
+    }
+}
+
+/// Where the first row stands that a code fits, and its XX.
+fn find_code(table: PackedTable, code: i32) -> Option<(usize, u8)> {
+    let mut row = [0; 5];
+    let mut at = 0;
     while at < KINDS {
-        fill(&mut row, table, at);
-        at += ROW;
-        let [a, b, c, d, kind, stored, run] = row;
-        let xx = match by {
-            By::Stored(byte) if first_of(byte) == stored => 0,
-            By::Stored(_) => continue,
-            By::Code(code) => match xx(code, i32::from_le_bytes([a, b, c, d])) {
-                Some(xx) => xx,
-                None => continue,
-            },
-        };
-        let row_kind = Kind::of(kind).unwrap_or(Kind::None);
-        if xx != 0 && !row_kind.has_number() {
-            continue;
+        table(at, &mut row);
+        let [a, b, c, d, kind] = row;
+        if let Some(xx) = xx(code, i32::from_le_bytes([a, b, c, d]))
+            && (xx == 0 || Kind::of(kind).is_some_and(Kind::has_number))
+        {
+            return Some((at, xx));
         }
-        let mut more = [0; KIND];
-        fill(&mut more, table, KINDS + KIND * usize::from(kind));
-        let [first, last, line_bytes, line] = more;
-        let entry = Entry {
-            kind: row_kind,
-            stored,
-            run,
-            first,
-            last,
-            line_bytes,
-            line: Line::of(line),
-        };
-        return Some((entry, xx));
+        at += ROW;
     }
     None
 }
 
 /// The place in the table of the row that a first stored byte belongs to; where there is none, of
 /// another row or beyond the table.
-pub const fn row_of(byte: u8) -> usize {
+const fn row_of(byte: u8) -> usize {
     let row = match byte {
         ..0x10 => byte.wrapping_sub(1),
         0x10..0xA0 => (byte >> 4) + 14,
@@ -139,24 +148,6 @@ const _: () = {
         row += 1;
     }
 };
-
-/// What the row at a place in the table works on; none beyond the table.
-pub fn kind_of(table: PackedTable, row: usize) -> Option<Kind> {
-    if row < TABLE.len() {
-        Kind::of(table(row * ROW + 4))
-    } else {
-        None
-    }
-}
-
-// Apart, so that its length is not known: else a loop would become a row.
-#[inline(never)]
-fn fill(bytes: &mut [u8], table: PackedTable, mut at: usize) {
-    for byte in bytes {
-        *byte = table(at);
-        at += 1;
-    }
-}
 
 /// Gives an enum its variants by discriminant, without a table: a chain of comparisons with rising
 /// numbers, which a compiler takes for what it is.

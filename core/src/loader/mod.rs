@@ -292,6 +292,7 @@ impl<'m> Loader<'m> {
                 self.labels.define(xx)?;
             }
             Kind::Jump if self.rung.is_open() => return Err(Cause::JumpInBranch),
+            Kind::Jump => self.labels.jump(),
             _ => {}
         }
         let entry = Entry { stored, ..entry };

@@ -48,17 +48,14 @@ impl<T, const N: usize> Table<T, N> {
         Table(table)
     }
 
-    /// The byte at this place of the table; 0 beyond its end.
+    /// Reads bytes of the table from this place on, with anything beyond its end.
     ///
     /// # Safety
     ///
     /// `self` must be a static in section `.progmem.data`.
     #[inline(never)]
-    pub unsafe fn byte(&'static self, at: usize) -> u8 {
-        if at >= size_of::<[T; N]>() {
-            return 0;
-        }
-        load((&raw const self.0).cast::<u8>().wrapping_add(at))
+    pub unsafe fn read(&'static self, at: usize, bytes: &mut [u8]) {
+        load_all((&raw const self.0).cast::<u8>().wrapping_add(at), bytes);
     }
 }
 
@@ -200,6 +197,26 @@ fn load(place: *const u8) -> u8 {
         );
     }
     byte
+}
+
+/// Copies bytes of program memory, from this address on: 9 cycles each.
+#[inline(always)]
+fn load_all(place: *const u8, bytes: &mut [u8]) {
+    // SAFETY: as above; and the bytes written are those that are lent.
+    unsafe {
+        asm!(
+            "rjmp 2f",
+            "1: lpm {byte}, Z+",
+            "st X+, {byte}",
+            "2: sbiw {count}, 1",
+            "brcc 1b",
+            byte = out(reg) _,
+            count = inout(reg_iw) bytes.len() => _,
+            inout("X") bytes.as_mut_ptr() => _,
+            inout("Z") place => _,
+            options(nostack),
+        );
+    }
 }
 
 /// These [`Codes`] as a [`FlashText`].

@@ -160,8 +160,8 @@ const _: () = {
 #[unsafe(export_name = "ENGINE_ROWS")]
 static INSTRUCTIONS: Table<u8, { isa::PACKED.len() }> = Table::new(isa::PACKED);
 
-/// The byte of the instruction table at this index.
-pub fn instruction_table(at: usize) -> u8 {
+/// Reads the instruction table from this index on.
+pub fn instruction_table(at: usize, bytes: &mut [u8]) {
     // SAFETY: the static stands in that section.
-    unsafe { INSTRUCTIONS.byte(at) }
+    unsafe { INSTRUCTIONS.read(at, bytes) }
 }
