@@ -6,6 +6,7 @@ use crate::board::eeprom::Eeprom;
 use crate::store::Reader;
 use core::ffi::c_void;
 use core::mem::offset_of;
+use unoclp_core::Cause;
 use unoclp_core::isa::{Kind, Opcode};
 
 /// How much a program takes of run memory, bytes.
@@ -66,9 +67,12 @@ unsafe extern "C" fn engine_next(reader: *mut c_void) -> i16 {
 
 /// One passage through the stored form, which sets up timers and counters too. The registers hold labels
 /// meanwhile, the places of each in the linked and in the stored form; behind the first passage they have
-/// all of them, and no later one finds others. None where the EEPROM does not hold what was checked.
+/// all of them, and no later one finds others. Only what fits is written to `code`.
+///
+/// # Errors
+/// [`Cause::NoStoredProgram`] where the EEPROM does not hold what was checked.
 #[inline(never)]
-pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Option<Size> {
+pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result<Size, Cause> {
     layout.counters.fill(0);
     let mut reader = layout.stored.read(eeprom);
     let timers = layout.timer(0);
@@ -100,12 +104,24 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Option
         code: job.put.wrapping_sub(layout.begin),
         own: layout.own_end.wrapping_sub(job.own),
     };
-    reader.is_whole().then_some(size)
+    if reader.is_whole() {
+        Ok(size)
+    } else {
+        Err(Cause::NoStoredProgram)
+    }
 }
 
 /// Before the first passage: no label is known.
 pub fn forget_labels(data: &mut Data) {
     data.registers.as_flattened_mut().fill(AHEAD);
+}
+
+/// Behind a passage: whether it has found any.
+pub fn has_labels(data: &Data) -> bool {
+    data.registers
+        .as_flattened()
+        .iter()
+        .any(|&byte| byte != AHEAD)
 }
 
 // `link.s` has these by number.

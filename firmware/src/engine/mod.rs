@@ -130,15 +130,17 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     pub fn link(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
         let layout = &mut self.layout;
+        let memory = mem::take(&mut self.memory);
         link::forget_labels(layout.data);
-        let size = link::pass(layout, eeprom, &mut []).ok_or(Cause::NoStoredProgram)?;
-        let (code, rest) = mem::take(&mut self.memory)
+        let mut size = link::pass(layout, eeprom, memory)?;
+        if link::has_labels(layout.data) {
+            // Those that stand further on are known now.
+            size = link::pass(layout, eeprom, memory)?;
+        }
+        let (code, rest) = memory
             .split_at_mut_checked(size.code.into())
             .ok_or(Cause::NoStoredProgram)?;
         self.own = split_end(rest, size.own.into()).1;
-        if link::pass(layout, eeprom, code) != Some(size) {
-            return Err(Cause::NoStoredProgram);
-        }
         self.code = code;
         let needs = layout.stored.needs;
         self.prepares =
@@ -179,7 +181,7 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     pub fn restart(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
         link::forget_labels(self.layout.data);
-        link::pass(&mut self.layout, eeprom, &mut []).ok_or(Cause::NoStoredProgram)?;
+        link::pass(&mut self.layout, eeprom, &mut [])?;
         self.clear();
         Ok(())
     }
