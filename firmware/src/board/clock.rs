@@ -79,6 +79,11 @@ impl Deadline {
         Deadline((now() as u16).wrapping_add(time))
     }
 
+    /// So many ms from the start of the clock, 32,767 at most.
+    pub const fn from_start(time: u16) -> Deadline {
+        Deadline(time)
+    }
+
     /// Whether it has passed; to be asked within 32 s.
     #[inline(never)]
     pub fn has_passed(self) -> bool {

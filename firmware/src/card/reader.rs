@@ -11,8 +11,8 @@ use crate::board::spi::CardBus;
 use unoclp_card::{Block, Device};
 use unoclp_core::{Cause, Crc16};
 
-/// How long a slot may stay silent, ms. It is asked all the time: some cards miss the first command
-/// after power-up.
+/// How long a slot may stay silent from the start on, ms. It is asked all the time: some cards miss the
+/// first command after power-up.
 const SILENT: u16 = 240;
 /// How long a card may take until it is ready, ms. The specification allows it 1 s (4.2.3); together
 /// with a block's time this gives a dead card up within 2 s.
@@ -46,7 +46,7 @@ const BY_NUMBER: u8 = 0xC0;
 #[inline(never)]
 pub fn start(board: &Board) -> Result<bool, Cause> {
     let bus = board.card_bus();
-    let (silent, ready) = (Deadline::after(SILENT), Deadline::after(START));
+    let (silent, ready) = (Deadline::from_start(SILENT), Deadline::after(START));
     let mut answered = false;
     loop {
         bus.wake();
