@@ -26,6 +26,7 @@ mod indicator;
 mod page;
 mod report;
 mod retentive;
+mod scan;
 mod server;
 mod settings;
 mod state;
@@ -37,10 +38,11 @@ core::arch::global_asm!(include_str!("runtime.s"));
 use board::watchdog::{self, Start};
 use board::{Board, clock};
 use card::StateFile;
-use diagnosis::{Diagnosis, Turn};
+use diagnosis::Diagnosis;
 use engine::{Data, Linked};
 use page::Running;
 use retentive::Retentive;
+use scan::Scans;
 use server::upload;
 use server::{Command, Memory, Server};
 use state::{Images, State};
@@ -118,7 +120,7 @@ fn serve(
                 }
             }
             Err(fault) => indicator::show(&board.pins, fault.cause, || {
-                server.panel.images.inputs = board.pins.inputs(0);
+                server.panel.images.inputs = board.pins.levels().inputs();
                 server.step(board, Memory::idle(data), None, server::AT_ONCE);
                 retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
                 server.panel.command == Some(Command::Upload)
@@ -168,82 +170,46 @@ fn run(
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board.analogue.measure(needs.analogue);
-    scan(board, plc, state, retentive, server)
-}
-
-/// Scan by scan.
-// Apart from `run`, whose frame holds the program: what lies far in a frame is reached only by detours,
-// and these would be in each scan.
-#[inline(never)]
-fn scan(
-    board: &Board,
-    plc: &mut Linked<'_>,
-    state: &mut State,
-    retentive: &mut Retentive,
-    server: &mut Server,
-) -> Option<Fault> {
-    let needs = plc.needs();
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;
-    let mut begun = board.forgotten();
+    let mut scans = Scans::new(board);
     loop {
         if server.panel.stopped || board.pins.stop() {
-            server.panel.times = diagnosis.times();
+            server.panel.times = scans.times;
             if let Err(cause) = stop(board, plc, state, retentive, server) {
                 return Some(Fault::without_line(cause));
             }
             if server.panel.command == Some(Command::Upload) {
                 return None;
             }
-            begun = board.forgotten();
+            scans.pause();
         }
-        watchdog::scan_begins();
-        // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let mut inputs = board.pins.inputs(needs.inputs);
-        let forces = server.panel.forces.any();
-        if forces {
-            inputs = server.panel.forces.inputs(inputs);
-        }
-        let (millis, now) = board.moment();
-        diagnosis.scanned(begun, now);
-        let new_millisecond = !now.is_of_millisecond(begun);
-        begun = now;
-        let mut outputs = match plc.scan(inputs, millis) {
-            Ok(outputs) => outputs,
-            Err(fault) => return Some(fault),
+        let Ok(due) = scans.go_on(plc, &server.panel) else {
+            return Some(plc.too_many_jumps());
         };
-        if forces {
-            outputs = server.panel.forces.outputs(outputs);
-            plc.set_outputs(outputs);
-        }
-        if server.panel.state == server::State::Run {
-            board.pins.write_outputs(outputs);
-            if needs.pwm != 0 {
-                board.write_pwm(needs.pwm, &plc.data().pwm);
-            }
-        }
-        let images = Images { inputs, outputs };
+        let images = plc.images();
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
         if !board.serial.is_quiet() && !board.eeprom.is_busy() {
-            server.panel.times = diagnosis.times();
-            server.panel.images = images;
-            server.panel.card_failed = state.has_failed();
+            let panel = &mut server.panel;
+            panel.times = scans.times;
+            panel.images = images;
+            panel.card_failed = state.has_failed();
             server.step(board, plc.memory(), None, server::SLICE);
             plc.set_outputs(server.panel.images.outputs);
         }
-        if new_millisecond || diagnosis.is_seldom() {
+        if due {
             indicator::show_run(&board.pins, server.panel.forces.any());
             let data = plc.data();
             board.analogue.step(&mut data.analogue);
-            data.scan_time(diagnosis.times().last);
-            retentive.step(&board.eeprom, data.retained(), millis as u16);
-        }
-        match diagnosis.slice(board) {
-            Ok(Turn::Free) if state.is_kept() => state.step(board, images, diagnosis.times()),
-            Ok(_) => {}
-            Err(cause) => {
-                server.panel.times = diagnosis.times();
+            data.scan_time(scans.times.last());
+            retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
+            state.step(board, images, &scans.times);
+            if state.is_sending() {
+                scans.hurry();
+            }
+            if let Err(cause) = diagnosis.step(board) {
+                server.panel.times = scans.times;
                 return Some(Fault::without_line(cause));
             }
         }
@@ -272,14 +238,16 @@ fn stop(
     indicator::show_stop(pins, || {
         watchdog::feed();
         let panel = &mut server.panel;
-        let inputs = panel.forces.inputs(pins.inputs(plc.needs().inputs));
+        let inputs = panel
+            .forces
+            .inputs(pins.levels().all_inputs(plc.needs().inputs));
         panel.images.inputs = inputs;
         panel.card_failed = state.has_failed();
         let images = Images {
             inputs,
             outputs: Image::default(),
         };
-        state.step(board, images, panel.times);
+        state.step(board, images, &panel.times);
         board.analogue.step(&mut plc.data().analogue);
         retentive.step(&board.eeprom, plc.data().retained(), clock::now() as u16);
         server.step(board, plc.memory(), None, server::AT_ONCE);

@@ -10,7 +10,7 @@ use crate::board::flash::{Codes, FlashText, flash_codes};
 use crate::card::writer::{Progress, Writer};
 use crate::card::{CardFailed, Place};
 use crate::decimal::{DIGITS, decimal};
-use crate::diagnosis::ScanTimes;
+use crate::scan::ScanTimes;
 use unoclp_core::Image;
 
 /// The text, with a mark for each digit of a value; what follows is blanks, and a line end.
@@ -64,20 +64,20 @@ impl State {
         }
     }
 
-    /// Whether there is a file to keep up to date.
-    pub fn is_kept(&self) -> bool {
-        self.writer.is_some()
-    }
-
     /// Whether the card has failed since the program runs.
     pub fn has_failed(&self) -> bool {
         self.failed
     }
 
+    /// Whether a block is on its way to the card.
+    pub fn is_sending(&self) -> bool {
+        self.writer.as_ref().is_some_and(Writer::is_sending)
+    }
+
     /// One step, to be called between scans with what the last one read and wrote. It takes 0.1 ms
     /// at most, and never waits for the card.
     #[inline(never)]
-    pub fn step(&mut self, board: &Board, images: Images, times: ScanTimes) {
+    pub fn step(&mut self, board: &Board, images: Images, times: &ScanTimes) {
         if self.advance(board, images, times).is_err() {
             board.release_card();
             self.writer = None;
@@ -89,7 +89,7 @@ impl State {
         &mut self,
         board: &Board,
         images: Images,
-        times: ScanTimes,
+        times: &ScanTimes,
     ) -> Result<(), CardFailed> {
         let Some(writer) = &mut self.writer else {
             return Ok(());
@@ -157,10 +157,10 @@ struct Text {
 }
 
 impl Text {
-    fn begin(&mut self, images: Images, times: ScanTimes, uptime: &[u8; DIGITS]) {
+    fn begin(&mut self, images: Images, times: &ScanTimes, uptime: &[u8; DIGITS]) {
         self.template = flash_codes!(Codes::plain(TEMPLATE));
         self.images = images;
-        self.times = times;
+        self.times = *times;
         self.value = 0;
         self.digits = *uptime;
         self.next = DIGITS as u8;
@@ -191,9 +191,9 @@ impl Text {
                     return b'0' + (points >> value & 1);
                 }
                 UPTIME => 0,
-                9 => self.times.last,
-                10 => self.times.least,
-                _ => self.times.most,
+                9 => self.times.last(),
+                10 => self.times.least(),
+                _ => self.times.most(),
             };
             if value == UPTIME {
                 self.next = 0;

@@ -122,12 +122,6 @@ impl Moment {
         }
     }
 
-    /// Whether both are of the same millisecond.
-    #[inline(always)]
-    pub fn is_of_millisecond(self, other: Moment) -> bool {
-        self.of == other.of
-    }
-
     /// The time from an earlier moment of the same millisecond, in half microseconds.
     #[inline(always)]
     pub fn since_in_millisecond(self, earlier: Moment) -> Option<u16> {

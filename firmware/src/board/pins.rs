@@ -24,6 +24,28 @@ const SCK: u8 = 1 << 5;
 /// PC5, A5: to GND is STOP.
 const STOP: u8 = 1 << 5;
 
+/// The levels of pins at one moment. A closed button pulls its pin low and reads as 1.
+#[derive(Clone, Copy)]
+pub struct Levels {
+    d: u8,
+    c: u8,
+}
+
+impl Levels {
+    /// The input image of inputs 01 to 04.
+    #[inline(always)]
+    pub fn inputs(self) -> Image {
+        Image(((!self.d & INPUTS) >> 2).into())
+    }
+
+    /// The input image. Of inputs 05 to 08 only those are read that are among these, bit 0 input 01; the
+    /// others are 0.
+    pub fn all_inputs(self, among: u8) -> Image {
+        let more = !self.c << 4 & among & MORE;
+        Image(self.inputs().0 | u16::from(more))
+    }
+}
+
 /// The digital pins.
 pub struct Pins {
     b: PORTB,
@@ -69,18 +91,17 @@ impl Pins {
         });
     }
 
-    /// The input image: a closed button pulls its pin low and reads as 1. Of inputs 05 to 08 only those
-    /// are read that are among these, bit 0 input 01; the others are 0.
+    /// The levels of all pins that can be inputs, at once.
     #[inline(always)]
-    pub fn inputs(&self, among: u8) -> Image {
-        let mut inputs = (!self.d.pind().read().bits() & INPUTS) >> 2;
-        if among & MORE != 0 {
-            inputs |= !self.c.pinc().read().bits() << 4 & among & MORE;
+    pub fn levels(&self) -> Levels {
+        Levels {
+            d: self.d.pind().read().bits(),
+            c: self.c.pinc().read().bits(),
         }
-        Image(inputs.into())
     }
 
     /// Writes the output image, one write for each port.
+    #[inline(always)]
     pub fn write_outputs(&self, image: Image) {
         let [bits, _] = image.0.to_le_bytes();
         let (d, b) = (bits << 6, bits >> 2 & OUTPUTS_B);

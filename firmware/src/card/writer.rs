@@ -72,6 +72,11 @@ impl Writer {
         Ok(())
     }
 
+    /// Whether the card is selected, and takes a block.
+    pub fn is_sending(&self) -> bool {
+        matches!(self.phase, Phase::Sending(_))
+    }
+
     /// One step at this time (ms, wrapping). `byte` gives the bytes of the block, in order.
     pub fn step(
         &mut self,

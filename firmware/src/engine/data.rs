@@ -15,8 +15,8 @@ pub struct Data {
     pub system: [Cell; 4],
     /// Inputs 05 … 08.
     pub inputs: [Cell; 4],
-    /// The input image, bit 0 input 01.
-    pub image: u8,
+    /// Inputs 05 … 08 again, as bits 4 to 7.
+    pub more_inputs: u8,
     /// What is left for jumps back in this scan (NC-19); less than 0 where one went beyond.
     pub budget: i16,
     /// The line of that jump.
@@ -36,7 +36,7 @@ pub struct Data {
 // `handlers.s` has these by number.
 const _: () = {
     assert!(core::mem::offset_of!(Data, system) + 3 == 3);
-    assert!(core::mem::offset_of!(Data, image) == 8);
+    assert!(core::mem::offset_of!(Data, more_inputs) == 8);
     assert!(core::mem::offset_of!(Data, budget) == 9);
     assert!(core::mem::offset_of!(Data, line) == 11);
     assert!(core::mem::offset_of!(Data, markers) == 35);
@@ -47,6 +47,7 @@ const _: () = {
 impl Data {
     /// As before the first scan; but the retentive markers keep their states (NC-12).
     pub fn restart(&mut self) {
+        self.budget = 0;
         self.pwm.fill(0);
         let kept = usize::from(RETENTIVE) - 1;
         self.markers

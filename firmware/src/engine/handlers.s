@@ -31,7 +31,7 @@
 ; Of `Data` in `data.rs`, which stands behind the frame in the page.
         .equ    ENGINE, PAGE + 256
         .equ    ENGINE_ERROR, ENGINE + 3
-        .equ    ENGINE_INPUTS, ENGINE + 8
+        .equ    ENGINE_MORE_INPUTS, ENGINE + 8
         .equ    ENGINE_BUDGET, ENGINE + 9
         .equ    ENGINE_LINE, ENGINE + 11
         .global READINGS, MARKERS, REGISTERS

@@ -25,6 +25,7 @@ pub use rows::instruction_table;
 
 use crate::board::eeprom::Eeprom;
 use crate::server::Memory;
+use crate::state::Images;
 use crate::store::Kept;
 use core::arch::{asm, global_asm};
 use core::mem;
@@ -84,7 +85,7 @@ pub struct Linked<'m> {
     layout: Layout<'m>,
     /// Both images as the last scan left them.
     images: u8,
-    /// Whether there is anything to do in a scan beside running the code.
+    /// Whether a scan needs more than the images of inputs 01 to 04.
     prepares: bool,
     /// Whether no scan has been made yet.
     first: bool,
@@ -194,24 +195,47 @@ impl<'m> Linked<'m> {
         self.clocks = Clocks::new();
     }
 
-    /// What comes before a scan of a program that needs more than the images of inputs 01 to 04: gives
-    /// the input image.
-    #[inline(never)]
-    fn prepare(&mut self, mut inputs: u8, now: Millis) -> u8 {
-        let data = &mut *self.layout.data;
-        let needs = self.layout.stored.needs;
+    /// Whether a scan needs to [`prepare`](Linked::prepare).
+    pub fn has_to_prepare(&self) -> bool {
+        // Inputs from 05 on that were forced, and are no more, are still to be forgotten.
+        self.prepares || self.layout.data.more_inputs != 0
+    }
+
+    /// What comes before the program in a scan that needs more than the image of inputs 01 to 04: gives the
+    /// input image that it sees, filtered.
+    pub fn prepare(&mut self, mut inputs: Image, now: Millis) -> Image {
+        let needs = self.needs();
         if needs.filter != 0 {
-            let points = Image(inputs.into());
-            self.debounce.scan(points, needs.filter, self.first, now);
-            inputs = self.debounce.image().0 as u8;
+            inputs = self.filtered(inputs, now);
         }
-        // From the highest on: the bit of each comes to where a cell has it.
-        let mut bits = inputs;
-        for cell in data.inputs.iter_mut().rev() {
-            *cell = bits & ON;
-            bits <<= 1;
+        let data = &mut *self.layout.data;
+        let bits = inputs.0 as u8;
+        data.more_inputs = bits & !INPUTS;
+        if needs.inputs >> POINTS != 0 {
+            // The bit of each comes to where a cell has it.
+            data.inputs = [bits << 3 & ON, bits << 2 & ON, bits << 1 & ON, bits & ON];
         }
+        data.budget = JUMP_BUDGET as i16;
+        if needs.system != 0 {
+            self.prepare_system(now);
+        }
+        self.first = false;
+        inputs
+    }
+
+    // Apart, as the next one, so that scans without it do not save registers for it.
+    #[inline(never)]
+    fn filtered(&mut self, inputs: Image, now: Millis) -> Image {
+        let filter = self.layout.stored.needs.filter;
+        self.debounce.scan(inputs, filter, self.first, now);
+        self.debounce.image()
+    }
+
+    /// System markers, and the time stamp as a reading.
+    #[inline(never)]
+    fn prepare_system(&mut self, now: Millis) {
         self.clocks.scan(self.first, now);
+        let data = &mut *self.layout.data;
         data.system = [
             on(self.first),
             on(self.clocks.slow()),
@@ -219,9 +243,14 @@ impl<'m> Linked<'m> {
             0,
         ];
         data.readings[1] = now;
-        data.budget = JUMP_BUDGET as i16;
-        self.first = false;
-        inputs
+    }
+
+    /// Both images as the last scan left them.
+    pub fn images(&self) -> Images {
+        Images {
+            inputs: Image((self.images & INPUTS | self.layout.data.more_inputs).into()),
+            outputs: self.outputs(),
+        }
     }
 
     /// The output image.
@@ -237,30 +266,22 @@ impl<'m> Linked<'m> {
 
     /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives
     /// the output image.
-    ///
-    /// # Errors
-    /// [`Cause::TooManyJumps`] with the line of the jump (NC-19).
     #[inline(always)]
-    pub fn scan(&mut self, inputs: Image, now: Millis) -> Result<Image, Fault> {
-        let mut inputs = inputs.0 as u8;
-        if self.prepares {
-            inputs = self.prepare(inputs, now);
-        }
-        let data = &raw mut *self.layout.data;
-        // SAFETY: it is that of this engine.
-        unsafe { (*data).image = inputs };
-        let mut images = self.images & !INPUTS | inputs & INPUTS;
+    pub fn scan(&mut self, inputs: Image, now: Millis) -> Image {
+        let mut images = self.images & !INPUTS | inputs.0 as u8 & INPUTS;
         let (now_low, now_high) = (now as u16, (now >> 16) as u16);
         // SAFETY: the code is as the head of this file says, so handlers go from one to the next
         // until that of the end returns; they read the code and no byte behind it, and write the
-        // data of its timers, counters and other instructions, and `Data`, which is why it is named
-        // here. They change only the registers that are named here, and Y, which is saved because it
-        // cannot be named.
+        // data of its timers, counters and other instructions, and `Data`: all are reached from `self`,
+        // which is why that is named here. They change only the registers that are named here, and Y, which
+        // is saved because it cannot be named.
         unsafe {
             asm!(
                 "push r28",
                 "push r29",
                 "movw r28, r20",
+                "ldi r22, 0",
+                "ldi r23, 0",
                 "movw r24, r22",
                 "ldi r31, 0",
                 "set",
@@ -272,8 +293,8 @@ impl<'m> Linked<'m> {
                 inout("r21r20") self.layout.timers.as_mut_ptr() => _,
                 inout("r18") images,
                 out("r19") _,
-                inout("Z") data => _,
-                inout("r23r22") 0u16 => _,
+                inout("Z") &raw mut *self => _,
+                out("r23r22") _,
                 out("r25r24") _,
                 in("r3r2") now_low,
                 in("r5r4") now_high,
@@ -284,23 +305,25 @@ impl<'m> Linked<'m> {
             );
         }
         self.images = images;
-        if self.prepares {
-            self.check_jumps()?;
-        }
-        Ok(Image(u16::from(images >> POINTS)))
+        Image(u16::from(images >> POINTS))
     }
 
-    /// Whether the scan has made too many jumps back.
-    #[inline(never)]
-    fn check_jumps(&self) -> Result<(), Fault> {
-        let data = &self.layout.data;
-        if data.budget >= 0 {
-            return Ok(());
-        }
-        Err(Fault {
+    /// Whether the program jumps back: a scan may do that [too often](Linked::jumps_too_often).
+    pub fn jumps_back(&self) -> bool {
+        self.layout.jumps_back
+    }
+
+    /// Whether the last scan has made too many jumps back (NC-19).
+    pub fn jumps_too_often(&self) -> bool {
+        self.layout.data.budget < 0
+    }
+
+    /// The fault that this is, with the line of the jump.
+    pub fn too_many_jumps(&self) -> Fault {
+        Fault {
             cause: Cause::TooManyJumps,
-            line: Some(data.line.into()),
-        })
+            line: Some(self.layout.data.line.into()),
+        }
     }
 }
 

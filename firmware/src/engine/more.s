@@ -140,8 +140,7 @@ engine_load_word:
         ldd     r23, Z+1
         rjmp    word_value
 engine_load_inputs:
-        lds     r22, ENGINE_INPUTS
-        rjmp    byte_value
+        rjmp    load_inputs
 engine_load_outputs:
         mov     r22, r18
         swap    r22

@@ -269,6 +269,14 @@ square_root:
 6:      movw    r22, r8
         rjmp    word_value
 
+; All inputs.
+load_inputs:
+        mov     r22, r18
+        andi    r22, 0x0F
+        lds     r21, ENGINE_MORE_INPUTS
+        or      r22, r21
+        rjmp    byte_value
+
 ; Eight markers from and to the low bits of value.
 load_markers:
         rcall   address

@@ -7,8 +7,8 @@ mod map;
 pub mod upload;
 
 use crate::board::Board;
-use crate::diagnosis::ScanTimes;
 use crate::engine::Data;
+use crate::scan::ScanTimes;
 use crate::settings::Settings;
 use crate::state::Images;
 use map::Map;

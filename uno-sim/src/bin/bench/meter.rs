@@ -80,8 +80,6 @@ pub struct Meter {
     level: bool,
     /// When the last edge came.
     edge: u64,
-    /// Edges since power-up.
-    edges: usize,
     /// The last edge was followed by a millisecond interrupt at once, which belongs to the scan that begins there.
     ticked: bool,
 }
@@ -108,7 +106,6 @@ impl Meter {
         Meter {
             level: false,
             edge: uno.cycles(),
-            edges: 0,
             ticked: false,
             uno,
         }
@@ -117,11 +114,6 @@ impl Meter {
     /// The board.
     pub fn uno(&mut self) -> &mut Uno {
         &mut self.uno
-    }
-
-    /// Edges since power-up: the scans made.
-    pub fn edges(&self) -> usize {
-        self.edges
     }
 
     /// Runs to the next edge.
@@ -136,7 +128,6 @@ impl Meter {
             if level != self.level {
                 self.level = level;
                 self.edge += cycles;
-                self.edges += 1;
                 self.ticked = ticked;
                 return Ok(Scan {
                     cycles,
@@ -236,7 +227,7 @@ pub fn program_card(codes: &[i64]) -> Result<SdCard> {
 }
 
 /// Where a scan begins.
-pub fn scan_begin(uno: &Uno) -> Result<u32> {
+fn scan_begin(uno: &Uno) -> Result<u32> {
     let symbol = uno
         .symbol("scan_begin")
         .filter(|symbol| symbol.space == Space::Flash);

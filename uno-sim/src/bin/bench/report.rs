@@ -157,17 +157,9 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
             micros(times.most),
         ]);
     };
-    for (n, turn) in jobs.turns.iter().enumerate() {
-        let found = if turn.jobs.is_empty() {
-            "free without a STATE.TXT".to_owned()
-        } else {
-            turn.jobs.join(", ")
-        };
-        let count = jobs.turns.len();
-        row(format!("turn {} of {count}: {found}", n + 1), turn.scans);
-    }
-    row("any turn, no ms interrupt".into(), jobs.quiet);
-    row("a ms interrupt".into(), jobs.ticked);
+    row("nothing else".into(), jobs.quiet);
+    row("the ms interrupt".into(), jobs.ticked);
+    row("what is done once a ms".into(), jobs.beside);
     row("saving STATE.TXT, all together".into(), jobs.saving.scans);
     row(
         format!(

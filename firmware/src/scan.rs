@@ -1,0 +1,184 @@
+//! The scan: inputs, program, outputs (NC-5), over and over.
+//!
+//! Owns the order within a scan, and how long scans take; must not know what goes on beside them. That is
+//! due when a millisecond has begun, so a short scan has next to nothing of it.
+
+use crate::board::clock::Moment;
+use crate::board::pins::Levels;
+use crate::board::{Board, watchdog};
+use crate::engine::Linked;
+use crate::server::{Forces, Panel, State};
+use core::hint::cold_path;
+use core::mem;
+use unoclp_core::{Image, Millis};
+
+/// How long scans take; 32,767 µs stands for anything longer.
+#[derive(Clone, Copy)]
+pub struct ScanTimes {
+    // Half µs.
+    last: u16,
+    least: u16,
+    most: u16,
+}
+
+impl Default for ScanTimes {
+    /// Before the first scan has ended: all are 0.
+    fn default() -> ScanTimes {
+        ScanTimes {
+            last: 0,
+            least: u16::MAX,
+            most: 0,
+        }
+    }
+}
+
+impl ScanTimes {
+    /// The last scan, µs.
+    pub fn last(&self) -> u16 {
+        self.last / 2
+    }
+
+    /// The shortest since scanning began, µs.
+    pub fn least(&self) -> u16 {
+        self.least.min(self.most) / 2
+    }
+
+    /// The longest since scanning began, µs.
+    pub fn most(&self) -> u16 {
+        self.most / 2
+    }
+}
+
+/// A scan has made too many jumps back (NC-19).
+// A fault with its line would be another pointer that each scan keeps.
+pub struct TooManyJumps;
+
+/// The scans since scanning began.
+pub struct Scans<'b> {
+    board: &'b Board,
+    /// How long they have taken.
+    pub times: ScanTimes,
+    /// When the last one began.
+    begun: Moment,
+    /// Whether what goes on beside the scans is due.
+    due: bool,
+    forces: Forces,
+    /// Whether outputs are written; if not, the next scan is a single one.
+    runs: bool,
+    /// Whether there is more to do before the program than to read inputs 01 to 04.
+    prepares: bool,
+    /// Whether there is more to do behind it than to write outputs.
+    finishes: bool,
+}
+
+impl<'b> Scans<'b> {
+    /// Before the first of them.
+    pub fn new(board: &'b Board) -> Scans<'b> {
+        Scans {
+            board,
+            times: ScanTimes::default(),
+            begun: board.forgotten(),
+            due: false,
+            forces: Forces::default(),
+            runs: false,
+            prepares: false,
+            finishes: false,
+        }
+    }
+
+    /// The time since the last scan is no scan's.
+    pub fn pause(&mut self) {
+        self.begun = self.board.forgotten();
+    }
+
+    /// What goes on beside the scans is due after the next one.
+    pub fn hurry(&mut self) {
+        self.due = true;
+    }
+
+    /// Scans once, and again until something else is to be done: STOP, the serial port, or what goes on
+    /// beside the scans; gives whether that is due.
+    ///
+    /// # Errors
+    /// Where a scan has made too many jumps back: no outputs are written then.
+    // Apart from what goes on beside: `self` and `plc` are all that is kept in registers over a scan.
+    #[inline(never)]
+    pub fn go_on(&mut self, plc: &mut Linked<'_>, panel: &Panel) -> Result<bool, TooManyJumps> {
+        let forced = panel.forces.any();
+        self.forces = panel.forces;
+        self.runs = panel.state == State::Run;
+        self.prepares = forced || plc.has_to_prepare();
+        self.finishes = forced || !self.runs || plc.jumps_back() || plc.needs().pwm != 0;
+        loop {
+            watchdog::scan_begins();
+            // In this order: an input is never seen with a time stamp from before it changed (NC-5).
+            let levels = self.board.pins.levels();
+            let (millis, now) = self.board.moment();
+            self.note(now);
+            let mut inputs = levels.inputs();
+            if self.prepares {
+                cold_path();
+                inputs = self.prepare(plc, levels, millis);
+            }
+            let outputs = plc.scan(inputs, millis);
+            if self.finishes {
+                cold_path();
+                self.finish(plc)?;
+            } else {
+                self.board.pins.write_outputs(outputs);
+            }
+            if self.due || self.board.pins.stop() || !self.board.serial.is_quiet() {
+                return Ok(mem::take(&mut self.due));
+            }
+        }
+    }
+
+    /// What comes before the program: gives the input image that it sees.
+    #[inline(never)]
+    fn prepare(&mut self, plc: &mut Linked<'_>, levels: Levels, millis: Millis) -> Image {
+        let inputs = self.forces.inputs(levels.all_inputs(plc.needs().inputs));
+        plc.prepare(inputs, millis)
+    }
+
+    /// What comes behind it.
+    #[inline(never)]
+    fn finish(&mut self, plc: &mut Linked<'_>) -> Result<(), TooManyJumps> {
+        if plc.jumps_too_often() {
+            return Err(TooManyJumps);
+        }
+        let outputs = self.forces.outputs(plc.outputs());
+        plc.set_outputs(outputs);
+        if self.runs {
+            self.board.pins.write_outputs(outputs);
+            self.board.write_pwm(plc.needs().pwm, &plc.data().pwm);
+        } else {
+            // A single scan.
+            self.due = true;
+        }
+        Ok(())
+    }
+
+    /// A scan has ended, and the next begins now: the last one lasted from its beginning to this one's.
+    #[inline(always)]
+    fn note(&mut self, now: Moment) {
+        let begun = mem::replace(&mut self.begun, now);
+        match now.since_in_millisecond(begun) {
+            Some(time) if time >= self.times.least && time <= self.times.most => {
+                self.times.last = time;
+            }
+            _ => self.note_unusual(now.since(begun)),
+        }
+    }
+
+    /// The time of a scan in which a millisecond has begun, or that is the shortest or longest so far.
+    #[cold]
+    #[inline(never)]
+    fn note_unusual(&mut self, time: Option<u16>) {
+        self.due = true;
+        if let Some(time) = time {
+            self.times.last = time;
+            self.times.least = self.times.least.min(time);
+            self.times.most = self.times.most.max(time);
+        }
+    }
+}
