@@ -1,6 +1,6 @@
 //! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
 
-use crate::isa::{self, Entry, Kind};
+use crate::isa::{self, Entry, Kind, Line};
 use crate::needs::Needs;
 use crate::{Cause, Profile, Program};
 use core::mem;
@@ -55,7 +55,7 @@ impl<'m> Room<'m> {
         }
         match kind {
             Kind::Timer => self.timers = self.timers.saturating_add(1),
-            Kind::Value if xx == 0 => run += 3,
+            Kind::Value if xx == 0 => run += usize::from(Line::Constant.more_run_bytes(0)),
             Kind::Input if holds_point && xx > isa::FAST_INPUTS => run += 2,
             _ => {}
         }
