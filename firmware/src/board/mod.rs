@@ -19,6 +19,7 @@ pub mod flash;
 pub mod pins;
 pub mod pwm;
 pub mod serial;
+mod shared;
 pub mod spi;
 pub mod stack;
 pub mod watchdog;

@@ -4,11 +4,11 @@
 //! The interrupts of `port.s` move the bytes of a frame; what is here begins and ends that.
 
 use super::flash::{self, FlashText};
+use super::shared::Shared;
 use crate::decimal::{DIGITS, decimal};
 use crate::settings::Settings;
 use avr_device::atmega328p::{PORTC, TC2, USART0};
 use core::arch::global_asm;
-use core::cell::UnsafeCell;
 use unoclp_modbus::Frame;
 
 global_asm!(include_str!("port.s"), options(raw));
@@ -30,31 +30,7 @@ const SILENCE_PER_DIVIDER: u16 = 77;
 /// Above 19200 baud silence is 1.75 ms, as with this divider.
 const SHORTEST_SILENCE: u16 = 91;
 
-/// Memory that the interrupts share.
-#[repr(transparent)]
-struct Shared<T>(UnsafeCell<T>);
-
-// SAFETY: the chip has one core. Bytes are read and written in one instruction; the words are touched only while
-// no interrupt of the port is enabled.
-unsafe impl<T> Sync for Shared<T> {}
-
-impl<T: Copy> Shared<T> {
-    const fn new(value: T) -> Shared<T> {
-        Shared(UnsafeCell::new(value))
-    }
-
-    #[inline(always)]
-    fn get(&self) -> T {
-        // SAFETY: it is valid; volatile, since interrupts write it.
-        unsafe { self.0.get().read_volatile() }
-    }
-
-    #[inline(always)]
-    fn set(&self, value: T) {
-        // SAFETY: as above.
-        unsafe { self.0.get().write_volatile(value) }
-    }
-}
+// The words are touched only while no interrupt of the port is enabled.
 
 /// Where the frame stands.
 #[unsafe(export_name = "PORT_FRAME")]

@@ -5,11 +5,11 @@
 //! interrupt counts the age of the scan in memory that start-up does not clear: a run that ended
 //! in the middle of an old scan was ended by the watchdog.
 
+use super::shared::Shared;
 use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
 use core::arch::{asm, global_asm};
-use core::cell::UnsafeCell;
 
 /// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
 /// is no quartz.
@@ -36,39 +36,18 @@ global_asm!(
     ".previous",
 );
 
-/// Memory that outlasts a reset.
-#[repr(transparent)]
-struct Kept<T>(UnsafeCell<T>);
-
-// SAFETY: of two bytes no interrupt knows anything, and a single one is never seen half written.
-unsafe impl<T> Sync for Kept<T> {}
-
-impl<T: Copy> Kept<T> {
-    #[inline(always)]
-    fn get(&self) -> T {
-        // SAFETY: it is valid, and any bits are a value. Without an atomic load, which would keep the
-        // clock's interrupt waiting: that counts the age of the scan.
-        unsafe { self.0.get().read_volatile() }
-    }
-
-    #[inline(always)]
-    fn set(&self, value: T) {
-        // SAFETY: as above.
-        unsafe { self.0.get().write_volatile(value) }
-    }
-}
-
-// SAFETY: the lines above define them, with these sizes; any bits are a value of each.
+// SAFETY: the lines above define them, with these sizes; any bits are a value of each. No interrupt knows
+// the words.
 unsafe extern "C" {
-    safe static DOING: Kept<u16>;
+    safe static DOING: Shared<u16>;
     /// Restarts since power-up.
-    safe static RESTARTS: Kept<u16>;
+    safe static RESTARTS: Shared<u16>;
     /// Faults since power-up.
-    safe static FAULTS: Kept<u16>;
+    safe static FAULTS: Shared<u16>;
     /// The age of the scan, ms; it stops at 255. The clock's interrupt counts it.
-    safe static AGE: Kept<u8>;
+    safe static AGE: Shared<u8>;
     /// The last static bytes: a stack that grows too far meets them first.
-    safe static GUARD: Kept<u16>;
+    safe static GUARD: Shared<u16>;
 }
 
 /// Why the board has started. In the order of the causes in `docs/modbus.md`.
