@@ -3,7 +3,7 @@
 //! Owns the order within a scan, and how long scans take; must not know what goes on beside them. That is
 //! due when a millisecond has begun, so a short scan has next to nothing of it.
 
-use crate::board::clock::Moment;
+use crate::board::clock::{self, Moment};
 use crate::board::pins::Levels;
 use crate::board::{Board, watchdog};
 use crate::engine::Linked;
@@ -46,6 +46,13 @@ impl ScanTimes {
     /// The longest since scanning began, µs.
     pub fn most(&self) -> u16 {
         self.most / 2
+    }
+
+    /// That of another scan, half µs.
+    fn take(&mut self, time: u16) {
+        self.last = time;
+        self.least = self.least.min(time);
+        self.most = self.most.max(time);
     }
 }
 
@@ -162,23 +169,37 @@ impl<'b> Scans<'b> {
     #[inline(always)]
     fn note(&mut self, now: Moment) {
         let begun = mem::replace(&mut self.begun, now);
-        match now.since_in_millisecond(begun) {
-            Some(time) if time >= self.times.least && time <= self.times.most => {
-                self.times.last = time;
-            }
-            _ => self.note_unusual(now.since(begun)),
+        let Some(time) = now.since_in_millisecond(begun) else {
+            return self.note_millisecond(now.since(begun));
+        };
+        if time >= self.times.least && time <= self.times.most {
+            self.times.last = time;
+        } else {
+            self.note_unusual(time);
         }
     }
 
-    /// The time of a scan in which a millisecond has begun, or that is the shortest or longest so far.
+    /// A millisecond has begun since the scan did that has ended. Fed only then, the watchdog sees too that
+    /// the clock goes on.
     #[cold]
     #[inline(never)]
-    fn note_unusual(&mut self, time: Option<u16>) {
+    fn note_millisecond(&mut self, time: Option<u16>) {
+        watchdog::feed();
         self.due = true;
         if let Some(time) = time {
-            self.times.last = time;
-            self.times.least = self.times.least.min(time);
-            self.times.most = self.times.most.max(time);
+            self.times.take(time);
+        }
+    }
+
+    /// The shortest or longest scan so far; or one at whose end the clock should have gone on, and has not:
+    /// it stands, and the watchdog will bite.
+    #[cold]
+    #[inline(never)]
+    fn note_unusual(&mut self, time: u16) {
+        if clock::is_in_millisecond(time) {
+            self.times.take(time);
+        } else {
+            self.due = true;
         }
     }
 }

@@ -175,6 +175,7 @@ fn a_fault_can_only_be_restarted() {
     uno.card_mut().unwrap().power_cycle();
     write(&mut uno, 400, RESTART).unwrap();
     to_run(&mut uno);
+    uno.run_ms(5).unwrap();
     assert_eq!(input(&mut uno, 16), RUN);
 }
 

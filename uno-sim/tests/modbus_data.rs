@@ -279,7 +279,8 @@ fn analogue_readings_in_run_and_in_stop() {
             for (channel, reading) in readings.into_iter().enumerate() {
                 uno.set_analogue(channel, Analogue::Reading(reading));
             }
-            uno.run_ms(10).unwrap();
+            // Two ms for each of the five, and for the reference.
+            uno.run_ms(15).unwrap();
             assert_eq!(words(&mut uno, 4, 0, 5), readings, "{state}");
             if state == RUN {
                 let registers = words(&mut uno, 3, 0, 10);

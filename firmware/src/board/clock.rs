@@ -108,6 +108,11 @@ pub fn moment(timer: &TC1) -> (Millis, Moment) {
     (millis, Moment { count, of })
 }
 
+/// Whether a time, in half microseconds, is shorter than a millisecond.
+pub fn is_in_millisecond(time: u16) -> bool {
+    time <= TOP
+}
+
 /// The longest time that is measured between two moments, ms: in half microseconds it fits 16 bits.
 const LONGEST: u8 = 31;
 /// No scan takes so many ms: the watchdog comes first.
@@ -122,7 +127,8 @@ impl Moment {
         }
     }
 
-    /// The time from an earlier moment of the same millisecond, in half microseconds.
+    /// The time from an earlier moment of the same millisecond, in half microseconds; beyond
+    /// [a millisecond](is_in_millisecond) where the clock stands.
     #[inline(always)]
     pub fn since_in_millisecond(self, earlier: Moment) -> Option<u16> {
         (self.of == earlier.of).then(|| self.count.wrapping_sub(earlier.count))

@@ -44,7 +44,7 @@ unsafe extern "C" {
     safe static RESTARTS: Shared<u16>;
     /// Faults since power-up.
     safe static FAULTS: Shared<u16>;
-    /// The age of the scan, ms; it stops at 255. The clock's interrupt counts it.
+    /// The age of the scan, or by one more, ms; it stops at 255. The clock's interrupt counts it.
     safe static AGE: Shared<u8>;
     /// The last static bytes: a stack that grows too far meets them first.
     safe static GUARD: Shared<u16>;
@@ -168,17 +168,13 @@ pub fn scan_begins() {
             options(nomem, nostack, preserves_flags)
         );
     }
-    feed();
 }
 
 /// The watchdog waits anew, and the age of the scan is 0.
 #[inline(always)]
 pub fn feed() {
-    // SAFETY: `AGE` is a byte, so nothing sees it half written. An atomic store of the compiler's
-    // would take three times as long, in every scan.
-    unsafe {
-        asm!("sts {age}, r1", "wdr", age = sym AGE, options(nostack, preserves_flags));
-    }
+    AGE.set(0);
+    avr_device::asm::wdr();
 }
 
 /// What is done now counts as overdue: the next start is the watchdog's fault.

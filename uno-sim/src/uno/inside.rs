@@ -97,6 +97,11 @@ impl Uno {
         self.wired.eeprom.wear()
     }
 
+    /// Whether a byte of the EEPROM is being written.
+    pub fn eeprom_is_busy(&self) -> bool {
+        self.wired.eeprom.is_busy()
+    }
+
     /// Switches the timer interrupts off: the program's millisecond clock stands, and shows what a test writes to it.
     pub fn stop_clock(&mut self) {
         self.avr.set_register(reg::TIMSK1, 0);

@@ -23,7 +23,7 @@ pub fn exchange(uno: &mut Uno, bytes: &[u8], patience_ms: u64) -> Option<Vec<u8>
     uno.take_serial_log();
     let mut last = uno.send_serial(bytes);
     let silence = silence(uno);
-    let limit = last + silence + patience_ms * CYCLES_PER_MS;
+    let mut limit = last + silence + patience_ms * CYCLES_PER_MS;
     let mut reply = Vec::new();
     loop {
         uno.run_cycles(CYCLES_PER_MS / 10).unwrap();
@@ -36,6 +36,10 @@ pub fn exchange(uno: &mut Uno, bytes: &[u8], patience_ms: u64) -> Option<Vec<u8>
             last = sent.end;
         }
         let now = uno.cycles();
+        if uno.eeprom_is_busy() {
+            // Answers wait until it has been written.
+            limit = limit.max(now + CYCLES_PER_MS);
+        }
         if reply.is_empty() && now > limit {
             return None;
         }
