@@ -153,6 +153,11 @@ fn blocks_are_repeated_and_in_order() {
     let mut uno = stopped();
     assert_eq!(send(&mut uno, 0, b"0\n"), Err(4), "no upload yet");
     write(&mut uno, 400, UPLOAD).unwrap();
+    assert_eq!(
+        send(&mut uno, 255, b""),
+        Err(3),
+        "not the one before the first"
+    );
     let mut number = 0;
     for _ in 0..2 {
         for part in [&b"0\n8779"[..], b"02\n", b""] {

@@ -14,7 +14,7 @@ use unoclp_modbus::Exception;
 pub struct Upload<'m> {
     loader: Loader<'m>,
     /// The number of the next block.
-    next: u8,
+    next: u16,
     /// The check sum of the text so far, and of all of it when it came for the first time.
     sum: Crc16,
     first: Option<Crc16>,
@@ -69,11 +69,11 @@ impl Upload<'_> {
         if padding > 1 {
             return Err(Exception::IllegalDataValue);
         }
-        if *number == self.next.wrapping_sub(1) {
+        if self.next.checked_sub(1).map(|last| last as u8) == Some(*number) {
             // The last one again: its answer was lost.
             return Ok(());
         }
-        if *number != self.next {
+        if *number != self.next as u8 {
             return Err(Exception::IllegalDataValue);
         }
         self.next = self.next.wrapping_add(1);
