@@ -169,7 +169,9 @@ fn run(
     }
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
-    board.analogue.measure(needs.analogue);
+    board
+        .analogue
+        .measure(needs.analogue, &mut plc.data().analogue);
     let mut diagnosis = Diagnosis::new(plc.code());
     board.watchdog.start();
     server.panel.state = server::State::Run;

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{card, to_run, uno};
-use unoclp_uno_sim::{Analogue, Slot, Uno};
+use unoclp_uno_sim::{Analogue, Pin, Slot, Uno};
 
 fn running(text: &str) -> Uno {
     let mut uno = uno(Slot::Card(card(text)));
@@ -30,6 +30,27 @@ fn every_channel_reads_what_is_on_its_pin() {
             );
         }
     }
+}
+
+/// Each output is on where its channel reads less than it should.
+#[test]
+fn every_channel_has_been_measured_before_the_first_scan() {
+    let rung = |channel: usize| {
+        format!(
+            "787600\n766865{channel:02}\n768400\n900\n8779{:02}\n",
+            channel + 1
+        )
+    };
+    let text: String = (0..4).map(rung).collect();
+    let mut uno = uno(Slot::Card(card(&format!("0\n{text}"))));
+    for channel in 0..4 {
+        uno.set_analogue(channel, Analogue::Reading(1000));
+    }
+    to_run(&mut uno);
+    uno.take_edges();
+    uno.run_ms(50).unwrap();
+    let edges = uno.take_edges();
+    assert!(edges.iter().all(|edge| edge.pin == Pin::Led), "{edges:?}");
 }
 
 #[test]

@@ -56,9 +56,25 @@ impl Analogue {
         analogue
     }
 
-    /// From now on these inputs are measured too, bit 0 A 00.
-    pub fn measure(&self, channels: u8) {
+    /// From now on these inputs are measured too, bit 0 A 00; the readings of the others are 0. Each is
+    /// measured once before this returns, which takes 0.2 ms each.
+    pub fn measure(&self, channels: u8, readings: &mut Readings) {
+        readings.fill(0);
         self.channels.set(channels);
+        // From the next channel on to the reference, and then all of them.
+        for _ in 0..2 {
+            while !self.is_settled_reference() {
+                self.step(readings);
+            }
+            while self.is_settled_reference() {
+                self.step(readings);
+            }
+        }
+    }
+
+    /// Whether the next reading is that of the reference which counts.
+    fn is_settled_reference(&self) -> bool {
+        self.channel.get() == LAST && self.settled.get()
     }
 
     /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
