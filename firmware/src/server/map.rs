@@ -3,11 +3,11 @@
 use super::upload::Upload;
 use super::{Command, Memory, Panel, State};
 use crate::board::flash::{Codes, flash_codes};
-use crate::board::{Board, clock, stack};
+use crate::board::{Board, stack};
 use crate::engine::data::ON;
 use crate::{settings, store};
-use unoclp_core::Profile;
 use unoclp_core::isa::{ANALOGUE, COUNTER_DATA, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
+use unoclp_core::{Millis, Profile};
 use unoclp_modbus::{Access, Device, Exception, Table};
 
 const INPUTS: u16 = Profile::UNO.inputs as u16;
@@ -57,7 +57,7 @@ impl Map<'_, '_> {
             2 => return panel.fault.map_or(0, |fault| fault.cause.number().into()),
             3 => return board.start as u16 + 1,
             4 | 5 => line,
-            6 | 7 => clock::now(),
+            6 | 7 => panel.now,
             8 => return panel.times.last(),
             9 => return panel.times.least(),
             10 => return panel.times.most(),
@@ -88,7 +88,7 @@ impl Map<'_, '_> {
         };
         let bytes = bytes.get(at..).unwrap_or_default();
         let long = if input && area == Area::Timers {
-            elapsed(bytes)
+            elapsed(bytes, self.panel.now)
         } else {
             u32_of(bytes)
         };
@@ -174,11 +174,12 @@ fn u32_of(bytes: &[u8]) -> u32 {
 }
 
 /// What has elapsed of the timer with this data, ms: see `engine/timers.s`.
-fn elapsed(data: &[u8]) -> u32 {
+fn elapsed(data: &[u8], now: Millis) -> u32 {
     let [state, rest @ ..] = data else { return 0 };
     let mut time = u32_of(rest);
     if state & 1 != 0 {
-        time = clock::now().wrapping_sub(time);
+        // One that has started since this request came has nothing behind it.
+        time = (now.wrapping_sub(time) as i32).max(0) as u32;
     }
     time.min(u32_of(rest.get(4..).unwrap_or_default()))
 }

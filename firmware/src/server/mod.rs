@@ -6,13 +6,13 @@
 mod map;
 pub mod upload;
 
-use crate::board::Board;
+use crate::board::{Board, clock};
 use crate::engine::Data;
 use crate::scan::ScanTimes;
 use crate::settings::Settings;
 use crate::state::Images;
 use map::Map;
-use unoclp_core::{Fault, Image};
+use unoclp_core::{Fault, Image, Millis};
 use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, refuse};
 use upload::Upload;
 
@@ -91,6 +91,8 @@ pub struct Panel {
     pub times: ScanTimes,
     /// The settings that are kept.
     pub settings: Settings,
+    /// When the request came that is being done, ms since start: two words of one time belong together.
+    pub now: Millis,
 }
 
 impl Panel {
@@ -153,6 +155,7 @@ impl Server {
                 images: Images::default(),
                 times: ScanTimes::default(),
                 settings,
+                now: 0,
             },
         }
     }
@@ -196,6 +199,7 @@ impl Server {
                 let Some(length) = board.serial.received(self.frame) else {
                     return;
                 };
+                map.panel.now = clock::now();
                 match begin(self.frame, length, &mut map) {
                     Answer::Silence => 0,
                     Answer::Ready(length) => length,
