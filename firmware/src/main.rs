@@ -120,7 +120,10 @@ fn serve(
                 }
             }
             Err(fault) => indicator::show(&board.pins, fault.cause, || {
-                server.panel.images.inputs = board.pins.levels().inputs();
+                // Which of the others are digital, a program would tell.
+                let inputs = board.pins.levels().inputs();
+                server.panel.images.inputs = server.panel.forces.inputs(inputs);
+                board.analogue.step(&mut data.analogue);
                 server.step(board, Memory::idle(data), None, server::AT_ONCE);
                 retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
                 server.panel.command == Some(Command::Upload)
@@ -190,7 +193,8 @@ fn run(
         let Ok(due) = scans.go_on(plc, &server.panel) else {
             return Some(plc.too_many_jumps());
         };
-        let images = plc.images();
+        let mut images = plc.images();
+        images.outputs = server.panel.forces.outputs(images.outputs);
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
         if !board.serial.is_quiet() && !board.eeprom.is_busy() {
             let panel = &mut server.panel;

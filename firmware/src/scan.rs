@@ -143,8 +143,10 @@ impl<'b> Scans<'b> {
     /// What comes before the program: gives the input image that it sees.
     #[inline(never)]
     fn prepare(&mut self, plc: &mut Linked<'_>, levels: Levels, millis: Millis) -> Image {
-        let inputs = self.forces.inputs(levels.all_inputs(plc.needs().inputs));
-        plc.prepare(inputs, millis)
+        let inputs = plc.filter(levels.all_inputs(plc.needs().inputs), millis);
+        let inputs = self.forces.inputs(inputs);
+        plc.prepare(inputs, millis);
+        inputs
     }
 
     /// What comes behind it.
@@ -157,7 +159,10 @@ impl<'b> Scans<'b> {
         plc.set_outputs(outputs);
         if self.runs {
             self.board.pins.write_outputs(outputs);
-            self.board.write_pwm(plc.needs().pwm, &plc.data().pwm);
+            let pwm = plc.needs().pwm;
+            let forced = self.forces.forced_outputs();
+            self.board.write_pwm(pwm & !forced, &plc.data().pwm);
+            self.board.write_pwm(pwm & forced, &[0; 4]);
         } else {
             // A single scan.
             self.due = true;

@@ -245,6 +245,65 @@ fn forcing_stands_between_pins_and_program() {
     assert_eq!(words(&mut uno, 3, 402, 4), [0; 4]);
 }
 
+/// Output 01 is PWM at half, output 02 on where output 01 reads as 1, which it never does.
+#[test]
+fn an_output_that_is_pwm_is_forced_too() {
+    let mut uno = running("0\n766800\n128\n83848001\n787600\n76687900\n66738400\n877902\n");
+    assert!(uno.pwm(0).is_some());
+    for (values, pins) in [(0, 0), (1, 1)] {
+        write_words(&mut uno, 404, &[1, values]).unwrap();
+        uno.run_ms(2).unwrap();
+        assert!(uno.pwm(0).is_none(), "{values}");
+        assert_eq!(uno.outputs() & 1, pins, "{values}");
+        assert_eq!(bits(&mut uno, 1, 0, 4), pins);
+        write_words(&mut uno, 404, &[0, 0]).unwrap();
+        uno.run_ms(2).unwrap();
+        assert_eq!(bits(&mut uno, 1, 0, 4), 0);
+        assert_eq!(uno.outputs() & 0b1110, 0);
+        let duty = uno.pwm(0).unwrap().duty();
+        assert!((duty - 0.5).abs() < 0.01, "{duty}");
+    }
+    // Its coil can be written, and is 0 all the same.
+    write_coil(&mut uno, 0, true).unwrap();
+    uno.run_ms(2).unwrap();
+    assert_eq!(bits(&mut uno, 1, 0, 4), 0);
+}
+
+#[test]
+fn a_forced_input_passes_by_the_filter() {
+    let mut uno = running("0\n707399\n787600\n827301\n877901\n");
+    for (value, pins) in [(1, 1), (0, 0)] {
+        write_words(&mut uno, 402, &[1, value]).unwrap();
+        uno.run_ms(1).unwrap();
+        assert_eq!(uno.outputs(), pins);
+    }
+}
+
+#[test]
+fn inputs_are_told_as_they_are_forced_in_a_fault_too() {
+    let mut uno = in_state(FAULT);
+    uno.set_inputs(0b0001);
+    write_words(&mut uno, 402, &[0b0001_0011, 0b0001_0010]).unwrap();
+    assert_eq!(bits(&mut uno, 2, 0, 8), 0b0001_0010);
+}
+
+/// The low word of the time goes over while both words are read.
+#[test]
+fn two_words_of_the_time_belong_together() {
+    let mut uno = running(FOLLOW);
+    let millis = uno.symbol("MILLIS").unwrap().address;
+    // It takes some 2.5 ms until the request is read; the two words, 15 us.
+    for phase in 0..200 {
+        uno.run_cycles(CYCLES_PER_MS / 200).unwrap();
+        uno.write_ram(millis, &0xFFFD_u32.to_le_bytes()).unwrap();
+        let [high, low] = words(&mut uno, 4, 22, 2)[..] else {
+            panic!("two words")
+        };
+        let time = u32::from(high) << 16 | u32::from(low);
+        assert!((0xFFFE..0x1_0010).contains(&time), "{phase}: {time:#x}");
+    }
+}
+
 #[test]
 fn the_led_shows_forcing() {
     let mut uno = running(FOLLOW);

@@ -201,13 +201,17 @@ impl<'m> Linked<'m> {
         self.prepares || self.layout.data.more_inputs != 0
     }
 
-    /// What comes before the program in a scan that needs more than the image of inputs 01 to 04: gives the
-    /// input image that it sees, filtered.
-    pub fn prepare(&mut self, mut inputs: Image, now: Millis) -> Image {
-        let needs = self.needs();
-        if needs.filter != 0 {
-            inputs = self.filtered(inputs, now);
+    /// The input image as the input filter of the program has it (NC-18).
+    pub fn filter(&mut self, inputs: Image, now: Millis) -> Image {
+        match self.needs().filter {
+            0 => inputs,
+            _ => self.filtered(inputs, now),
         }
+    }
+
+    /// What comes before the program in a scan that needs more than the image of inputs 01 to 04.
+    pub fn prepare(&mut self, inputs: Image, now: Millis) {
+        let needs = self.needs();
         let data = &mut *self.layout.data;
         let bits = inputs.0 as u8;
         data.more_inputs = bits & !INPUTS;
@@ -220,7 +224,6 @@ impl<'m> Linked<'m> {
             self.prepare_system(now);
         }
         self.first = false;
-        inputs
     }
 
     // Apart, as the next one, so that scans without it do not save registers for it.
@@ -258,10 +261,10 @@ impl<'m> Linked<'m> {
         Image(u16::from(self.images >> POINTS))
     }
 
-    /// Writes the output image from outside of the program.
-    #[inline(always)]
+    /// Writes the output image from outside of the program. Outputs that are PWM stay 0 there (NC-18).
     pub fn set_outputs(&mut self, outputs: Image) {
-        self.images = self.images & INPUTS | (outputs.0 as u8) << POINTS;
+        let outputs = outputs.0 as u8 & !self.needs().pwm;
+        self.images = self.images & INPUTS | outputs << POINTS;
     }
 
     /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives

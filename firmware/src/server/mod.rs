@@ -61,6 +61,12 @@ impl Forces {
         Image((image.0 as u8 & !points | values & points).into())
     }
 
+    /// Which outputs are forced, bit 0 output 01.
+    pub fn forced_outputs(self) -> u8 {
+        let [.., outputs, _] = self.0;
+        outputs
+    }
+
     /// The same of the output image.
     #[inline(always)]
     pub fn outputs(self, image: Image) -> Image {
