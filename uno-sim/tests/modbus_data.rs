@@ -291,6 +291,24 @@ fn analogue_readings_in_run_and_in_stop() {
     }
 }
 
+/// D 01 is the time of the last scan, as LDS 01 gives it, D 02 the time stamp.
+#[test]
+fn system_readings_are_those_of_the_diagnostics() {
+    let mut uno = running("0\n76688301\n838401\n76688302\n838402\n");
+    uno.run_ms(50).unwrap();
+    for _ in 0..20 {
+        uno.run_ms(1).unwrap();
+        let time = long(&mut uno, 3, 0);
+        let times = words(&mut uno, 4, 25, 2);
+        let within = i32::from(times[0])..=i32::from(times[1]);
+        assert!(time > 0 && within.contains(&time), "{time} {within:?}");
+        let stamp = long(&mut uno, 3, 2);
+        let uptime = words(&mut uno, 4, 22, 2);
+        let uptime = i32::from(uptime[0]) << 16 | i32::from(uptime[1]);
+        assert!((stamp..stamp + 20).contains(&uptime), "{stamp} {uptime}");
+    }
+}
+
 #[test]
 fn inputs_05_to_08_are_read_and_forced() {
     let text: String = (1..5)

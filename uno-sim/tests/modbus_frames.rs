@@ -116,8 +116,8 @@ const COUNTS: [u16; 12] = [0, 1, 2, 3, 4, 5, 8, 16, 32, 64, 0xFF00, 0xFFFF];
 fn mutated_frames() {
     let mut uno = running();
     let mut random = Random::new(0x2545_F491);
-    let mut replies = 0;
-    for n in 0..FRAMES {
+    let (mut n, mut replies) = (0, 0);
+    while n < FRAMES {
         let function = random.pick(&[1, 2, 3, 4, 5, 6, 15, 16, 43]);
         let first: u16 = random.pick(&ADDRESSES);
         let count: u16 = random.pick(&COUNTS);
@@ -155,6 +155,7 @@ fn mutated_frames() {
                 continue;
             }
         }
+        n += 1;
         if let Some(reply) = exchange(&mut uno, &sent, patience(&sent)) {
             replies += 1;
             assert_eq!(reply[0], 1, "{sent:02x?}");
@@ -173,8 +174,8 @@ fn mutated_frames() {
 fn random_frames() {
     let mut uno = running();
     let mut random = Random::new(0x9E37_79B9);
-    let mut replies = 0;
-    for n in 0..FRAMES {
+    let (mut n, mut replies) = (0, 0);
+    while n < FRAMES {
         let length = random.pick(&[1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 20]);
         let mut frame: Vec<u8> = (0..length).map(|_| random.byte()).collect();
         if random.below(4) > 0 {
@@ -186,6 +187,7 @@ fn random_frames() {
         if is_serious(&frame) {
             continue;
         }
+        n += 1;
         replies += u32::from(exchange(&mut uno, &frame, patience(&frame)).is_some());
         if n % 64 == 0 {
             assert_well(&mut uno, random.byte() & 0x0F);

@@ -271,28 +271,43 @@ fn longest(uno: &mut Uno, scans: u32) -> u64 {
     longest
 }
 
+/// As much as a request can ask for, of a program with many timers: 60 of them fill its memory.
 #[test]
 fn no_scan_grows_by_more_than_300_us() {
-    let mut uno = running();
+    let timers: String = (0..60)
+        .map(|n| format!("787600\n847978\n{}\n7901\n", 100_000 + n))
+        .collect();
+    let mut uno = uno(Slot::Card(card(&format!("0\n{timers}"))));
+    to_serving(&mut uno);
     set(&mut uno, [1, 96, 0, 0]);
-    let idle = longest(&mut uno, 40_000);
-    let requests: [&[u8]; 8] = [
-        &[1, 4, 0, 16, 0, 17],
-        &[1, 3, 1, 0x9A, 0, 4],
-        &[1, 3, 1, 0x92, 0, 4],
-        &[1, 1, 0, 0, 0, 4],
-        &[1, 2, 0, 0, 0, 4],
-        &[1, 16, 1, 0x92, 0, 4, 8, 0, 1, 0, 1, 0, 1, 0, 1],
-        &[1, 0x2B, 14, 1, 0],
-        &[1, 3, 0, 0, 0, 125],
+    uno.run_ms(20).unwrap();
+    let idle = longest(&mut uno, 4_000);
+    let mut write_registers = vec![1, 16, 0, 0, 0, 64, 128];
+    write_registers.extend([7; 128]);
+    let requests: [(&[u8], usize); 14] = [
+        (&[1, 1, 0, 0, 0, 4], 1),
+        (&[1, 1, 0, 16, 0, 64], 8),
+        (&[1, 2, 0, 0, 0, 8], 1),
+        (&[1, 3, 0, 0, 0, 64], 128),
+        (&[1, 3, 0, 128, 0, 125], 250),
+        (&[1, 3, 1, 0x92, 0, 4], 8),
+        (&[1, 3, 1, 0x9A, 0, 4], 8),
+        (&[1, 4, 0, 0, 0, 5], 10),
+        (&[1, 4, 0, 16, 0, 17], 34),
+        (&[1, 4, 0, 128, 0, 125], 250),
+        (&[1, 15, 0, 16, 0, 64, 8, 1, 2, 3, 4, 5, 6, 7, 8], 3),
+        (&[1, 16, 1, 0x92, 0, 4, 8, 0, 1, 0, 1, 0, 1, 0, 1], 3),
+        (&write_registers, 3),
+        (&[1, 0x2B, 14, 1, 0], 20),
     ];
-    for request in requests {
+    for (request, data) in requests {
         uno.send_serial(&with_crc(request));
-        let most = longest(&mut uno, 12_000);
+        let most = longest(&mut uno, 4_000);
         println!("{request:02x?}: {idle} cycles idle, {most} at most");
         assert!(most <= idle + 4800, "{request:02x?}: {idle} {most}");
         let reply = uno.take_serial_log();
-        assert!(reply.len() >= 5, "{request:02x?}");
+        assert!(reply.len() >= data + 5, "{request:02x?}: {}", reply.len());
+        assert_eq!(reply[1].byte, request[1], "{request:02x?}");
     }
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{card, to_run, uno};
-use unoclp_uno_sim::{Slot, Uno};
+use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// Input 01 sets M 57 and M 60, input 02 resets them; outputs 01 to 04 show M 57 to M 60.
 const LATCH: &str = "0\n827301\n83877757\n83877760\n787600\n827302\n82877757\n82877760\n\
@@ -28,6 +28,18 @@ fn press(uno: &mut Uno, inputs: u8) {
     uno.run_ms(30).unwrap();
     uno.set_inputs(0);
     uno.run_ms(5).unwrap();
+}
+
+/// NC-12: 9 ms behind a change the power may go, whenever it came.
+#[test]
+fn a_change_is_kept_within_9_ms() {
+    for phase in 0..10 {
+        let mut uno = running(LATCH);
+        uno.run_cycles(phase * CYCLES_PER_MS / 10).unwrap();
+        uno.set_inputs(1);
+        uno.run_ms(9).unwrap();
+        assert_eq!(after_power_cut(&mut uno), SET, "{phase}");
+    }
 }
 
 /// What the markers are after a power cut.

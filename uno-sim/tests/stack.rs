@@ -18,6 +18,11 @@ fn free(uno: &Uno) -> u32 {
     (u32::from(uno.min_sp()) + 1).saturating_sub(uno.static_ram_end())
 }
 
+/// A program of 900 stored bytes.
+fn largest() -> String {
+    "0\n".to_owned() + &"787600\n827301\n827302\n877901\n".repeat(225)
+}
+
 #[test]
 fn peak_stack_leaves_a_reserve() {
     let firmware = common::firmware();
@@ -56,9 +61,22 @@ fn peak_stack_leaves_a_reserve() {
         }
         run = run.min(free(engine.uno().unwrap()));
     }
+    // STOP, by the switch, in a scan of the largest program.
+    let mut uno = common::uno(Slot::Card(common::card(&largest())));
+    common::to_run(&mut uno);
+    uno.run_ms(20).unwrap();
+    uno.reset_min_sp();
+    uno.set_stop(true);
+    uno.run_ms(1500).unwrap();
+    let stop = free(&uno);
     let uno = engine.uno().unwrap();
     let room = RAM_END + 1 - uno.static_ram_end();
-    for (when, free) in [("load", load), ("run", run), ("fault", fault)] {
+    for (when, free) in [
+        ("load", load),
+        ("run", run),
+        ("fault", fault),
+        ("stop", stop),
+    ] {
         println!(
             "stack, {when}: peak {} of {room} bytes, {free} free",
             room - free

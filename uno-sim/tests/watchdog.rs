@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::modbus::input;
 use common::{card, ms_until, to_run, uno};
 use std::collections::BTreeSet;
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
@@ -90,6 +91,31 @@ fn a_clock_that_stands_still_turns_the_outputs_off() {
         uno.run_ms(400).unwrap();
         let told = uno.serial().contains("fault 61: a scan took");
         assert_eq!(told, !boot_loader, "{}", uno.serial());
+    }
+}
+
+/// The dearest loops that there are: the budget of a scan (NC-19) ends them, and not the watchdog.
+#[test]
+fn a_loop_without_end_is_told_before_the_watchdog_bites() {
+    for (name, code) in [
+        ("DIV", "68738601\n"),
+        ("MOD", "77796801\n"),
+        ("MUL", "77857601\n"),
+        ("INT", "73788402\n"),
+        ("SHL", "83727631\n"),
+        ("MOV", "77798601\n6810\n15\n"),
+    ] {
+        for times in [1, 8, 60] {
+            let text = format!(
+                "0\n766800\n3\n838401\n787600\n766601\n766800\n2147483647\n{}74778001\n",
+                code.repeat(times)
+            );
+            let mut uno = uno(Slot::Card(card(&text)));
+            to_run(&mut uno);
+            uno.run_ms(400).unwrap();
+            let fault = input(&mut uno, 18);
+            assert_eq!(fault, 75, "{times} {name}: {}", uno.serial());
+        }
     }
 }
 
