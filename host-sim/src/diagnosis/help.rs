@@ -15,7 +15,8 @@ pub(super) fn help(cause: Cause, text: &str) -> Option<String> {
             Some("one code stands on a line; put this one on a line of its own".to_owned())
         }
         Cause::ProgramFull | Cause::RunMemoryFull => Some(format!(
-            "the UNO holds {} bytes of program and has {} bytes to run it; timers take the most",
+            "the UNO holds {} bytes of program and has {} bytes to run it; timers, markers and \
+             numbers take more there than stored",
             BOARD.stored_bytes, BOARD.linked_bytes
         )),
         _ => None,
