@@ -49,10 +49,7 @@ impl Analogue {
             reference: Cell::new(0),
         };
         analogue.begin();
-        let mut none = Readings::default();
-        while analogue.reference() == 0 {
-            analogue.step(&mut none);
-        }
+        analogue.go_on_to_reference(&mut Readings::default());
         analogue
     }
 
@@ -61,20 +58,17 @@ impl Analogue {
     pub fn measure(&self, channels: u8, readings: &mut Readings) {
         readings.fill(0);
         self.channels.set(channels);
-        // From the next channel on to the reference, and then all of them.
-        for _ in 0..2 {
-            while !self.is_settled_reference() {
-                self.step(readings);
-            }
-            while self.is_settled_reference() {
-                self.step(readings);
-            }
-        }
+        // The first time, those before the one that was being measured may have been passed over.
+        self.go_on_to_reference(readings);
+        self.go_on_to_reference(readings);
     }
 
-    /// Whether the next reading is that of the reference which counts.
-    fn is_settled_reference(&self) -> bool {
-        self.channel.get() == LAST && self.settled.get()
+    /// Measures until the reference has been.
+    fn go_on_to_reference(&self, readings: &mut Readings) {
+        self.reference.set(0);
+        while self.reference.get() == 0 {
+            self.step(readings);
+        }
     }
 
     /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
