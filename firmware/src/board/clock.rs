@@ -1,10 +1,10 @@
 //! The millisecond clock, from timer 1 (ATmega328P datasheet, section 16).
 
 use super::CLOCK_HZ;
+use super::shared::Shared;
 use avr_device::atmega328p::TC1;
 use avr_device::interrupt;
 use core::arch::global_asm;
-use core::cell::UnsafeCell;
 use unoclp_core::Millis;
 
 /// Clock cycles of one count of timer 1.
@@ -17,29 +17,20 @@ global_asm!(include_str!("tick.s"), options(raw));
 /// Milliseconds since start, wrapping: the interrupt in `tick.s` counts them, and nothing else writes
 /// here. The symbol is for it, and lets a simulator set the clock.
 #[unsafe(export_name = "MILLIS")]
-static NOW: Shared = Shared(UnsafeCell::new(0));
-
-/// Memory that the interrupt writes.
-struct Shared(UnsafeCell<Millis>);
-
-// SAFETY: it is read through `undisturbed` alone, which drops what the interrupt has come into.
-unsafe impl Sync for Shared {}
+static NOW: Shared<Millis> = Shared::new(0);
 
 /// Reads the clock together with something else, again where the interrupt has come between. It is
 /// never kept waiting for that: it counts the age of the scan, even of one that hangs just here.
 #[inline(always)]
 fn undisturbed<T>(mut other: impl FnMut() -> T) -> (Millis, T) {
-    let clock = NOW.0.get();
     loop {
-        // SAFETY: `NOW` is valid for these. What the interrupt changes between them shows in the low
-        // byte, which comes back only after 256 ms.
-        unsafe {
-            let before = clock.cast::<u8>().read_volatile();
-            let other = other();
-            let millis = clock.read_volatile();
-            if clock.cast::<u8>().read_volatile() == before {
-                return (millis, other);
-            }
+        // What the interrupt changes between these shows in the low byte, which comes back only after
+        // 256 ms.
+        let before = NOW.low_byte();
+        let other = other();
+        let millis = NOW.get();
+        if NOW.low_byte() == before {
+            return (millis, other);
         }
     }
 }

@@ -9,7 +9,8 @@ use core::cell::UnsafeCell;
 pub struct Shared<T>(UnsafeCell<T>);
 
 // SAFETY: the chip has one core. A byte is read and written in one instruction, so nobody sees it half
-// written; words are for whom no interrupt that accesses them is enabled.
+// written; more than that is for whom no interrupt that writes it is enabled, or who drops what one has
+// come into.
 unsafe impl<T> Sync for Shared<T> {}
 
 impl<T: Copy> Shared<T> {
@@ -24,6 +25,13 @@ impl<T: Copy> Shared<T> {
         // SAFETY: it is valid, and any bits are a value. Volatile, since others write it; without an atomic
         // load, which would keep the clock's interrupt waiting: that counts the age of the scan.
         unsafe { self.0.get().read_volatile() }
+    }
+
+    /// Its low byte alone.
+    #[inline(always)]
+    pub fn low_byte(&self) -> u8 {
+        // SAFETY: as above; it is the first of at least one.
+        unsafe { self.0.get().cast::<u8>().read_volatile() }
     }
 
     /// From now on this value.
