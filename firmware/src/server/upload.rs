@@ -13,8 +13,8 @@ use unoclp_modbus::Exception;
 /// An upload that is under way.
 pub struct Upload<'m> {
     loader: Loader<'m>,
-    /// The number of the next block.
-    next: u16,
+    /// The number of the last block, before the first none.
+    last: Option<u8>,
     /// The check sum of the text so far, and of all of it when it came for the first time.
     sum: Crc16,
     first: Option<Crc16>,
@@ -34,7 +34,7 @@ pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8], data: &mut
         server.panel.fault = None;
         let mut upload = Upload {
             loader: loader(memory),
-            next: 0,
+            last: None,
             sum: Crc16::default(),
             first: None,
             block: None,
@@ -69,14 +69,14 @@ impl Upload<'_> {
         if padding > 1 {
             return Err(Exception::IllegalDataValue);
         }
-        if self.next.checked_sub(1).map(|last| last as u8) == Some(*number) {
+        if self.last == Some(*number) {
             // The last one again: its answer was lost.
             return Ok(());
         }
-        if *number != self.next as u8 {
+        if *number != self.last.map_or(0, |last| last.wrapping_add(1)) {
             return Err(Exception::IllegalDataValue);
         }
-        self.next = self.next.wrapping_add(1);
+        self.last = Some(*number);
         self.block = Some(*count);
         Ok(())
     }
@@ -84,7 +84,7 @@ impl Upload<'_> {
     /// Loads the text of a block; says whether all is well so far.
     #[inline(never)]
     fn load(&mut self, board: &Board, panel: &mut Panel, text: &[u8]) -> bool {
-        board.pins.led(self.next & 1 != 0);
+        board.pins.led(self.last.is_some_and(|last| last & 1 == 0));
         self.sum.extend(text);
         let again = self.first.is_some();
         let over = if !text.is_empty() {
