@@ -123,9 +123,8 @@ fn serve(
                 // Which of the others are digital, a program would tell.
                 let inputs = board.pins.levels().inputs();
                 server.panel.images.inputs = server.panel.forces.inputs(inputs);
-                board.analogue.step(&mut data.analogue);
+                look_after(board, data, &mut retentive);
                 server.step(board, Memory::idle(data), None, server::AT_ONCE);
-                retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
                 server.panel.command == Some(Command::Upload)
             }),
         }
@@ -153,6 +152,13 @@ fn fail(board: &Board, server: &mut Server, fault: Fault) {
     server.panel.state = server::State::Fault;
     server.panel.fault = Some(fault);
     server.panel.images.outputs = Image::default();
+}
+
+/// What goes on in RUN, STOP and FAULT: analogue inputs are measured, and retentive markers kept.
+#[inline(never)]
+fn look_after(board: &Board, data: &mut Data, retentive: &mut Retentive) {
+    board.analogue.step(&mut data.analogue);
+    retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
 }
 
 /// Scans the program that is kept, until there is a fault, or in STOP an upload is to begin.
@@ -206,10 +212,8 @@ fn run(
         }
         if due {
             indicator::show_run(&board.pins, server.panel.forces.any());
-            let data = plc.data();
-            board.analogue.step(&mut data.analogue);
-            data.scan_time(scans.times.last());
-            retentive.step(&board.eeprom, data.retained(), clock::now() as u16);
+            plc.data().scan_time(scans.times.last());
+            look_after(board, plc.data(), retentive);
             state.step(board, images, &scans.times);
             if state.is_sending() {
                 scans.hurry();
@@ -254,8 +258,7 @@ fn stop(
             outputs: Image::default(),
         };
         state.step(board, images, &panel.times);
-        board.analogue.step(&mut plc.data().analogue);
-        retentive.step(&board.eeprom, plc.data().retained(), clock::now() as u16);
+        look_after(board, plc.data(), retentive);
         server.step(board, plc.memory(), None, server::AT_ONCE);
         let panel = &mut server.panel;
         plc.set_outputs(panel.images.outputs);
