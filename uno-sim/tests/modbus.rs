@@ -2,7 +2,9 @@
 
 mod common;
 
-use common::modbus::{ask, bits, input, words, write, write_coil, write_words};
+use common::modbus::{
+    ask, bits, input, long, serving, to_serving, words, write, write_coil, write_words,
+};
 use common::{card, ms_until, to_run, uno};
 use unoclp_uno_sim::{CYCLES_PER_MS, Pin, Slot, Uno};
 
@@ -15,13 +17,6 @@ const FAULT: u16 = 3;
 const SINGLE_SCAN: u16 = 3;
 const RESTART: u16 = 4;
 const UPLOAD: u16 = 5;
-
-fn running(text: &str) -> Uno {
-    let mut uno = uno(Slot::Card(card(text)));
-    to_run(&mut uno);
-    uno.run_ms(5).unwrap();
-    uno
-}
 
 fn in_state(state: u16) -> Uno {
     let text = if state == FAULT { "1\n" } else { FOLLOW };
@@ -74,12 +69,12 @@ fn every_function_in_every_state() {
 
 #[test]
 fn diagnostics() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     let told = words(&mut uno, 4, 16, 17);
     println!("{told:?}");
     // State, bits, fault, start, line.
     assert_eq!(told[..6], [RUN, 0, 0, 1, 0, 0]);
-    let ms = u32::from(told[6]) << 16 | u32::from(told[7]);
+    let ms = long(&told[6..8]);
     let now = u32::from_le_bytes({
         let clock = uno.symbol("MILLIS").unwrap();
         uno.read_ram(clock.address, 4).unwrap().try_into().unwrap()
@@ -112,7 +107,7 @@ fn diagnostics() {
 
 #[test]
 fn stop_single_scan_and_run_by_command() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     uno.set_inputs(1);
     uno.run_ms(2).unwrap();
     assert_eq!(uno.outputs(), 0b11);
@@ -142,7 +137,7 @@ fn stop_single_scan_and_run_by_command() {
 
 #[test]
 fn the_switch_wins() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     uno.set_inputs(1);
     uno.set_stop(true);
     uno.run_ms(2).unwrap();
@@ -174,15 +169,14 @@ fn a_fault_can_only_be_restarted() {
     uno.swap_slot(Slot::Card(card(FOLLOW)));
     uno.card_mut().unwrap().power_cycle();
     write(&mut uno, 400, RESTART).unwrap();
-    to_run(&mut uno);
-    uno.run_ms(5).unwrap();
+    to_serving(&mut uno);
     assert_eq!(input(&mut uno, 16), RUN);
 }
 
 #[test]
 fn a_restart_is_the_whole_start_up() {
     for boot_loader in [false, true] {
-        let mut uno = running(FOLLOW);
+        let mut uno = serving(FOLLOW);
         uno.set_boot_loader(boot_loader);
         write_words(&mut uno, 402, &[1, 1, 8, 8]).unwrap();
         uno.run_ms(2).unwrap();
@@ -200,7 +194,7 @@ fn a_restart_is_the_whole_start_up() {
         assert_eq!(words(&mut uno, 4, 16, 4), [RUN, 0, 0, 5]);
     }
     // Nobody answers a broadcast, and it is done.
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     assert_eq!(ask(&mut uno, &[0, 6, 1, 0x90, 0, RESTART as u8]), None);
     let said = to_run(&mut uno);
     assert!(said.contains("by command"), "{said:?}");
@@ -208,7 +202,7 @@ fn a_restart_is_the_whole_start_up() {
 
 #[test]
 fn forcing_stands_between_pins_and_program() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     // Input 01 to 1, input 02 to 0.
     uno.set_inputs(0b0110);
     write_words(&mut uno, 402, &[0b0011, 0b0001]).unwrap();
@@ -248,7 +242,7 @@ fn forcing_stands_between_pins_and_program() {
 /// Output 01 is PWM at half, output 02 on where output 01 reads as 1, which it never does.
 #[test]
 fn an_output_that_is_pwm_is_forced_too() {
-    let mut uno = running("0\n766800\n128\n83848001\n787600\n76687900\n66738400\n877902\n");
+    let mut uno = serving("0\n766800\n128\n83848001\n787600\n76687900\n66738400\n877902\n");
     assert!(uno.pwm(0).is_some());
     for (values, pins) in [(0, 0), (1, 1)] {
         write_words(&mut uno, 404, &[1, values]).unwrap();
@@ -271,7 +265,7 @@ fn an_output_that_is_pwm_is_forced_too() {
 
 #[test]
 fn a_forced_input_passes_by_the_filter() {
-    let mut uno = running("0\n707399\n787600\n827301\n877901\n");
+    let mut uno = serving("0\n707399\n787600\n827301\n877901\n");
     for (value, pins) in [(1, 1), (0, 0)] {
         write_words(&mut uno, 402, &[1, value]).unwrap();
         uno.run_ms(1).unwrap();
@@ -290,23 +284,20 @@ fn inputs_are_told_as_they_are_forced_in_a_fault_too() {
 /// The low word of the time goes over while both words are read.
 #[test]
 fn two_words_of_the_time_belong_together() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     let millis = uno.symbol("MILLIS").unwrap().address;
     // It takes some 2.5 ms until the request is read; the two words, 15 us.
     for phase in 0..200 {
         uno.run_cycles(CYCLES_PER_MS / 200).unwrap();
         uno.write_ram(millis, &0xFFFD_u32.to_le_bytes()).unwrap();
-        let [high, low] = words(&mut uno, 4, 22, 2)[..] else {
-            panic!("two words")
-        };
-        let time = u32::from(high) << 16 | u32::from(low);
+        let time = long(&words(&mut uno, 4, 22, 2));
         assert!((0xFFFE..0x1_0010).contains(&time), "{phase}: {time:#x}");
     }
 }
 
 #[test]
 fn the_led_shows_forcing() {
-    let mut uno = running(FOLLOW);
+    let mut uno = serving(FOLLOW);
     uno.take_edges();
     uno.run_ms(2000).unwrap();
     assert_eq!(uno.take_edges(), []);

@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::modbus::{ask, bits, input, words, write, write_coil, write_words};
-use common::{card, to_run, uno};
-use unoclp_uno_sim::{Analogue, CYCLES_PER_MS, Slot, Uno};
+use common::modbus::{ask, bits, input, long, serving, words, write, write_coil, write_words};
+use common::to_run;
+use unoclp_uno_sim::{Analogue, CYCLES_PER_MS, Uno};
 
 const STOP: u16 = 2;
 const RUN: u16 = 1;
@@ -16,22 +16,14 @@ const MARKER: u16 = 16;
 const TIMER: u16 = 128;
 const COUNTER: u16 = 320;
 
-fn running(text: &str) -> Uno {
-    let mut uno = uno(Slot::Card(card(text)));
-    to_run(&mut uno);
-    uno.run_ms(5).unwrap();
-    uno
-}
-
 /// The two words of a number, the high one first.
 fn halves(value: i32) -> [u16; 2] {
     [(value >> 16) as u16, value as u16]
 }
 
 /// A number of 32 bits by function 3 or 4.
-fn long(uno: &mut Uno, function: u8, first: u16) -> i32 {
-    let words = words(uno, function, first, 2);
-    i32::from(words[0]) << 16 | i32::from(words[1])
+fn read_long(uno: &mut Uno, function: u8, first: u16) -> i32 {
+    long(&words(uno, function, first, 2)) as i32
 }
 
 /// M 01 drives output 01, input 01 drives M 02; D 02 is D 01 and 1; M 04 is as M 03.
@@ -40,7 +32,7 @@ const EXCHANGE: &str = "0\n827701\n877901\n787600\n827301\n877702\n\
 
 #[test]
 fn markers_go_both_ways() {
-    let mut uno = running(EXCHANGE);
+    let mut uno = serving(EXCHANGE);
     write_coil(&mut uno, MARKER, true).unwrap();
     uno.run_ms(1).unwrap();
     assert_eq!(uno.outputs(), 1);
@@ -60,22 +52,22 @@ fn markers_go_both_ways() {
 
 #[test]
 fn registers_go_both_ways() {
-    let mut uno = running(EXCHANGE);
+    let mut uno = serving(EXCHANGE);
     for value in [0, 0x1_FFFF, -1, -70_000, i32::MAX] {
         write_words(&mut uno, 0, &halves(value)).unwrap();
         uno.run_ms(1).unwrap();
-        assert_eq!(long(&mut uno, 3, 0), value);
-        assert_eq!(long(&mut uno, 3, 2), value.wrapping_add(1));
+        assert_eq!(read_long(&mut uno, 3, 0), value);
+        assert_eq!(read_long(&mut uno, 3, 2), value.wrapping_add(1));
     }
     write_words(&mut uno, 0, &halves(0x1234_5678)).unwrap();
     write(&mut uno, 1, 0xFFFF).unwrap();
     uno.run_ms(1).unwrap();
-    assert_eq!(long(&mut uno, 3, 2), 0x1235_0000);
+    assert_eq!(read_long(&mut uno, 3, 2), 0x1235_0000);
 }
 
 #[test]
 fn in_stop_they_are_what_single_scans_see_and_run_begins_with_zeros() {
-    let mut uno = running(EXCHANGE);
+    let mut uno = serving(EXCHANGE);
     write_coil(&mut uno, MARKER + 2, true).unwrap();
     write_words(&mut uno, 0, &halves(7)).unwrap();
     write(&mut uno, 400, STOP).unwrap();
@@ -87,12 +79,12 @@ fn in_stop_they_are_what_single_scans_see_and_run_begins_with_zeros() {
     assert_eq!(bits(&mut uno, 1, 0, 1), 0);
     write(&mut uno, 400, SINGLE_SCAN).unwrap();
     assert_eq!(bits(&mut uno, 1, 0, 1), 1);
-    assert_eq!(long(&mut uno, 3, 2), 42);
+    assert_eq!(read_long(&mut uno, 3, 2), 42);
     assert_eq!(uno.outputs(), 0);
 
     write(&mut uno, 400, RUN).unwrap();
     assert_eq!(bits(&mut uno, 1, MARKER, 4), 0);
-    assert_eq!(long(&mut uno, 3, 2), 1);
+    assert_eq!(read_long(&mut uno, 3, 2), 1);
 }
 
 /// M 01 is set where D 01, D 17 or D 32 is neither 0 nor 131071, whose words are 1 and 65535; D 03 changes from one to
@@ -105,7 +97,7 @@ const BOTH: [[u16; 2]; 2] = [[0, 0], [1, 0xFFFF]];
 
 #[test]
 fn no_register_that_is_written_is_torn() {
-    let mut uno = running(WHOLE);
+    let mut uno = serving(WHOLE);
     let torn = |uno: &mut Uno| bits(uno, 1, MARKER, 1) != 0;
     for n in 0..200 {
         let value = BOTH[(n + 1) % 2];
@@ -128,7 +120,7 @@ fn no_register_that_is_written_is_torn() {
 
 #[test]
 fn no_register_that_is_read_is_torn() {
-    let mut uno = running(WHOLE);
+    let mut uno = serving(WHOLE);
     let mut seen = [0; 2];
     for n in 0..200 {
         // From D 01, D 02 or D 03 on, and from the middle of D 02.
@@ -160,7 +152,7 @@ fn a_preset_that_is_written_acts_at_once_until_the_program_begins_anew() {
             write(uno, 400, RUN).unwrap();
         },
     ] {
-        let mut uno = running(TIMERS);
+        let mut uno = serving(TIMERS);
         assert_eq!(words(&mut uno, 3, TIMER, 2), halves(60_000));
         uno.set_inputs(0b001);
         uno.run_ms(300).unwrap();
@@ -183,7 +175,7 @@ fn a_preset_that_is_written_acts_at_once_until_the_program_begins_anew() {
 
 #[test]
 fn a_preset_in_stop_is_that_of_single_scans() {
-    let mut uno = running(TIMERS);
+    let mut uno = serving(TIMERS);
     uno.set_inputs(0b001);
     write(&mut uno, 400, STOP).unwrap();
     write_words(&mut uno, TIMER, &halves(0)).unwrap();
@@ -195,12 +187,12 @@ fn a_preset_in_stop_is_that_of_single_scans() {
 /// Elapsed times of the three timers.
 fn elapsed(uno: &mut Uno) -> [i32; 3] {
     let words = words(uno, 4, TIMER, 6);
-    [0, 2, 4].map(|at| i32::from(words[at]) << 16 | i32::from(words[at + 1]))
+    [0, 2, 4].map(|at| long(&words[at..at + 2]) as i32)
 }
 
 #[test]
 fn elapsed_times() {
-    let mut uno = running(TIMERS);
+    let mut uno = serving(TIMERS);
     assert_eq!(elapsed(&mut uno), [0; 3]);
     uno.set_inputs(0b111);
     let begun = uno.cycles();
@@ -235,7 +227,7 @@ const COUNTERS: &str = "0\n827301\n67848501\n3\n877901\n787600\n827302\n766800\n
 
 #[test]
 fn counters() {
-    let mut uno = running(COUNTERS);
+    let mut uno = serving(COUNTERS);
     let press = |uno: &mut Uno, inputs| {
         for inputs in [inputs, 0] {
             uno.set_inputs(inputs);
@@ -245,13 +237,13 @@ fn counters() {
     assert_eq!(words(&mut uno, 3, COUNTER, 2), halves(3));
     for pressed in 1..=3 {
         press(&mut uno, 0b01);
-        assert_eq!(long(&mut uno, 4, COUNTER), pressed);
+        assert_eq!(read_long(&mut uno, 4, COUNTER), pressed);
         assert_eq!(uno.outputs(), u8::from(pressed == 3));
     }
     write_words(&mut uno, COUNTER, &halves(5)).unwrap();
     uno.run_ms(1).unwrap();
     assert_eq!(uno.outputs(), 0);
-    assert_eq!(long(&mut uno, 4, COUNTER), 3);
+    assert_eq!(read_long(&mut uno, 4, COUNTER), 3);
     press(&mut uno, 0b01);
     assert_eq!(uno.outputs(), 0);
     press(&mut uno, 0b11);
@@ -261,7 +253,7 @@ fn counters() {
         [halves(5), halves(-70_000), halves(0)].concat()
     );
     write(&mut uno, 400, STOP).unwrap();
-    assert_eq!(long(&mut uno, 4, COUNTER), 0);
+    assert_eq!(read_long(&mut uno, 4, COUNTER), 0);
     assert_eq!(words(&mut uno, 3, COUNTER, 2), halves(3));
 }
 
@@ -270,7 +262,7 @@ fn analogue_readings_in_run_and_in_stop() {
     let text: String = (0..5)
         .map(|n| format!("766865{n:02}\n8384{:02}\n", n + 1))
         .collect();
-    let mut uno = running(&format!("0\n{text}"));
+    let mut uno = serving(&format!("0\n{text}"));
     for state in [RUN, STOP] {
         if state == STOP {
             write(&mut uno, 400, STOP).unwrap();
@@ -294,17 +286,16 @@ fn analogue_readings_in_run_and_in_stop() {
 /// D 01 is the time of the last scan, as LDS 01 gives it, D 02 the time stamp.
 #[test]
 fn system_readings_are_those_of_the_diagnostics() {
-    let mut uno = running("0\n76688301\n838401\n76688302\n838402\n");
+    let mut uno = serving("0\n76688301\n838401\n76688302\n838402\n");
     uno.run_ms(50).unwrap();
     for _ in 0..20 {
         uno.run_ms(1).unwrap();
-        let time = long(&mut uno, 3, 0);
+        let time = read_long(&mut uno, 3, 0);
         let times = words(&mut uno, 4, 25, 2);
         let within = i32::from(times[0])..=i32::from(times[1]);
         assert!(time > 0 && within.contains(&time), "{time} {within:?}");
-        let stamp = long(&mut uno, 3, 2);
-        let uptime = words(&mut uno, 4, 22, 2);
-        let uptime = i32::from(uptime[0]) << 16 | i32::from(uptime[1]);
+        let stamp = read_long(&mut uno, 3, 2);
+        let uptime = read_long(&mut uno, 4, 22);
         assert!((stamp..stamp + 20).contains(&uptime), "{stamp} {uptime}");
     }
 }
@@ -314,7 +305,7 @@ fn inputs_05_to_08_are_read_and_forced() {
     let text: String = (1..5)
         .map(|n| format!("787600\n8273{:02}\n8779{n:02}\n", n + 4))
         .collect();
-    let mut uno = running(&format!("0\n{text}"));
+    let mut uno = serving(&format!("0\n{text}"));
     uno.set_inputs(0b1010_0110);
     uno.run_ms(2).unwrap();
     assert_eq!(bits(&mut uno, 2, 0, 8), 0b1010_0110);
@@ -331,7 +322,7 @@ const RETENTIVE: &str = "0\n827757\n877901\n787600\n827756\n877902\n787600\n8277
 #[test]
 fn a_retentive_marker_that_is_written_outlasts_a_power_cut() {
     for state in [RUN, STOP] {
-        let mut uno = running(RETENTIVE);
+        let mut uno = serving(RETENTIVE);
         if state == STOP {
             write(&mut uno, 400, STOP).unwrap();
         }

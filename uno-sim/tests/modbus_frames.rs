@@ -4,8 +4,8 @@ mod common;
 #[path = "../../modbus/tests/common/random.rs"]
 mod random;
 
-use common::modbus::{ask, bits, exchange, with_crc};
-use common::{card, ms_until, to_run, uno};
+use common::modbus::{ask, bits, exchange, serving, with_crc};
+use common::{card, ms_until, uno};
 use random::Random;
 use unoclp_uno_sim::{Slot, Uno};
 
@@ -77,10 +77,7 @@ fn is_serious(frame: &[u8]) -> bool {
 }
 
 fn running() -> Uno {
-    let mut uno = uno(Slot::Card(card(FOLLOW)));
-    to_run(&mut uno);
-    uno.run_ms(5).unwrap();
-    uno
+    serving(FOLLOW)
 }
 
 /// The board scans on, its outputs are what the program says, and it answers.

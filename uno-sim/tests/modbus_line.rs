@@ -3,8 +3,10 @@
 
 mod common;
 
-use common::modbus::{ask, exchange, input, with_crc, words, write, write_words};
-use common::{card, ms_until, to_run, uno};
+use common::modbus::{
+    ask, exchange, input, serving, to_serving, with_crc, words, write, write_words,
+};
+use common::{card, ms_until, to_run};
 use unoclp_uno_sim::{CYCLES_PER_MS, Flaw, Line, Parity, Slot, Uno};
 
 const TEXT: &str = "0\n827301\n827302\n877901\n";
@@ -14,15 +16,7 @@ const RESTART: u16 = 4;
 const GOOD: [u8; 6] = [1, 4, 0, 16, 0, 1];
 
 fn running() -> Uno {
-    let mut uno = uno(Slot::Card(card(TEXT)));
-    to_serving(&mut uno);
-    uno
-}
-
-/// To RUN, and on until the port listens: the text is told as it is written, not as it is sent.
-fn to_serving(uno: &mut Uno) {
-    to_run(uno);
-    uno.run_ms(5).unwrap();
+    serving(TEXT)
 }
 
 fn assert_answers(uno: &mut Uno, case: &str) {
@@ -277,8 +271,7 @@ fn no_scan_grows_by_more_than_300_us() {
     let timers: String = (0..60)
         .map(|n| format!("787600\n847978\n{}\n7901\n", 100_000 + n))
         .collect();
-    let mut uno = uno(Slot::Card(card(&format!("0\n{timers}"))));
-    to_serving(&mut uno);
+    let mut uno = serving(&format!("0\n{timers}"));
     set(&mut uno, [1, 96, 0, 0]);
     uno.run_ms(20).unwrap();
     let idle = longest(&mut uno, 4_000);

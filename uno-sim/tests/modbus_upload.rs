@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::modbus::{ask, bits, input, with_crc, words, write};
+use common::modbus::{ask, bits, input, long, with_crc, words, write};
 use common::{card, ms_until, to_run, uno};
 use unoclp_uno_sim::{Slot, Uno};
 
@@ -63,11 +63,7 @@ fn upload(uno: &mut Uno, texts: [&str; 2], bytes: usize) -> Result<(), u8> {
 /// The outcome in the diagnostics: whether an upload is under way, fault, line.
 fn outcome(uno: &mut Uno) -> (bool, u16, u32) {
     let told = words(uno, 4, 17, 5);
-    (
-        told[0] >> 3 & 1 == 1,
-        told[1],
-        u32::from(told[3]) << 16 | u32::from(told[4]),
-    )
+    (told[0] >> 3 & 1 == 1, told[1], long(&told[3..5]))
 }
 
 /// The board is in STOP with its old program.

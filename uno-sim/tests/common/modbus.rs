@@ -1,10 +1,24 @@
 //! A Modbus client on the simulated serial port.
 
+use super::{card, to_run, uno};
 use unoclp_modbus::Crc;
-use unoclp_uno_sim::{CYCLES_PER_MS, Uno};
+use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// How long a reply may take from the end of the request on, ms.
 const PATIENCE: u64 = 40;
+
+/// To RUN, and on until the port listens: the text is told as it is written, not as it is sent.
+pub fn to_serving(uno: &mut Uno) {
+    to_run(uno);
+    uno.run_ms(5).unwrap();
+}
+
+/// A board that runs this program and serves.
+pub fn serving(text: &str) -> Uno {
+    let mut uno = uno(Slot::Card(card(text)));
+    to_serving(&mut uno);
+    uno
+}
 
 /// Puts the check sum behind a frame.
 pub fn with_crc(frame: &[u8]) -> Vec<u8> {
@@ -89,6 +103,12 @@ pub fn bits(uno: &mut Uno, function: u8, first: u16, count: u16) -> u8 {
     let reply = ask(uno, &request(function, first, count)).expect("a reply");
     assert_eq!(reply[..3], [1, function, 1], "{reply:02x?}");
     reply[3]
+}
+
+/// 32 bits of two words, the high one first.
+pub fn long(words: &[u16]) -> u32 {
+    assert_eq!(words.len(), 2, "{words:?}");
+    u32::from(words[0]) << 16 | u32::from(words[1])
 }
 
 /// Writes a holding register.
