@@ -1,11 +1,11 @@
 //! The PLC of `unoclp-core` on this PC.
 
-use crate::BOARD;
 use crate::scenario::{Cell, Engine, Outcome, Refusal};
-use crate::used::Used;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
-use unoclp_core::{Fault, Image, Inputs, Loader, Millis, Plc, Program, Snapshot};
+use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Snapshot};
+use unoclp_source::used::Used;
+use unoclp_source::{BOARD, load};
 
 self_cell!(
     /// A running program together with its run memory, which a [`Plc`] only borrows.
@@ -77,15 +77,6 @@ impl Machine {
         self.owned
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
     }
-}
-
-/// Loads a program file into this run memory; gives its first fault where it has one.
-pub fn load<'m>(file: &[u8], memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut loader = Loader::new(memory, BOARD);
-    for &byte in file {
-        loader.push(byte)?;
-    }
-    loader.finish()
 }
 
 /// The core as an engine for scenarios. It cannot fail.

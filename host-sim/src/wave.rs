@@ -2,9 +2,9 @@
 
 use crate::engine::{HostEngine, Machine};
 use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
-use crate::used::Quantity;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
+use unoclp_source::used::Quantity;
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 
 /// Everything that a trace shows of one scan.

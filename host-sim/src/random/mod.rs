@@ -5,8 +5,8 @@
 mod program;
 mod write;
 
-use crate::{BOARD, engine};
 use unoclp_core::{Cause, Inputs, Instruction, Millis, Needs};
+use unoclp_source::BOARD;
 
 /// A stream of random numbers that its seed decides: SplitMix64 (Steele, Lea and Flood, 2014).
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ pub fn random_program(random: &mut Random) -> String {
         let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
         let text = write::write(random, &instructions);
         let mut memory = vec![0; BOARD.plc_bytes()];
-        match engine::load(text.as_bytes(), &mut memory) {
+        match unoclp_source::load(text.as_bytes(), &mut memory) {
             // Sizes were only estimated.
             Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
                 drop(rungs.pop());
@@ -109,7 +109,7 @@ mod tests {
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed));
             let mut memory = vec![0; BOARD.plc_bytes()];
-            let program = engine::load(text.as_bytes(), &mut memory)
+            let program = unoclp_source::load(text.as_bytes(), &mut memory)
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             smallest = smallest.min(program.stored_bytes());
             most_stored = most_stored.max(program.stored_bytes());
@@ -136,7 +136,7 @@ mod tests {
         for seed in 0..500 {
             let mut random = Random::new(seed);
             let text = random_program(&mut random);
-            let mut machine = engine::Machine::load(text.as_bytes()).unwrap();
+            let mut machine = crate::engine::Machine::load(text.as_bytes()).unwrap();
             let mut inputs = Inputs::default();
             for now in 0..60 {
                 inputs = random_inputs(&mut random, machine.plc().needs(), inputs);

@@ -1,9 +1,9 @@
 //! The instructions of a random program.
 
 use super::Random;
-use crate::BOARD;
 use unoclp_core::isa::{self, Kind, Opcode, Operand, Value};
 use unoclp_core::{Delay, Instruction, Target, TimerBlock};
+use unoclp_source::BOARD;
 
 /// A rung, with the new rung that begins it.
 type Rung = Vec<Instruction<'static>>;

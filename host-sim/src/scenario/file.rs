@@ -4,7 +4,6 @@
 //! is checked after that, so that every error names a line.
 
 use super::{Cell, Goal, Place, ProgramFile, Refusal, Scenario, Setting, Step, Stop, Timeline};
-use crate::BOARD;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::num::NonZeroU32;
@@ -14,6 +13,7 @@ use std::{fmt, fs};
 use toml::Spanned;
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
 use unoclp_core::{Cause, Millis, Point};
+use unoclp_source::BOARD;
 
 /// Why a scenario could not be read: the file, the line where there is one, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]

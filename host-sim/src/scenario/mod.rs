@@ -14,10 +14,10 @@ pub use file::LoadError;
 pub use place::{Cell, Place};
 pub use report::{Change, Columns, Report, Unmet, Verdict};
 
-use crate::BOARD;
 use std::fmt;
 use std::num::NonZeroU32;
 use unoclp_core::{Fault, Millis, Point};
+use unoclp_source::BOARD;
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
 /// stand in rising order, each at the time of a scan.

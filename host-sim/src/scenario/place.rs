@@ -1,8 +1,8 @@
 //! What a scenario looks at and sets: outputs, PWM, and cells of the program's memory.
 
-use crate::BOARD;
 use std::fmt;
 use unoclp_core::isa::{MARKERS, REGISTERS};
+use unoclp_source::BOARD;
 
 /// A cell of a program's memory, which can be set from outside, as Modbus does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

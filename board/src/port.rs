@@ -1,0 +1,213 @@
+//! Opening the serial port.
+//!
+//! On an UNO the line DTR of the USB port resets the board when it goes from off to on. Linux and macOS turn
+//! it on whenever a port is opened, and off when it is closed, unless the port's HUPCL is cleared. So that is
+//! cleared here: the first opening since the board was plugged in may reset it, later ones do not. On
+//! Windows DTR stays off.
+
+use serialport::{ErrorKind, SerialPort};
+use std::fmt;
+use std::io;
+use std::time::Duration;
+
+/// Which board, and how to speak to it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// The serial port, `/dev/ttyACM0` or `COM3`.
+    pub port: String,
+    /// The board's address, 1 to 247.
+    pub address: u8,
+    /// Bits per second.
+    pub rate: u32,
+    /// The parity.
+    pub parity: Parity,
+}
+
+/// The parity bit of each byte.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Parity {
+    /// There is none.
+    #[default]
+    None,
+    /// The ones are even in number.
+    Even,
+    /// The ones are odd in number.
+    Odd,
+}
+
+impl fmt::Display for Parity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Parity::None => "no parity",
+            Parity::Even => "even parity",
+            Parity::Odd => "odd parity",
+        })
+    }
+}
+
+impl fmt::Display for Line {
+    /// `address 1 at 115200 baud, no parity`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Line {
+            address,
+            rate,
+            parity,
+            ..
+        } = self;
+        write!(f, "address {address} at {rate} baud, {parity}")
+    }
+}
+
+/// Why a port cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum NotOpened {
+    /// There is none of that name.
+    #[error("there is no port {port}; {}", ports(available))]
+    Missing {
+        /// The name.
+        port: String,
+        /// The ports that there are.
+        available: Vec<String>,
+    },
+    /// It is somebody else's.
+    #[error("{port} may not be used by this user; {}", permission())]
+    Denied {
+        /// The name.
+        port: String,
+    },
+    /// Another program has it.
+    #[error("{port} is in use by another program; close its serial monitor")]
+    Busy {
+        /// The name.
+        port: String,
+    },
+    /// It is something else.
+    #[error("{port} is no serial port")]
+    NoPort {
+        /// The name.
+        port: String,
+    },
+    /// Something else.
+    #[error("{port} cannot be opened: {reason}")]
+    Other {
+        /// The name.
+        port: String,
+        /// What the system says.
+        reason: String,
+    },
+}
+
+/// Opens the port of a line. Also tells whether that has probably reset an UNO behind it.
+///
+/// # Errors
+/// Where the port is not there or may not be used.
+pub(crate) fn open(line: &Line) -> Result<(Box<dyn SerialPort>, bool), NotOpened> {
+    let may_reset = keep_dtr(&line.port).map_err(|error| not_opened(&line.port, error))?;
+    let parity = match line.parity {
+        Parity::None => serialport::Parity::None,
+        Parity::Even => serialport::Parity::Even,
+        Parity::Odd => serialport::Parity::Odd,
+    };
+    let port = serialport::new(&line.port, line.rate)
+        .parity(parity)
+        .timeout(Duration::ZERO)
+        .preserve_dtr_on_open()
+        .open();
+    match port {
+        Ok(port) => Ok((port, may_reset)),
+        Err(error) => Err(match error.kind() {
+            ErrorKind::Io(kind) => not_opened(&line.port, io::Error::new(kind, error.description)),
+            // On Unix it has just been there.
+            ErrorKind::NoDevice if cfg!(unix) || is_available(&line.port) => NotOpened::Busy {
+                port: line.port.clone(),
+            },
+            ErrorKind::NoDevice => missing(&line.port),
+            _ => NotOpened::Other {
+                port: line.port.clone(),
+                reason: error.description,
+            },
+        }),
+    }
+}
+
+fn not_opened(port: &str, error: io::Error) -> NotOpened {
+    let port = port.to_owned();
+    match error.kind() {
+        io::ErrorKind::NotFound => missing(&port),
+        io::ErrorKind::PermissionDenied => NotOpened::Denied { port },
+        io::ErrorKind::ResourceBusy => NotOpened::Busy { port },
+        _ if is_no_terminal(&error) => NotOpened::NoPort { port },
+        _ => NotOpened::Other {
+            port,
+            reason: error.to_string(),
+        },
+    }
+}
+
+fn missing(port: &str) -> NotOpened {
+    NotOpened::Missing {
+        port: port.to_owned(),
+        available: available(),
+    }
+}
+
+/// The ports of this PC, as far as it tells.
+fn available() -> Vec<String> {
+    let ports = serialport::available_ports().unwrap_or_default();
+    ports.into_iter().map(|port| port.port_name).collect()
+}
+
+fn is_available(port: &str) -> bool {
+    available().iter().any(|name| name == port)
+}
+
+fn ports(available: &[String]) -> String {
+    if available.is_empty() {
+        return "this PC has none, so the board is not plugged in, or its cable only charges"
+            .to_owned();
+    }
+    format!("this PC has {}", available.join(", "))
+}
+
+fn permission() -> &'static str {
+    if cfg!(target_os = "linux") {
+        "join the group that it belongs to, mostly by `sudo usermod -aG dialout $USER`, and log in anew"
+    } else {
+        "check who may"
+    }
+}
+
+/// Sees to it that DTR stays on when the port is closed; tells whether it did not before, so that opening
+/// it now has turned DTR on.
+#[cfg(unix)]
+fn keep_dtr(port: &str) -> io::Result<bool> {
+    use rustix::fs::{Mode, OFlags};
+    use rustix::termios::{ControlModes, OptionalActions, tcgetattr, tcsetattr};
+    // Without waiting for a carrier.
+    let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC;
+    let port = rustix::fs::open(port, flags, Mode::empty())?;
+    let mut modes = tcgetattr(&port)?;
+    let hangs_up = modes.control_modes.contains(ControlModes::HUPCL);
+    if hangs_up {
+        modes.control_modes.remove(ControlModes::HUPCL);
+        tcsetattr(&port, OptionalActions::Now, &modes)?;
+    }
+    Ok(hangs_up)
+}
+
+#[cfg(not(unix))]
+fn keep_dtr(_: &str) -> io::Result<bool> {
+    Ok(false)
+}
+
+#[cfg(unix)]
+fn is_no_terminal(error: &io::Error) -> bool {
+    let code = error.raw_os_error();
+    code == Some(rustix::io::Errno::NOTTY.raw_os_error())
+        || error.kind() == io::ErrorKind::IsADirectory
+}
+
+#[cfg(not(unix))]
+fn is_no_terminal(_: &io::Error) -> bool {
+    false
+}

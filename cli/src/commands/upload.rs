@@ -1,0 +1,95 @@
+//! `unoclp upload`.
+
+use super::meet;
+use super::open::{Il, Shown, open};
+use crate::{Outcome, refuse};
+use anstream::{eprint, println};
+use anyhow::{Context, bail};
+use std::io::{IsTerminal, stderr};
+use std::path::Path;
+use unoclp_board::Line;
+use unoclp_board::diagnostics::Kept;
+use unoclp_board::map::{State, flag};
+use unoclp_board::start::Found;
+use unoclp_board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
+use unoclp_source::diagnosis::Diagnosis;
+
+/// Checks a program, and puts it on a board.
+pub fn upload(path: &Path, line: &Line, stays: bool, il: &Il) -> Outcome {
+    let Some((program, size)) = open(path, il, Shown::Here)? else {
+        return Ok(false);
+    };
+    println!("{}: {size}: OK", program.name);
+    let sent = Kept::of(&program.bytes).context("the program has no stored form")?;
+
+    let Found { mut client, .. } = meet(line)?;
+    let before = stop(&mut client).context("the board cannot be stopped")?;
+    let state = match before.state {
+        Some(state) => state,
+        None => bail!("the board is in a state that this version of unoclp does not know"),
+    };
+    match state {
+        State::Run => println!("STOP"),
+        State::Stop if before.has(flag::STOP_SWITCH) => println!("A5 is closed: in STOP"),
+        State::Stop => println!("in STOP"),
+        State::Fault => match before.trouble {
+            Some(trouble) => println!("in FAULT, {trouble}"),
+            None => println!("in FAULT"),
+        },
+    }
+
+    let uploaded = send(&mut client, &program.bytes, sent, &mut show);
+    hide();
+    match uploaded {
+        Ok(()) => {}
+        Err(Broken::Fault(trouble)) => {
+            let Some(fault) = trouble.fault() else {
+                bail!("the board says {trouble}");
+            };
+            println!("the board refuses the program, and keeps the one that it had:");
+            let told_at = None;
+            return Ok(refuse(&program, &[Diagnosis { fault, told_at }]));
+        }
+        Err(broken) => return Err(broken.into()),
+    }
+    println!("stored: {} bytes, check sum {:04X}", sent.bytes, sent.crc);
+
+    let behind = go_on(&mut client, state, sent, stays);
+    let behind = behind.context("the program is stored, but the board does not start it")?;
+    match behind {
+        Behind::Run => println!("RUN"),
+        Behind::Stop => println!("in STOP"),
+        Behind::Switch => println!("A5 is closed: in STOP, until A5 is opened"),
+        Behind::Faulty => println!("in FAULT: it runs the program from its next restart on"),
+        Behind::Card => bail!(
+            "the program was stored, but the board's card has another PROGRAM.TXT, which it took at \
+             its restart; take the card out, or put the program on it"
+        ),
+        Behind::Trouble(trouble) => {
+            bail!("the program is stored; restarted, the board says {trouble}")
+        }
+    }
+    Ok(true)
+}
+
+/// Shows the progress in a line that changes, where somebody sees it.
+fn show(progress: Progress) {
+    if stderr().is_terminal() {
+        match progress {
+            Progress::Sent { pass, bytes, of } => {
+                eprint!("{ANEW}{pass}: {bytes} of {of} bytes");
+            }
+            Progress::Storing => eprint!("{ANEW}writing program memory …"),
+        }
+    }
+}
+
+/// Takes the line back.
+fn hide() {
+    if stderr().is_terminal() {
+        eprint!("{ANEW}");
+    }
+}
+
+/// Back to the beginning of an empty line.
+const ANEW: &str = "\r\x1b[K";

@@ -1,0 +1,48 @@
+//! The words of the command line for what the libraries know as types of their own.
+
+use clap::ValueEnum;
+
+/// The parity bit of each byte on the line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Parity {
+    /// There is none
+    #[default]
+    None,
+    /// The ones are even in number
+    Even,
+    /// The ones are odd in number
+    Odd,
+}
+
+impl From<Parity> for unoclp_board::Parity {
+    fn from(word: Parity) -> unoclp_board::Parity {
+        match word {
+            Parity::None => unoclp_board::Parity::None,
+            Parity::Even => unoclp_board::Parity::Even,
+            Parity::Odd => unoclp_board::Parity::Odd,
+        }
+    }
+}
+
+/// What a program is listed as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    /// A ladder diagram
+    #[default]
+    Ladder,
+    /// Instruction List, in the words of IEC 61131-3
+    Il,
+    /// Numeric code, each line with its letters and its meaning
+    Numeric,
+}
+
+impl From<Form> for unoclp_source::list::Form {
+    fn from(word: Form) -> unoclp_source::list::Form {
+        use unoclp_source::list::Form as Listed;
+        match word {
+            Form::Ladder => Listed::Ladder,
+            Form::Il => Listed::Il,
+            Form::Numeric => Listed::Numeric,
+        }
+    }
+}

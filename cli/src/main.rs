@@ -1,0 +1,276 @@
+//! The command line: `unoclp check`, `unoclp compile`, `unoclp list`, `unoclp sim` and `unoclp card` on this PC,
+//! `unoclp upload`, `unoclp monitor` and `unoclp settings` on a board.
+//!
+//! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
+//! could not be carried out.
+
+mod commands;
+
+use annotate_snippets::Renderer;
+use anstream::{eprintln, print, println};
+use anyhow::{Context, anyhow, bail};
+use clap::{Parser, Subcommand};
+use commands::{At, Changes, Form, Il, Shown, open};
+use ratatui::crossterm::terminal;
+use std::fs::File;
+use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use unoclp_cli::panel::{self, App};
+use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
+use unoclp_host_sim::wave::{RecordedEngine, Recorder};
+use unoclp_ladder::NARROWEST;
+use unoclp_source::diagnosis::{Diagnosis, show};
+use unoclp_source::list;
+use unoclp_source::{Written, is_il};
+
+/// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
+#[derive(Parser)]
+#[command(name = "unoclp", version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Check a program: its size, or every fault with its line
+    Check {
+        /// The program, in numeric code or Instruction List (.il)
+        file: PathBuf,
+        #[command(flatten)]
+        il: Il,
+    },
+    /// Compile a program in Instruction List to numeric code
+    Compile {
+        /// The program in Instruction List
+        file: PathBuf,
+        /// Where to write the numeric code; to standard output without it, and for -
+        #[arg(short, long, value_name = "PROGRAM.TXT")]
+        output: Option<PathBuf>,
+        #[command(flatten)]
+        il: Il,
+    },
+    /// Show a program as a ladder diagram, as Instruction List, or as numeric code with its meaning
+    List {
+        /// The program, in numeric code or Instruction List (.il)
+        file: PathBuf,
+        #[command(flatten)]
+        il: Il,
+        /// What to list it as
+        #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
+        form: Form,
+        /// Draw the ladder diagram into this file, as vector graphics
+        #[arg(long, value_name = "OUT.svg")]
+        svg: Option<PathBuf>,
+        /// The columns that a ladder diagram may take
+        #[arg(long, value_name = "N", default_value_t = 80,
+            value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
+        width: u16,
+    },
+    /// Simulate a program, by hand in this terminal or by a scenario
+    Sim {
+        /// The program, in numeric code or Instruction List (.il); with a scenario, runs instead of the program that it names
+        file: Option<PathBuf>,
+        /// Run this scenario without a terminal: print what changes, and compare it
+        #[arg(long, value_name = "S.toml")]
+        scenario: Option<PathBuf>,
+        /// Write the trace of all inputs, outputs and timers for a wave viewer
+        #[arg(long, value_name = "OUT.vcd")]
+        vcd: Option<PathBuf>,
+        #[command(flatten)]
+        il: Il,
+    },
+    /// Put a program on a memory card, or on a new image of one
+    Card {
+        /// The folder of a mounted card, or a new image file (.img)
+        card: PathBuf,
+        /// The program, in numeric code or Instruction List (.il)
+        file: PathBuf,
+        /// With STATE.TXT, in which the board then keeps inputs and outputs
+        #[arg(long)]
+        state: bool,
+        #[command(flatten)]
+        il: Il,
+    },
+    /// Put a program on a board, over its serial port, in place of a card
+    Upload {
+        /// The program, in numeric code or Instruction List (.il)
+        file: PathBuf,
+        #[command(flatten)]
+        il: Il,
+        #[command(flatten)]
+        at: At,
+        /// Leave the board in STOP
+        #[arg(long)]
+        stop: bool,
+    },
+    /// Watch a board, force its inputs and outputs, and let it run and stop
+    Monitor {
+        /// The program that it runs, to show its rungs, timers and counters
+        file: Option<PathBuf>,
+        #[command(flatten)]
+        il: Il,
+        #[command(flatten)]
+        at: At,
+    },
+    /// Show and set a board's address, rate, parity and direction pin
+    Settings {
+        #[command(flatten)]
+        at: At,
+        #[command(flatten)]
+        changes: Changes,
+    },
+}
+
+/// Whether what the command was asked about is well.
+type Outcome = anyhow::Result<bool>;
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::Check { file, il } => commands::check(&file, &il),
+        Command::Compile { file, output, il } => commands::compile(&file, output.as_deref(), &il),
+        Command::List {
+            file,
+            il,
+            form,
+            svg,
+            width,
+        } => list_file(&file, &il, form, svg.as_deref(), width.into()),
+        Command::Sim {
+            file,
+            scenario,
+            vcd,
+            il,
+        } => match (file, scenario) {
+            (file, Some(scenario)) => run_scenario(&scenario, file.as_deref(), vcd.as_deref(), &il),
+            (Some(file), None) => simulate(&file, vcd.as_deref(), &il),
+            (None, None) => Err(anyhow!(
+                "nothing to simulate; name a program or a --scenario"
+            )),
+        },
+        Command::Card {
+            card,
+            file,
+            state,
+            il,
+        } => commands::card(&card, &file, state, &il),
+        Command::Upload { file, il, at, stop } => commands::upload(&file, &at.line(), stop, &il),
+        Command::Monitor { file, il, at } => commands::monitor(file.as_deref(), at.line(), &il),
+        Command::Settings { at, changes } => commands::settings(&at.line(), &changes),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize) -> Outcome {
+    if svg.is_some() && form != Form::Ladder {
+        bail!("--svg draws a ladder diagram; leave out --as, or --svg");
+    }
+    let Some((program, _)) = open(path, il, Shown::Here)? else {
+        return Ok(false);
+    };
+    let Some(svg) = svg else {
+        print!("{}", list::list(&program, form.into(), width)?);
+        return Ok(true);
+    };
+    let drawing = list::svg(&program, width)?;
+    create(svg)?
+        .write_all(drawing.as_bytes())
+        .with_context(|| cannot_write(svg))?;
+    println!("{}: drawn", svg.display());
+    Ok(true)
+}
+
+fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
+    let Some((program, _)) = open(path, il, Shown::Here)? else {
+        return Ok(false);
+    };
+    if !(stdin().is_terminal() && stdout().is_terminal()) {
+        bail!("the simulator needs a terminal; without one, run a scenario: --scenario S.toml");
+    }
+    let mut app = App::new(program)?;
+    if let Some(vcd) = vcd {
+        app.record_to(Recorder::new(create(vcd)?));
+    }
+    panel::run(app)?;
+    Ok(true)
+}
+
+fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il) -> Outcome {
+    let mut scenario = Scenario::load(path)?;
+    if let Some(program) = program {
+        // Numeric code is run as it is: a scenario may expect a fault of it.
+        let file = read(program)?;
+        let file = match is_il(program, &file.bytes) {
+            false => file,
+            true => match open(program, il, Shown::Here)? {
+                Some((Written { name, bytes, .. }, _)) => ProgramFile { name, bytes },
+                None => return Ok(false),
+            },
+        };
+        scenario = scenario.with_program(file);
+    }
+    let report = match vcd {
+        None => check(&scenario, &mut HostEngine::default()),
+        Some(vcd) => {
+            let mut engine = RecordedEngine::new(Recorder::new(create(vcd)?));
+            let report = check(&scenario, &mut engine);
+            engine.finish().with_context(|| cannot_write(vcd))?;
+            report
+        }
+    };
+    println!("{report}");
+    Ok(report.passed())
+}
+
+/// Shows the faults of the numeric code; what was asked about is not well.
+fn refuse(program: &Written, faults: &[Diagnosis]) -> bool {
+    if program.compiled.is_some() {
+        for Diagnosis { fault, .. } in faults {
+            let line = fault.line.and_then(|line| program.line(line));
+            let place = line.map_or_else(String::new, |line| format!(":{line}"));
+            let (number, text) = (fault.cause.number(), fault.cause.text());
+            println!("{}{place}: fault {number}: {text}", program.name);
+        }
+        return false;
+    }
+    let shown = show(&program.name, &program.bytes, faults, &renderer());
+    println!("{shown}");
+    false
+}
+
+/// How excerpts of a program are shown.
+fn renderer() -> Renderer {
+    let mut renderer = Renderer::styled();
+    if stdout().is_terminal()
+        && let Ok((width, _)) = terminal::size()
+    {
+        renderer = renderer.term_width(width.into());
+    }
+    renderer
+}
+
+fn read(path: &Path) -> anyhow::Result<ProgramFile> {
+    let name = path.display().to_string();
+    match std::fs::read(path) {
+        Ok(bytes) => Ok(ProgramFile { name, bytes }),
+        Err(error) => bail!("{name} cannot be read ({error}); check its name and folder"),
+    }
+}
+
+fn create(path: &Path) -> anyhow::Result<Box<dyn Write>> {
+    let file = File::create(path).with_context(|| cannot_write(path))?;
+    Ok(Box::new(BufWriter::new(file)))
+}
+
+fn cannot_write(path: &Path) -> String {
+    format!("{} cannot be written", path.display())
+}

@@ -1,0 +1,168 @@
+//! What the monitor shows, and which keys ask what of the board. It knows no terminal and no port, so tests
+//! feed it both.
+
+use super::program::Program;
+use super::watcher::News;
+use crate::panel::Flow;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use unoclp_board::map::{Command, State};
+use unoclp_board::watch::{Reading, Side, Wish};
+use unoclp_source::BOARD;
+
+/// A board, as far as it is known, and what a person does to it.
+pub struct App {
+    /// Where the board is.
+    pub(super) place: String,
+    /// What it says that it is.
+    pub(super) identity: String,
+    pub(super) program: Option<Program>,
+    /// The last reading; none before the first.
+    pub(super) reading: Option<Reading>,
+    /// What its program does there.
+    pub(super) flow: Flow,
+    /// Why there is no newer one.
+    pub(super) lost: Option<String>,
+    /// What the person should know, until the next key.
+    pub(super) said: Option<String>,
+    /// What the digits force.
+    pub(super) side: Side,
+    /// The first line of the rungs that is shown.
+    pub(super) top: usize,
+    /// Lines of the rungs that fit.
+    pub(super) page: usize,
+    quit: bool,
+}
+
+impl App {
+    /// A monitor that waits for the board at this place.
+    pub fn new(place: String, program: Option<Program>) -> App {
+        App {
+            place,
+            identity: String::new(),
+            top: program.as_ref().map_or(0, |program| program.drawn.home()),
+            program,
+            reading: None,
+            flow: Flow::default(),
+            lost: None,
+            said: None,
+            side: Side::Inputs,
+            page: 1,
+            quit: false,
+        }
+    }
+
+    /// Whether the person wants to leave.
+    pub(super) fn quit(&self) -> bool {
+        self.quit
+    }
+
+    /// Whether the board keeps another program than the file's.
+    pub(super) fn differs(&self) -> bool {
+        match (&self.program, &self.reading) {
+            (Some(program), Some(reading)) => program.kept != reading.diagnostics.program,
+            _ => false,
+        }
+    }
+
+    /// Takes up what is new.
+    pub fn hear(&mut self, news: News) {
+        match news {
+            News::Found {
+                identity,
+                may_be_reset,
+            } => {
+                self.identity = identity.to_string();
+                if may_be_reset {
+                    self.said = Some(
+                        "opening the port has probably reset the board; the next time it will not"
+                            .to_owned(),
+                    );
+                }
+            }
+            News::Read(reading) => {
+                self.lost = None;
+                if let Some(program) = &mut self.program {
+                    self.flow = match reading.diagnostics.state {
+                        Some(State::Fault) => Flow::default(),
+                        _ => program.flow(&reading),
+                    };
+                }
+                self.reading = Some(*reading);
+            }
+            News::Refused(why) => self.said = Some(why),
+            News::Lost(why) => self.lost = Some(why),
+        }
+    }
+
+    /// Takes a key; gives what it asks of the board.
+    pub fn key(&mut self, key: KeyEvent) -> Option<Wish> {
+        if key.kind == KeyEventKind::Release {
+            return None;
+        }
+        match key.code {
+            KeyCode::Up => self.top = self.top.saturating_sub(1),
+            KeyCode::Down => self.top = self.top.saturating_add(1),
+            KeyCode::PageUp => self.top = self.top.saturating_sub(self.page),
+            KeyCode::PageDown => self.top = self.top.saturating_add(self.page),
+            KeyCode::Home => self.top = 0,
+            KeyCode::End => self.top = usize::MAX,
+            // All others do something once only.
+            _ if key.kind == KeyEventKind::Repeat => {}
+            KeyCode::Char('c') if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
+            KeyCode::Char('q') | KeyCode::Esc => self.quit = true,
+            KeyCode::Char('v') => {
+                if let Some(program) = &mut self.program {
+                    program.drawn.turn();
+                    self.top = program.drawn.home();
+                }
+            }
+            KeyCode::Char('o') => {
+                self.side = match self.side {
+                    Side::Inputs => Side::Outputs,
+                    Side::Outputs => Side::Inputs,
+                };
+            }
+            code => {
+                self.said = None;
+                return self.wish(code);
+            }
+        }
+        None
+    }
+
+    fn wish(&self, code: KeyCode) -> Option<Wish> {
+        match code {
+            KeyCode::Char(digit @ '1'..='9') => self.force(digit as u8 - b'1'),
+            KeyCode::Char('x') => Some(Wish::Release),
+            KeyCode::Char('s') => Some(Wish::Command(Command::Scan)),
+            KeyCode::Char('r') => Some(Wish::Command(Command::Restart)),
+            KeyCode::Char(' ') => {
+                let state = self.reading.as_ref()?.diagnostics.state;
+                let command = match state {
+                    Some(State::Run) => Command::Stop,
+                    _ => Command::Run,
+                };
+                Some(Wish::Command(command))
+            }
+            _ => None,
+        }
+    }
+
+    /// A point that is free is forced to 1, then to 0, and then let go.
+    fn force(&self, index: u8) -> Option<Wish> {
+        let reading = self.reading.as_ref()?;
+        let (count, forces) = match self.side {
+            Side::Inputs => (BOARD.inputs, reading.forced_inputs),
+            Side::Outputs => (BOARD.outputs, reading.forced_outputs),
+        };
+        if index >= count {
+            return None;
+        }
+        let to = match forces.get(index) {
+            None => Some(true),
+            Some(true) => Some(false),
+            Some(false) => None,
+        };
+        Some(Wish::Force(self.side, index, to))
+    }
+}

@@ -1,0 +1,89 @@
+//! The program file that the board shall run: what a board does not tell of it.
+
+use crate::panel::{Drawn, Flow};
+use unoclp_board::diagnostics::Kept;
+use unoclp_board::watch::{Meter, Reading, Scope};
+use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};
+use unoclp_host_sim::engine::Machine;
+use unoclp_source::Written;
+
+/// A program, to show a board's timers, counters and rungs by.
+pub struct Program {
+    /// What it is called.
+    pub(super) name: String,
+    /// How a board keeps it.
+    pub(super) kept: Kept,
+    pub(super) drawn: Drawn,
+    /// What each timer does.
+    pub(super) timers: Vec<Delay>,
+    counters: u16,
+    /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
+    twin: Machine,
+    /// How many instructions it has.
+    steps: usize,
+}
+
+impl Program {
+    /// A program of which the text is known.
+    ///
+    /// # Errors
+    /// Its first fault.
+    pub fn new(program: Written) -> Result<Program, Fault> {
+        let machine = Machine::load(&program.bytes)?;
+        let plc = machine.plc();
+        Ok(Program {
+            kept: Kept::of(&program.bytes).unwrap_or_default(),
+            drawn: Drawn::new(&program, plc),
+            timers: plc
+                .steps()
+                .filter_map(|step| Delay::of(step.opcode))
+                .collect(),
+            counters: plc.counters().count() as u16,
+            steps: plc.steps().count(),
+            twin: machine,
+            name: program.name,
+        })
+    }
+
+    /// What the program does on the board at the moment: a scan from what was read. Edges are those from reading
+    /// to reading.
+    pub(super) fn flow(&mut self, reading: &Reading) -> Flow {
+        let now = reading.diagnostics.uptime;
+        let pair = |meter: &Meter| (meter.value.cast_unsigned(), meter.preset.cast_unsigned());
+        let timers: Vec<_> = reading.timers.iter().map(pair).collect();
+        let counters = reading.counters.iter();
+        let counters: Vec<_> = counters.map(|meter| (meter.value, meter.preset)).collect();
+        let board = Snapshot {
+            outputs: Image(reading.outputs),
+            markers: reading.markers.unwrap_or_default(),
+            registers: &reading.registers,
+            timers: &timers,
+            counters: &counters,
+        };
+        self.twin.adopt(&board, now);
+        let mut flow = Flow::default();
+        // Before the scan they stand as the board has told them.
+        flow.look(self.twin.plc(), now);
+        let mut inputs = Inputs::from(Image(reading.inputs));
+        for (input, value) in inputs.analogue.iter_mut().zip(&reading.analogue) {
+            *input = *value;
+        }
+        flow.acc = vec![None; self.steps];
+        let observe = |step: usize, on| {
+            if let Some(acc) = flow.acc.get_mut(step) {
+                *acc = Some(on);
+            }
+        };
+        // A scan with too many jumps shows how far it has come.
+        let _ = self.twin.scan_observed(inputs, now, observe);
+        flow
+    }
+
+    /// How much of a board there is to read for it.
+    pub fn scope(&self) -> Scope {
+        Scope {
+            timers: self.timers.len() as u16,
+            counters: self.counters,
+        }
+    }
+}

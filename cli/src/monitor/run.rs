@@ -1,0 +1,45 @@
+//! The loop of the monitor: frames out, key events and news in.
+
+use super::app::App;
+use super::view;
+use super::watcher::News;
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event};
+use std::io;
+use std::sync::mpsc::{Receiver, Sender};
+use std::time::Duration;
+use unoclp_board::watch::Wish;
+
+/// Time from frame to frame.
+const FRAME: Duration = Duration::from_millis(33);
+
+/// Runs the monitor in this terminal until the person leaves. The board goes on as it is.
+///
+/// The terminal is put back as it was, after a panic too. An error comes from the terminal.
+pub fn run(mut app: App, wish: &Sender<Wish>, news: &Receiver<News>) -> io::Result<()> {
+    let mut terminal = ratatui::try_init()?;
+    let outcome = frames(&mut app, &mut terminal, wish, news);
+    outcome.and(ratatui::try_restore())
+}
+
+fn frames(
+    app: &mut App,
+    terminal: &mut DefaultTerminal,
+    wish: &Sender<Wish>,
+    news: &Receiver<News>,
+) -> io::Result<()> {
+    while !app.quit() {
+        news.try_iter().for_each(|news| app.hear(news));
+        terminal.draw(|frame| view::draw(app, frame))?;
+        if event::poll(FRAME)?
+            && let Event::Key(key) = event::read()?
+            && let Some(wished) = app.key(key)
+            && wish.send(wished).is_err()
+        {
+            return Err(io::Error::other(
+                "the thread that reads the board has ended",
+            ));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,434 @@
+//! The monitor without a terminal and without a board: news and keys go in, wishes and the screen come out.
+
+use super::app::App;
+use super::program::Program;
+use super::view;
+use super::watcher::News;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use unoclp_board::diagnostics::{Diagnostics, Kept, Trouble};
+use unoclp_board::identity::Identity;
+use unoclp_board::map::{Command, State, flag};
+use unoclp_board::watch::{Forces, Meter, Reading, Side, Wish};
+use unoclp_core::{Image, Inputs};
+use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::random::Random;
+use unoclp_source::Written;
+
+/// I1 sets Q1 through a TON of 20 ms; a counter of I2 sets Q2.
+const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n67848501\n3\n877902\n";
+
+fn program() -> Program {
+    Program::new(Written::numeric("motor.txt".to_owned(), PROGRAM.into())).unwrap()
+}
+
+/// A board that runs the program.
+fn reading() -> Reading {
+    Reading {
+        diagnostics: Diagnostics {
+            state: Some(State::Run),
+            cause: 1,
+            uptime: 12_345,
+            scan_times: [214, 180, 0x7FFF],
+            free_stack: 120,
+            supply: 5006,
+            restarts: 2,
+            program: Kept::of(PROGRAM.as_bytes()).unwrap(),
+            ..Diagnostics::default()
+        },
+        inputs: 0b01,
+        outputs: 0b10,
+        markers: Some(1 << 63 | 1),
+        analogue: vec![512, 0, 0, 0, 0],
+        registers: [0, -7].into_iter().chain([0; 30]).collect(),
+        timers: vec![Meter {
+            value: 15,
+            preset: 20,
+        }],
+        counters: vec![Meter {
+            value: 3,
+            preset: 3,
+        }],
+        ..Reading::default()
+    }
+}
+
+fn app(program: Option<Program>) -> App {
+    let mut app = App::new("/dev/ttyACM0, address 1".to_owned(), program);
+    app.hear(News::Found {
+        identity: Identity {
+            vendor: "unoclp".to_owned(),
+            product: "unoclp UNO".to_owned(),
+            version: "0.2.0".to_owned(),
+        },
+        may_be_reset: false,
+    });
+    app
+}
+
+/// An app that has read this.
+fn showing(reading: Reading) -> App {
+    let mut app = app(Some(program()));
+    app.hear(News::Read(Box::new(reading)));
+    app
+}
+
+fn press(app: &mut App, code: KeyCode) -> Option<Wish> {
+    app.key(KeyEvent::new(code, KeyModifiers::NONE))
+}
+
+fn screen(app: &mut App, width: u16, height: u16) -> String {
+    let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+    terminal.draw(|frame| view::draw(app, frame)).unwrap();
+    let buffer = terminal.backend().buffer().clone();
+    let cells: Vec<&str> = buffer.content().iter().map(|cell| cell.symbol()).collect();
+    let lines = cells.chunks(usize::from(width).max(1));
+    let lines: Vec<String> = lines
+        .map(|line| line.concat().trim_end().to_owned())
+        .collect();
+    lines.join("\n")
+}
+
+#[test]
+fn the_screen_shows_the_board() {
+    let expected = " motor.txt  unoclp UNO 0.2.0 at /dev/ttyACM0, address 1               RUN  12 s
+─ Inputs: 1 to 8 force ────────────────── Outputs ──────────────────────────────
+ I1●  I2○  I3○  I4○  I5○  I6○  I7○  I8○  Q1○  Q2●  Q3○  Q4○
+─ Board ────────────────────────────────────────────────────────────────────────
+ scan 214 µs (180 to over 32766)  supply 5.01 V  stack 120 bytes free
+ last start: power  since power-up: restarts 2, faults 0
+─ Memory ───────────────────────────────────────────────────────────────────────
+ M1   ●○○○○○○○ M9   ○○○○○○○○ M17  ○○○○○○○○ M25  ○○○○○○○○ M33  ○○○○○○○○
+ M41  ○○○○○○○○ M49  ○○○○○○○○ M57  ○○○○○○○●
+ A0 512  A1 0  A2 0  A3 0  A4 0  D2 -7
+─ Timers (ms) and counters ─────────────────────────────────────────────────────
+ T1 TON    ███████████████░░░░░ 15/20  C1        ██████████████████████ 3/3
+─ Rungs ────────────────────────────────────────────────────────────────────────
+  1 ┣━━┥ I1 ┝━━[ TON T1 15/20 ms ]──────────────────( Q1 )─┤
+  2 ┣━━┤ I2 ├──[ CTU C1 3/3 ]━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
+
+ q quit  space stop  1-8 force  o outputs  x free  s scan  r restart  v text  ↑↓";
+    assert_eq!(screen(&mut showing(reading()), 80, 17), expected);
+}
+
+#[test]
+fn without_a_file_it_shows_what_the_board_tells() {
+    let mut app = app(None);
+    app.hear(News::Read(Box::new(Reading {
+        timers: Vec::new(),
+        counters: Vec::new(),
+        ..reading()
+    })));
+    let screen = screen(&mut app, 80, 24);
+    for part in [" unoclp UNO 0.2.0 at /dev/ttyACM0", "I1●", "M1 ", "D2 -7"] {
+        assert!(screen.contains(part), "{part} is missing in\n{screen}");
+    }
+    for part in ["Rungs", "Timers", "another program"] {
+        assert!(!screen.contains(part), "{screen}");
+    }
+}
+
+#[test]
+fn another_program_is_warned_of_and_its_rungs_are_not_shown() {
+    let mut other = reading();
+    other.diagnostics.program = Kept {
+        bytes: 9,
+        crc: 0xAB,
+    };
+    let screen = screen(&mut showing(other), 100, 24);
+    assert!(
+        screen.contains("the board runs another program than motor.txt: 9 bytes 00AB, not "),
+        "{screen}"
+    );
+    assert!(
+        !screen.contains("Rungs") && !screen.contains("Timers"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn whatever_a_person_should_know_is_said() {
+    let board = |change: fn(&mut Reading)| {
+        let mut reading = reading();
+        change(&mut reading);
+        screen(&mut showing(reading), 80, 24)
+    };
+    let trouble = Some(Trouble {
+        number: 24,
+        line: Some(7),
+    });
+    let faulty = board(|reading| {
+        reading.diagnostics.state = Some(State::Fault);
+        reading.diagnostics.trouble = Some(Trouble {
+            number: 75,
+            line: None,
+        });
+    });
+    assert!(faulty.contains("FAULT  12 s"), "{faulty}");
+    assert!(
+        faulty.contains("\n fault 75: too many jumps back"),
+        "{faulty}"
+    );
+    let mut stopped = reading();
+    (stopped.diagnostics.state, stopped.diagnostics.trouble) = (Some(State::Stop), trouble);
+    let stopped = screen(&mut showing(stopped), 80, 24);
+    assert!(
+        stopped.contains("\n last upload: fault 24, line 7: no such code"),
+        "{stopped}"
+    );
+
+    let flags = board(|reading| {
+        reading.diagnostics.flags =
+            flag::STOP_SWITCH | flag::UPLOAD | flag::CARD_FAILED | flag::FORCED;
+        reading.forced_inputs = Forces { points: 2, to: 0 };
+        reading.diagnostics.state = None;
+    });
+    for part in [
+        "A5 is closed",
+        "an upload is under way",
+        "the card failed",
+        "FORCED  ?",
+        "I2○!",
+    ] {
+        assert!(flags.contains(part), "{part} is missing in\n{flags}");
+    }
+}
+
+#[test]
+fn a_lost_board_is_told_and_what_was_read_last_stays() {
+    let mut app = app(None);
+    assert!(screen(&mut app, 80, 24).contains("waiting for the board"));
+    app.hear(News::Lost("there is no port /dev/ttyACM0".to_owned()));
+    let lost = screen(&mut app, 80, 24);
+    assert!(
+        lost.contains("there is no port") && lost.contains("NO BOARD"),
+        "{lost}"
+    );
+    app.hear(News::Read(Box::new(reading())));
+    assert!(!screen(&mut app, 80, 24).contains("NO BOARD"));
+    app.hear(News::Lost("no answer".to_owned()));
+    let lost = screen(&mut app, 80, 24);
+    assert!(
+        lost.contains("lost, trying again: no answer") && lost.contains("I1●"),
+        "{lost}"
+    );
+    assert!(lost.contains("NO BOARD"), "{lost}");
+}
+
+#[test]
+fn a_reset_and_a_refusal_are_said_until_the_next_key() {
+    let mut app = showing(reading());
+    app.hear(News::Refused("A5 is closed".to_owned()));
+    assert!(screen(&mut app, 80, 24).contains("A5 is closed"));
+    press(&mut app, KeyCode::Char('x'));
+    assert!(!screen(&mut app, 80, 24).contains("A5 is closed"));
+    app.hear(News::Found {
+        identity: Identity::default(),
+        may_be_reset: true,
+    });
+    assert!(screen(&mut app, 80, 24).contains("has probably reset the board"));
+}
+
+#[test]
+fn keys_ask_for_what_fits_the_state() {
+    let mut app = showing(reading());
+    let command = |command| Some(Wish::Command(command));
+    assert_eq!(press(&mut app, KeyCode::Char(' ')), command(Command::Stop));
+    assert_eq!(press(&mut app, KeyCode::Char('s')), command(Command::Scan));
+    assert_eq!(
+        press(&mut app, KeyCode::Char('r')),
+        command(Command::Restart)
+    );
+    assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Wish::Release));
+    assert_eq!(press(&mut app, KeyCode::Char('z')), None);
+    let mut stopped = reading();
+    stopped.diagnostics.state = Some(State::Stop);
+    app.hear(News::Read(Box::new(stopped)));
+    assert_eq!(press(&mut app, KeyCode::Char(' ')), command(Command::Run));
+    assert!(!app.quit());
+    press(&mut app, KeyCode::Esc);
+    assert!(app.quit());
+}
+
+#[test]
+fn digits_force_a_point_to_1_then_to_0_and_let_it_go() {
+    let mut app = showing(reading());
+    let mut reading = reading();
+    for to in [Some(true), Some(false), None, Some(true)] {
+        let force = Wish::Force(Side::Inputs, 7, to);
+        assert_eq!(press(&mut app, KeyCode::Char('8')), Some(force));
+        reading.forced_inputs.set(7, to);
+        app.hear(News::Read(Box::new(reading.clone())));
+    }
+    assert_eq!(press(&mut app, KeyCode::Char('9')), None);
+    press(&mut app, KeyCode::Char('o'));
+    let force = Wish::Force(Side::Outputs, 0, Some(true));
+    assert_eq!(press(&mut app, KeyCode::Char('1')), Some(force));
+    assert_eq!(press(&mut app, KeyCode::Char('5')), None, "there are four");
+    assert!(screen(&mut app, 80, 24).contains("Outputs: 1 to 4 force"));
+    press(&mut app, KeyCode::Char('o'));
+    assert!(screen(&mut app, 80, 24).contains("Inputs: 1 to 8 force"));
+
+    // A key that is held, or goes up, forces nothing more.
+    for kind in [KeyEventKind::Repeat, KeyEventKind::Release] {
+        let key = KeyEvent::new_with_kind(KeyCode::Char('1'), KeyModifiers::NONE, kind);
+        assert_eq!(app.key(key), None);
+    }
+}
+
+#[test]
+fn before_the_first_reading_nothing_is_forced_or_started() {
+    let mut app = app(Some(program()));
+    for key in ['1', ' '] {
+        assert_eq!(press(&mut app, KeyCode::Char(key)), None);
+    }
+}
+
+#[test]
+fn every_screen_is_large_enough() {
+    let mut app = showing(reading());
+    for (width, height) in [(1, 1), (10, 3), (20, 40), (40, 10), (80, 24), (200, 60)] {
+        for key in [
+            KeyCode::End,
+            KeyCode::PageUp,
+            KeyCode::PageDown,
+            KeyCode::Home,
+        ] {
+            press(&mut app, key);
+            screen(&mut app, width, height);
+        }
+    }
+}
+
+#[test]
+fn there_may_be_nothing_to_scroll() {
+    let mut app = app(None);
+    for key in [KeyCode::End, KeyCode::Down, KeyCode::PageDown, KeyCode::Up] {
+        assert_eq!(press(&mut app, key), None);
+        screen(&mut app, 80, 24);
+    }
+}
+
+#[test]
+fn rungs_scroll() {
+    let rungs = "787600\n827301\n877901\n".repeat(40);
+    let file = format!("0\n{rungs}");
+    let program =
+        Program::new(Written::numeric("long.txt".to_owned(), file.clone().into())).unwrap();
+    let mut app = app(Some(program));
+    let mut reading = reading();
+    reading.diagnostics.program = Kept::of(file.as_bytes()).unwrap();
+    app.hear(News::Read(Box::new(reading)));
+    let mut at = |key: Option<KeyCode>| {
+        if let Some(key) = key {
+            press(&mut app, key);
+        }
+        let screen = screen(&mut app, 80, 24);
+        screen
+            .lines()
+            .find(|line| line.contains("Rungs"))
+            .unwrap()
+            .to_owned()
+    };
+    let first = at(None);
+    assert!(
+        first.contains("lines 1 to ") && first.contains(" of 40"),
+        "{first}"
+    );
+    assert!(at(Some(KeyCode::Down)).contains("lines 2 to "));
+    assert!(at(Some(KeyCode::End)).contains(" to 40 of 40"));
+    assert!(at(Some(KeyCode::Up)).contains(" to 39 of 40"));
+    assert_eq!(at(Some(KeyCode::Home)), first);
+}
+
+/// All kinds of timers, a counter that counts both ways, markers and comparisons; no edge of its own.
+const RICH: &str = "0\n\
+    827301\n847978\n20\n7901\n787600\n\
+    827302\n847970\n15\n7902\n787600\n\
+    827303\n8480\n10\n7703\n787600\n\
+    827304\n847982\n30\n7704\n787600\n\
+    827301\n67848501\n3\n787600\n827302\n67846801\n3\n877705\n787600\n\
+    827304\n-828401\n828403\n82876701\n787600\n\
+    766867 01\n718400\n1\n877903\n787600\n\
+    -827703\n40\n827902\n41\n828404\n877904\n";
+
+#[test]
+fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
+    let text = RICH.replace(' ', "");
+    let mut board = Machine::load(text.as_bytes()).unwrap();
+    let mut program = Program::new(Written::numeric("rich.txt".to_owned(), text.into())).unwrap();
+    let mut random = Random::new(7);
+    let mut inputs = Image(0);
+    let mut compared = 0;
+    for now in 0..20_000 {
+        let before = inputs;
+        if random.below(12) == 0 {
+            inputs.0 ^= 1 << random.below(4);
+        }
+        let mut acc = Vec::new();
+        let observe = |step: usize, on| {
+            acc.resize(step, None);
+            acc.push(Some(on));
+        };
+        let outputs = board
+            .scan_observed(Inputs::from(inputs), now, observe)
+            .unwrap();
+        // From outside, a TOF that begins just now is one that is over.
+        if inputs != before || now == 0 {
+            continue;
+        }
+        let plc = board.plc();
+        let reading = Reading {
+            diagnostics: Diagnostics {
+                uptime: now,
+                ..Diagnostics::default()
+            },
+            inputs: inputs.0,
+            outputs: outputs.0,
+            markers: Some(plc.markers()),
+            registers: plc.registers().to_vec(),
+            timers: plc
+                .timers(now)
+                .map(|timer| Meter {
+                    value: timer.elapsed.cast_signed(),
+                    preset: timer.preset.cast_signed(),
+                })
+                .collect(),
+            counters: plc
+                .counters()
+                .map(|counter| Meter {
+                    value: counter.value,
+                    preset: counter.preset,
+                })
+                .collect(),
+            ..Reading::default()
+        };
+        let flow = program.flow(&reading);
+        assert_eq!(flow.acc, acc, "at {now} ms, inputs {inputs:?}");
+        compared += 1;
+    }
+    assert!(compared > 15_000);
+}
+
+#[test]
+fn instruction_list_is_shown_as_text_or_as_rungs() {
+    let text = "VAR\n    button AT %IX1 : BOOL;\nEND_VAR\nLD button\nANDN I2\nST Q1\n";
+    let program = Written::il("lamp.il".to_owned(), text.as_bytes(), None);
+    let mut reading = reading();
+    reading.diagnostics.program = Kept::of(&program.bytes).unwrap();
+    let mut app = app(Some(Program::new(program).unwrap()));
+    app.hear(News::Read(Box::new(reading)));
+    let shown = screen(&mut app, 100, 30);
+    let text = "\n   4 ● LD button\n   5 ● ANDN I2\n   6 ● ST Q1\n";
+    assert!(
+        shown.contains("─ Text ─") && shown.contains(text),
+        "{shown}"
+    );
+    assert_eq!(press(&mut app, KeyCode::Char('v')), None);
+    let shown = screen(&mut app, 100, 30);
+    assert!(
+        shown.contains("─ Rungs ─") && shown.contains("button") && shown.contains("v text"),
+        "{shown}"
+    );
+}

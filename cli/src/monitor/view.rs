@@ -1,0 +1,352 @@
+//! From the app to the screen. Whatever colour says, a symbol says too: `●` is 1, `!` is forced.
+
+use super::app::App;
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Borders, Paragraph};
+use unoclp_board::map::{self, State, flag};
+use unoclp_board::watch::{Forces, Meter, Reading, Side};
+use unoclp_source::BOARD;
+
+/// Header and footer.
+const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
+/// What is 1.
+const ON: Style = Style::new().fg(Color::Green).add_modifier(Modifier::BOLD);
+/// What a person should see.
+const WARNING: Style = Style::new().fg(Color::Yellow).add_modifier(Modifier::BOLD);
+
+/// Columns of a timer or counter.
+const METER: u16 = 38;
+/// From this width on inputs and outputs stand side by side.
+const SIDE_BY_SIDE: u16 = 76;
+
+/// Draws the app, and tells it how many lines of the rungs fit.
+pub(super) fn draw(app: &mut App, frame: &mut Frame) {
+    let width = frame.area().width;
+    let mut panels = Vec::new();
+    if let Some(reading) = &app.reading {
+        let inputs = inputs(app.side, reading);
+        let outputs = outputs(app.side, reading);
+        if width >= SIDE_BY_SIDE {
+            panels.push(vec![inputs, outputs]);
+        } else {
+            panels.extend([vec![inputs], vec![outputs]]);
+        }
+        panels.push(vec![("Board".to_owned(), board(app, reading, width))]);
+        let memory = memory(reading, width);
+        if !memory.is_empty() {
+            panels.push(vec![("Memory".to_owned(), memory)]);
+        }
+        let meters = meters(app, reading, width);
+        if !meters.is_empty() {
+            panels.push(vec![("Timers (ms) and counters".to_owned(), meters)]);
+        }
+    } else {
+        let text = app.lost.as_deref().unwrap_or("waiting for the board");
+        panels.push(vec![(
+            "Board".to_owned(),
+            wrap(text.split(' '), " ", width),
+        )]);
+    }
+    let heights = panels.iter().map(|row| {
+        let lines = row.iter().map(|(_, lines)| lines.len()).max();
+        Constraint::Length(lines.unwrap_or_default() as u16 + 1)
+    });
+    let bar = || [Constraint::Length(1)];
+    let heights = bar()
+        .into_iter()
+        .chain(heights)
+        .chain([Constraint::Min(0)])
+        .chain(bar());
+    let areas = Layout::vertical(heights).split(frame.area());
+    header(app, frame, areas[0]);
+    for (row, &area) in panels.into_iter().zip(&areas[1..]) {
+        let columns = Layout::horizontal(vec![Constraint::Fill(1); row.len()]).split(area);
+        for ((title, lines), &column) in row.into_iter().zip(columns.iter()) {
+            panel(title, lines, frame, column);
+        }
+    }
+    rungs(app, frame, areas[areas.len() - 2]);
+    footer(app, frame, areas[areas.len() - 1]);
+}
+
+fn header(app: &App, frame: &mut Frame, area: Rect) {
+    let state = match (&app.lost, &app.reading) {
+        (Some(_), _) => "NO BOARD".to_owned(),
+        (None, None) => "…".to_owned(),
+        (None, Some(reading)) => {
+            let board = &reading.diagnostics;
+            let state = board.state.map_or("?", State::name);
+            let forced = if board.has(flag::FORCED) {
+                "FORCED  "
+            } else {
+                ""
+            };
+            let seconds = board.uptime / 1000;
+            format!("{forced}{state}  {seconds} s")
+        }
+    };
+    let right = Line::raw(format!("{state} "));
+    let name = match &app.program {
+        Some(program) => format!(" {}  {} at {}", program.name, app.identity, app.place),
+        None => format!(" {} at {}", app.identity, app.place),
+    };
+    let widths = [
+        Constraint::Fill(1),
+        Constraint::Length(right.width() as u16),
+    ];
+    let [left, right_area] = Layout::horizontal(widths).areas(area);
+    frame.render_widget(Line::raw(name).style(BAR), left);
+    frame.render_widget(right.style(BAR), right_area);
+}
+
+/// The keys, the most important first: a narrow screen cuts the others off.
+fn footer(app: &App, frame: &mut Frame, area: Rect) {
+    let state = app.reading.as_ref().and_then(|r| r.diagnostics.state);
+    let run = if state == Some(State::Run) {
+        "stop"
+    } else {
+        "run"
+    };
+    let other = match app.side {
+        Side::Inputs => "outputs",
+        Side::Outputs => "inputs",
+    };
+    let view = match &app.program {
+        Some(program) => format!("  v {}", program.drawn.other()),
+        None => String::new(),
+    };
+    let keys =
+        format!(" q quit  space {run}  1-8 force  o {other}  x free  s scan  r restart{view}  ↑↓");
+    frame.render_widget(Line::raw(keys).style(BAR), area);
+}
+
+/// A titled rule, and lines below it.
+fn panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area: Rect) {
+    let block = Block::new()
+        .borders(Borders::TOP)
+        .title(format!("─ {title} "));
+    frame.render_widget(Paragraph::new(lines).block(block), area);
+}
+
+type Panel = (String, Vec<Line<'static>>);
+
+fn inputs(side: Side, reading: &Reading) -> Panel {
+    let keys = match side {
+        Side::Inputs => format!(": 1 to {} force", BOARD.inputs),
+        Side::Outputs => String::new(),
+    };
+    let lamps = lamps('I', BOARD.inputs, reading.inputs, reading.forced_inputs);
+    (format!("Inputs{keys}"), vec![lamps])
+}
+
+fn outputs(side: Side, reading: &Reading) -> Panel {
+    let keys = match side {
+        Side::Outputs => format!(": 1 to {} force", BOARD.outputs),
+        Side::Inputs => String::new(),
+    };
+    let lamps = lamps('Q', BOARD.outputs, reading.outputs, reading.forced_outputs);
+    (format!("Outputs{keys}"), vec![lamps])
+}
+
+/// ` I1 ● I2 ○!`
+fn lamps(letter: char, count: u8, image: u16, forces: Forces) -> Line<'static> {
+    let points = (0..count).flat_map(|index| {
+        let forced = if forces.get(index).is_some() {
+            "!"
+        } else {
+            " "
+        };
+        [
+            Span::raw(format!(" {letter}{}", index + 1)),
+            lamp(image >> index & 1 != 0),
+            Span::styled(forced, WARNING),
+        ]
+    });
+    points.collect()
+}
+
+fn lamp(on: bool) -> Span<'static> {
+    if on {
+        Span::styled("●", ON)
+    } else {
+        Span::raw("○")
+    }
+}
+
+/// What the board says of itself, and what a person should know.
+fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
+    let board = &reading.diagnostics;
+    let [last, least, most] = board.scan_times.map(micros);
+    let volts = f64::from(board.supply) / 1000.0;
+    let figures = format!(
+        " scan {last} µs ({least} to {most})  supply {volts:.2} V  stack {} bytes free",
+        board.free_stack
+    );
+    let history = format!(
+        " last start: {}  since power-up: restarts {}, faults {}",
+        map::cause(board.cause),
+        board.restarts,
+        board.faults
+    );
+    let mut lines = vec![Line::raw(figures), Line::raw(history)];
+    let mut warn = |text: String| {
+        let wrapped = wrap(text.split(' '), " ", width);
+        lines.extend(wrapped.into_iter().map(|line| line.style(WARNING)));
+    };
+    if let Some(why) = &app.lost {
+        warn(format!("lost, trying again: {why}"));
+    }
+    if let Some(trouble) = board.trouble {
+        let of = if board.state == Some(State::Fault) {
+            ""
+        } else {
+            "last upload: "
+        };
+        warn(format!("{of}{trouble}"));
+    }
+    for (flag, text) in [
+        (flag::STOP_SWITCH, "A5 is closed: STOP until it is opened"),
+        (flag::UPLOAD, "an upload is under way"),
+        (
+            flag::CARD_FAILED,
+            "the card failed: STATE.TXT is no longer kept",
+        ),
+    ] {
+        if board.has(flag) {
+            warn(text.to_owned());
+        }
+    }
+    if let Some(program) = app.program.as_ref().filter(|_| app.differs()) {
+        warn(format!(
+            "the board runs another program than {}: {} bytes {:04X}, not {} bytes {:04X}",
+            program.name,
+            board.program.bytes,
+            board.program.crc,
+            program.kept.bytes,
+            program.kept.crc
+        ));
+    }
+    if let Some(said) = &app.said {
+        warn(said.clone());
+    }
+    lines
+}
+
+/// A scan time; more than the board can tell is told so.
+fn micros(time: u16) -> String {
+    if time >= 0x7FFF {
+        "over 32766".to_owned()
+    } else {
+        time.to_string()
+    }
+}
+
+/// Markers, analogue inputs, and the registers that are not 0.
+fn memory(reading: &Reading, width: u16) -> Vec<Line<'static>> {
+    let mut lines = Vec::new();
+    if let Some(markers) = reading.markers {
+        let groups: Vec<Vec<Span>> = (0..64)
+            .step_by(8)
+            .map(|first| group(markers, first))
+            .collect();
+        // 14 columns each.
+        let per_line = usize::from(width / 14).clamp(1, 8);
+        lines.extend(groups.chunks(per_line).map(|groups| groups.concat().into()));
+    }
+    let analogue = (0..).zip(&reading.analogue);
+    let mut values: Vec<String> = analogue.map(|(n, value)| format!("A{n} {value}")).collect();
+    let registers = (1..).zip(&reading.registers);
+    let set = registers.filter(|(_, value)| **value != 0);
+    values.extend(set.map(|(n, value)| format!("D{n} {value}")));
+    if !reading.registers.is_empty() && reading.registers.iter().all(|&value| value == 0) {
+        values.push("all D 0".to_owned());
+    }
+    lines.extend(wrap(values.iter().map(String::as_str), "  ", width));
+    lines
+}
+
+/// ` M1  ○○○○●○○○`
+fn group(markers: u64, first: u8) -> Vec<Span<'static>> {
+    let name = Span::raw(format!(" M{:<3} ", first + 1));
+    let lamps = (first..first + 8).map(|index| lamp(markers >> index & 1 != 0));
+    [name].into_iter().chain(lamps).collect()
+}
+
+/// The timers and counters of the program, where the board has as many.
+fn meters(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
+    let Some(program) = app.program.as_ref().filter(|_| !app.differs()) else {
+        return Vec::new();
+    };
+    let timers = reading.timers.iter().zip(&program.timers).zip(1..);
+    let timers =
+        timers.map(|((meter, delay), n)| meter_text(&format!("T{n} {}", delay.letters()), *meter));
+    let counters = reading.counters.iter().zip(1..);
+    let counters = counters.map(|(meter, n)| meter_text(&format!("C{n}"), *meter));
+    let all: Vec<String> = timers.chain(counters).collect();
+    let per_line = usize::from(width / METER).max(1);
+    let lines = all
+        .chunks(per_line)
+        .map(|meters| Line::raw(meters.concat()));
+    // The rungs show them all.
+    lines.take(6).collect()
+}
+
+/// ` T1 TON   ████░░░░░ 1200/5000`, of 38 columns.
+fn meter_text(name: &str, meter: Meter) -> String {
+    let Meter { value, preset } = meter;
+    let figures = format!("{value}/{preset}");
+    let bar = usize::from(METER).saturating_sub(11 + figures.len() + 2);
+    let (done, all) = (
+        i64::from(value.clamp(0, preset.max(0))),
+        i64::from(preset.max(1)),
+    );
+    let filled = (bar as i64 * done / all) as usize;
+    let (full, empty) = ("█".repeat(filled), "░".repeat(bar - filled));
+    format!(" {name:<9} {full}{empty} {figures} ")
+}
+
+fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
+    let Some(program) = app
+        .program
+        .as_ref()
+        .filter(|_| app.reading.is_some() && !app.differs())
+    else {
+        return;
+    };
+    let lines = program.drawn.lines(&app.flow, usize::from(area.width));
+    let what = program.drawn.title();
+    let height = usize::from(area.height.saturating_sub(1));
+    app.page = height.saturating_sub(1).max(1);
+    app.top = app.top.min(lines.len().saturating_sub(height));
+    let count = lines.len();
+    let title = if count > height && height > 0 {
+        format!(
+            "{what}: lines {} to {} of {count}",
+            app.top + 1,
+            app.top + height
+        )
+    } else {
+        what.to_owned()
+    };
+    let shown = lines.into_iter().skip(app.top).take(height).collect();
+    panel(title, shown, frame, area);
+}
+
+/// These parts in lines of this width, none broken unless it is wider, with a blank before each line.
+fn wrap<'p>(parts: impl Iterator<Item = &'p str>, gap: &str, width: u16) -> Vec<Line<'static>> {
+    let mut lines: Vec<String> = Vec::new();
+    let columns = |text: &str| text.chars().count();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if columns(line) + columns(gap) + columns(part) <= usize::from(width) => {
+                line.push_str(gap);
+                line.push_str(part);
+            }
+            _ => lines.push(format!(" {part}")),
+        }
+    }
+    lines.into_iter().map(Line::raw).collect()
+}

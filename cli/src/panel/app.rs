@@ -1,0 +1,288 @@
+//! What the simulator shows, and how keys and time change it. It knows no terminal and no clock,
+//! so tests feed it both.
+
+use super::analogue::Knobs;
+use super::buttons::{Buttons, KeyUp};
+use super::drawn::Drawn;
+use super::ladder::Flow;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use std::io::{self, Write};
+use std::time::Duration;
+use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
+use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::wave::{Recorder, Sample};
+use unoclp_source::BOARD;
+use unoclp_source::Written;
+use unoclp_source::used::Quantity;
+
+/// Virtual time from scan to scan.
+const SCAN: Duration = Duration::from_millis(1);
+
+/// Inputs that every program has buttons for.
+const FIRST_INPUTS: u8 = 4;
+
+/// The most time that one update makes up for: after a pause of the whole PC the simulation goes
+/// on from where it was.
+const MOST_BEHIND: Duration = Duration::from_millis(250);
+
+/// The simulator: a program that runs, and what a person does to it.
+pub struct App {
+    /// What the program is called.
+    pub(super) name: String,
+    machine: Machine,
+    pub(super) drawn: Drawn,
+    /// The line that a fault names, in the text of the program.
+    pub(super) fault_line: Option<u32>,
+    program: Written,
+    /// What the last scan did.
+    pub(super) flow: Flow,
+    pub(super) buttons: Buttons,
+    pub(super) knobs: Knobs,
+    /// What ended the program (NC-19); it runs again after a restart.
+    pub(super) fault: Option<Fault>,
+    /// Scans since the start, which is also the time in ms of the scan that comes next.
+    pub(super) scans: u64,
+    pub(super) running: bool,
+    pub(super) scroll: Scroll,
+    /// The page of the timers, counted from 0.
+    pub(super) timer_page: usize,
+    /// That of the memory.
+    pub(super) memory_page: usize,
+    /// Time since the program was opened, in which buttons are held.
+    clock: Duration,
+    /// Time that has passed and not yet been simulated.
+    owed: Duration,
+    quit: bool,
+    recorder: Option<Recorder<Box<dyn Write>>>,
+    /// Time of the next sample of the recording, in ms; a restart does not set it back.
+    recorded: u64,
+}
+
+impl App {
+    /// A simulator that runs this program file from now on; its first fault where it has one.
+    pub fn new(program: Written) -> Result<App, Fault> {
+        let machine = Machine::load(&program.bytes)?;
+        let drawn = Drawn::new(&program, machine.plc());
+        Ok(App {
+            name: program.name.clone(),
+            knobs: Knobs::new(machine.used().analogue.iter().copied()),
+            fault: None,
+            fault_line: None,
+            program,
+            machine,
+            flow: Flow::default(),
+            buttons: Buttons::new(KeyUp::Guessed),
+            scans: 0,
+            running: true,
+            scroll: Scroll::to(drawn.home()),
+            drawn,
+            timer_page: 0,
+            memory_page: 0,
+            clock: Duration::ZERO,
+            owed: SCAN,
+            quit: false,
+            recorder: None,
+            recorded: 0,
+        })
+    }
+
+    /// Records every scan from now on.
+    pub fn record_to(&mut self, recorder: Recorder<Box<dyn Write>>) {
+        self.recorder = Some(recorder);
+    }
+
+    /// Tells how a momentary button learns that its key was let go.
+    pub(super) fn set_key_up(&mut self, key_up: KeyUp) {
+        self.buttons = Buttons::new(key_up);
+    }
+
+    /// Whether the scans are recorded.
+    pub(super) fn recording(&self) -> bool {
+        self.recorder.is_some()
+    }
+
+    /// Whether the person wants to leave.
+    pub(super) fn quit(&self) -> bool {
+        self.quit
+    }
+
+    /// The outputs as the last scan left them.
+    pub(super) fn outputs(&self) -> Image {
+        self.machine.plc().outputs()
+    }
+
+    /// The inputs that have buttons, from 01 to this number: 05 to 08 only where the program reads them.
+    pub(super) fn inputs(&self) -> u8 {
+        match self.machine.used().inputs.last() {
+            Some(&last) if last > FIRST_INPUTS => BOARD.inputs,
+            _ => FIRST_INPUTS,
+        }
+    }
+
+    /// What the program counts and remembers, as it stood in the last scan.
+    pub(super) fn quantities(&self) -> Vec<Quantity> {
+        let machine = &self.machine;
+        machine.used().quantities(machine.plc(), &self.world())
+    }
+
+    /// What the next scan reads.
+    fn world(&self) -> Inputs {
+        let mut inputs = Inputs::from(self.buttons.closed());
+        self.knobs.apply(&mut inputs);
+        inputs
+    }
+
+    /// The timers as they stood in the last scan.
+    pub(super) fn timers(&self) -> impl Iterator<Item = TimerState> {
+        let last_scan = self.scans.saturating_sub(1) as Millis;
+        self.machine.plc().timers(last_scan)
+    }
+
+    /// Lets time pass: one scan for each ms while the program runs.
+    ///
+    /// An error comes from the recording.
+    pub fn advance(&mut self, elapsed: Duration) -> io::Result<()> {
+        self.clock += elapsed;
+        self.buttons.pass(self.clock);
+        if !self.running {
+            return Ok(());
+        }
+        self.owed += elapsed.min(MOST_BEHIND);
+        while let Some(left) = self.owed.checked_sub(SCAN) {
+            self.owed = left;
+            self.scan()?;
+        }
+        Ok(())
+    }
+
+    fn scan(&mut self) -> io::Result<()> {
+        if self.fault.is_some() {
+            return Ok(());
+        }
+        let inputs = self.world();
+        // The clock of the PLC wraps (NC-9).
+        let now = self.scans as Millis;
+        let steps = self.machine.plc().steps().count();
+        let mut acc = vec![None; steps];
+        let observe = |step, power| acc[step] = Some(power);
+        if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
+            self.fault = Some(fault);
+            self.fault_line = fault.line.and_then(|line| self.program.line(line));
+            self.running = false;
+        }
+        self.flow.acc = acc;
+        self.flow.look(self.machine.plc(), now);
+        self.scans += 1;
+        if let Some(recorder) = &mut self.recorder {
+            recorder.record(self.recorded, &Sample::of(&self.machine, &inputs, now))?;
+            self.recorded += 1;
+        }
+        Ok(())
+    }
+
+    /// Takes a key. An error comes from the recording.
+    pub fn key(&mut self, key: KeyEvent) -> io::Result<()> {
+        match (key.code, key.kind) {
+            (KeyCode::Char(digit @ '1'..='9'), kind) => {
+                let number = digit as u8 - b'0';
+                if let Some(input) = Point::new(number, self.inputs()) {
+                    match kind {
+                        KeyEventKind::Press => self.buttons.press(input, self.clock),
+                        KeyEventKind::Repeat => self.buttons.repeat(input, self.clock),
+                        KeyEventKind::Release => self.buttons.release(input),
+                    }
+                }
+            }
+            (_, KeyEventKind::Release) => {}
+            (KeyCode::Up, _) => self.scroll.by(-1),
+            (KeyCode::Down, _) => self.scroll.by(1),
+            (KeyCode::PageUp, _) => self.scroll.by(-self.scroll.page()),
+            (KeyCode::PageDown, _) => self.scroll.by(self.scroll.page()),
+            (KeyCode::Home, _) => self.scroll.by(isize::MIN),
+            (KeyCode::End, _) => self.scroll.by(isize::MAX),
+            (KeyCode::Tab | KeyCode::Char('a'), KeyEventKind::Press) => self.knobs.select_next(),
+            (KeyCode::Char('+' | '='), _) => self.knobs.turn(10),
+            (KeyCode::Char('-'), _) => self.knobs.turn(-10),
+            (KeyCode::Char('>'), _) => self.knobs.turn(100),
+            (KeyCode::Char('<'), _) => self.knobs.turn(-100),
+            (KeyCode::Char('s'), _) => {
+                self.running = false;
+                self.scan()?;
+            }
+            (_, KeyEventKind::Repeat) => {}
+            (KeyCode::Char('c'), _) if key.modifiers == KeyModifiers::CONTROL => self.quit = true,
+            (KeyCode::Char('q') | KeyCode::Esc, _) => self.quit = true,
+            (KeyCode::Char('m'), _) => self.buttons.switch_mode(),
+            (KeyCode::Char('t'), _) => self.timer_page += 1,
+            (KeyCode::Char('d'), _) => self.memory_page += 1,
+            (KeyCode::Char('r'), _) => self.restart(),
+            (KeyCode::Char('v'), _) => {
+                self.drawn.turn();
+                self.scroll = Scroll::to(self.drawn.home());
+            }
+            (KeyCode::Char(' '), _) if self.fault.is_none() => {
+                self.running = !self.running;
+                self.owed = Duration::ZERO;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Starts the program anew, as a reset of the board does: retentive markers are kept, and buttons stay
+    /// as they are.
+    fn restart(&mut self) {
+        self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
+        self.running |= self.fault.take().is_some();
+        self.flow = Flow::default();
+        self.scans = 0;
+        self.owed = SCAN;
+    }
+
+    /// Ends the recording, where there is one.
+    pub fn finish(&mut self) -> io::Result<()> {
+        match &mut self.recorder {
+            Some(recorder) => recorder.finish(),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Which lines of a long text are on the screen.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Scroll {
+    /// The first line shown, counted from 0.
+    top: usize,
+    /// Lines of the text.
+    lines: usize,
+    /// Lines of the screen.
+    height: usize,
+}
+
+impl Scroll {
+    /// From this line on.
+    fn to(top: usize) -> Scroll {
+        Scroll {
+            top,
+            ..Scroll::default()
+        }
+    }
+
+    /// Fits to a text and a screen of so many lines; gives the first line to show.
+    pub(super) fn fit(&mut self, lines: usize, height: usize) -> usize {
+        self.lines = lines;
+        self.height = height;
+        self.by(0);
+        self.top
+    }
+
+    fn by(&mut self, lines: isize) {
+        let last = self.lines.saturating_sub(self.height);
+        self.top = self.top.saturating_add_signed(lines).min(last);
+    }
+
+    /// Lines of a page, less one that stays in sight.
+    fn page(&self) -> isize {
+        self.height.saturating_sub(1).max(1).cast_signed()
+    }
+}

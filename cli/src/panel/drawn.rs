@@ -1,0 +1,57 @@
+//! A running program as a person looks at it: its ladder diagram, or the text that it comes from.
+
+use super::ladder::{Flow, Rungs};
+use super::listing::Listing;
+use ratatui::text::Line;
+use unoclp_core::Plc;
+use unoclp_source::Written;
+
+/// Both ways to look at a program.
+pub struct Drawn {
+    rungs: Rungs,
+    listing: Listing,
+    as_text: bool,
+}
+
+impl Drawn {
+    /// A program that runs there. What was written as Instruction List is shown so first.
+    pub fn new(program: &Written, plc: &Plc<'_>) -> Drawn {
+        Drawn {
+            rungs: Rungs::new(program, plc.steps()),
+            listing: Listing::new(program, plc.steps()),
+            as_text: program.compiled.is_some(),
+        }
+    }
+
+    /// Shows the other of the two.
+    pub fn turn(&mut self) {
+        self.as_text = !self.as_text;
+    }
+
+    /// The line that is shown first, counted from 0: of a text the first that does something.
+    pub fn home(&self) -> usize {
+        if self.as_text {
+            self.listing.first()
+        } else {
+            0
+        }
+    }
+
+    /// What is shown.
+    pub fn title(&self) -> &'static str {
+        if self.as_text { "Text" } else { "Rungs" }
+    }
+
+    /// What would be shown by [`Drawn::turn`], for the line of keys.
+    pub fn other(&self) -> &'static str {
+        if self.as_text { "ladder" } else { "text" }
+    }
+
+    /// What is shown as lines of text, of this width where that is enough.
+    pub fn lines(&self, flow: &Flow, width: usize) -> Vec<Line<'static>> {
+        match self.as_text {
+            true => self.listing.lines(flow),
+            false => self.rungs.lines(flow, width),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The text of a running program, each line with what the last scan has made of it: `  14 ● LD  start`.
+
+use super::ON;
+use super::ladder::Flow;
+use ratatui::style::Style;
+use ratatui::text::Line;
+use unoclp_core::isa::Opcode;
+use unoclp_core::{Delay, Instruction};
+use unoclp_source::Written;
+
+/// The lines of a text, with the steps that tell how each stands.
+pub struct Listing(Vec<(String, Vec<usize>)>);
+
+impl Listing {
+    /// The lines of the text of this program, which has these steps.
+    pub fn new<'c>(
+        program: &Written,
+        steps: impl Iterator<Item = Instruction<'c>> + Clone,
+    ) -> Listing {
+        let shown = |line: &str| {
+            let line = line.replace('\t', "    ");
+            line.chars().filter(|c| !c.is_control()).collect()
+        };
+        let lines = program.text.lines().map(|line| (shown(line), Vec::new()));
+        let mut lines: Vec<(String, Vec<usize>)> = lines.collect();
+        let places = program.places(steps.clone());
+        let steps = steps.map(|step| step.opcode).zip(places).enumerate();
+        let steps: Vec<Step> = steps
+            .map(|(index, (opcode, line))| Step {
+                index,
+                opcode,
+                line,
+            })
+            .collect();
+        let runs = || steps.chunk_by(|one, other| one.line == other.line);
+        for (run, joins_too) in runs()
+            .map(|run| (run, false))
+            .chain(runs().map(|run| (run, true)))
+        {
+            let line = run.first().and_then(|step| step.line.checked_sub(1));
+            let Some((_, tellers)) = line.and_then(|line| lines.get_mut(line)) else {
+                continue;
+            };
+            match joins_too {
+                false => tellers.extend(tells(run)),
+                // A line of nothing but these.
+                true if tellers.is_empty() => tellers.extend(run.last().map(|step| step.index)),
+                true => {}
+            }
+        }
+        let timers: Vec<bool> = steps
+            .iter()
+            .map(|step| Delay::of(step.opcode).is_some())
+            .collect();
+        tell_behind_timers(&mut lines, &timers);
+        Listing(lines)
+    }
+
+    /// The first line of which there is something to tell, counted from 0.
+    pub fn first(&self) -> usize {
+        let first = self.0.iter().position(|(_, steps)| !steps.is_empty());
+        first.unwrap_or_default()
+    }
+
+    /// The lines as they stand: `●` where acc is 1 behind what the line has become, `○` where it is 0, neither
+    /// where the scan has not come there.
+    pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
+        let line = |(number, (text, steps)): (usize, &(String, Vec<usize>))| {
+            let acc = |&step: &usize| flow.acc.get(step).copied().flatten();
+            let (lamp, style) = match steps.iter().rev().find_map(acc) {
+                Some(true) => ('●', ON),
+                Some(false) => ('○', Style::new()),
+                None => (' ', Style::new()),
+            };
+            Line::styled(format!("{number:>4} {lamp} {text}"), style)
+        };
+        (1..).zip(&self.0).map(line).collect()
+    }
+}
+
+/// A timer drives its point by itself, so lines that load its Q and store it may have no step of their own:
+/// they stand as the timer does.
+fn tell_behind_timers(lines: &mut [(String, Vec<usize>)], timers: &[bool]) {
+    let mut timer = None;
+    for (text, tellers) in lines {
+        let first_word = text.split_whitespace().next().unwrap_or_default();
+        if let Some(&step) = tellers.last() {
+            timer = timers.get(step).is_some_and(|is| *is).then_some(step);
+        } else if ["LD", "ST", "=", "OUT"].contains(&first_word.to_uppercase().as_str()) {
+            tellers.extend(timer);
+        } else if !first_word.is_empty() && !first_word.starts_with("(*") {
+            timer = None;
+        }
+    }
+}
+
+/// A step of the program.
+struct Step {
+    index: usize,
+    opcode: Opcode,
+    /// The line of the text, from 1.
+    line: usize,
+}
+
+/// The step behind which acc is that of a line that is compiled to these steps in a row: the last, unless
+/// branches go beyond the line; then the last that is more than their beginning or end, if there is one.
+fn tells(run: &[Step]) -> Option<usize> {
+    let opens = run.iter().filter(|step| step.opcode.opens()).count();
+    let closes = |step: &&Step| step.opcode == Opcode::CloseBranch;
+    let own =
+        |step: &&Step| !(step.opcode.opens() || closes(step) || step.opcode == Opcode::NewRung);
+    let last_own = run.iter().rev().find(own)?;
+    let whole = opens == run.iter().filter(closes).count();
+    let last = if whole { run.last()? } else { last_own };
+    Some(last.index)
+}

@@ -1,0 +1,258 @@
+//! From the app to the screen. Whatever colour says, a symbol or the weight of a line says too.
+
+use super::ON;
+use super::app::App;
+use super::memory::MemoryPage;
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::style::{Modifier, Style};
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Borders, Paragraph};
+use unoclp_core::{Target, TimerState};
+use unoclp_host_sim::scenario::{inputs, outputs};
+
+/// Header and footer.
+const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
+
+/// The fewest columns in which a timer can be read.
+const TIMER_WIDTH: u16 = 38;
+
+/// Columns of a lamp with its name.
+const LAMP_WIDTH: u16 = 8;
+
+/// Draws the app, and tells its scrolling what fits.
+pub(super) fn draw(app: &mut App, frame: &mut Frame) {
+    let timers: Vec<TimerState> = app.timers().collect();
+    let page = TimerPage::new(&timers, app.timer_page, frame.area());
+    let quantities = app.quantities();
+    let selected = app.knobs.selected();
+    let memory = MemoryPage::new(&quantities, selected, app.memory_page, frame.area());
+    let pages = (page.pages, memory.pages);
+    // Inputs and outputs stand side by side where they fit in halves.
+    let side_by_side = frame.area().width >= 2 * LAMP_WIDTH * u16::from(app.inputs());
+    let [header, buttons, timer_area, memory_area, rungs, footer] = Layout::vertical([
+        Constraint::Length(1),
+        Constraint::Length(if side_by_side { 2 } else { 4 }),
+        Constraint::Length(page.height()),
+        Constraint::Length(memory.height()),
+        Constraint::Fill(1),
+        Constraint::Length(1),
+    ])
+    .areas(frame.area());
+    let halves = [Constraint::Fill(1); 2];
+    let [input_area, output_area] = match side_by_side {
+        true => Layout::horizontal(halves).areas(buttons),
+        false => Layout::vertical(halves).areas(buttons),
+    };
+
+    draw_header(app, frame, header);
+    let title = match app.buttons.momentary() {
+        true => format!("Inputs: closed while 1 to {} is held", app.inputs()),
+        false => format!("Inputs: 1 to {} toggle", app.inputs()),
+    };
+    let closed = app.buttons.closed();
+    let lamps = inputs().filter(|input| input.number() <= app.inputs());
+    let lamps = lamps.map(|input| ('I', input.number(), closed.get(input)));
+    draw_panel(title, vec![lamp_line(lamps)], frame, input_area);
+    let on = app.outputs();
+    let lamps = outputs().map(|output| ('Q', output.number(), on.get(output)));
+    draw_panel(
+        "Outputs".to_owned(),
+        vec![lamp_line(lamps)],
+        frame,
+        output_area,
+    );
+    page.draw(&timers, frame, timer_area);
+    if memory.height() > 0 {
+        draw_panel("Memory".to_owned(), memory.lines(), frame, memory_area);
+    }
+    draw_rungs(app, frame, rungs);
+    draw_footer(app, pages, frame, footer);
+}
+
+/// The keys, the most important first: a narrow screen cuts the others off.
+fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) {
+    let run = if app.running { "pause" } else { "run" };
+    let mode = if app.buttons.momentary() {
+        "toggle"
+    } else {
+        "momentary"
+    };
+    let timers = if pages.0 > 1 { "  t timers" } else { "" };
+    let memory = if pages.1 > 1 { "  d memory" } else { "" };
+    let knobs = match app.knobs.selected() {
+        Some(input) => format!("  a A{input}  +-<> turn"),
+        None => String::new(),
+    };
+    let view = app.drawn.other();
+    let keys = format!(
+        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{knobs}{timers}{memory}  ↑↓ scroll"
+    );
+    frame.render_widget(Line::raw(keys).style(BAR), area);
+}
+
+fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
+    let state = match (&app.fault, app.running) {
+        (Some(fault), _) => match app.fault_line {
+            Some(line) => format!("FAULT {}, line {line}", fault.cause.number()),
+            None => format!("FAULT {}", fault.cause.number()),
+        },
+        (None, true) => "RUN".to_owned(),
+        (None, false) => "PAUSED".to_owned(),
+    };
+    let recording = if app.recording() { "REC  " } else { "" };
+    let (uptime, scans) = (app.scans.saturating_sub(1), app.scans);
+    let right = Line::raw(format!("{recording}{state}  {uptime} ms  {scans} scans "));
+    let width = u16::try_from(right.width()).unwrap_or(u16::MAX);
+    let [left, right_area] =
+        Layout::horizontal([Constraint::Fill(1), Constraint::Length(width)]).areas(area);
+    frame.render_widget(Line::raw(format!(" {}", app.name)).style(BAR), left);
+    frame.render_widget(right.style(BAR), right_area);
+}
+
+/// A titled rule, and lines below it.
+fn draw_panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area: Rect) {
+    let block = Block::new()
+        .borders(Borders::TOP)
+        .title(format!("─ {title} "));
+    frame.render_widget(Paragraph::new(lines).block(block), area);
+}
+
+fn lamp_line(lamps: impl Iterator<Item = (char, u8, bool)>) -> Line<'static> {
+    let spans = lamps.flat_map(|(letter, number, on)| {
+        [
+            Span::raw(format!(" {letter}{number} ")),
+            lamp(on),
+            Span::raw("  "),
+        ]
+    });
+    spans.collect()
+}
+
+fn lamp(on: bool) -> Span<'static> {
+    if on {
+        Span::styled("●", ON)
+    } else {
+        Span::raw("○")
+    }
+}
+
+/// The timers that are shown at a time; none on a screen too low for them. The rungs show them all.
+struct TimerPage {
+    columns: u16,
+    rows: u16,
+    page: usize,
+    pages: usize,
+}
+
+impl TimerPage {
+    fn new(timers: &[TimerState], page: usize, screen: Rect) -> TimerPage {
+        let columns = (screen.width / TIMER_WIDTH).max(1);
+        let wanted = timers.len().div_ceil(columns.into());
+        let wanted = u16::try_from(wanted).unwrap_or(u16::MAX);
+        // What the other panels leave is shared with the rungs.
+        let rows = wanted.min(screen.height.saturating_sub(6) / 3);
+        let per_page = usize::from(columns) * usize::from(rows);
+        let pages = timers.len().div_ceil(per_page.max(1)).max(1);
+        TimerPage {
+            columns,
+            rows,
+            page: page % pages,
+            pages,
+        }
+    }
+
+    /// Lines of the screen, with the title.
+    fn height(&self) -> u16 {
+        if self.rows == 0 { 0 } else { self.rows + 1 }
+    }
+
+    fn draw(&self, timers: &[TimerState], frame: &mut Frame, area: Rect) {
+        let per_page = usize::from(self.columns) * usize::from(self.rows);
+        let first = self.page * per_page;
+        let shown: Vec<_> = timers
+            .iter()
+            .enumerate()
+            .skip(first)
+            .take(per_page)
+            .collect();
+        let title = match self.pages {
+            1 => "Timers (ms)".to_owned(),
+            _ => format!(
+                "Timers (ms): {} to {} of {}",
+                first + 1,
+                first + shown.len(),
+                timers.len()
+            ),
+        };
+        let digits = shown
+            .iter()
+            .map(|(_, timer)| timer.preset.to_string().len());
+        let digits = digits.max().unwrap_or(0);
+        let width = usize::from(area.width / self.columns);
+        let rows = shown.chunks(self.columns.into()).map(|row| {
+            let timers = row.iter();
+            timers
+                .flat_map(|&(index, timer)| timer_spans(index + 1, timer, digits, width))
+                .collect()
+        });
+        draw_panel(title, rows.collect(), frame, area);
+    }
+}
+
+/// ` T1  TON ████░░░░░  1200/5000 Q1 ○ `, of this width where there is room.
+fn timer_spans(
+    number: usize,
+    timer: &TimerState,
+    digits: usize,
+    width: usize,
+) -> [Span<'static>; 5] {
+    let TimerState {
+        delay,
+        target,
+        preset,
+        elapsed,
+        q,
+    } = *timer;
+    let left = format!(" T{number:<3} {:<3} ", delay.letters());
+    let right = format!(" {elapsed:>digits$}/{preset:<digits$} {} ", name(target));
+    let bar = width.saturating_sub(left.len() + right.len() + 3);
+    let filled = match preset {
+        0 => usize::from(q) * bar,
+        preset => (bar as u64 * u64::from(elapsed) / u64::from(preset)) as usize,
+    };
+    [
+        Span::raw(left),
+        Span::raw("█".repeat(filled) + &"░".repeat(bar - filled)),
+        Span::raw(right),
+        lamp(q),
+        Span::raw("  "),
+    ]
+}
+
+fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
+    let width = usize::from(area.width);
+    let lines = app.drawn.lines(&app.flow, width);
+    let what = app.drawn.title();
+    let height = usize::from(area.height.saturating_sub(1));
+    let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
+    let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
+    let title = if count > height && height > 0 {
+        format!(
+            "{what}: lines {} to {} of {count}",
+            top + 1,
+            top + shown.len()
+        )
+    } else {
+        what.to_owned()
+    };
+    draw_panel(title, shown, frame, area);
+}
+
+/// The short name of what a timer drives: `Q1`, `M12`.
+fn name(target: Target) -> String {
+    match target {
+        Target::Output(number) => format!("Q{number}"),
+        Target::Marker(number) => format!("M{number}"),
+    }
+}

@@ -1,0 +1,191 @@
+//! The commands that speak to a board: exit codes, messages and what the board gets.
+
+use crate::fake::{Board, FAULT, Fake, RUN, STOP};
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use unoclp_board::diagnostics::Kept;
+
+const FOLLOW: &str = "0\n787600\n827301\n877901\n";
+
+/// A file for one test.
+fn file(name: &str, content: &str) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, content).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Runs `unoclp` without a terminal: exit code, standard output and standard error.
+fn unoclp(arguments: &[&str]) -> (i32, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+    let output = command
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let code = output.status.code().unwrap();
+    (code, text(output.stdout), text(output.stderr))
+}
+
+/// The command on this board.
+fn on(fake: &Fake, arguments: &[&str]) -> (i32, String, String) {
+    let port = ["--port", fake.path()];
+    unoclp(&[arguments, &port].concat())
+}
+
+#[test]
+fn an_upload_says_what_it_does() {
+    let program = file("follow.txt", FOLLOW);
+    let crc = Kept::of(FOLLOW.as_bytes()).unwrap().crc;
+    let fake = Fake::new(Board::default());
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    let path = fake.path();
+    let expected = format!(
+        "unoclp UNO 0.1.0 at {path}, address 1\nSTOP\nstored: 3 bytes, check sum {crc:04X}\nRUN\n"
+    );
+    assert!(out.starts_with(&format!("{program}: 4 codes, ")), "{out}");
+    assert!(out.ends_with(&expected), "{out}");
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert_eq!(fake.board().text, FOLLOW.as_bytes());
+    assert_eq!(fake.board().state, RUN);
+}
+
+#[test]
+fn an_upload_ends_as_the_board_lets_it() {
+    let program = file("ends.txt", FOLLOW);
+    let switched = Board {
+        switch: true,
+        ..Board::in_state(STOP)
+    };
+    let faulty = Board {
+        fault: 62,
+        ..Board::in_state(FAULT)
+    };
+    for (board, more, says, state) in [
+        (Board::default(), &["--stop"][..], "\nin STOP\n", STOP),
+        (
+            switched,
+            &[],
+            "A5 is closed: in STOP, until A5 is opened\n",
+            STOP,
+        ),
+        (faulty, &[], "RUN\n", RUN),
+    ] {
+        let fake = Fake::new(board);
+        let (code, out, err) = on(&fake, &[&["upload", &program], more].concat());
+        assert_eq!((code, err.as_str()), (0, ""), "{out}");
+        assert!(out.ends_with(says), "{out}");
+        assert_eq!(fake.board().state, state);
+    }
+}
+
+#[test]
+fn a_fault_that_the_board_finds_is_shown_as_check_does() {
+    let program = file("differs.txt", FOLLOW);
+    let fake = Fake::new(Board {
+        second_differs: true,
+        ..Board::default()
+    });
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    assert_eq!((code, err.as_str()), (1, ""));
+    let says = "the board refuses the program, and keeps the one that it had:\nerror[57]: ";
+    assert!(out.contains(says), "{out}");
+    assert_eq!(fake.board().state, STOP, "it does not run");
+}
+
+#[test]
+fn a_program_with_a_fault_does_not_reach_the_board() {
+    let program = file("faulty-upload.txt", "0\n827309\n");
+    for command in ["upload", "monitor"] {
+        let (code, out, err) = unoclp(&[command, &program, "--port", "/dev/no-such-port"]);
+        assert_eq!((code, err.as_str()), (1, ""));
+        assert!(
+            out.starts_with("error[25]: this board has no such input\n"),
+            "{out}"
+        );
+    }
+}
+
+#[test]
+fn a_card_with_another_program_has_the_last_word() {
+    let program = file("card.txt", FOLLOW);
+    let fake = Fake::new(Board {
+        card: Some(b"0\n877901\n".to_vec()),
+        ..Board::in_state(FAULT)
+    });
+    let (code, _, err) = on(&fake, &["upload", &program]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("the board's card has another PROGRAM.TXT"),
+        "{err}"
+    );
+}
+
+#[test]
+fn settings_are_shown_and_set() {
+    let fake = Fake::new(Board::default());
+    let (code, out, _) = on(&fake, &["settings"]);
+    let shown = "\naddress 1, 115200 baud, no parity, direction pin off\n";
+    assert_eq!(code, 0);
+    assert!(out.ends_with(shown), "{out}");
+    let board = fake.board();
+    assert_eq!((board.restarts, board.state), (0, RUN));
+}
+
+#[test]
+fn new_settings_are_kept_and_used() {
+    let fake = Fake::new(Board::default());
+    let set = ["settings", "--set-address", "7", "--set-rate", "9600"];
+    let more = ["--set-parity", "even", "--set-direction", "on"];
+    let (code, out, err) = on(&fake, &[&set[..], &more].concat());
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let says = "address 7, 9600 baud, even parity, direction pin on; restarting\n\
+        it answers from address 7 at 9600 baud, even parity\n";
+    assert!(out.ends_with(says), "{out}");
+    let board = fake.board();
+    assert_eq!(board.settings, [7, 96, 1, 1]);
+    assert_eq!((board.restarts, board.state), (1, RUN));
+}
+
+#[test]
+fn settings_that_are_not_kept_are_no_success() {
+    let fake = Fake::new(Board {
+        eeprom_fails: true,
+        ..Board::default()
+    });
+    let (code, _, err) = on(&fake, &["settings", "--set-address", "7"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("the board does not keep the settings"),
+        "{err}"
+    );
+    assert_eq!(fake.board().restarts, 0);
+}
+
+#[test]
+fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
+    let program = file("nobody.txt", FOLLOW);
+    let port = ["--port", "/dev/no-such-port"];
+    let missing = "error: there is no port /dev/no-such-port; this PC has ";
+    #[rustfmt::skip]
+    let cases: &[(&[&str], &str)] = &[
+        (&["upload"], "error: the following required arguments were not provided:"),
+        (&["monitor"], "error: the following required arguments were not provided:"),
+        (&["settings"], "error: the following required arguments were not provided:"),
+        (&["upload", &program], "error: the following required arguments were not provided:"),
+        (&["upload", "no-such.txt", port[0], port[1]], "error: no-such.txt cannot be read ("),
+        (&["monitor", "no-such.txt", port[0], port[1]], "error: no-such.txt cannot be read ("),
+        (&["upload", &program, port[0], port[1]], missing),
+        (&["settings", port[0], port[1]], missing),
+        (&["monitor", port[0], port[1]], "error: the monitor needs a terminal"),
+        (&["settings", port[0], port[1], "--set-rate", "1234"], "error: a board has no rate of 1234 baud; it has 2400, "),
+        (&["settings", port[0], port[1], "--address", "0"], "error: invalid value '0' for '--address"),
+        (&["settings", port[0], port[1], "--set-address", "248"], "error: invalid value '248' for '--set-address"),
+    ];
+    for (arguments, message) in cases {
+        let (code, _, err) = unoclp(arguments);
+        assert_eq!(code, 2, "{arguments:?}");
+        assert!(err.starts_with(message), "{arguments:?}: {err}");
+    }
+}

@@ -1,0 +1,151 @@
+//! The program `unoclp` itself: exit codes, messages and files.
+
+use crate::common::{file, outcome};
+use std::fs;
+
+const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
+
+#[test]
+fn check_tells_the_size_of_a_valid_program() {
+    let program = file("valid.txt", FOLLOW);
+    let (code, out, err) = outcome(&["check", &program]);
+    let size = "OK: 4 codes, 8 of 900 bytes (892 free), 1 timer\n  \
+                13 of 960 bytes of run memory; pins: I1 Q1";
+    assert_eq!(
+        (code, out, err),
+        (0, format!("{program}: {size}\n"), String::new())
+    );
+}
+
+#[test]
+fn check_tells_what_a_program_uses() {
+    // LDA 02, ST 03, PWM of output 04; CTU 01; M 09 to M 16.
+    let text = "0\n76686502\n838403\n83848004\n787600\n827305\n67848501\n7\n877903\n83847702\n";
+    let program = file("uses.txt", text);
+    let (code, out, _) = outcome(&["check", &program]);
+    assert_eq!(code, 0, "{out}");
+    assert!(
+        out.contains("0 timers, 1 counter, 1 register, 8 markers\n"),
+        "{out}"
+    );
+    assert!(out.ends_with("; pins: I5 A2 Q3 P4\n"), "{out}");
+}
+
+#[test]
+fn faults_are_exit_code_1_in_every_command() {
+    let program = file("faulty.txt", "0\n827309\n");
+    for command in ["check", "sim", "list"] {
+        let (code, out, err) = outcome(&[command, &program]);
+        assert_eq!((code, err.as_str()), (1, ""));
+        assert!(
+            out.starts_with("error[25]: this board has no such input\n"),
+            "{out}"
+        );
+        assert!(
+            out.ends_with(": 1 fault; the UNO will not run any of it\n"),
+            "{out}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
+    let program = file("untouched.txt", FOLLOW);
+    let unknown = file("unknown.toml", "about = \"\"\nspeed = 3\n");
+    #[rustfmt::skip]
+    let cases: &[(&[&str], &str)] = &[
+        (&["check", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["sim", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["sim", "--scenario", "no-such.toml"], "error: no-such.toml: the file cannot be read: "),
+        (&["sim", "--scenario", &unknown], "error: "),
+        (&["sim"], "error: nothing to simulate; name a program or a --scenario"),
+        (&["sim", &program], "error: the simulator needs a terminal; without one, run a scenario: --scenario"),
+        (&["list", "no-such.txt"], "error: no-such.txt cannot be read ("),
+        (&["list"], "error: the following required arguments were not provided:\n  <FILE>"),
+        (&["list", &program, "--width", "20"], "error: invalid value '20' for '--width <N>': 20 is not in 56..=1000"),
+        (&["list", &program, "--as", "numeric", "--svg", "o.svg"], "error: --svg draws a ladder diagram; leave out --as, or --svg"),
+        (&["list", &program, "--svg", "no-such/o.svg"], "error: no-such/o.svg cannot be written: "),
+        (&["fly"], "error: unrecognized subcommand 'fly'"),
+        (&[], "The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it"),
+    ];
+    for (arguments, message) in cases {
+        let (code, out, err) = outcome(arguments);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments:?}");
+        assert!(err.starts_with(message), "{arguments:?}: {err}");
+    }
+}
+
+#[test]
+fn the_version_is_told() {
+    let (code, out, _) = outcome(&["--version"]);
+    assert_eq!(
+        (code, out),
+        (0, format!("unoclp {}\n", env!("CARGO_PKG_VERSION")))
+    );
+}
+
+#[test]
+fn a_scenario_passes_or_fails_and_leaves_its_trace() {
+    file("sampled.txt", FOLLOW);
+    let scenario = file(
+        "sampled.toml",
+        "about = \"Q1 follows I1 after 3 ms.\"\nprogram = \"sampled.txt\"\n\
+         [[step]]\nat = 0\nset = { I1 = 1 }\nexpect = { Q1 = 0 }\n\
+         [[step]]\nat = 3\nexpect = { Q1 = 1 }\n",
+    );
+    let trace = file("sampled.vcd", "");
+    let (code, out, _) = outcome(&["sim", "--scenario", &scenario, "--vcd", &trace]);
+    assert_eq!(code, 0, "{out}");
+    assert!(out.ends_with("\n\nPASS\n"), "{out}");
+    let trace = fs::read_to_string(trace).unwrap();
+    for part in [
+        "$timescale 1 ms $end",
+        " T1 $end",
+        " elapsed_ms $end",
+        "\n#3\n",
+        "\n#4",
+    ] {
+        assert!(trace.contains(part), "{part} is missing in\n{trace}");
+    }
+
+    // The same scenario on a program whose timer takes longer.
+    let slower = file("slower.txt", &FOLLOW.replace("\n3\n", "\n4\n"));
+    let (code, out, _) = outcome(&["sim", &slower, "--scenario", &scenario]);
+    assert_eq!(code, 1, "{out}");
+    assert!(
+        out.ends_with("\n\nFAIL\n  Q1 at 3 ms: expected 1, came 0\n"),
+        "{out}"
+    );
+}
+
+#[test]
+fn a_program_is_listed_as_text_and_drawn() {
+    let program = file("listed.txt", "/ Lamp\n0\n827301\n877901\n");
+    let ladder = "\
+Lamp
+
+Rung 1, lines 3 to 4
+├──┤ I1 ├───────────────────────────────────────( Q1 )─┤
+";
+    for arguments in [
+        &["list", &program][..],
+        &["list", &program, "--as", "ladder"],
+    ] {
+        let outcome = outcome(arguments);
+        assert_eq!(outcome, (0, ladder.to_owned(), String::new()));
+    }
+    let (code, out, _) = outcome(&["list", &program, "--as", "numeric"]);
+    assert_eq!(code, 0);
+    assert!(
+        out.contains("827301  / RI 01  contact, normally open: "),
+        "{out}"
+    );
+    let drawing = file("listed.svg", "");
+    let outcome = outcome(&["list", &program, "--svg", &drawing]);
+    assert_eq!(outcome, (0, format!("{drawing}: drawn\n"), String::new()));
+    let drawing = fs::read_to_string(drawing).unwrap();
+    assert!(
+        drawing.contains("<svg ") && drawing.contains("Lamp"),
+        "{drawing}"
+    );
+}

@@ -1,0 +1,208 @@
+//! Listings: those of the samples as they shall be, and what holds for those of all programs.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use unoclp_core::isa::{Kind, Opcode};
+use unoclp_host_sim::random::{Random, random_program};
+use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
+use unoclp_source::Written;
+use unoclp_source::list::{Form, list, svg};
+use unoclp_source::{BOARD, load};
+
+fn folder(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn numeric(file: impl Into<Vec<u8>>) -> Written {
+    Written::numeric("p.txt".to_owned(), file.into())
+}
+
+/// The stored form of a program file.
+fn stored(file: &[u8]) -> Vec<u8> {
+    let mut memory = vec![0; BOARD.plc_bytes()];
+    load(file, &mut memory).unwrap().stored().to_vec()
+}
+
+#[test]
+fn samples_are_listed_as_they_shall_be() {
+    let mut names = BTreeSet::new();
+    for entry in fs::read_dir(folder("../programs")).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if path.extension().is_none_or(|extension| extension != "txt") {
+            continue;
+        }
+        let listing = list(&numeric(fs::read(&path).unwrap()), Form::Ladder, 80).unwrap();
+        let expected = folder("tests/listings").join(&name);
+        let expected = fs::read_to_string(&expected).unwrap_or_default();
+        assert_eq!(
+            listing, expected,
+            "if this is right: cargo run -- list programs/{name} > cli/tests/listings/{name}\n{listing}"
+        );
+        names.insert(name);
+    }
+    for entry in fs::read_dir(folder("tests/listings")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        assert!(names.contains(&name), "{name} is a listing of nothing");
+    }
+}
+
+/// The lines of an instruction of this opcode, with operands that a program may have.
+fn codes(opcode: Opcode) -> String {
+    let row = opcode.row();
+    let xx = match row.kind {
+        Kind::None | Kind::Timer | Kind::Scale | Kind::Value => 0,
+        Kind::Analogue => 4,
+        _ => 1,
+    };
+    let code = row.code + row.code.signum() * xx;
+    let lines = match row.kind {
+        Kind::Timer => "\n5000\n7702",
+        Kind::Count | Kind::Value => "\n1234",
+        Kind::Move => "\n6808\n4",
+        Kind::Drum => "\n3\n1000\n0100\n0010",
+        Kind::Scale => "\n-32768\n32767\n-32767\n32766",
+        Kind::Filter => "\n30000",
+        _ => "",
+    };
+    format!("{code}{lines}\n")
+}
+
+#[test]
+fn every_instruction_is_listed() {
+    for &opcode in Opcode::ALL {
+        let step = codes(opcode);
+        let (program, shown) = match opcode {
+            Opcode::OpenBranch | Opcode::CloseBranch => {
+                ("0\n827301\n40\n827302\n41\n".to_owned(), "┘")
+            }
+            Opcode::OpenAnd => (format!("0\n827301\n{step}827302\n41\n"), "┤ I1 ├──┤ I2 ├"),
+            Opcode::OpenXor => (format!("0\n827301\n{step}827302\n41\n"), "[ XOR ]"),
+            Opcode::RecallBranch => (
+                "0\n827301\n404101\n827302\n40\n404101\n41\n".to_owned(),
+                "┬",
+            ),
+            // A jump needs its label, a contact of a timer its timer.
+            Opcode::Jump | Opcode::JumpNot => (format!("0\n766601\n{step}"), ">> L1"),
+            Opcode::Label => (format!("0\n{step}"), "L1:"),
+            Opcode::NewRung => (format!("0\n827301\n{step}"), "Rung 2"),
+            Opcode::TimerContact
+            | Opcode::TimerContactNot
+            | Opcode::ResetTimer
+            | Opcode::LoadTimer
+            | Opcode::PresetTimer => (format!("0\n{step}787600\n847978\n1\n7901\n"), "T1"),
+            _ => (format!("0\n{step}"), ""),
+        };
+        let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80);
+        let ladder = ladder.unwrap_or_else(|fault| panic!("{opcode:?}: {fault}\n{program}"));
+        assert!(ladder.contains(shown), "{opcode:?}:\n{ladder}");
+        let first = ladder.lines().find(|line| line.starts_with('├')).unwrap();
+        let alone = matches!(opcode, Opcode::Label);
+        assert!(
+            alone || !first.trim_matches(['├', '─', '│', ' ']).is_empty(),
+            "{opcode:?}:\n{ladder}"
+        );
+        let letters = opcode.row().letters;
+        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80).unwrap();
+        assert!(
+            numeric.contains(&format!("/ {letters}")),
+            "{opcode:?}:\n{numeric}"
+        );
+        assert!(!numeric.contains("XX"), "{opcode:?}:\n{numeric}");
+    }
+}
+
+#[test]
+fn random_programs_keep_every_step_once_at_every_width() {
+    let mut random = Random::new(7);
+    for number in 0..400 {
+        let file = random_program(&mut random);
+        let mut memory = vec![0; BOARD.plc_bytes()];
+        let program = load(file.as_bytes(), &mut memory).unwrap();
+        let ladder = Ladder::new(program.steps());
+        let mut shown: Vec<usize> = Vec::new();
+        for rung in &ladder.rungs {
+            shown.extend(ladder.shown(rung));
+        }
+        shown.sort_unstable();
+        let all: Vec<usize> = (0..program.steps().count()).collect();
+        assert_eq!(shown, all, "{file}");
+
+        let width = NARROWEST + random.below(200) as usize;
+        let style = Style {
+            width,
+            names: &Names::new(),
+            live: &|_| None,
+        };
+        let drawing = ladder.draw(&style);
+        let mut symbols = Vec::new();
+        for picture in &drawing.rungs {
+            for row in &picture.rows {
+                assert!(
+                    row.len() == drawing.width && row.len() <= width,
+                    "{picture}"
+                );
+                let elements = row.chunk_by(|one, other| one.element == other.element);
+                symbols.extend(elements.filter_map(|cells| cells[0].element));
+            }
+        }
+        symbols.sort_unstable();
+        // Each symbol is drawn once; each that shows steps, at all.
+        assert!(symbols.windows(2).all(|pair| pair[0] != pair[1]), "{file}");
+        for (index, element) in ladder.elements.iter().enumerate() {
+            let drawn = symbols.binary_search(&index).is_ok();
+            assert!(drawn || element.steps.is_empty(), "{element:?}\n{file}");
+        }
+
+        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width).unwrap();
+        let widest = listing.lines().map(|line| line.chars().count()).max();
+        assert!(widest <= Some(width), "{listing}");
+        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width).unwrap();
+        assert_eq!(plain(&listed), plain(&file), "program {number}");
+        assert!(svg(&numeric(file.as_bytes()), width).is_ok());
+    }
+}
+
+/// A program's stored form, without the lines that its jumps remember.
+fn plain(file: &str) -> Vec<String> {
+    let mut memory = vec![0; BOARD.plc_bytes()];
+    let program = load(file.as_bytes(), &mut memory).unwrap();
+    program.steps().map(|step| step.to_string()).collect()
+}
+
+#[test]
+fn a_numeric_listing_is_the_same_program() {
+    for name in ["motor", "twohand", "figure6"] {
+        let file = fs::read(folder("../programs").join(name).with_extension("txt")).unwrap();
+        let listing = list(&numeric(&*file), Form::Numeric, 80).unwrap();
+        assert_eq!(stored(listing.as_bytes()), stored(&file), "{listing}");
+        // A listing of a listing is the same once more.
+        assert_eq!(
+            list(&numeric(listing.as_bytes()), Form::Numeric, 80).unwrap(),
+            listing
+        );
+    }
+    let expected = "\
+/ Motor
+
+0        /         program start
+
+/ Forward
+827301   / RI 01   contact, normally open: acc := acc AND input 01
+847978   / TON     on-delay timer: IN = acc; acc := Q; output := Q
+500      /         preset: 500 ms
+7901     /         drives O 01
+
+787600   / NL      new rung: acc := 1; the branch points of the rung before are forgotten
+-827902  / -RO 02  contact: acc := acc AND NOT output 02, as the image stands now
+716900   / GE 00   comparison: acc := acc AND (value >= -5)
+-5       /         the constant
+";
+    let file =
+        "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
+    assert_eq!(
+        list(&numeric(file.as_bytes()), Form::Numeric, 80).unwrap(),
+        expected
+    );
+}

@@ -1,0 +1,7 @@
+//! The tests of the PLC on a PC, in one binary.
+
+mod naive;
+mod oracle;
+mod scenario_check;
+mod scenario_format;
+mod suite;
