@@ -8,6 +8,7 @@ pub mod card;
 pub mod demo;
 pub mod firmware;
 pub mod flash;
+pub mod modules;
 pub mod parts;
 pub mod r0check;
 pub mod setup;
