@@ -1,7 +1,9 @@
 //! Timers: TON, TOF, TP, and the retentive TON (NC-9, NC-14).
 
 use crate::isa::{Opcode, TIMER_DATA};
-use crate::plc::Millis;
+
+/// A time in ms, or a reading of the millisecond clock; the clock wraps after 49.7 days.
+pub type Millis = u32;
 
 /// The operands of a timer block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,7 @@ mod packed;
 mod table;
 
 pub use instruction::{Instruction, Operand, Value};
-pub(crate) use packed::{By, Entry, find};
+pub(crate) use packed::{By, Entry, find, stored_size};
 pub use packed::{PACKED, PackedTable, read_packed};
 pub use table::{Opcode, TABLE};
 
@@ -208,22 +208,6 @@ pub(crate) const fn first_of(byte: u8) -> u8 {
 /// Whether the low four bits of a first stored byte are the index of a point.
 pub const fn holds_point(byte: u8) -> bool {
     byte >= 0x10 && byte < 0xA0
-}
-
-/// How many bytes store the instruction at the head of `stored`, whose row this is; none where they end
-/// too soon.
-pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
-    let head = if holds_point(*stored.first()?) || !entry.kind.has_number() {
-        1
-    } else {
-        2
-    };
-    let more = match entry.kind {
-        Kind::Value if *stored.get(1)? != 0 => 0,
-        Kind::Drum => 1 + *stored.get(2)?,
-        _ => entry.line_bytes,
-    };
-    Some(head + usize::from(more))
 }
 
 impl Kind {

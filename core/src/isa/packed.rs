@@ -1,6 +1,6 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
-use super::{Kind, Line, TABLE, first_of, xx};
+use super::{Kind, Line, TABLE, first_of, holds_point, xx};
 
 /// Bytes of a packed row: the code, low byte first; the kind; the stored byte; the run bytes.
 const ROW: usize = 7;
@@ -71,6 +71,22 @@ pub(crate) struct Entry {
     /// The bytes of its lines, and the first of them; for [`Kind::Value`] where XX is 0.
     pub line_bytes: u8,
     pub line: Option<Line>,
+}
+
+/// How many bytes store the instruction at the head of `stored`, whose row this is; none where they end
+/// too soon.
+pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
+    let head = if holds_point(*stored.first()?) || !entry.kind.has_number() {
+        1
+    } else {
+        2
+    };
+    let more = match entry.kind {
+        Kind::Value if *stored.get(1)? != 0 => 0,
+        Kind::Drum => 1 + *stored.get(2)?,
+        _ => entry.line_bytes,
+    };
+    Some(head + usize::from(more))
 }
 
 /// What a row is looked for by.

@@ -1,8 +1,8 @@
 //! Taking over what another board tells of itself, to show what its program does there.
 
-use super::{Millis, Plc, TimerState};
-use crate::Image;
+use super::{Plc, TimerState};
 use crate::timer::{Target, Timer};
+use crate::{Image, Millis};
 
 /// A board that runs the same program, as seen from outside. What it does not tell is empty, and stays.
 #[derive(Clone, Copy, Debug, Default)]

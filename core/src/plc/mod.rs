@@ -14,11 +14,8 @@ pub use inputs::{Debounce, Inputs};
 
 use crate::isa::{COUNTER_DATA, COUNTERS, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
 use crate::timer::{Delay, Target, Timer};
-use crate::{Image, Needs, Program, Steps};
+use crate::{Image, Millis, Needs, Program, Steps};
 use counter::Counter;
-
-/// A time in ms, or a reading of the millisecond clock; the clock wraps after 49.7 days.
-pub type Millis = u32;
 
 /// A program with everything it needs to run.
 #[derive(Debug)]
@@ -141,7 +138,12 @@ impl<'m> Plc<'m> {
 
     /// Sets a marker from outside, between two scans.
     pub fn set_marker(&mut self, number: u8, state: bool) {
-        scan::set_bit(&mut self.state.markers, number, state);
+        let bit = 1 << (number.wrapping_sub(1) & 63);
+        if state {
+            self.state.markers |= bit;
+        } else {
+            self.state.markers &= !bit;
+        }
     }
 
     /// The retentive markers, bit 0 M 57: what a board keeps over a power cut (NC-12).

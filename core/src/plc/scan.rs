@@ -1,10 +1,10 @@
 //! The scan: one pass through the program.
 
 use super::value::{compare, operate, scale, square_root};
-use super::{Inputs, Millis, Plc, smooth};
+use super::{Inputs, Plc, smooth};
 use crate::isa::{JUMP_BUDGET, Operand, Value};
 use crate::timer::{Delay, Target};
-use crate::{Cause, Fault, Image, Instruction, Needs, Steps, isa::Opcode};
+use crate::{Cause, Fault, Image, Instruction, Millis, Needs, Steps, isa::Opcode};
 
 /// What lives as long as one scan.
 struct Pass<'c> {
@@ -422,14 +422,4 @@ fn wide(number: u8) -> u16 {
 /// The index of the first marker of a group.
 fn group(number: u8) -> u8 {
     (number.wrapping_sub(1) & 7) * 8
-}
-
-/// Sets the bit of a marker.
-pub(super) fn set_bit(markers: &mut u64, number: u8, state: bool) {
-    let bit = 1 << (number.wrapping_sub(1) & 63);
-    if state {
-        *markers |= bit;
-    } else {
-        *markers &= !bit;
-    }
 }
