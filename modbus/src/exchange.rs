@@ -1,7 +1,7 @@
 //! A request that is done in slices.
 
-use crate::request::{FIXED, operands, refuse};
-use crate::{Device, Exception, Frame, Table, word};
+use crate::frame::{FIXED, Frame, operands, refuse, word};
+use crate::{Device, Exception, Table};
 
 /// A valid request that is being done.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Function 43/14, Read Device Identification (section 6.21).
 
-use crate::request::demand;
-use crate::{Device, Exception, Frame};
+use crate::frame::{Frame, demand};
+use crate::{Device, Exception};
 
 /// The function code, and the MEI type.
 pub(crate) const FUNCTION: u8 = 43;

@@ -61,26 +61,12 @@
 mod crc;
 mod device;
 mod exchange;
+mod frame;
 mod identification;
 mod request;
 
 pub use crc::Crc;
 pub use device::{Access, Device, Exception, Table};
 pub use exchange::Exchange;
-pub use request::{Answer, begin, refuse};
-
-/// The longest frame of Modbus RTU: address, 253 bytes, CRC.
-pub const FRAME_BYTES: usize = 256;
-
-/// Where a frame stands without its CRC: byte 0 the address, byte 1 the function code. Whatever is behind
-/// the request may be anything.
-///
-/// It holds the request first, and then, in its place, the reply.
-pub type Frame = [u8; FRAME_BYTES];
-
-/// The two bytes from `at` on, high byte first, as Modbus sends all words.
-fn word(frame: &Frame, at: u8) -> u16 {
-    let high = frame[usize::from(at)];
-    let low = frame[usize::from(at.wrapping_add(1))];
-    u16::from(high) << 8 | u16::from(low)
-}
+pub use frame::{FRAME_BYTES, Frame, refuse};
+pub use request::{Answer, begin};

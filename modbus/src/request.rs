@@ -1,7 +1,8 @@
 //! From a request to its answer, or to the exchange that does it in slices.
 
 use crate::exchange::{Exchange, Task};
-use crate::{Access, Device, Exception, Frame, Table, identification, word};
+use crate::frame::{FIXED, Frame, demand, operands, refuse, word};
+use crate::{Access, Device, Exception, Table, identification};
 
 /// What comes of a request.
 #[derive(Debug, PartialEq, Eq)]
@@ -13,9 +14,6 @@ pub enum Answer {
     /// The request is valid, its addresses exist, and [`Exchange::fill`] does it.
     Filling(Exchange),
 }
-
-/// The length of most requests, and of the reply to a write: address, function code, two words.
-pub(crate) const FIXED: u8 = 6;
 
 /// Validates the request in the first `length` bytes of `frame`.
 ///
@@ -123,30 +121,5 @@ fn bytes(words: bool, count: u16) -> u8 {
         (count << 1) as u8
     } else {
         (count.wrapping_add(7) >> 3) as u8
-    }
-}
-
-/// How many words or bits a request is about, and where those that it writes stand in the frame.
-pub(crate) fn operands(frame: &Frame) -> (u16, u8) {
-    if matches!(frame[1], 5 | 6) {
-        (1, 4)
-    } else {
-        (word(frame, 4), 7)
-    }
-}
-
-/// Turns the request into an exception response of the length that is returned (section 7).
-pub fn refuse(frame: &mut Frame, exception: Exception) -> u8 {
-    frame[1] |= 0x80;
-    frame[2] = exception as u8;
-    3
-}
-
-/// A request that is not `sound` has a quantity, value or length that is not allowed.
-pub(crate) fn demand(sound: bool) -> Result<(), Exception> {
-    if sound {
-        Ok(())
-    } else {
-        Err(Exception::IllegalDataValue)
     }
 }
