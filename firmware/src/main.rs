@@ -23,6 +23,7 @@ mod diagnosis;
 mod engine;
 mod halt;
 mod indicator;
+mod instructions;
 mod page;
 mod report;
 mod retentive;
@@ -39,12 +40,14 @@ use board::watchdog::{self, Start};
 use board::{Board, clock};
 use card::StateFile;
 use diagnosis::Diagnosis;
+use engine::memory::Memory;
 use engine::{Data, Linked};
 use page::Running;
 use retentive::Retentive;
 use scan::Scans;
 use server::upload;
-use server::{Command, Memory, Server};
+use server::{Command, Server};
+use settings::Settings;
 use state::{Images, State};
 use store::Kept;
 use unoclp_card::Block;
@@ -59,7 +62,8 @@ fn main() -> ! {
 
     // SAFETY: once.
     let page = unsafe { page::take() };
-    let board = Board::take();
+    let mut board = Board::take();
+    let settings = open_line(&mut board);
     report::banner(&board);
     let mut file = StateFile::Missing;
     let outcome = start(&board, page, MEMORY, &mut file);
@@ -70,9 +74,17 @@ fn main() -> ! {
         MEMORY,
         file,
         outcome,
-        &mut Server::new(frame, board.settings),
+        &mut Server::new(frame, settings),
         data,
     )
+}
+
+/// The serial line, as the settings have it.
+#[inline(never)]
+fn open_line(board: &mut Board) -> Settings {
+    let settings = Settings::load(&board.eeprom, board.pins.ask_for_defaults());
+    board.serial.open(&settings.line());
+    settings
 }
 
 /// RUN, STOP and FAULT, for ever.

@@ -5,6 +5,7 @@ use crate::board::flash::{Codes, FlashText, flash_codes, flash_text};
 use crate::board::serial::Serial;
 use crate::board::watchdog::Start;
 use crate::card::StateFile;
+use crate::decimal::{DIGITS, decimal};
 use crate::store::Kept;
 use unoclp_core::{Cause, Fault, Profile};
 
@@ -95,12 +96,12 @@ fn end_line(serial: &Serial) {
 #[inline(never)]
 fn value(serial: &Serial, what: FlashText, number: u16) {
     serial.text(what);
-    serial.number(number.into());
+    decimals(serial, number.into());
 }
 
 /// `1 code`, `2 codes`
 fn count(serial: &Serial, number: u16, what: FlashText) {
-    serial.number(number.into());
+    decimals(serial, number.into());
     serial.text(what);
     if number != 1 {
         serial.byte(b's');
@@ -110,14 +111,25 @@ fn count(serial: &Serial, number: u16, what: FlashText) {
 /// `fault 24, line 7: no such code`
 pub fn fault(serial: &Serial, fault: Fault) {
     serial.text(flash_text!("fault "));
-    serial.number(fault.cause.number().into());
+    decimals(serial, fault.cause.number().into());
     if let Some(line) = fault.line {
         serial.text(flash_text!(", line "));
-        serial.number(line);
+        decimals(serial, line);
     }
     serial.text(flash_text!(": "));
     text(serial, fault.cause);
     end_line(serial);
+}
+
+/// Sends a number in decimal.
+fn decimals(serial: &Serial, number: u32) {
+    let mut digits = [0; DIGITS];
+    decimal(number, &mut digits);
+    for &digit in &digits {
+        if digit != b' ' {
+            serial.byte(digit);
+        }
+    }
 }
 
 /// Sends the text of a cause.

@@ -7,7 +7,9 @@
 //!
 //! What is damaged or was written in part counts as the defaults.
 
+use crate::board::clock::CLOCK_HZ;
 use crate::board::eeprom::Eeprom;
+use crate::board::serial::Line;
 use crate::store;
 use unoclp_core::Crc16;
 
@@ -19,7 +21,7 @@ const VALUES: usize = 2 * COUNT as usize;
 const BYTES: usize = VALUES + 2;
 
 /// Clock cycles of 8 in a second, in hundreds.
-const EIGHTHS: u16 = (crate::board::CLOCK_HZ / 8 / 100) as u16;
+const EIGHTHS: u16 = (CLOCK_HZ / 8 / 100) as u16;
 
 /// The server's address; the rate in 100 baud; parity, 0 none, 1 even, 2 odd; whether A4 is the direction of
 /// an RS-485 driver.
@@ -67,14 +69,25 @@ impl Settings {
         }
     }
 
+    /// The line that they describe.
+    #[inline(always)]
+    pub fn line(&self) -> Line {
+        Line {
+            address: self.address(),
+            divider: self.divider(),
+            parity_bits: self.parity_bits(),
+            has_direction: self.0[6] != 0,
+        }
+    }
+
     /// The server's address.
-    pub fn address(&self) -> u8 {
+    fn address(&self) -> u8 {
         self.0[0]
     }
 
     /// The divider of the rate with U2X, rounded: at 115200 baud 17, which is 117647 baud, 2.1 % fast, as the
     /// Arduino core has it. By subtraction, since a division would cost flash.
-    pub fn divider(&self) -> u16 {
+    fn divider(&self) -> u16 {
         let rate = self.get(1);
         let mut rest = EIGHTHS + rate / 2;
         let mut divider = 0;
@@ -86,17 +99,12 @@ impl Settings {
     }
 
     /// UPM0, in its place.
-    pub fn parity_bits(&self) -> u8 {
+    fn parity_bits(&self) -> u8 {
         match self.0[4] {
             0 => 0,
             1 => 0b10 << 4,
             _ => 0b11 << 4,
         }
-    }
-
-    /// Whether there is a direction pin.
-    pub fn has_direction(&self) -> bool {
-        self.0[6] != 0
     }
 }
 

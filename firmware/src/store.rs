@@ -16,7 +16,7 @@
 //! program that was written in part never runs.
 
 use crate::board::eeprom::Eeprom;
-use crate::engine;
+use crate::instructions;
 use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
 
 const MARK: u16 = 0;
@@ -71,7 +71,7 @@ pub struct Kept {
 pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
     restore(
         eeprom,
-        &mut Loader::with_table(memory, Profile::UNO, engine::instruction_table),
+        &mut Loader::with_table(memory, Profile::UNO, instructions::read),
     )
 }
 

@@ -1,11 +1,13 @@
 //! The millisecond clock, from timer 1 (ATmega328P datasheet, section 16).
 
-use super::CLOCK_HZ;
 use super::shared::Shared;
 use avr_device::atmega328p::TC1;
 use avr_device::interrupt;
 use core::arch::global_asm;
 use unoclp_core::Millis;
+
+/// The chip's clock, Hz (ceramic resonator of the UNO).
+pub const CLOCK_HZ: u32 = 16_000_000;
 
 /// Clock cycles of one count of timer 1.
 const PRESCALER: u32 = 8;

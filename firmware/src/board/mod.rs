@@ -24,12 +24,8 @@ pub mod spi;
 pub mod stack;
 pub mod watchdog;
 
-use crate::settings::Settings;
 use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
 use unoclp_core::{Image, Millis};
-
-/// The chip's clock, Hz (ceramic resonator of the UNO).
-pub const CLOCK_HZ: u32 = 16_000_000;
 
 /// The parts of the board, ready to use.
 pub struct Board {
@@ -43,8 +39,6 @@ pub struct Board {
     pub analogue: analogue::Analogue,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
-    /// The settings that the serial line has until the next start.
-    pub settings: Settings,
     /// Why the board has started.
     pub start: watchdog::Start,
     spi: SPI,
@@ -53,7 +47,7 @@ pub struct Board {
 }
 
 impl Board {
-    /// Takes the board and sets it up, outputs first (NC-7).
+    /// Takes the board and sets it up, outputs first (NC-7); all but the [serial line](serial::Serial::open).
     pub fn take() -> Board {
         // SAFETY: called once, by `main`, before anything else runs; so there is one owner of
         // each peripheral.
@@ -63,17 +57,14 @@ impl Board {
         let (watchdog, start) =
             watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
-        let eeprom = eeprom::Eeprom::new(chip.EEPROM);
-        let settings = Settings::load(&eeprom, pins.ask_for_defaults());
         // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
         let direction = unsafe { Peripherals::steal() }.PORTC;
         Board {
             pins,
-            serial: serial::Serial::new(chip.USART0, chip.TC2, direction, &settings),
-            eeprom,
+            serial: serial::Serial::new(chip.USART0, chip.TC2, direction),
+            eeprom: eeprom::Eeprom::new(chip.EEPROM),
             analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
-            settings,
             start,
             spi: chip.SPI,
             timer: chip.TC1,

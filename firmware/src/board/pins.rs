@@ -74,6 +74,7 @@ impl Pins {
     }
 
     /// Whether A5 and all inputs are connected to GND: the way back to the default settings.
+    #[inline(always)]
     pub fn ask_for_defaults(&self) -> bool {
         self.stop() && self.d.pind().read().bits() & INPUTS == 0
     }

@@ -5,8 +5,6 @@
 
 use super::flash::{self, FlashText};
 use super::shared::Shared;
-use crate::decimal::{DIGITS, decimal};
-use crate::settings::Settings;
 use avr_device::atmega328p::{PORTC, TC2, USART0};
 use core::arch::global_asm;
 use unoclp_modbus::Frame;
@@ -47,20 +45,46 @@ static BROKEN: Shared<u8> = Shared::new(0);
 #[unsafe(export_name = "PORT_CRC")]
 static CRC: Shared<u16> = Shared::new(0);
 
+/// What the line is like.
+pub struct Line {
+    /// The server's address on the bus.
+    pub address: u8,
+    /// The divider of the rate, with U2X.
+    pub divider: u16,
+    /// UPM0, in its place.
+    pub parity_bits: u8,
+    /// Whether A4 is the direction of an RS-485 driver.
+    pub has_direction: bool,
+}
+
 /// The serial port.
 pub struct Serial {
     usart: USART0,
     timer: TC2,
     pins: PORTC,
-    /// The server's address on the bus.
+    /// See [`Line::address`].
     address: u8,
 }
 
 impl Serial {
+    /// The port, with its line still closed.
+    pub fn new(usart: USART0, timer: TC2, pins: PORTC) -> Serial {
+        Serial {
+            usart,
+            timer,
+            pins,
+            address: 0,
+        }
+    }
+
     /// Sets the line up and switches the transmitter on. The direction pin, where there is one, stays low, so
     /// that text does not reach the bus.
-    pub fn new(usart: USART0, timer: TC2, pins: PORTC, settings: &Settings) -> Serial {
-        let divider = settings.divider();
+    #[inline(always)]
+    pub fn open(&mut self, line: &Line) {
+        let Serial {
+            usart, timer, pins, ..
+        } = self;
+        let divider = line.divider;
         let silence = ((divider.max(SHORTEST_SILENCE) * SILENCE_PER_DIVIDER) >> 8) as u8 + 2;
         usart.ubrr0().write(|w| w.set(divider - 1));
         // SAFETY: any value may be written to these; the reserved bits are 0.
@@ -68,20 +92,15 @@ impl Serial {
             usart.ucsr0a().write(|w| w.bits(DOUBLE_SPEED));
             usart
                 .ucsr0c()
-                .write(|w| w.bits(settings.parity_bits() | EIGHT_BITS));
+                .write(|w| w.bits(line.parity_bits | EIGHT_BITS));
             usart.ucsr0b().write(|w| w.bits(ONLY_SEND));
-            if settings.has_direction() {
+            if line.has_direction {
                 pins.ddrc().write(|w| w.bits(DIRECTION));
             }
         }
         timer.ocr2a().write(|w| w.set(silence));
         timer.tccr2b().write(|w| w.cs2().prescale_1024());
-        Serial {
-            usart,
-            timer,
-            pins,
-            address: settings.address(),
-        }
+        self.address = line.address;
     }
 
     /// Sends a text that stands in program memory.
@@ -99,17 +118,6 @@ impl Serial {
             code = second;
         }
         self.byte(code);
-    }
-
-    /// Sends a number in decimal.
-    pub fn number(&self, number: u32) {
-        let mut digits = [0; DIGITS];
-        decimal(number, &mut digits);
-        for &digit in &digits {
-            if digit != b' ' {
-                self.byte(digit);
-            }
-        }
     }
 
     /// Sends one byte, as soon as the transmitter takes it (87 µs a byte at 115200 baud).

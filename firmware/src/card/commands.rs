@@ -17,6 +17,13 @@ const PATIENCE: u8 = 8;
 /// The card has refused something, or does not answer in time.
 pub struct CardFailed;
 
+/// A block of the card that may be overwritten. There is no other way to one than a `STATE.TXT`
+/// that was found, and nothing but such a place is ever written.
+pub struct Place {
+    /// As the card's commands have it: a block's number, or its first byte on cards up to 2 GB.
+    pub(super) argument: u32,
+}
+
 /// Sends the command of this number and gives the card's answer, or [`SILENCE`].
 #[inline(never)]
 pub fn command(bus: CardBus<'_>, number: u8, argument: u32) -> u8 {

@@ -8,8 +8,8 @@ pub mod writer;
 
 use crate::board::Board;
 use crate::board::flash::{Codes, flash_codes};
-use crate::engine;
-pub use commands::CardFailed;
+use crate::instructions;
+pub use commands::{CardFailed, Place};
 use reader::Card;
 use unoclp_card::{Block, Error, File};
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile, Program};
@@ -18,13 +18,6 @@ use unoclp_core::{Cause, Crc16, Fault, Loader, Profile, Program};
 const PROGRAM: &str = "PROGRAM TXT";
 /// The name of the file that keeps the state.
 const STATE: &str = "STATE   TXT";
-
-/// A block of the card that may be overwritten. There is no other way to one than a `STATE.TXT`
-/// that was found, and nothing but such a place is ever written.
-pub struct Place {
-    /// As the card's commands have it: a block's number, or its first byte on cards up to 2 GB.
-    argument: u32,
-}
 
 /// The file that keeps the state.
 pub enum StateFile {
@@ -66,7 +59,7 @@ pub fn load<'m>(
 /// Apart from [`load`], so that its program is made where it stays.
 #[inline(never)]
 fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut loader = Loader::with_table(memory, Profile::UNO, engine::instruction_table);
+    let mut loader = Loader::with_table(memory, Profile::UNO, instructions::read);
     match check(card, &mut loader) {
         Ok(()) => loader.finish(),
         Err(cause) => Err(Fault::without_line(cause)),

@@ -3,8 +3,7 @@
 //! Owns the way into the card's ready state (SD Physical Layer Simplified Specification, 7.2.1) and CMD17
 //! (7.2.3); must not know what the blocks say.
 
-use super::Place;
-use super::commands::{self, BLOCK_BEGINS, CardFailed, IDLE, ILLEGAL, READY, SILENCE};
+use super::commands::{self, BLOCK_BEGINS, CardFailed, IDLE, ILLEGAL, Place, READY, SILENCE};
 use crate::board::Board;
 use crate::board::clock::Deadline;
 use crate::board::spi::CardBus;

@@ -3,8 +3,7 @@
 //! Owns CMD24 and what follows it (SD Physical Layer Simplified Specification, 7.2.4); must not know
 //! what the block says.
 
-use super::Place;
-use super::commands::{BLOCK_BEGINS, CardFailed, READY, SILENCE, answer, command};
+use super::commands::{BLOCK_BEGINS, CardFailed, Place, READY, SILENCE, answer, command};
 use crate::board::Board;
 use unoclp_core::Crc16;
 

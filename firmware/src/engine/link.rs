@@ -1,7 +1,7 @@
 //! From stored bytes, as the EEPROM keeps them, to linked bytes: by `link.s`.
 
 use super::data::Data;
-use super::{Layout, POINTS};
+use super::layout::{Layout, POINTS};
 use crate::board::eeprom::Eeprom;
 use crate::store::Reader;
 use core::ffi::c_void;

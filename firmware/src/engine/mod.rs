@@ -17,19 +17,21 @@
 //! rules are at the head of `handlers.s`.
 
 pub mod data;
+mod layout;
 mod link;
+pub mod memory;
 mod rows;
 
 pub use data::Data;
-pub use rows::instruction_table;
 
 use crate::board::eeprom::Eeprom;
-use crate::server::Memory;
 use crate::state::Images;
 use crate::store::Kept;
 use core::arch::{asm, global_asm};
 use core::mem;
 use data::{Cell, ON};
+use layout::{INPUTS, Layout, POINTS};
+use memory::Memory;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
@@ -44,36 +46,11 @@ global_asm!(
     options(raw)
 );
 
-/// Inputs in the low half of the images' register, outputs in the high half.
-const POINTS: u8 = 4;
-const INPUTS: u8 = 0x0F;
-
 const _: () = {
     assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);
     assert!(Profile::UNO.inputs as usize <= POINTS as usize + 4);
     assert!(JUMP_BUDGET < i16::MAX as u16);
 };
-
-/// What the linked form of a program refers to.
-pub struct Layout<'m> {
-    data: &'m mut Data,
-    /// [`TIMER_DATA`] for each, in file order.
-    timers: &'m mut [u8],
-    /// [`COUNTER_DATA`] for each, up to the highest that is named.
-    counters: &'m mut [u8],
-    /// The address of the first linked byte, and of the byte behind the last of own data.
-    begin: u16,
-    own_end: u16,
-    stored: Kept,
-    jumps_back: bool,
-}
-
-impl Layout<'_> {
-    /// The address of the timer with this index.
-    fn timer(&self, index: u8) -> u16 {
-        self.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16
-    }
-}
 
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {

@@ -154,14 +154,3 @@ const _: () = {
         row += 1;
     }
 };
-
-/// The instruction table of the core.
-#[unsafe(link_section = ".progmem.data")]
-#[unsafe(export_name = "ENGINE_ROWS")]
-static INSTRUCTIONS: Table<u8, { isa::PACKED.len() }> = Table::new(isa::PACKED);
-
-/// Reads the instruction table from this index on.
-pub fn instruction_table(at: usize, bytes: &mut [u8]) {
-    // SAFETY: the static stands in that section.
-    unsafe { INSTRUCTIONS.read(at, bytes) }
-}

@@ -1,10 +1,11 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
 use super::upload::Upload;
-use super::{Command, Memory, Panel, State};
+use super::{Command, Panel, State};
 use crate::board::flash::{Codes, flash_codes};
 use crate::board::{Board, stack};
 use crate::engine::data::ON;
+use crate::engine::memory::Memory;
 use crate::{settings, store};
 use unoclp_core::isa::{ANALOGUE, COUNTER_DATA, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
 use unoclp_core::{Millis, Profile};

@@ -7,7 +7,7 @@ mod map;
 pub mod upload;
 
 use crate::board::{Board, clock};
-use crate::engine::Data;
+use crate::engine::memory::Memory;
 use crate::scan::ScanTimes;
 use crate::settings::Settings;
 use crate::state::Images;
@@ -109,27 +109,6 @@ impl Panel {
             self.command = None;
         }
         given
-    }
-}
-
-/// What the program works on, for one step.
-pub struct Memory<'a> {
-    /// Markers, registers and readings.
-    pub data: &'a mut Data,
-    /// The data of the timers, and of the counters; empty where no program runs.
-    pub timers: &'a mut [u8],
-    /// See `timers`.
-    pub counters: &'a mut [u8],
-}
-
-impl<'a> Memory<'a> {
-    /// Where no program runs.
-    pub fn idle(data: &'a mut Data) -> Memory<'a> {
-        Memory {
-            data,
-            timers: &mut [],
-            counters: &mut [],
-        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! A program that comes over Modbus, through the loader that reads the card: twice, as from there.
 
-use super::{Command, Memory, Panel, Server};
+use super::{Command, Panel, Server};
 use crate::board::Board;
 use crate::board::eeprom::Eeprom;
-use crate::engine::{self, Data};
+use crate::engine::Data;
+use crate::engine::memory::Memory;
+use crate::instructions;
 use crate::server::AT_ONCE;
 use crate::store;
 use core::mem;
@@ -55,7 +57,7 @@ pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8], data: &mut
 }
 
 fn loader(memory: &mut [u8]) -> Loader<'_> {
-    Loader::with_table(memory, Profile::UNO, engine::instruction_table)
+    Loader::with_table(memory, Profile::UNO, instructions::read)
 }
 
 impl Upload<'_> {

@@ -1,0 +1,33 @@
+//! Where everything is that a program in its linked form refers to.
+
+use super::data::Data;
+use crate::store::Kept;
+use unoclp_core::isa::TIMER_DATA;
+
+/// Inputs in the low half of the images' register, outputs in the high half.
+pub const POINTS: u8 = 4;
+/// Its inputs.
+pub const INPUTS: u8 = 0x0F;
+
+/// What the linked form of a program refers to.
+pub struct Layout<'m> {
+    pub data: &'m mut Data,
+    /// [`TIMER_DATA`] for each, in file order.
+    pub timers: &'m mut [u8],
+    /// [`COUNTER_DATA`] for each, up to the highest that is named.
+    pub counters: &'m mut [u8],
+    /// The address of the first linked byte, and of the byte behind the last of own data.
+    pub begin: u16,
+    pub own_end: u16,
+    /// The program.
+    pub stored: Kept,
+    /// Whether it jumps back.
+    pub jumps_back: bool,
+}
+
+impl Layout<'_> {
+    /// The address of the timer with this index.
+    pub fn timer(&self, index: u8) -> u16 {
+        self.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16
+    }
+}
