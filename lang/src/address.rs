@@ -114,6 +114,13 @@ fn octal(digits: &str, bit: Option<u32>) -> Option<u32> {
     }
 }
 
+impl Dialect {
+    /// Whether a name is an address here, such as `%IX1` or `T1.Q`, and not a name of somebody's own.
+    pub fn is_address(self, name: &str) -> bool {
+        parse(&name.to_uppercase(), self).is_some()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

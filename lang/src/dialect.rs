@@ -40,11 +40,6 @@ impl Dialect {
         }
     }
 
-    /// Whether a name is an address here, such as `%IX1` or `T1.Q`, and not a name of somebody's own.
-    pub fn is_address(self, name: &str) -> bool {
-        crate::address::parse(&name.to_uppercase(), self).is_some()
-    }
-
     /// The dialect with this name.
     pub fn named(name: &str) -> Option<Dialect> {
         let mut all = Dialect::ALL.into_iter();

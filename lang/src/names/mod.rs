@@ -212,7 +212,7 @@ impl Names {
         }
         let Some(address) = parse(name, self.dialect) else {
             if name.contains(['%', '.']) {
-                let help = points::ADDRESS_HELP;
+                let help = ADDRESS_HELP;
                 found.tell(Code::NoSuchPoint, span, [name.as_str().into(), help.into()]);
                 return Place::Unknown;
             }
@@ -252,3 +252,9 @@ impl Names {
         Some(self.member(place, base, member, span, found))
     }
 }
+
+/// What messages say where there is no such point.
+const ADDRESS_HELP: (&str, &str) = (
+    "points count from 1: I1 to I8, Q1 to Q4, M1 to M64, D1 to D32, IW0 to IW4, QW1 and QW4, C1 to C16",
+    "os pontos contam a partir de 1: I1 a I8, Q1 a Q4, M1 a M64, D1 a D32, IW0 a IW4, QW1 e QW4, C1 a C16",
+);

@@ -1,6 +1,6 @@
 //! The points of the board that addresses name, and the parts of timers and counters.
 
-use super::{Counter, Names, Place};
+use super::{ADDRESS_HELP, Counter, Names, Place};
 use crate::address::Address;
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
@@ -134,9 +134,3 @@ impl Names {
         })
     }
 }
-
-/// What messages say where there is no such point.
-pub(super) const ADDRESS_HELP: (&str, &str) = (
-    "points count from 1: I1 to I8, Q1 to Q4, M1 to M64, D1 to D32, IW0 to IW4, QW1 and QW4, C1 to C16",
-    "os pontos contam a partir de 1: I1 a I8, Q1 a Q4, M1 a M64, D1 a D32, IW0 a IW4, QW1 e QW4, C1 a C16",
-);
