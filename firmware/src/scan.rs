@@ -7,71 +7,24 @@ use crate::board::clock::{self, Moment};
 use crate::board::pins::Levels;
 use crate::board::{Board, watchdog};
 use crate::engine::Linked;
-use crate::server::{Forces, Panel, State};
+use crate::operation::{Operation, ScanTimes, State};
 use core::hint::cold_path;
 use core::mem;
 use unoclp_core::{Image, Millis};
-
-/// How long scans take; 32,767 µs stands for anything longer.
-#[derive(Clone, Copy)]
-pub struct ScanTimes {
-    // Half µs.
-    last: u16,
-    least: u16,
-    most: u16,
-}
-
-impl Default for ScanTimes {
-    /// Before the first scan has ended: all are 0.
-    fn default() -> ScanTimes {
-        ScanTimes {
-            last: 0,
-            least: u16::MAX,
-            most: 0,
-        }
-    }
-}
-
-impl ScanTimes {
-    /// The last scan, µs.
-    pub fn last(&self) -> u16 {
-        self.last / 2
-    }
-
-    /// The shortest since scanning began, µs.
-    pub fn least(&self) -> u16 {
-        self.least.min(self.most) / 2
-    }
-
-    /// The longest since scanning began, µs.
-    pub fn most(&self) -> u16 {
-        self.most / 2
-    }
-
-    /// That of another scan, half µs.
-    fn take(&mut self, time: u16) {
-        self.last = time;
-        self.least = self.least.min(time);
-        self.most = self.most.max(time);
-    }
-}
 
 /// A scan has made too many jumps back (NC-19).
 // A fault with its line would be another pointer that each scan keeps.
 pub struct TooManyJumps;
 
-/// The scans since scanning began.
+/// The scans, and the operation that they are part of.
 pub struct Scans<'b> {
     board: &'b Board,
-    /// How long they have taken.
-    pub times: ScanTimes,
+    /// What they are to do, and what comes of them.
+    pub operation: Operation,
     /// When the last one began.
     begun: Moment,
     /// Whether what goes on beside the scans is due.
     due: bool,
-    forces: Forces,
-    /// Whether outputs are written; if not, the next scan is a single one.
-    runs: bool,
     /// Whether there is more to do before the program than to read inputs 01 to 04.
     prepares: bool,
     /// Whether there is more to do behind it than to write outputs.
@@ -83,14 +36,19 @@ impl<'b> Scans<'b> {
     pub fn new(board: &'b Board) -> Scans<'b> {
         Scans {
             board,
-            times: ScanTimes::default(),
+            operation: Operation::new(),
             begun: board.forgotten(),
             due: false,
-            forces: Forces::default(),
-            runs: false,
             prepares: false,
             finishes: false,
         }
+    }
+
+    /// RUN begins, with the first scan of a program.
+    pub fn begin(&mut self) {
+        self.operation.state = State::Run;
+        self.operation.times = ScanTimes::default();
+        self.pause();
     }
 
     /// The time since the last scan is no scan's.
@@ -110,12 +68,14 @@ impl<'b> Scans<'b> {
     /// Where a scan has made too many jumps back: no outputs are written then.
     // Apart from what goes on beside: `self` and `plc` are all that is kept in registers over a scan.
     #[inline(never)]
-    pub fn go_on(&mut self, plc: &mut Linked<'_>, panel: &Panel) -> Result<bool, TooManyJumps> {
-        let forced = panel.forces.any();
-        self.forces = panel.forces;
-        self.runs = panel.state == State::Run;
+    pub fn go_on(&mut self, plc: &mut Linked<'_>) -> Result<bool, TooManyJumps> {
+        let operation = &mut self.operation;
+        let forced = operation.forces.any();
+        let runs = operation.state == State::Run;
         self.prepares = forced || plc.has_to_prepare();
-        self.finishes = forced || !self.runs || plc.jumps_back() || plc.needs().pwm != 0;
+        self.finishes = forced || !runs || plc.jumps_back() || plc.needs().pwm != 0;
+        let outputs = operation.images.outputs();
+        plc.take_outputs(&mut operation.images, outputs);
         loop {
             watchdog::scan_begins();
             // In this order: an input is never seen with a time stamp from before it changed (NC-5).
@@ -127,7 +87,7 @@ impl<'b> Scans<'b> {
                 cold_path();
                 inputs = self.prepare(plc, levels, millis);
             }
-            let outputs = plc.scan(inputs, millis);
+            let outputs = plc.scan(&mut self.operation.images, inputs, millis);
             if self.finishes {
                 cold_path();
                 self.finish(plc)?;
@@ -144,7 +104,8 @@ impl<'b> Scans<'b> {
     #[inline(never)]
     fn prepare(&mut self, plc: &mut Linked<'_>, levels: Levels, millis: Millis) -> Image {
         let inputs = plc.filter(levels.all_inputs(plc.needs().inputs), millis);
-        let inputs = self.forces.inputs(inputs);
+        let inputs = self.operation.forces.inputs(inputs);
+        self.operation.images.set_inputs(inputs);
         plc.prepare(inputs, millis);
         inputs
     }
@@ -155,12 +116,18 @@ impl<'b> Scans<'b> {
         if plc.jumps_too_often() {
             return Err(TooManyJumps);
         }
-        let outputs = self.forces.outputs(plc.outputs());
-        plc.set_outputs(outputs);
-        if self.runs {
+        let Operation {
+            forces,
+            images,
+            state,
+            ..
+        } = &mut self.operation;
+        let outputs = forces.outputs(images.outputs());
+        plc.take_outputs(images, outputs);
+        if *state == State::Run {
             self.board.pins.write_outputs(outputs);
             let pwm = plc.needs().pwm;
-            let forced = self.forces.forced_outputs();
+            let forced = forces.forced_outputs();
             self.board.write_pwm(pwm & !forced, &plc.data().pwm);
             self.board.write_pwm(pwm & forced, &[0; 4]);
         } else {
@@ -177,9 +144,7 @@ impl<'b> Scans<'b> {
         let Some(time) = now.since_in_millisecond(begun) else {
             return self.note_millisecond(now.since(begun));
         };
-        if time >= self.times.least && time <= self.times.most {
-            self.times.last = time;
-        } else {
+        if !self.operation.times.take_usual(time) {
             self.note_unusual(time);
         }
     }
@@ -192,7 +157,7 @@ impl<'b> Scans<'b> {
         watchdog::feed();
         self.due = true;
         if let Some(time) = time {
-            self.times.take(time);
+            self.operation.times.take(time);
         }
     }
 
@@ -202,7 +167,7 @@ impl<'b> Scans<'b> {
     #[inline(never)]
     fn note_unusual(&mut self, time: u16) {
         if clock::is_in_millisecond(time) {
-            self.times.take(time);
+            self.operation.times.take(time);
         } else {
             self.due = true;
         }

@@ -10,7 +10,7 @@ use crate::board::flash::{Codes, FlashText, flash_codes};
 use crate::card::writer::{Progress, Writer};
 use crate::card::{CardFailed, Place};
 use crate::decimal::{DIGITS, decimal};
-use crate::scan::ScanTimes;
+use crate::operation::{Images, Operation, ScanTimes, State};
 use unoclp_core::Image;
 
 /// The text, with a mark for each digit of a value; what follows is blanks, and a line end.
@@ -25,20 +25,10 @@ const SOONEST: u16 = 1_000;
 const LATEST: u16 = 60_000;
 const SECOND: u16 = 1_000;
 
-/// Inputs and outputs of one scan.
-#[derive(Clone, Copy, Default, PartialEq, Eq)]
-pub struct Images {
-    /// What the program read.
-    pub inputs: Image,
-    /// What it wrote.
-    pub outputs: Image,
-}
-
 /// Keeps the file up to date.
-pub struct State {
+pub struct Keeper {
     /// None where the card has no such file, or has failed.
     writer: Option<Writer>,
-    failed: bool,
     text: Text,
     /// When the last writing began; none before the first. ms, wrapping.
     written: Option<u16>,
@@ -48,15 +38,14 @@ pub struct State {
     second: u16,
 }
 
-impl State {
+impl Keeper {
     /// The state kept at this place, or nowhere.
     #[inline(never)]
-    pub fn new(place: Option<Place>) -> State {
+    pub fn new(place: Option<Place>) -> Keeper {
         let mut uptime = [b' '; DIGITS];
         uptime[DIGITS - 1] = b'0';
-        State {
+        Keeper {
             writer: place.map(Writer::new),
-            failed: false,
             text: Text::default(),
             written: None,
             uptime,
@@ -64,24 +53,25 @@ impl State {
         }
     }
 
-    /// Whether the card has failed since the program runs.
-    pub fn has_failed(&self) -> bool {
-        self.failed
-    }
-
     /// Whether a block is on its way to the card.
     pub fn is_sending(&self) -> bool {
         self.writer.as_ref().is_some_and(Writer::is_sending)
     }
 
-    /// One step, to be called between scans with what the last one read and wrote. It takes 0.1 ms
-    /// at most, and never waits for the card.
+    /// One step, to be called between scans in RUN or STOP. It takes 0.1 ms at most, and never waits for
+    /// the card.
     #[inline(never)]
-    pub fn step(&mut self, board: &Board, images: Images, times: &ScanTimes) {
-        if self.advance(board, images, times).is_err() {
+    pub fn step(&mut self, board: &Board, operation: &mut Operation) {
+        // Outputs as their pins are.
+        let mut images = operation.images;
+        images.set_outputs(match operation.state {
+            State::Run => operation.outputs(),
+            State::Stop | State::Fault => Image::default(),
+        });
+        if self.advance(board, images, &operation.times).is_err() {
             board.release_card();
             self.writer = None;
-            self.failed = true;
+            operation.card_failed = true;
         }
     }
 
@@ -186,9 +176,7 @@ impl Text {
             let time = match value {
                 // Four inputs, then four outputs.
                 0..8 => {
-                    let Images { inputs, outputs } = self.images;
-                    let points = inputs.0 as u8 & 0x0F | (outputs.0 as u8) << 4;
-                    return b'0' + (points >> value & 1);
+                    return b'0' + (self.images.points >> value & 1);
                 }
                 UPTIME => 0,
                 9 => self.times.last(),

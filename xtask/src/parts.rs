@@ -15,7 +15,8 @@ const PARTS: &[(&str, &[&str])] = &[
         "scan and linked engine",
         &[
             "unoclp_firmware::engine",
-            "unoclp_firmware::run",
+            "unoclp_firmware::scan",
+            "unoclp_firmware::modes::run",
             "unoclp_core::linking",
             "engine_",
         ],
@@ -35,7 +36,7 @@ const PARTS: &[(&str, &[&str])] = &[
         "program memory",
         &["unoclp_firmware::store", "unoclp_firmware::board::eeprom"],
     ),
-    ("Modbus", &["unoclp_modbus", "unoclp_firmware::modbus"]),
+    ("Modbus", &["unoclp_modbus", "unoclp_firmware::server"]),
     (
         "reports",
         &[
@@ -50,7 +51,7 @@ const PARTS: &[(&str, &[&str])] = &[
         &[
             "unoclp_firmware::diagnosis",
             "unoclp_firmware::indicator",
-            "unoclp_firmware::stop",
+            "unoclp_firmware::modes",
             "unoclp_firmware::halt",
             "unoclp_firmware::board::watchdog",
             "unoclp_firmware::board::supply",
@@ -145,7 +146,10 @@ mod tests {
     #[test]
     fn a_symbol_belongs_to_the_first_path_in_its_name() {
         let cases = [
-            ("unoclp_firmware::run", Some("scan and linked engine")),
+            (
+                "unoclp_firmware::modes::run",
+                Some("scan and linked engine"),
+            ),
             ("unoclp_firmware::report::run::BYTES", Some("texts")),
             ("unoclp_firmware::report::run", Some("reports")),
             ("unoclp_firmware::start", Some("start-up and the rest")),

@@ -1,13 +1,12 @@
 //! Where everything is that a program in its linked form refers to.
 
 use super::data::Data;
+use crate::operation::Images;
 use crate::store::Kept;
 use unoclp_core::isa::TIMER_DATA;
 
 /// Inputs in the low half of the images' register, outputs in the high half.
-pub const POINTS: u8 = 4;
-/// Its inputs.
-pub const INPUTS: u8 = 0x0F;
+pub const POINTS: u8 = Images::OUTPUTS_AT;
 
 /// What the linked form of a program refers to.
 pub struct Layout<'m> {

@@ -25,12 +25,12 @@ mod rows;
 pub use data::Data;
 
 use crate::board::eeprom::Eeprom;
-use crate::state::Images;
+use crate::operation::Images;
 use crate::store::Kept;
 use core::arch::{asm, global_asm};
 use core::mem;
 use data::{Cell, ON};
-use layout::{INPUTS, Layout, POINTS};
+use layout::{Layout, POINTS};
 use memory::Memory;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
@@ -60,8 +60,6 @@ pub struct Linked<'m> {
     /// Data of edges, filters and integrations.
     own: &'m mut [u8],
     layout: Layout<'m>,
-    /// Both images as the last scan left them.
-    images: u8,
     /// Whether a scan needs more than the images of inputs 01 to 04.
     prepares: bool,
     /// Whether no scan has been made yet.
@@ -92,7 +90,6 @@ impl<'m> Linked<'m> {
             code: &[],
             memory: rest,
             own: &mut [],
-            images: 0,
             prepares: false,
             first: true,
             clocks: Clocks::new(),
@@ -106,7 +103,7 @@ impl<'m> Linked<'m> {
     /// # Errors
     /// [`Cause::NoStoredProgram`] where that byte is missing, or the EEPROM has another program now.
     #[inline(never)]
-    pub fn link(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
+    pub fn link(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         let layout = &mut self.layout;
         let memory = mem::take(&mut self.memory);
         link::forget_labels(layout.data);
@@ -123,7 +120,7 @@ impl<'m> Linked<'m> {
         let needs = layout.stored.needs;
         self.prepares =
             needs.system | needs.filter | needs.inputs >> POINTS != 0 || layout.jumps_back;
-        self.clear();
+        self.clear(images);
         Ok(())
     }
 
@@ -157,17 +154,17 @@ impl<'m> Linked<'m> {
     /// # Errors
     /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
     #[inline(never)]
-    pub fn restart(&mut self, eeprom: &Eeprom) -> Result<(), Cause> {
+    pub fn restart(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         link::forget_labels(self.layout.data);
         link::pass(&mut self.layout, eeprom, &mut [])?;
-        self.clear();
+        self.clear(images);
         Ok(())
     }
 
-    fn clear(&mut self) {
+    fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
         self.layout.data.restart();
-        self.images = 0;
+        *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();
     }
@@ -191,7 +188,7 @@ impl<'m> Linked<'m> {
         let needs = self.needs();
         let data = &mut *self.layout.data;
         let bits = inputs.0 as u8;
-        data.more_inputs = bits & !INPUTS;
+        data.more_inputs = bits & !Images::INPUTS;
         if needs.inputs >> POINTS != 0 {
             // The bit of each comes to where a cell has it.
             data.inputs = [bits << 3 & ON, bits << 2 & ON, bits << 1 & ON, bits & ON];
@@ -225,30 +222,16 @@ impl<'m> Linked<'m> {
         data.readings[1] = now;
     }
 
-    /// Both images as the last scan left them.
-    pub fn images(&self) -> Images {
-        Images {
-            inputs: Image((self.images & INPUTS | self.layout.data.more_inputs).into()),
-            outputs: self.outputs(),
-        }
+    /// Writes the output image for the next scan. Outputs that are PWM stay 0 there (NC-18).
+    pub fn take_outputs(&self, images: &mut Images, outputs: Image) {
+        images.set_outputs(Image(outputs.0 & !u16::from(self.needs().pwm)));
     }
 
-    /// The output image.
-    pub fn outputs(&self) -> Image {
-        Image(u16::from(self.images >> POINTS))
-    }
-
-    /// Writes the output image from outside of the program. Outputs that are PWM stay 0 there (NC-18).
-    pub fn set_outputs(&mut self, outputs: Image) {
-        let outputs = outputs.0 as u8 & !self.needs().pwm;
-        self.images = self.images & INPUTS | outputs << POINTS;
-    }
-
-    /// One scan (NC-5): runs the program once on this input image with this time stamp, and gives
-    /// the output image.
+    /// One scan (NC-5): runs the program once on these images with inputs 01 to 04 as they are now and
+    /// this time stamp, and gives the output image.
     #[inline(always)]
-    pub fn scan(&mut self, inputs: Image, now: Millis) -> Image {
-        let mut images = self.images & !INPUTS | inputs.0 as u8 & INPUTS;
+    pub fn scan(&mut self, images: &mut Images, inputs: Image, now: Millis) -> Image {
+        let mut points = images.points & !Images::INPUTS | inputs.0 as u8 & Images::INPUTS;
         let (now_low, now_high) = (now as u16, (now >> 16) as u16);
         // SAFETY: the code is as the head of this file says, so handlers go from one to the next
         // until that of the end returns; they read the code and no byte behind it, and write the
@@ -271,7 +254,7 @@ impl<'m> Linked<'m> {
                 "pop r28",
                 inout("X") self.code.as_ptr() => _,
                 inout("r21r20") self.layout.timers.as_mut_ptr() => _,
-                inout("r18") images,
+                inout("r18") points,
                 out("r19") _,
                 inout("Z") &raw mut *self => _,
                 out("r23r22") _,
@@ -284,8 +267,8 @@ impl<'m> Linked<'m> {
                 out("r15r14") _,
             );
         }
-        self.images = images;
-        Image(u16::from(images >> POINTS))
+        images.points = points;
+        images.outputs()
     }
 
     /// Whether the program jumps back: a scan may do that [too often](Linked::jumps_too_often).

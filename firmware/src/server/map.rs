@@ -1,14 +1,15 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
 use super::upload::Upload;
-use super::{Command, Panel, State};
 use crate::board::flash::{Codes, flash_codes};
 use crate::board::{Board, stack};
 use crate::engine::data::ON;
 use crate::engine::memory::Memory;
-use crate::{settings, store};
+use crate::operation::{Command, Operation, State};
+use crate::settings::{self, Settings};
+use crate::store;
 use unoclp_core::isa::{ANALOGUE, COUNTER_DATA, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
-use unoclp_core::{Millis, Profile};
+use unoclp_core::{Image, Millis, Profile};
 use unoclp_modbus::{Access, Device, Exception, Table};
 
 const INPUTS: u16 = Profile::UNO.inputs as u16;
@@ -41,7 +42,10 @@ const _: () = assert!(TIMER_DATA == COUNTER_DATA);
 /// The board as the server shows it, for one step.
 pub struct Map<'a, 'm> {
     pub board: &'a Board,
-    pub panel: &'a mut Panel,
+    pub operation: &'a mut Operation,
+    pub settings: &'a mut Settings,
+    /// When the request came, ms since start.
+    pub came: Millis,
     pub memory: Memory<'a>,
     pub upload: Option<&'a mut Upload<'m>>,
 }
@@ -50,18 +54,24 @@ impl Map<'_, '_> {
     /// A word of the diagnostics, by its number from 0.
     #[inline(never)]
     fn diagnostic(&self, number: u16) -> u16 {
-        let Map { board, panel, .. } = self;
-        let line = panel.fault.and_then(|fault| fault.line).unwrap_or(0);
+        let Map {
+            board, operation, ..
+        } = self;
+        let line = operation.fault.and_then(|fault| fault.line).unwrap_or(0);
         let pair = match number {
-            0 => return panel.state as u16,
+            0 => return operation.state as u16,
             1 => return self.bits().into(),
-            2 => return panel.fault.map_or(0, |fault| fault.cause.number().into()),
+            2 => {
+                return operation
+                    .fault
+                    .map_or(0, |fault| fault.cause.number().into());
+            }
             3 => return board.start as u16 + 1,
             4 | 5 => line,
-            6 | 7 => panel.now,
-            8 => return panel.times.last(),
-            9 => return panel.times.least(),
-            10 => return panel.times.most(),
+            6 | 7 => self.came,
+            8 => return operation.times.last(),
+            9 => return operation.times.least(),
+            10 => return operation.times.most(),
             11 => return stack::free(),
             12 | 13 => store::kept(&board.eeprom),
             14 => return board.analogue.reference(),
@@ -89,7 +99,7 @@ impl Map<'_, '_> {
         };
         let bytes = bytes.get(at..).unwrap_or_default();
         let long = if input && area == Area::Timers {
-            elapsed(bytes, self.panel.now)
+            elapsed(bytes, self.came)
         } else {
             u32_of(bytes)
         };
@@ -101,19 +111,19 @@ impl Map<'_, '_> {
     }
 
     fn bits(&self) -> u8 {
-        let panel = &self.panel;
+        let operation = &self.operation;
         u8::from(self.board.pins.stop())
-            | u8::from(panel.stopped) << 1
-            | u8::from(panel.forces.any()) << 2
-            | u8::from(panel.uploading) << 3
-            | u8::from(panel.card_failed) << 4
+            | u8::from(operation.stopped) << 1
+            | u8::from(operation.forces.any()) << 2
+            | u8::from(operation.uploading) << 3
+            | u8::from(operation.card_failed) << 4
     }
 
     /// The command of this number, if it can be followed now.
     fn command(&self, number: u16) -> Result<Command, Exception> {
-        let Panel {
+        let Operation {
             state, uploading, ..
-        } = *self.panel;
+        } = *self.operation;
         let fault = state == State::Fault;
         let held = self.board.pins.stop() || fault || uploading;
         let (command, now) = match number {
@@ -215,14 +225,13 @@ impl Device for Map<'_, '_> {
     }
 
     fn bit(&self, table: Table, address: u16) -> bool {
-        let images = self.panel.images;
         let image = match table {
             Table::Coils if address >= MARKER => {
                 let marker = self.memory.data.markers.get(usize::from(address - MARKER));
                 return marker.is_some_and(|cell| cell & ON != 0);
             }
-            Table::Coils => images.outputs,
-            _ => images.inputs,
+            Table::Coils => self.operation.outputs(),
+            _ => self.operation.images.inputs(),
         };
         image.0 as u8 & bit(address) != 0
     }
@@ -239,14 +248,14 @@ impl Device for Map<'_, '_> {
         if address < COMMAND {
             return self.half(input, address);
         }
-        let panel = &self.panel;
+        let operation = &self.operation;
         match address {
-            COMMAND => panel.state as u16,
+            COMMAND => operation.state as u16,
             FORCES..SETTINGS => {
-                let forces = panel.forces.0.get(usize::from(address - FORCES));
+                let forces = operation.forces.0.get(usize::from(address - FORCES));
                 forces.copied().unwrap_or(0).into()
             }
-            _ => panel.settings.get((address - SETTINGS) as u8),
+            _ => self.settings.get((address - SETTINGS) as u8),
         }
     }
 
@@ -258,9 +267,10 @@ impl Device for Map<'_, '_> {
             }
             return;
         }
-        let outputs = &mut self.panel.images.outputs.0;
+        let images = &mut self.operation.images;
         let bit = u16::from(bit(address));
-        *outputs = if on { *outputs | bit } else { *outputs & !bit };
+        let Image(outputs) = images.outputs();
+        images.set_outputs(Image(if on { outputs | bit } else { outputs & !bit }));
     }
 
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
@@ -277,7 +287,7 @@ impl Device for Map<'_, '_> {
                 OUTPUTS
             };
             value < 1 << points
-        } else if self.panel.state == State::Run {
+        } else if self.operation.state == State::Run {
             return Err(Exception::ServerDeviceFailure);
         } else {
             settings::allows((address - SETTINGS) as u8, value)
@@ -304,22 +314,21 @@ impl Device for Map<'_, '_> {
             }
         } else if address == COMMAND {
             if let Ok(command) = self.command(value) {
-                self.panel.stopped = match command {
+                self.operation.stopped = match command {
                     Command::Run => false,
                     Command::Stop => true,
-                    _ => self.panel.stopped,
+                    _ => self.operation.stopped,
                 };
-                self.panel.command = Some(command);
+                self.operation.command = Some(command);
             }
         } else if address < SETTINGS {
-            let forces = &mut self.panel.forces.0;
+            let forces = &mut self.operation.forces.0;
             if let Some(place) = forces.get_mut(usize::from(address - FORCES)) {
                 *place = value as u8;
             }
         } else {
-            let settings = &mut self.panel.settings;
-            settings.set((address - SETTINGS) as u8, value);
-            settings.save(&self.board.eeprom);
+            self.settings.set((address - SETTINGS) as u8, value);
+            self.settings.save(&self.board.eeprom);
         }
     }
 

@@ -4,15 +4,15 @@
 //! moved, or what a program is. [`map`] says what an address stands for, [`upload`] takes a program.
 
 mod map;
-pub mod upload;
+mod upload;
 
 use crate::board::{Board, clock};
+use crate::engine::Data;
 use crate::engine::memory::Memory;
-use crate::scan::ScanTimes;
+use crate::operation::{Command, Operation};
 use crate::settings::Settings;
-use crate::state::Images;
 use map::Map;
-use unoclp_core::{Fault, Image, Millis};
+use unoclp_core::Millis;
 use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, refuse};
 use upload::Upload;
 
@@ -21,104 +21,19 @@ pub const SLICE: u8 = 4;
 /// Where no scan waits, a request is done at once.
 pub const AT_ONCE: u8 = u8::MAX;
 
-/// What the board is doing; the numbers are those of the map.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-pub enum State {
-    Run = 1,
-    Stop = 2,
-    Fault = 3,
-}
-
-/// What is to be done once a request has been answered; the numbers are those of the map.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Command {
-    Run = 1,
-    Stop = 2,
-    SingleScan = 3,
-    Restart = 4,
-    Upload = 5,
-}
-
-/// Points that are forced, and to what: inputs, values of inputs, outputs, values of outputs, as the map has
-/// them; bit 0 is point 01.
-#[derive(Clone, Copy, Default)]
-pub struct Forces(pub [u8; 4]);
-
-impl Forces {
-    /// Whether there are any.
-    #[inline(always)]
-    pub fn any(self) -> bool {
-        let [inputs, _, outputs, _] = self.0;
-        inputs | outputs != 0
-    }
-
-    /// The input image with the forced inputs as they are forced.
-    #[inline(always)]
-    pub fn inputs(self, image: Image) -> Image {
-        let [points, values, ..] = self.0;
-        Image((image.0 as u8 & !points | values & points).into())
-    }
-
-    /// Which outputs are forced, bit 0 output 01.
-    pub fn forced_outputs(self) -> u8 {
-        let [.., outputs, _] = self.0;
-        outputs
-    }
-
-    /// The same of the output image.
-    #[inline(always)]
-    pub fn outputs(self, image: Image) -> Image {
-        let [.., points, values] = self.0;
-        Image((image.0 as u8 & !points | values & points).into())
-    }
-}
-
-/// What the server sees and changes of the board's operation.
-pub struct Panel {
-    /// What the board is doing.
-    pub state: State,
-    /// STOP by command.
-    pub stopped: bool,
-    /// An upload is under way.
-    pub uploading: bool,
-    /// What was commanded and has not been done.
-    pub command: Option<Command>,
-    /// The fault that there is, or that of the last upload.
-    pub fault: Option<Fault>,
-    /// The card has failed; the state is no longer kept.
-    pub card_failed: bool,
-    /// What is forced.
-    pub forces: Forces,
-    /// As the last scan left them.
-    pub images: Images,
-    /// How long scans take.
-    pub times: ScanTimes,
-    /// The settings that are kept.
-    pub settings: Settings,
-    /// When the request came that is being done, ms since start: two words of one time belong together.
-    pub now: Millis,
-}
-
-impl Panel {
-    /// Takes this command, if it is the one that was given.
-    pub fn takes(&mut self, command: Command) -> bool {
-        let given = self.command == Some(command);
-        if given {
-            self.command = None;
-        }
-        given
-    }
-}
+/// Where the text of a block of an upload stands in the frame: behind the head of function 16, and the
+/// block's own.
+const TEXT: usize = 9;
 
 /// The server.
 pub struct Server {
     frame: &'static mut Frame,
     /// The request that is being done.
     exchange: Option<Exchange>,
-    /// What it sees and changes.
-    pub panel: Panel,
+    /// When it came, ms since start: two words of one time belong together.
+    came: Millis,
+    /// The settings that are kept.
+    settings: Settings,
 }
 
 impl Server {
@@ -129,19 +44,8 @@ impl Server {
         Server {
             frame,
             exchange: None,
-            panel: Panel {
-                state: State::Stop,
-                stopped: false,
-                uploading: false,
-                command: None,
-                fault: None,
-                card_failed: false,
-                forces: Forces::default(),
-                images: Images::default(),
-                times: ScanTimes::default(),
-                settings,
-                now: 0,
-            },
+            came: 0,
+            settings,
         }
     }
 
@@ -162,13 +66,16 @@ impl Server {
     pub fn step(
         &mut self,
         board: &Board,
+        operation: &mut Operation,
         memory: Memory<'_>,
         upload: Option<&mut Upload<'_>>,
         most: u8,
     ) {
         let mut map = Map {
             board,
-            panel: &mut self.panel,
+            operation,
+            settings: &mut self.settings,
+            came: self.came,
             memory,
             upload,
         };
@@ -184,7 +91,7 @@ impl Server {
                 let Some(length) = board.serial.received(self.frame) else {
                     return;
                 };
-                map.panel.now = clock::now();
+                self.came = clock::now();
                 match begin(self.frame, length, &mut map) {
                     Answer::Silence => 0,
                     Answer::Ready(length) => length,
@@ -196,8 +103,37 @@ impl Server {
             }
         };
         board.serial.send(length);
-        if self.panel.command == Some(Command::Restart) {
+        if operation.command == Some(Command::Restart) {
             board.restart();
+        }
+    }
+
+    /// Takes a program into program memory, if an upload was commanded, or leaves there what there is; operation
+    /// has the outcome. Run memory is overwritten either way.
+    #[inline(never)]
+    pub fn receive(
+        &mut self,
+        board: &Board,
+        operation: &mut Operation,
+        memory: &mut [u8],
+        data: &mut Data,
+    ) {
+        while operation.takes(Command::Upload) {
+            operation.uploading = true;
+            operation.fault = None;
+            let mut upload = Upload::new(memory);
+            while operation.uploading && operation.command.is_none() {
+                let idle = Memory::idle(data);
+                self.step(board, operation, idle, Some(&mut upload), AT_ONCE);
+                // Here and not in the step: the loader goes deep, and the stack has no room for both.
+                if let Some(count) = upload.comes() {
+                    let text = self.frame.get(TEXT..TEXT + usize::from(count));
+                    if !upload.load(board, operation, text.unwrap_or_default()) {
+                        self.refuse(board, Exception::ServerDeviceFailure);
+                    }
+                }
+            }
+            operation.uploading = false;
         }
     }
 }

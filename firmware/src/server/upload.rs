@@ -1,12 +1,9 @@
 //! A program that comes over Modbus, through the loader that reads the card: twice, as from there.
 
-use super::{Command, Panel, Server};
 use crate::board::Board;
 use crate::board::eeprom::Eeprom;
-use crate::engine::Data;
-use crate::engine::memory::Memory;
 use crate::instructions;
-use crate::server::AT_ONCE;
+use crate::operation::Operation;
 use crate::store;
 use core::mem;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
@@ -24,43 +21,23 @@ pub struct Upload<'m> {
     block: Option<u8>,
 }
 
-/// Where the text of a block stands in the frame: behind the head of function 16, and the block's own.
-const TEXT: usize = 9;
-
-/// Takes a program into program memory, or leaves there what there is; the panel has the outcome. Run memory is
-/// overwritten either way.
-#[inline(never)]
-pub fn receive(board: &Board, server: &mut Server, memory: &mut [u8], data: &mut Data) {
-    while server.panel.takes(Command::Upload) {
-        server.panel.uploading = true;
-        server.panel.fault = None;
-        let mut upload = Upload {
-            loader: loader(memory),
+impl<'m> Upload<'m> {
+    /// Before its first block, with this memory.
+    pub fn new(memory: &'m mut [u8]) -> Upload<'m> {
+        Upload {
+            loader: Loader::with_table(memory, Profile::UNO, instructions::read),
             last: None,
             sum: Crc16::default(),
             first: None,
             block: None,
-        };
-        while server.panel.uploading && server.panel.command.is_none() {
-            server.step(board, Memory::idle(data), Some(&mut upload), AT_ONCE);
-            // Here and not in the step: the loader goes deep, and the stack has no room for both.
-            if let Some(count) = upload.block.take() {
-                let text = server.frame.get(TEXT..TEXT + usize::from(count));
-                let panel = &mut server.panel;
-                if !upload.load(board, panel, text.unwrap_or_default()) {
-                    server.refuse(board, Exception::ServerDeviceFailure);
-                }
-            }
         }
-        server.panel.uploading = false;
     }
-}
 
-fn loader(memory: &mut [u8]) -> Loader<'_> {
-    Loader::with_table(memory, Profile::UNO, instructions::read)
-}
+    /// How many bytes of text there are to be [loaded](Upload::load), if a block has come.
+    pub fn comes(&mut self) -> Option<u8> {
+        self.block.take()
+    }
 
-impl Upload<'_> {
     /// Takes a block: its number, how many bytes of text it holds, the text. It is loaded later.
     #[inline(never)]
     pub fn take(&mut self, block: &[u8]) -> Result<(), Exception> {
@@ -85,7 +62,7 @@ impl Upload<'_> {
 
     /// Loads the text of a block; says whether all is well so far.
     #[inline(never)]
-    fn load(&mut self, board: &Board, panel: &mut Panel, text: &[u8]) -> bool {
+    pub fn load(&mut self, board: &Board, operation: &mut Operation, text: &[u8]) -> bool {
         board.pins.led(self.last.is_some_and(|last| last & 1 == 0));
         self.sum.extend(text);
         let again = self.first.is_some();
@@ -98,10 +75,10 @@ impl Upload<'_> {
             self.loader.end().is_err()
         };
         if over {
-            panel.uploading = false;
-            self.conclude(&board.eeprom, &mut panel.fault);
+            operation.uploading = false;
+            self.conclude(&board.eeprom, &mut operation.fault);
         }
-        panel.fault.is_none()
+        operation.fault.is_none()
     }
 
     /// All of the text has come twice, or it has a fault: stores the program, or says what is wrong.
