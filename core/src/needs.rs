@@ -42,7 +42,10 @@ impl Needs {
             Kind::Time => self.filter = xx,
             Kind::System => self.system |= bit(xx),
             Kind::Reading => self.system |= bit(xx.wrapping_add(4)),
-            _ => {}
+            Kind::None | Kind::Branch | Kind::Marker | Kind::TimerQ | Kind::Counter => {}
+            Kind::Register | Kind::Group | Kind::Bit | Kind::Label | Kind::Jump => {}
+            Kind::Timer | Kind::Count | Kind::Value | Kind::Move | Kind::Drum => {}
+            Kind::Scale | Kind::Filter => {}
         }
         if self.twice() != before {
             return Err(Cause::PinUsedTwice);

@@ -37,25 +37,29 @@ pub enum Delay {
 }
 
 impl Delay {
-    /// The delay of a timer's opcode.
-    pub const fn of(opcode: Opcode) -> Option<Delay> {
-        Some(match opcode {
-            Opcode::OnDelay => Delay::On,
-            Opcode::OffDelay => Delay::Off,
-            Opcode::Pulse => Delay::Pulse,
-            Opcode::RetentiveOnDelay => Delay::Retentive,
-            _ => return None,
-        })
+    /// Every delay.
+    pub const ALL: [Delay; 4] = [Delay::On, Delay::Off, Delay::Pulse, Delay::Retentive];
+
+    /// The opcode of its timer.
+    pub const fn opcode(self) -> Opcode {
+        match self {
+            Delay::On => Opcode::OnDelay,
+            Delay::Off => Opcode::OffDelay,
+            Delay::Pulse => Opcode::Pulse,
+            Delay::Retentive => Opcode::RetentiveOnDelay,
+        }
+    }
+
+    /// The delay of a timer's opcode; none for what is no timer.
+    pub fn of(opcode: Opcode) -> Option<Delay> {
+        Delay::ALL
+            .into_iter()
+            .find(|delay| delay.opcode() == opcode)
     }
 
     /// The letters of its code.
     pub const fn letters(self) -> &'static str {
-        match self {
-            Delay::On => "TON",
-            Delay::Off => "TOF",
-            Delay::Pulse => "TP",
-            Delay::Retentive => "TOR",
-        }
+        self.opcode().row().letters
     }
 }
 

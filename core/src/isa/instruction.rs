@@ -1,7 +1,8 @@
 //! An instruction of a checked program, with its operands.
 
 use super::{
-    Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND, holds_point,
+    Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND,
+    holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
 use core::fmt;
@@ -141,7 +142,15 @@ impl<'c> Instruction<'c> {
                 label: number,
                 line: u16::from_le_bytes(take(&mut rest)?),
             },
-            _ => Operand::Number(number),
+            Kind::Input | Kind::Output | Kind::Branch | Kind::Marker | Kind::System => {
+                Operand::Number(number)
+            }
+            Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm => {
+                Operand::Number(number)
+            }
+            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => {
+                Operand::Number(number)
+            }
         };
         let size = bytes.len() - rest.len();
         Some((Instruction { opcode, operand }, size))
@@ -294,20 +303,18 @@ impl fmt::Display for Instruction<'_> {
 }
 
 impl Opcode {
-    /// Whether the instruction opens a branch or block.
-    pub const fn opens(self) -> bool {
-        matches!(self, Opcode::OpenBranch | Opcode::OpenAnd | Opcode::OpenXor)
+    /// The part that the instruction plays in a rung.
+    pub const fn class(self) -> Class {
+        self.row().class
     }
 
-    /// Bytes of data of its own in run memory, apart from those of timers and counters.
-    pub const fn own_data(self) -> usize {
-        match self {
-            Opcode::RisingEdge | Opcode::FallingEdge => 1,
-            // Whether it has begun, a time stamp, the smoothed value times 256.
-            Opcode::Filter => 9,
-            // Whether it goes on, a time stamp, thousandths that are left.
-            Opcode::Integrate => 7,
-            _ => 0,
-        }
+    /// Whether the instruction opens a branch or block.
+    pub const fn opens(self) -> bool {
+        self.class().opens()
+    }
+
+    /// Whether the code is negative: where another has the same digits, this one is its opposite.
+    pub const fn is_inverted(self) -> bool {
+        self.row().code < 0
     }
 }

@@ -1,9 +1,15 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
-use super::{Kind, Line, TABLE, first_of, holds_point, xx};
+use super::{BEHIND_POINTS, FIRST_POINT, Kind, Line, TABLE, first_of, holds_point, xx};
 
 /// Bytes of a packed row: the code, low byte first; the kind; the stored byte; the run bytes.
-const ROW: usize = 7;
+pub const ROW: usize = 7;
+/// Where the kind stands among the bytes of a packed row.
+pub const KIND_IN_ROW: usize = 4;
+/// The place of the row whose bytes hold the first points, and of the first row behind those that hold points.
+pub const ROW_OF_FIRST_POINT: usize = row_of(FIRST_POINT);
+/// See [`ROW_OF_FIRST_POINT`].
+pub const ROW_BEHIND_POINTS: usize = row_of(BEHIND_POINTS);
 /// Bytes of a packed kind: the first and the last XX; the bytes of its lines; the first of them.
 const KIND: usize = 4;
 /// Where the kinds begin, behind the rows.
@@ -29,7 +35,11 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
     while index < Kind::ALL.len() {
         let kind = Kind::ALL[index];
         assert!(kind as usize == index);
-        let (first, last) = kind.numbers();
+        let (first, last) = match kind.numbers() {
+            Some(numbers) => numbers,
+            // A code without a number has 0 for it.
+            None => (0, 99),
+        };
         let line = match kind.first_line(0) {
             Some(line) => line as u8,
             None => NO_LINE,
@@ -81,10 +91,12 @@ pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
     } else {
         2
     };
-    let more = match entry.kind {
-        Kind::Value if *stored.get(1)? != 0 => 0,
-        Kind::Drum => 1 + *stored.get(2)?,
-        _ => entry.line_bytes,
+    let more = if entry.kind == Kind::Value && *stored.get(1)? != 0 {
+        0
+    } else if entry.kind == Kind::Drum {
+        1 + *stored.get(2)?
+    } else {
+        entry.line_bytes
     };
     Some(head + usize::from(more))
 }
@@ -164,30 +176,3 @@ const _: () = {
         row += 1;
     }
 };
-
-/// Gives an enum its variants by discriminant, without a table: a chain of comparisons with rising
-/// numbers, which a compiler takes for what it is.
-macro_rules! by_number {
-    ($name:ident: $($variant:ident)*) => {
-        impl $name {
-            /// Every variant, in the order of the discriminants.
-            pub const ALL: &'static [$name] = &[$($name::$variant,)*];
-
-            /// The variant with this discriminant.
-            const fn of(byte: u8) -> Option<$name> {
-                $(if byte == $name::$variant as u8 {
-                    return Some($name::$variant);
-                })*
-                None
-            }
-        }
-    };
-}
-by_number! { Kind:
-    None Input Output Branch Marker System TimerQ Counter Register Analogue Pwm Reading Group Bit Time Label
-    Jump Timer Count Value Move Drum Scale Filter
-}
-by_number! { Line:
-    TimerPreset Target CounterPreset Constant MoveTo MoveCount Steps Step FromLow FromHigh ToLow ToHigh
-    FilterTime
-}

@@ -221,9 +221,10 @@ impl<'m> Loader<'m> {
         } else {
             0
         };
-        let line = match entry.kind {
-            Kind::Jump => u16::from_le_bytes([next()?, next()?]),
-            _ => 0,
+        let line = if entry.kind == Kind::Jump {
+            u16::from_le_bytes([next()?, next()?])
+        } else {
+            0
         };
         self.checked(entry, xx, expected, line)?;
         while let Expect::Line(line) = self.expect {
@@ -252,19 +253,15 @@ impl<'m> Loader<'m> {
             self.block = self.line;
             self.expect = Expect::Line(line);
         }
-        let last = match kind {
-            Kind::Input => self.profile.inputs,
-            Kind::Output => self.profile.outputs,
-            _ => entry.last,
-        };
+        let mut last = entry.last;
+        if kind == Kind::Input {
+            last = self.profile.inputs;
+        }
+        if kind == Kind::Output {
+            last = self.profile.outputs;
+        }
         if xx < entry.first || xx > last {
-            return Err(match kind {
-                Kind::Input => Cause::NoSuchInput,
-                Kind::Output => Cause::NoSuchOutput,
-                Kind::Branch => Cause::NoSuchBranchPoint,
-                Kind::TimerQ => Cause::NoSuchTimer,
-                _ => Cause::NoSuchPoint,
-            });
+            return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
         match kind {
@@ -293,7 +290,10 @@ impl<'m> Loader<'m> {
             }
             Kind::Jump if self.rung.is_open() => return Err(Cause::JumpInBranch),
             Kind::Jump => self.labels.jump(),
-            _ => {}
+            Kind::Input | Kind::Output | Kind::Marker | Kind::System | Kind::TimerQ => {}
+            Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm | Kind::Reading => {}
+            Kind::Group | Kind::Bit | Kind::Time | Kind::Timer | Kind::Count | Kind::Value => {}
+            Kind::Move | Kind::Drum | Kind::Scale | Kind::Filter => {}
         }
         let entry = Entry { stored, ..entry };
         self.room.instruction(&entry, xx, line)
@@ -329,5 +329,20 @@ impl<'m> Loader<'m> {
             return Err(Cause::NoSuchTimer);
         }
         self.labels.check_jumps(self.table, self.room.stored())
+    }
+}
+
+/// What is told of a number that this kind does not have.
+fn no_such(kind: Kind) -> Cause {
+    if kind == Kind::Input {
+        Cause::NoSuchInput
+    } else if kind == Kind::Output {
+        Cause::NoSuchOutput
+    } else if kind == Kind::Branch {
+        Cause::NoSuchBranchPoint
+    } else if kind == Kind::TimerQ {
+        Cause::NoSuchTimer
+    } else {
+        Cause::NoSuchPoint
     }
 }

@@ -57,7 +57,11 @@ impl<'m> Room<'m> {
             Kind::Timer => self.timers = self.timers.saturating_add(1),
             Kind::Value if xx == 0 => run += usize::from(Line::Constant.more_run_bytes(0)),
             Kind::Input if holds_point && xx > isa::FAST_INPUTS => run += 2,
-            _ => {}
+            Kind::None | Kind::Input | Kind::Output | Kind::Branch | Kind::Marker => {}
+            Kind::System | Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue => {}
+            Kind::Pwm | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => {}
+            Kind::Jump | Kind::Count | Kind::Value | Kind::Move | Kind::Drum | Kind::Scale => {}
+            Kind::Filter => {}
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
             for _ in self.counters..xx {

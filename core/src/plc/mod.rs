@@ -3,7 +3,9 @@
 mod adopt;
 mod clocks;
 mod counter;
+mod effect;
 mod inputs;
+mod points;
 mod scan;
 mod smooth;
 mod value;
@@ -138,12 +140,7 @@ impl<'m> Plc<'m> {
 
     /// Sets a marker from outside, between two scans.
     pub fn set_marker(&mut self, number: u8, state: bool) {
-        let bit = 1 << (number.wrapping_sub(1) & 63);
-        if state {
-            self.state.markers |= bit;
-        } else {
-            self.state.markers &= !bit;
-        }
+        points::set_bit(&mut self.state.markers, number, state);
     }
 
     /// The retentive markers, bit 0 M 57: what a board keeps over a power cut (NC-12).

@@ -1,37 +1,19 @@
 //! Arithmetic on the 32-bit value (NC-16): it wraps, and division by zero gives 0.
 
-use crate::isa::Opcode;
-
-/// The result of an operation, and whether it was an arithmetic error: S 04 tells.
-pub(super) fn operate(opcode: Opcode, value: i32, operand: i32) -> (i32, bool) {
-    let result = match opcode {
-        Opcode::Load => operand,
-        Opcode::Add => value.wrapping_add(operand),
-        Opcode::Subtract => value.wrapping_sub(operand),
-        Opcode::Multiply => value.wrapping_mul(operand),
-        Opcode::Divide if operand == 0 => return (0, true),
-        Opcode::Divide => value.wrapping_div(operand),
-        Opcode::Modulo if operand == 0 => return (0, true),
-        Opcode::Modulo => value.wrapping_rem(operand),
-        Opcode::AndWord => value & operand,
-        Opcode::OrWord => value | operand,
-        Opcode::XorWord => value ^ operand,
-        _ => value,
-    };
-    (result, false)
+/// The quotient without the fraction, and whether it was an arithmetic error: S 04 tells.
+pub(super) fn divide(value: i32, operand: i32) -> (i32, bool) {
+    match operand {
+        0 => (0, true),
+        _ => (value.wrapping_div(operand), false),
+    }
 }
 
-/// The result of a comparison.
-pub(super) fn compare(opcode: Opcode, value: i32, operand: i32) -> Option<bool> {
-    Some(match opcode {
-        Opcode::Greater => value > operand,
-        Opcode::GreaterOrEqual => value >= operand,
-        Opcode::Equal => value == operand,
-        Opcode::NotEqual => value != operand,
-        Opcode::LessOrEqual => value <= operand,
-        Opcode::Less => value < operand,
-        _ => return None,
-    })
+/// The rest of a division, and whether it was an arithmetic error.
+pub(super) fn modulo(value: i32, operand: i32) -> (i32, bool) {
+    match operand {
+        0 => (0, true),
+        _ => (value.wrapping_rem(operand), false),
+    }
 }
 
 /// The whole square root; of a negative value 0 and an error.

@@ -1,0 +1,215 @@
+//! What follows the letters of a code: its number XX, and the lines below it.
+
+use super::{
+    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, REGISTERS, SYSTEM_MARKERS,
+    TIMERS,
+};
+
+/// Declares an enum that tells its variants, and finds one by its discriminant without a table: a chain of
+/// comparisons with rising numbers, which a compiler takes for what it is.
+macro_rules! numbered {
+    ($(#[$about:meta])* pub enum $name:ident { $($(#[$doc:meta])* $variant:ident,)* }) => {
+        $(#[$about])*
+        pub enum $name {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl $name {
+            /// Every variant, in the order of the discriminants.
+            pub const ALL: &'static [$name] = &[$($name::$variant,)*];
+
+            /// The variant with this discriminant.
+            pub(super) const fn of(byte: u8) -> Option<$name> {
+                $(if byte == $name::$variant as u8 {
+                    return Some($name::$variant);
+                })*
+                None
+            }
+        }
+    };
+}
+
+numbered! {
+    /// What stands in the last two digits of a code, and on the lines that follow it.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[repr(u8)]
+    pub enum Kind {
+        /// Nothing: the code is complete.
+        None,
+        /// Input XX of the board.
+        Input,
+        /// Output XX of the board.
+        Output,
+        /// Branch point XX of the rung, 01–08.
+        Branch,
+        /// Marker XX, 01–64.
+        Marker,
+        /// System marker XX, 01–04.
+        System,
+        /// Timer XX of the program, counted in file order.
+        TimerQ,
+        /// Counter XX, 01–16.
+        Counter,
+        /// Register XX, 01–32.
+        Register,
+        /// Analogue input A XX, 00–04.
+        Analogue,
+        /// The output with this number as PWM, 01 or 04.
+        Pwm,
+        /// System reading XX, 01 or 02.
+        Reading,
+        /// Eight markers: group XX, 01–08.
+        Group,
+        /// Bit XX of the value, or so many bits, 00–31.
+        Bit,
+        /// So many ms, 00–99.
+        Time,
+        /// Label XX, 01–32.
+        Label,
+        /// A jump to label XX.
+        Jump,
+        /// A timer block. Lines: preset, target.
+        Timer,
+        /// Counter XX. Line: preset.
+        Count,
+        /// Register XX, 01–32; with XX = 00 a constant. Line then: the constant.
+        Value,
+        /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
+        Move,
+        /// Register XX tells the step. Lines: how many steps, then each.
+        Drum,
+        /// Lines: four bounds.
+        Scale,
+        /// Strength XX, 01–08. Line: time.
+        Filter,
+    }
+}
+
+numbered! {
+    /// A line that follows a code.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[repr(u8)]
+    pub enum Line {
+        /// A timer's preset in ms, 0 to 2147483647.
+        TimerPreset,
+        /// What a timer drives: `79XX`, an output, or `77XX`, a marker.
+        Target,
+        /// A counter's preset, 0 to 2147483647.
+        CounterPreset,
+        /// Any number.
+        Constant,
+        /// `68XX`, a register.
+        MoveTo,
+        /// How many registers.
+        MoveCount,
+        /// How many steps, 1–32.
+        Steps,
+        /// The outputs of a step: a 0 or 1 for each of 01 02 03 04.
+        Step,
+        /// −32768 to 32767: the lower and upper bound of what comes, and what they become.
+        FromLow,
+        /// See [`Line::FromLow`].
+        FromHigh,
+        /// See [`Line::FromLow`].
+        ToLow,
+        /// See [`Line::FromLow`].
+        ToHigh,
+        /// A filter's time in ms, 0–30000.
+        FilterTime,
+    }
+}
+
+impl Line {
+    /// How many bytes store it.
+    pub const fn bytes(self) -> u8 {
+        match self {
+            Line::TimerPreset | Line::CounterPreset | Line::Constant => 4,
+            Line::Target | Line::MoveTo | Line::MoveCount | Line::Steps | Line::Step => 1,
+            Line::FromLow | Line::FromHigh | Line::ToLow | Line::ToHigh | Line::FilterTime => 2,
+        }
+    }
+
+    /// Bytes of run memory that the line, stored as this, adds to those of its instruction's row.
+    pub const fn more_run_bytes(self, stored: u8) -> u8 {
+        match self {
+            Line::Constant => 3,
+            Line::Step => 1,
+            Line::Target if stored >= MARKER_TARGET => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Kind {
+    /// Whether the code's last two digits are a number, XX.
+    // Apart from `numbers`, of which a compiler makes more code where it has to know only this.
+    pub const fn has_number(self) -> bool {
+        !matches!(self, Kind::None | Kind::Timer | Kind::Scale)
+    }
+
+    /// The numbers that XX may be, first and last; the board has fewer inputs and outputs, and the
+    /// program fewer timers. None where the code has no XX.
+    pub const fn numbers(self) -> Option<(u8, u8)> {
+        Some(match self {
+            Kind::None | Kind::Timer | Kind::Scale => return None,
+            Kind::Input | Kind::Output => (1, 16),
+            Kind::Branch => (1, BRANCH_POINTS),
+            Kind::TimerQ => (1, TIMERS),
+            Kind::Marker => (1, MARKERS),
+            Kind::System | Kind::Pwm => (1, SYSTEM_MARKERS),
+            Kind::Counter | Kind::Count => (1, COUNTERS),
+            Kind::Register | Kind::Move | Kind::Drum => (1, REGISTERS),
+            Kind::Value => (0, REGISTERS),
+            Kind::Analogue => (0, ANALOGUE - 1),
+            Kind::Reading => (1, 2),
+            Kind::Group | Kind::Filter => (1, 8),
+            Kind::Bit => (0, 31),
+            Kind::Label | Kind::Jump => (1, LABELS),
+            Kind::Time => (0, 99),
+        })
+    }
+
+    /// The first line that follows a code with this XX.
+    pub const fn first_line(self, xx: u8) -> Option<Line> {
+        self.behind(xx).0
+    }
+
+    /// How many bytes store what follows a code with this XX; the steps of a drum not among them.
+    pub(crate) const fn line_bytes(self, xx: u8) -> u8 {
+        self.behind(xx).1
+    }
+
+    /// The first line behind a code with this XX, and the bytes that store all lines.
+    const fn behind(self, xx: u8) -> (Option<Line>, u8) {
+        match self {
+            Kind::Timer => (Some(Line::TimerPreset), 5),
+            Kind::Count => (Some(Line::CounterPreset), 4),
+            Kind::Value if xx == 0 => (Some(Line::Constant), 4),
+            Kind::Move => (Some(Line::MoveTo), 2),
+            Kind::Drum => (Some(Line::Steps), 1),
+            Kind::Scale => (Some(Line::FromLow), 8),
+            Kind::Filter => (Some(Line::FilterTime), 2),
+            // The line of the file that it stands on: no line of its own says it.
+            Kind::Jump => (None, 2),
+            Kind::None
+            | Kind::Input
+            | Kind::Output
+            | Kind::Branch
+            | Kind::Marker
+            | Kind::System => (None, 0),
+            Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm => (None, 0),
+            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label | Kind::Value => {
+                (None, 0)
+            }
+        }
+    }
+}
+
+const _: () = {
+    let mut index = 0;
+    while index < Kind::ALL.len() {
+        let kind = Kind::ALL[index];
+        assert!(kind.has_number() == kind.numbers().is_some());
+        index += 1;
+    }
+};

@@ -1,0 +1,64 @@
+//! The points of a program by their numbers, as a scan reads and writes them.
+
+use super::scan::Pass;
+use super::{Millis, Plc};
+use crate::Image;
+
+impl Plc<'_> {
+    pub(super) fn input(&self, number: u8) -> bool {
+        self.state.inputs.image().0 & wide(number) != 0
+    }
+
+    pub(super) fn output(&self, number: u8) -> bool {
+        self.state.outputs.0 & wide(number) != 0
+    }
+
+    pub(super) fn set_output(&mut self, number: u8, state: bool) {
+        self.state.outputs.0 &= !wide(number);
+        self.state.outputs.0 |= if state { wide(number) } else { 0 };
+    }
+
+    /// All outputs at once, but for those that are PWM.
+    pub(super) fn set_outputs(&mut self, outputs: u8) {
+        self.state.outputs = Image(u16::from(outputs & 0x0F & !self.needs.pwm));
+    }
+
+    pub(super) fn marker(&self, number: u8) -> bool {
+        self.state.markers >> (number.wrapping_sub(1) & 63) & 1 != 0
+    }
+
+    pub(super) fn system(&self, pass: &Pass<'_>, number: u8) -> bool {
+        match number {
+            1 => self.state.first,
+            2 => self.state.clocks.slow(),
+            3 => self.state.clocks.fast(),
+            _ => pass.error,
+        }
+    }
+
+    pub(super) fn register(&self, number: u8) -> i32 {
+        let index = usize::from(number).wrapping_sub(1);
+        self.state.registers.get(index).copied().unwrap_or_default()
+    }
+
+    pub(super) fn elapsed(&mut self, number: u8, now: Millis) -> Millis {
+        let index = usize::from(number).wrapping_sub(1);
+        let timer = self.timers(now).nth(index);
+        timer.map_or(0, |timer| timer.elapsed)
+    }
+}
+
+/// The bit of an input or output.
+fn wide(number: u8) -> u16 {
+    1 << (number.wrapping_sub(1) & 15)
+}
+
+/// Sets the bit of a marker.
+pub(super) fn set_bit(markers: &mut u64, number: u8, state: bool) {
+    let bit = 1 << (number.wrapping_sub(1) & 63);
+    if state {
+        *markers |= bit;
+    } else {
+        *markers &= !bit;
+    }
+}
