@@ -1,7 +1,8 @@
 //! The points of a program by their numbers, as a scan reads and writes them.
 
 use super::scan::Pass;
-use super::{Millis, Plc};
+use super::Plc;
+use crate::Millis;
 use crate::Image;
 
 impl Plc<'_> {

@@ -28,21 +28,20 @@
         ijmp
 .endm
 
-; Of `Data` in `data.rs`, which stands behind the frame in the page.
-        .equ    ENGINE, PAGE + 256
-        .equ    ENGINE_ERROR, ENGINE + 3
-        .equ    ENGINE_MORE_INPUTS, ENGINE + 8
-        .equ    ENGINE_BUDGET, ENGINE + 9
-        .equ    ENGINE_LINE, ENGINE + 11
+; `Data`, which stands behind the frame in the page.
+        .equ    ENGINE, PAGE + PAGE_DATA
+        .equ    ENGINE_ERROR, ENGINE + DATA_SYSTEM + 3
+        .equ    ENGINE_MORE_INPUTS, ENGINE + DATA_MORE_INPUTS
+        .equ    ENGINE_BUDGET, ENGINE + DATA_BUDGET
+        .equ    ENGINE_LINE, ENGINE + DATA_LINE
         .global READINGS, MARKERS, REGISTERS
-        .equ    READINGS, ENGINE + 17
-        .equ    MARKERS, ENGINE + 35
-        .equ    REGISTERS, ENGINE + 99
+        .equ    READINGS, ENGINE + DATA_ANALOGUE
+        .equ    MARKERS, ENGINE + DATA_MARKERS
+        .equ    REGISTERS, ENGINE + DATA_REGISTERS
 
         .section .progmem.gcc.engine, "ax", @progbits
 
 ; Contacts, by bit of the images. 6 cycles, both ways.
-        .global engine_contact, engine_contact_not
 engine_contact:
 .irp    bit, 0, 1, 2, 3, 4, 5, 6, 7
         sbrs    r18, \bit
@@ -67,7 +66,7 @@ engine_contacts:
         next
 
 ; Coils, by output. 5 cycles; with a new rung behind it 6.
-        .global engine_coil, engine_coil_new_rung
+        .global engine_coil_new_rung
 engine_coil:
 .irp    bit, 4, 5, 6, 7
         bld     r18, \bit
@@ -81,7 +80,6 @@ engine_coil_new_rung:
 .endr
 
 ; Set and reset coils, by output. 6 cycles.
-        .global engine_set_coil, engine_reset_coil
 engine_set_coil:
 .irp    bit, 4, 5, 6, 7
         brtc    1f
@@ -96,7 +94,6 @@ engine_reset_coil:
 .endr
 
 ; Branch points, by number. 5 cycles.
-        .global engine_store_branch, engine_recall_branch
 engine_store_branch:
 .irp    bit, 0, 1, 2, 3, 4, 5, 6, 7
         bld     r20, \bit
@@ -109,7 +106,6 @@ engine_recall_branch:
 .endr
 
 ; 7 cycles.
-        .global engine_open_branch, engine_close_branch
 engine_open_branch:
         lsl     r19
         bld     r19, 0
@@ -122,20 +118,17 @@ engine_close_branch:
         next
 
 ; 5 cycles.
-        .global engine_new_rung
 engine_new_rung:
         set
         next
 
 ; Timers. A coil follows.
-        .global engine_on_delay, engine_off_delay
 engine_on_delay:
         rjmp    on_delay
 engine_off_delay:
         rjmp    off_delay
 
 ; Contacts and coils by address: 15 cycles.
-        .global engine_cell, engine_cell_not, engine_cell_coil
 engine_cell:
         rjmp    cell
 engine_cell_not:
@@ -151,7 +144,6 @@ engine_escape:
         ijmp
 
 ; The end of the code, and of the scan.
-        .global engine_end
 engine_end:
         ret
 engine_page_end:

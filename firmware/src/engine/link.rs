@@ -5,9 +5,7 @@ use super::layout::{Layout, POINTS};
 use crate::board::eeprom::Eeprom;
 use crate::store::Reader;
 use core::ffi::c_void;
-use core::mem::offset_of;
 use unoclp_core::Cause;
-use unoclp_core::isa::{Kind, Opcode};
 
 /// How much a program takes of run memory, bytes.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -18,37 +16,37 @@ pub struct Size {
 
 /// One passage, as `link.s` knows it: addresses, but for what says otherwise.
 #[repr(C)]
-struct Job {
+pub(super) struct Job {
     /// A [`Reader`].
-    reader: *mut c_void,
+    pub(super) reader: *mut c_void,
     /// Where the next linked byte is put, and from where on they are only counted.
-    put: u16,
-    limit: u16,
+    pub(super) put: u16,
+    pub(super) limit: u16,
     /// The lowest own data so far.
-    own: u16,
+    pub(super) own: u16,
     /// The data of the next timer, of the first, and behind the last.
-    timer: u16,
-    timers: u16,
-    timers_end: u16,
+    pub(super) timer: u16,
+    pub(super) timers: u16,
+    pub(super) timers_end: u16,
     /// The data of the first counter, and behind the last.
-    counters: u16,
-    counters_end: u16,
+    pub(super) counters: u16,
+    pub(super) counters_end: u16,
     /// How many stored bytes have been read.
-    position: u16,
+    pub(super) position: u16,
     /// How each open branch is closed, two bits each, the innermost in the lowest: by OR, AND, XOR.
-    closing: u16,
+    pub(super) closing: u16,
     /// The outputs that are not PWM, as they stand in the images.
-    outputs: u8,
-    jumps_back: bool,
+    pub(super) outputs: u8,
+    pub(super) jumps_back: bool,
     /// What has been read and not been put yet.
-    pending: u8,
-    ones: u8,
-    zeros: u8,
-    count: u8,
+    pub(super) pending: u8,
+    pub(super) ones: u8,
+    pub(super) zeros: u8,
+    pub(super) count: u8,
 }
 
 /// [`Job::pending`] where a rung has begun.
-const RUNG: u8 = 1;
+pub(super) const RUNG: u8 = 1;
 /// Of a label that is not known yet, so it stands further on.
 const AHEAD: u8 = 0xFF;
 
@@ -123,31 +121,3 @@ pub fn has_labels(data: &Data) -> bool {
         .iter()
         .any(|&byte| byte != AHEAD)
 }
-
-// `link.s` has these by number.
-const _: () = {
-    assert!(offset_of!(Job, position) == 18);
-    assert!(offset_of!(Job, outputs) == 22);
-    assert!(offset_of!(Job, count) == 27);
-    assert!(offset_of!(Data, registers) - offset_of!(Data, markers) == 64);
-    assert!(offset_of!(Data, registers) - offset_of!(Data, readings) == 72);
-    assert!(offset_of!(Data, registers) - offset_of!(Data, analogue) == 82);
-    assert!(offset_of!(Data, registers) - offset_of!(Data, pwm) == 86);
-    assert!(offset_of!(Data, inputs) == offset_of!(Data, system) + 4);
-    assert!(Opcode::NewRung as u8 == 0x01 && Opcode::CloseBranch as u8 == 0x03);
-    assert!(Opcode::OpenBranch as u8 == 0x02);
-    assert!(Opcode::OpenAnd as u8 == 0x09 && Opcode::OpenXor as u8 == 0x0A);
-    assert!(Opcode::RisingEdge as u8 == 0x07 && Opcode::FallingEdge as u8 == 0x08);
-    assert!(Opcode::StoreOutputs as u8 == 0xC8 && Opcode::Integrate as u8 == 0xE1);
-    assert!(Opcode::PresetTimer as u8 == 0xCA && Opcode::PresetCounter as u8 == 0xC9);
-    assert!(Opcode::XorInput as u8 == 0xAC && Opcode::XorInputNot as u8 == 0xAD);
-    assert!(Opcode::Jump as u8 == 0xE4 && Opcode::JumpNot as u8 == 0xE5);
-    assert!(Kind::None as u8 == 0 && Kind::Input as u8 == 1 && Kind::Output as u8 == 2);
-    assert!(Kind::Marker as u8 == 4 && Kind::System as u8 == 5 && Kind::TimerQ as u8 == 6);
-    assert!(Kind::Counter as u8 == 7 && Kind::Analogue as u8 == 9 && Kind::Pwm as u8 == 10);
-    assert!(Kind::Reading as u8 == 11 && Kind::Group as u8 == 12 && Kind::Bit as u8 == 13);
-    assert!(Kind::Time as u8 == 14 && Kind::Label as u8 == 15 && Kind::Jump as u8 == 16);
-    assert!(Kind::Timer as u8 == 17 && Kind::Count as u8 == 18 && Kind::Value as u8 == 19);
-    assert!(Kind::Move as u8 == 20 && Kind::Drum as u8 == 21 && Kind::Scale as u8 == 22);
-    assert!(Kind::Filter as u8 == 23);
-};

@@ -11,51 +11,9 @@
 ; What calls `next` keeps nothing in r18-r27 and Z. Bytes that are missing are 0: the check sum
 ; tells, at the end.
 
-        .equ    JOB_READER, 0
-        .equ    JOB_PUT, 2
-        .equ    JOB_LIMIT, 4
-        .equ    JOB_OWN, 6
-        .equ    JOB_TIMER, 8
-        .equ    JOB_TIMERS, 10
-        .equ    JOB_TIMERS_END, 12
-        .equ    JOB_COUNTERS, 14
-        .equ    JOB_COUNTERS_END, 16
-        .equ    JOB_POSITION, 18
-        .equ    JOB_CLOSING, 20
-        .equ    JOB_OUTPUTS, 22
-        .equ    JOB_JUMPS_BACK, 23
-        .equ    JOB_PENDING, 24
-        .equ    JOB_ONES, 25
-        .equ    JOB_ZEROS, 26
-        .equ    JOB_COUNT, 27
-
-; `Kind` of the core.
-        .equ    KIND_INPUT, 1
-        .equ    KIND_OUTPUT, 2
-        .equ    KIND_MARKER, 4
-        .equ    KIND_SYSTEM, 5
-        .equ    KIND_TIMER_Q, 6
-        .equ    KIND_COUNTER, 7
-        .equ    KIND_ANALOGUE, 9
-        .equ    KIND_PWM, 10
-        .equ    KIND_READING, 11
-        .equ    KIND_GROUP, 12
-        .equ    KIND_BIT, 13
-        .equ    KIND_TIME, 14
-        .equ    KIND_LABEL, 15
-        .equ    KIND_JUMP, 16
-        .equ    KIND_TIMER, 17
-        .equ    KIND_COUNT, 18
-        .equ    KIND_VALUE, 19
-        .equ    KIND_MOVE, 20
-        .equ    KIND_DRUM, 21
-        .equ    KIND_SCALE, 22
-        .equ    KIND_FILTER, 23
-
 ; What has been read and not been put yet, because it depends on what follows: a rung has begun, and acc
 ; is 1; a coil, whose output is in JOB_ONES; contacts in a row, so many, of images that must be 1 and 0.
         .equ    NOTHING, 0
-        .equ    RUNG, 1
         .equ    COIL, 2
         .equ    CONTACTS, 3
 
@@ -199,17 +157,17 @@ link_bit:
 ; The instruction that begins with r16.
 link_one:
         mov     r24, r16        ; the place of its row
-        cpi     r24, 0xA0
+        cpi     r24, BEHIND_POINTS
         brcc    2f
-        cpi     r24, 0x10
+        cpi     r24, FIRST_POINT
         brcc    1f
         dec     r24
         rjmp    3f
 1:      swap    r24
         andi    r24, 0x0F
-        subi    r24, -14
+        subi    r24, 1 - ROW_OF_FIRST_POINT
         rjmp    3f
-2:      subi    r24, 0xA0 - 24
+2:      subi    r24, BEHIND_POINTS - ROW_BEHIND_POINTS
 3:      clr     r25
         movw    r30, r24
         lsl     r30
@@ -218,24 +176,24 @@ link_one:
         sbci    r31, hi8(-(ENGINE_HANDLERS))
         lpm     r14, Z+
         lpm     r15, Z
-        ldi     r18, 7          ; bytes of a row
+        ldi     r18, ROW_BYTES
         mul_    24, 18
         movw    r30, r0
         clr     r1
-        subi    r30, lo8(-(ENGINE_ROWS + 4))
-        sbci    r31, hi8(-(ENGINE_ROWS + 4))
+        subi    r30, lo8(-(ENGINE_ROWS + KIND_IN_ROW))
+        sbci    r31, hi8(-(ENGINE_ROWS + KIND_IN_ROW))
         lpm     r12, Z
         mov     r17, r16
         andi    r17, 0x0F
         mov     r24, r16
         andi    r24, 0xF0
         breq    2f
-        cpi     r24, 0x50
+        cpi     r24, OP_Coil
         brcs    link_contact
         breq    link_coil
-        cpi     r24, 0x80
+        cpi     r24, OP_StoreBranch
         brcs    3f
-        cpi     r24, 0xA0
+        cpi     r24, BEHIND_POINTS
         brcc    2f
         andi    r17, 7          ; branch points, 3 words each
         add     r14, r17
@@ -277,7 +235,7 @@ link_contact:
         rjmp    3f
 1:      sbrc    r16, 6
         rjmp    3f
-2:      cpi     r17, 4
+2:      cpi     r17, POINTS
         brcs    4f
         inc     r17             ; inputs from 05 on
         ldi     r24, pm_lo8(engine_cell)
@@ -285,7 +243,7 @@ link_contact:
         ldi     r24, pm_lo8(engine_cell_not)
         rcall   link_fast
         rjmp    link_object
-3:      ori     r17, 4
+3:      ori     r17, POINTS
 4:      ldd     r24, Y+JOB_PENDING
         cpi     r24, CONTACTS
         breq    5f
@@ -314,29 +272,29 @@ link_contact:
 
 ; An instruction without an operand.
 link_plain:
-        cpi     r16, 0x01
+        cpi     r16, OP_NewRung
         breq    link_new_rung
         ldd     r24, Y+JOB_CLOSING
         ldd     r25, Y+JOB_CLOSING+1
-        cpi     r16, 0x03
+        cpi     r16, OP_CloseBranch
         breq    2f
         ldi     r18, 0
-        cpi     r16, 0x02
+        cpi     r16, OP_OpenBranch
         breq    1f
         ldi     r18, 1
-        cpi     r16, 0x09
+        cpi     r16, OP_OpenAnd
         breq    1f
         ldi     r18, 2
-        cpi     r16, 0x0A
+        cpi     r16, OP_OpenXor
         breq    1f
         rcall   link_handler
-        ldi     r17, 1
-        cpi     r16, 0x07
+        ldi     r17, OWN_RisingEdge
+        cpi     r16, OP_RisingEdge
         breq    link_own
-        cpi     r16, 0x08
+        cpi     r16, OP_FallingEdge
         breq    link_own
         ldd     r24, Y+JOB_OUTPUTS
-        cpi     r16, 0xC8
+        cpi     r16, OP_StoreOutputs
         breq    link_put_far
         ret
 1:      lsl     r24             ; how what is opened is closed
@@ -396,9 +354,9 @@ link_own:
 ; A timer: its data, then its coil.
 link_timer:
         rcall   link_handler
-        ldi     r17, 9
+        ldi     r17, TIMER_DATA
 1:      clr     r24
-        cpi     r17, 5
+        cpi     r17, TIMER_DATA - 4
         brcc    2f
         rcall   link_next
 2:      ldd     r30, Y+JOB_TIMER
@@ -415,10 +373,10 @@ link_timer:
         brne    1b
         rcall   link_next
         mov     r17, r24
-        cpi     r17, 0x40       ; markers from here on
+        cpi     r17, MARKER_TARGET ; markers from here on
         brcc    4f
         rjmp    link_coil
-4:      subi    r17, 0x40 - 1
+4:      subi    r17, MARKER_TARGET - 1
         ldi     r24, pm_lo8(engine_cell_coil)
         rcall   link_fast
         ldi     r24, KIND_MARKER
@@ -441,10 +399,10 @@ link_numbered:
         rjmp    link_jump
 1:      cpi     r25, KIND_INPUT
         brne    1f
-        cpi     r17, 5
+        cpi     r17, POINTS + 1
         brcs    1f
         ldi     r24, pm_lo8(engine_xor_cell)
-        sbrc    r16, 0          ; 0xAC, or 0xAD where it is inverted
+        sbrc    r16, 0          ; inverted
         ldi     r24, pm_lo8(engine_xor_cell_not)
         mov     r14, r24
 1:      rcall   link_handler
@@ -455,18 +413,18 @@ link_numbered:
         rjmp    link_put
 1:      cpi     r25, KIND_INPUT
         brne    1f
-        cpi     r17, 5
+        cpi     r17, POINTS + 1
         brcc    8f
         rjmp    2f
 1:      cpi     r25, KIND_OUTPUT
         brne    3f
-        subi    r24, -4
+        subi    r24, 0 - POINTS
 2:      dec     r24
         rcall   link_bit
         rjmp    link_put
 3:      cpi     r25, KIND_FILTER
         brne    4f
-        ldi     r17, 9
+        ldi     r17, OWN_Filter
         push    r24
         rcall   link_own
         pop     r24
@@ -480,10 +438,10 @@ link_numbered:
         rcall   link_put        ; 0
         ldi     r17, 4
         rjmp    link_copy
-5:      cpi     r16, 0xE1       ; INT
+5:      cpi     r16, OP_Integrate
         brne    6f
         push    r17
-        ldi     r17, 7
+        ldi     r17, OWN_Integrate
         rcall   link_own
         pop     r17
         rjmp    8f
@@ -539,7 +497,7 @@ link_label:
 link_place:
         mov     r30, r17
         dec     r30
-        andi    r30, 31
+        andi    r30, LABELS - 1
         lsl     r30
         lsl     r30
         clr     r31
@@ -562,7 +520,7 @@ link_jump:
         ldi     r24, 1
         std     Y+JOB_JUMPS_BACK, r24
         ldi     r24, pm_lo8(engine_jump_back)
-        sbrc    r16, 0          ; 0xE4, or 0xE5 where acc must be 0
+        sbrc    r16, 0          ; where acc must be 0
         ldi     r24, pm_lo8(engine_jump_back_not)
         mov     r14, r24
         rcall   2f
@@ -588,7 +546,7 @@ link_jump:
 link_count:
         mov     r24, r17
         dec     r24
-        ldi     r25, 9
+        ldi     r25, COUNTER_DATA
         mul_    24, 25
         movw    r14, r0
         clr     r1
@@ -623,17 +581,17 @@ link_object:
         ldi     r18, 8
         rjmp    3f
 1:      ldi     r18, 1
-3:      subi    r24, 64
+3:      subi    r24, DATA_REGISTERS - DATA_MARKERS
         sbc     r25, r1
         rjmp    9f
 2:      cpi     r19, KIND_TIMER_Q
         brne    3f
         ldd     r24, Y+JOB_TIMERS
         ldd     r25, Y+JOB_TIMERS+1
-        cpi     r16, 0xCA       ; PVT
+        cpi     r16, OP_PresetTimer
         brne    4f
         adiw    r24, 5
-4:      ldi     r18, 9
+4:      ldi     r18, TIMER_DATA ; as of a counter
         rjmp    9f
 3:      cpi     r19, KIND_COUNT
         breq    5f
@@ -641,31 +599,31 @@ link_object:
         brne    3f
 5:      ldd     r24, Y+JOB_COUNTERS
         ldd     r25, Y+JOB_COUNTERS+1
-        cpi     r16, 0xC9       ; PVC
+        cpi     r16, OP_PresetCounter
         brne    4b
         adiw    r24, 4
         rjmp    4b
 3:      cpi     r19, KIND_READING
         brne    3f
-        subi    r24, 72
+        subi    r24, DATA_REGISTERS - DATA_READINGS
         rjmp    8f
 3:      cpi     r19, KIND_ANALOGUE
         brne    3f
         inc     r17             ; from 00
-        subi    r24, 82
+        subi    r24, DATA_REGISTERS - DATA_ANALOGUE
         ldi     r18, 2
         rjmp    8f
 3:      cpi     r19, KIND_SYSTEM
         brne    3f
-        subi    r24, 99
+        subi    r24, DATA_REGISTERS - DATA_SYSTEM
         rjmp    7f
 3:      cpi     r19, KIND_INPUT ; those from 05 on
         brne    3f
-        subi    r24, 99
+        subi    r24, DATA_REGISTERS - DATA_INPUTS + POINTS
         rjmp    7f
 3:      cpi     r19, KIND_PWM
         brne    9f
-        subi    r24, 86
+        subi    r24, DATA_REGISTERS - DATA_PWM
 7:      ldi     r18, 1
 8:      sbc     r25, r1
 9:      mov     r19, r17

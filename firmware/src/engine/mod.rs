@@ -16,6 +16,7 @@
 //! That the handlers stand where a byte can name them is checked when the firmware is linked; their
 //! rules are at the head of `handlers.s`.
 
+mod assembly;
 pub mod data;
 mod layout;
 mod link;
@@ -27,7 +28,7 @@ pub use data::Data;
 use crate::board::eeprom::Eeprom;
 use crate::operation::Images;
 use crate::store::Kept;
-use core::arch::{asm, global_asm};
+use core::arch::asm;
 use core::mem;
 use data::{Cell, ON};
 use layout::{Layout, POINTS};
@@ -35,16 +36,6 @@ use memory::Memory;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
-global_asm!(
-    concat!(
-        include_str!("handlers.s"),
-        include_str!("more.s"),
-        include_str!("timers.s"),
-        include_str!("numbers.s"),
-        include_str!("link.s")
-    ),
-    options(raw)
-);
 
 const _: () = {
     assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);

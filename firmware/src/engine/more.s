@@ -2,7 +2,7 @@
 ; `handlers.s`; they end by going `back`.
 
 ; Logic.
-        .global engine_not, engine_close_and, engine_close_xor, engine_rise, engine_fall
+        .global engine_close_and, engine_close_xor
 engine_close_xor:
         lsr     r19
         brcs    engine_not
@@ -30,7 +30,6 @@ engine_fall:
         rjmp    back
 
 ; Exclusive OR with an image, by a mask, or with a bit by address.
-        .global engine_xor, engine_xor_not, engine_xor_cell, engine_xor_cell_not
 engine_xor:
         ld      r21, X+
         and     r21, r18
@@ -53,7 +52,6 @@ engine_xor_cell_not:
         rjmp    back
 
 ; Coils: negated of an output, by a mask; the others of a bit by address.
-        .global engine_coil_not, engine_cell_coil_not, engine_cell_set, engine_cell_reset
 engine_coil_not:
         ld      r21, X+
         or      r18, r21
@@ -74,7 +72,6 @@ engine_cell_reset:
         rjmp    zero_1
 
 ; Timers and counters. One that is reset has no state, and nothing that has elapsed.
-        .global engine_reset_timer, engine_reset_counter, engine_load_counter
 engine_reset_timer:
         rcall   where
         st      Z+, r1
@@ -95,7 +92,6 @@ engine_load_counter:
         rjmp    back
 
 ; Contacts of a counter.
-        .global engine_reached, engine_reached_not, engine_zero, engine_zero_not
 engine_reached:
         rcall   address
         rcall   reached
@@ -119,15 +115,12 @@ engine_zero_not:
         rjmp    back
 
 ; Counters. Behind value and preset a byte has the INs as they were: bit 0 of CTU, bit 1 of CTD.
-        .global engine_count_up, engine_count_down
 engine_count_up:
         rjmp    count_up
 engine_count_down:
         rjmp    count_down
 
 ; Loads.
-        .global engine_load, engine_load_word, engine_load_timer, engine_load_markers
-        .global engine_load_inputs, engine_load_outputs, engine_load_bit
 engine_load:
         rcall   operand
 b_to_value:
@@ -144,7 +137,7 @@ engine_load_inputs:
 engine_load_outputs:
         mov     r22, r18
         swap    r22
-        andi    r22, 0x0F
+        andi    r22, INPUTS
         rjmp    byte_value
 engine_load_bit:
         clr     r22
@@ -162,8 +155,6 @@ engine_load_timer:
         rjmp    load_timer
 
 ; Stores, where acc = 1.
-        .global engine_store, engine_store_pwm, engine_store_markers, engine_store_outputs
-        .global engine_preset
 engine_preset:
         rcall   where
         sbrc    r25, 7
@@ -187,13 +178,11 @@ engine_store_outputs:
         and     r21, r30
 outputs:
         brtc    1f
-        andi    r18, 0x0F
+        andi    r18, INPUTS
         or      r18, r21
 1:      rjmp    back
 
 ; Operations.
-        .global engine_negate, engine_add, engine_subtract, engine_and, engine_or, engine_exor
-        .global engine_multiply, engine_divide, engine_modulo, engine_square_root
 engine_negate:
         rcall   negate
         rjmp    back
@@ -246,7 +235,6 @@ engine_square_root:
         rjmp    square_root
 
 ; Bits of value.
-        .global engine_shift_left, engine_shift_right, engine_bit, engine_bit_not
 engine_shift_left:
         ld      r21, X+
         rjmp    2f
@@ -272,8 +260,6 @@ engine_bit_not:
         rjmp    back
 
 ; Comparisons.
-        .global engine_greater, engine_greater_or_equal, engine_equal, engine_not_equal
-        .global engine_less_or_equal, engine_less
 engine_greater:
         rcall   compare
         breq    4f
@@ -301,8 +287,6 @@ engine_not_equal:
 5:      rjmp    back
 
 ; Others.
-        .global engine_pulse, engine_retentive, engine_move, engine_drum, engine_scale, engine_filter
-        .global engine_integrate
 engine_pulse:
         rjmp    pulse
 engine_retentive:
@@ -319,8 +303,7 @@ engine_integrate:
         rjmp    integrate
 
 ; A label sets what a jump has passed over: acc, and which timer is next.
-        .global engine_label, engine_jump, engine_jump_not, engine_jump_back, engine_jump_back_not
-        .global engine_return, engine_return_not
+        .global engine_jump_back, engine_jump_back_not
 engine_label:
         ld      r29, X+
         ld      r28, X+
@@ -371,5 +354,5 @@ jump_back:
         sts     ENGINE_LINE, r21
         ld      r21, X+
         sts     ENGINE_LINE+1, r21
-        andi    r18, 0x0F
+        andi    r18, INPUTS
         ret

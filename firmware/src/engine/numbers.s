@@ -272,7 +272,7 @@ square_root:
 ; All inputs.
 load_inputs:
         mov     r22, r18
-        andi    r22, 0x0F
+        andi    r22, INPUTS
         lds     r21, ENGINE_MORE_INPUTS
         or      r22, r21
         rjmp    byte_value

@@ -47,7 +47,7 @@ settled:
         bld     r30, 1
         bld     r30, 7
 state:  st      Y, r30
-passed: adiw    r28, 9
+passed: adiw    r28, TIMER_DATA
         ldi     r31, 0
         next
 

@@ -1,0 +1,119 @@
+//! The assembly of the engine, and what it shares with Rust: every number that both know stands in Rust
+//! alone, and comes to the assembly as a constant of this list.
+
+use super::data::Data;
+use super::layout::POINTS;
+use super::link::{self, Job};
+use crate::operation::Images;
+use crate::page::Running;
+use core::arch::global_asm;
+use core::mem::offset_of;
+use unoclp_core::isa::{self, Kind, Opcode};
+
+/// Each constant by its name. Of each instruction `OP_` and its name, the byte that stores it, `OWN_` and its
+/// name, the bytes of data that it has of its own, and the label of its handler for Rust to find.
+macro_rules! assembly {
+    ({ $($constant:ident = $value:expr;)* }
+        $($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
+            $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+        global_asm!(
+            $(concat!("        .equ    ", stringify!($constant), ", {", stringify!($constant), "}"),)*
+            $(concat!("        .equ    OP_", stringify!($name), ", ", $stored),)*
+            $(concat!("        .equ    OWN_", stringify!($name), ", ", $own),)*
+            $(concat!("        .global ", stringify!($handler)),)*
+            include_str!("handlers.s"),
+            include_str!("more.s"),
+            include_str!("timers.s"),
+            include_str!("numbers.s"),
+            include_str!("link.s"),
+            $($constant = const $value,)*
+        );
+    };
+}
+
+unoclp_core::instructions!(assembly {
+    PAGE_DATA = offset_of!(Running, data);
+    DATA_SYSTEM = offset_of!(Data, system);
+    DATA_INPUTS = offset_of!(Data, inputs);
+    DATA_MORE_INPUTS = offset_of!(Data, more_inputs);
+    DATA_BUDGET = offset_of!(Data, budget);
+    DATA_LINE = offset_of!(Data, line);
+    DATA_PWM = offset_of!(Data, pwm);
+    DATA_ANALOGUE = offset_of!(Data, analogue);
+    DATA_READINGS = offset_of!(Data, readings);
+    DATA_MARKERS = offset_of!(Data, markers);
+    DATA_REGISTERS = offset_of!(Data, registers);
+
+    TIMER_DATA = isa::TIMER_DATA;
+    COUNTER_DATA = isa::COUNTER_DATA;
+    MARKER_TARGET = isa::MARKER_TARGET;
+    LABELS = isa::LABELS;
+    POINTS = POINTS;
+    INPUTS = Images::INPUTS;
+
+    ROW_BYTES = isa::ROW;
+    KIND_IN_ROW = isa::KIND_IN_ROW;
+    FIRST_POINT = isa::FIRST_POINT;
+    BEHIND_POINTS = isa::BEHIND_POINTS;
+    ROW_OF_FIRST_POINT = isa::ROW_OF_FIRST_POINT;
+    ROW_BEHIND_POINTS = isa::ROW_BEHIND_POINTS;
+
+    KIND_INPUT = Kind::Input as u8;
+    KIND_OUTPUT = Kind::Output as u8;
+    KIND_MARKER = Kind::Marker as u8;
+    KIND_SYSTEM = Kind::System as u8;
+    KIND_TIMER_Q = Kind::TimerQ as u8;
+    KIND_COUNTER = Kind::Counter as u8;
+    KIND_ANALOGUE = Kind::Analogue as u8;
+    KIND_PWM = Kind::Pwm as u8;
+    KIND_READING = Kind::Reading as u8;
+    KIND_GROUP = Kind::Group as u8;
+    KIND_BIT = Kind::Bit as u8;
+    KIND_TIME = Kind::Time as u8;
+    KIND_LABEL = Kind::Label as u8;
+    KIND_JUMP = Kind::Jump as u8;
+    KIND_TIMER = Kind::Timer as u8;
+    KIND_COUNT = Kind::Count as u8;
+    KIND_VALUE = Kind::Value as u8;
+    KIND_MOVE = Kind::Move as u8;
+    KIND_DRUM = Kind::Drum as u8;
+    KIND_SCALE = Kind::Scale as u8;
+    KIND_FILTER = Kind::Filter as u8;
+
+    JOB_READER = offset_of!(Job, reader);
+    JOB_PUT = offset_of!(Job, put);
+    JOB_LIMIT = offset_of!(Job, limit);
+    JOB_OWN = offset_of!(Job, own);
+    JOB_TIMER = offset_of!(Job, timer);
+    JOB_TIMERS = offset_of!(Job, timers);
+    JOB_TIMERS_END = offset_of!(Job, timers_end);
+    JOB_COUNTERS = offset_of!(Job, counters);
+    JOB_COUNTERS_END = offset_of!(Job, counters_end);
+    JOB_POSITION = offset_of!(Job, position);
+    JOB_CLOSING = offset_of!(Job, closing);
+    JOB_OUTPUTS = offset_of!(Job, outputs);
+    JOB_JUMPS_BACK = offset_of!(Job, jumps_back);
+    JOB_PENDING = offset_of!(Job, pending);
+    JOB_ONES = offset_of!(Job, ones);
+    JOB_ZEROS = offset_of!(Job, zeros);
+    JOB_COUNT = offset_of!(Job, count);
+    RUNG = link::RUNG;
+});
+
+// `link.s` tells these apart by their bits.
+const _: () = {
+    // Contacts: bit 5 is set of inverted inputs and of outputs, bit 4 of inputs and outputs that are not
+    // inverted, bit 6 of inverted outputs alone.
+    assert!(Opcode::InputContact as u8 == 0x10 && Opcode::InputContactNot as u8 == 0x20);
+    assert!(Opcode::OutputContact as u8 == 0x30 && Opcode::OutputContactNot as u8 == 0x40);
+    // Bit 0 is set of what is inverted.
+    assert!(Opcode::XorInput as u8 & 1 == 0);
+    assert!(Opcode::XorInputNot as u8 == Opcode::XorInput as u8 + 1);
+    assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
+    // No kind is 0 but that of what has no operand.
+    assert!(Kind::None as u8 == 0);
+    // It keeps address and place of a label, 4 bytes, in the registers.
+    assert!(isa::LABELS <= isa::REGISTERS && isa::LABELS.is_power_of_two());
+    // The page is left by `subi` with one byte.
+    assert!(offset_of!(Data, registers) < 128);
+};
