@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use unoclp_core::Instruction;
+use unoclp_core::isa::{Kind, Operand, Value};
 
 /// A point that an element reads or writes; its number is that of the code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -28,6 +30,32 @@ pub enum Address {
 
 /// What the points of a program are called; those without a name are shown by number alone.
 pub type Names = BTreeMap<Address, String>;
+
+impl Address {
+    /// The point that an instruction names; none where it names none, or several at once.
+    pub(crate) fn of(instruction: Instruction<'_>) -> Option<Address> {
+        let point = match instruction.opcode.row().kind {
+            Kind::Input => Address::Input,
+            Kind::Output | Kind::Pwm => Address::Output,
+            Kind::Marker => Address::Marker,
+            Kind::System => Address::System,
+            Kind::TimerQ => Address::Timer,
+            Kind::Counter | Kind::Count => Address::Counter,
+            Kind::Register | Kind::Move | Kind::Drum => Address::Register,
+            Kind::Value => {
+                return match instruction.operand {
+                    Operand::Value(Value::Register(register)) => Some(Address::Register(register)),
+                    _ => None,
+                };
+            }
+            Kind::Analogue => Address::Analogue,
+            Kind::Label | Kind::Jump => Address::Label,
+            Kind::None | Kind::Branch | Kind::Reading | Kind::Group | Kind::Bit => return None,
+            Kind::Time | Kind::Timer | Kind::Scale | Kind::Filter => return None,
+        };
+        instruction.number().map(point)
+    }
+}
 
 impl fmt::Display for Address {
     /// `I1`, `Q4`, `M57`, `S2`, `T12`, `C3`, `D32`, `A0`, `L1`

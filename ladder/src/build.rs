@@ -11,7 +11,7 @@ use crate::stores;
 use crate::tree::{Gate, Join, Node, Origin, Path, Series, Start, Store};
 use crate::value::{Load, asks_for_value};
 use unoclp_core::Instruction;
-use unoclp_core::isa::Opcode;
+use unoclp_core::isa::Class;
 
 /// Builds the tree of one rung.
 pub(crate) struct Builder<'e> {
@@ -48,11 +48,11 @@ impl<'e> Builder<'e> {
     /// Takes the next instruction; `timer` is the number of the timer that a block here would be.
     pub(crate) fn push(&mut self, step: usize, instruction: Instruction<'_>, timer: u8) {
         let number = usize::from(instruction.number().unwrap_or(0));
-        match instruction.opcode {
-            Opcode::OpenBranch => self.frames.push(Frame::new(Gate::Or, vec![step])),
-            Opcode::OpenAnd => self.frames.push(Frame::new(Gate::And, vec![step])),
-            Opcode::OpenXor => self.frames.push(Frame::new(Gate::Xor, vec![step])),
-            Opcode::RecallBranch => {
+        match instruction.opcode.class() {
+            Class::OpenOr => self.frames.push(Frame::new(Gate::Or, vec![step])),
+            Class::OpenAnd => self.frames.push(Frame::new(Gate::And, vec![step])),
+            Class::OpenXor => self.frames.push(Frame::new(Gate::Xor, vec![step])),
+            Class::RecallPoint => {
                 let store = self.latest.get(number.wrapping_sub(1)).copied().flatten();
                 let frame = self.frame();
                 frame.steps.push(step);
@@ -60,7 +60,7 @@ impl<'e> Builder<'e> {
                     frame.origin = Origin::Store(store);
                 }
             }
-            Opcode::StoreBranch => {
+            Class::StorePoint => {
                 let index = number.wrapping_sub(1) & 7;
                 self.latest[index] = Some(step);
                 self.stored[index] += 1;
@@ -73,8 +73,24 @@ impl<'e> Builder<'e> {
                     .series
                     .push(Node::Store(Store { step, name, named }));
             }
-            Opcode::CloseBranch => self.close(step),
-            _ => self.element(step, instruction, timer),
+            Class::Close => self.close(step),
+            Class::Contact
+            | Class::Condition
+            | Class::ValueContact
+            | Class::Comparison
+            | Class::Xor
+            | Class::Logic
+            | Class::Coil
+            | Class::Timer
+            | Class::Count
+            | Class::Load
+            | Class::LoadResult
+            | Class::Operation
+            | Class::Store
+            | Class::Leave
+            | Class::Setting => self.element(step, instruction, timer),
+            // At the head of the rung, where the ladder has them.
+            Class::Rung | Class::Label => {}
         }
     }
 
@@ -133,7 +149,7 @@ impl<'e> Builder<'e> {
         let symbol = self.elements.get(element).map(|element| &element.symbol);
         match (symbol, &self.value) {
             (Some(crate::Symbol::Box { text, .. }), Some(load)) => {
-                text.strip_prefix("LD ") == Some(load.source.as_str())
+                *text == Load::text(&load.source)
             }
             _ => false,
         }

@@ -81,16 +81,6 @@ impl Element {
         }
     }
 
-    pub(crate) fn contact(step: usize, closed: bool, point: Address) -> Element {
-        let text = point.to_string();
-        Element::new(
-            step,
-            Role::Condition,
-            Symbol::Contact { closed, text },
-            Some(point),
-        )
-    }
-
     pub(crate) fn coil(step: usize, letter: char, point: Address) -> Element {
         let text = point.to_string();
         Element::new(

@@ -51,6 +51,7 @@ mod svg_page;
 mod symbols;
 mod tree;
 mod value;
+mod words;
 mod wrap;
 
 pub use address::{Address, Names};
@@ -65,8 +66,8 @@ pub use svg_page::to_svg;
 use build::Builder;
 use power::Feed;
 use tree::{Node, Origin, Series, Start};
-use unoclp_core::isa::Opcode;
-use unoclp_core::{Delay, Instruction};
+use unoclp_core::Instruction;
+use unoclp_core::isa::Class;
 
 /// A program as rungs of elements.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ impl Ladder {
         let mut timers = 0;
         let mut first = 0;
         while first < steps.len() {
-            let begins = |step: &Instruction<'_>| step.opcode == Opcode::NewRung;
+            let begins = |step: &Instruction<'_>| step.opcode.class() == Class::Rung;
             let behind = &steps[first + 1..];
             let count = 1 + behind.iter().position(begins).unwrap_or(behind.len());
             ladder.rung(first, &steps[first..first + count], &mut timers);
@@ -121,19 +122,17 @@ impl Ladder {
         let mut rail = Nets::RAIL;
         let mut builder = Builder::new(&mut self.elements);
         for (step, instruction) in (first..).zip(steps) {
-            match instruction.opcode {
-                Opcode::NewRung | Opcode::Label => {
-                    if instruction.opcode == Opcode::Label {
-                        labels.extend(instruction.number());
-                    }
-                    heads.push(step);
-                    // A jump comes to a label, and not to the code before it.
-                    rail = self.nets.add(Feed::Step(step));
+            let class = instruction.opcode.class();
+            if class == Class::Rung || class == Class::Label {
+                if class == Class::Label {
+                    labels.extend(instruction.number());
                 }
-                opcode => {
-                    *timers += u8::from(Delay::of(opcode).is_some());
-                    builder.push(step, *instruction, *timers);
-                }
+                heads.push(step);
+                // A jump comes to a label, and not to the code before it.
+                rail = self.nets.add(Feed::Step(step));
+            } else {
+                *timers += u8::from(class == Class::Timer);
+                builder.push(step, *instruction, *timers);
             }
         }
         let series = builder.finish(&mut self.nets, rail);

@@ -1,0 +1,74 @@
+//! The words of a symbol: those of the instruction table, with the operands put in.
+
+use crate::Address;
+use unoclp_core::Instruction;
+use unoclp_core::isa::{Kind, Opcode, Operand, Value};
+
+macro_rules! pictures {
+    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
+        $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+        /// How the instruction table pictures an instruction: `XX`, `operand` and `value` stand for what
+        /// [`words`] puts in.
+        pub(crate) const fn picture(opcode: Opcode) -> &'static str {
+            match opcode {
+                $(Opcode::$name => $picture,)*
+            }
+        }
+    };
+}
+unoclp_core::instructions!(pictures);
+
+/// What the symbol of an instruction says, where the value accumulator holds `value`.
+pub(crate) fn words(instruction: Instruction<'_>, value: &str) -> String {
+    picture(instruction.opcode)
+        .replace("XX", &point(instruction))
+        .replace("operand", &operand(instruction.operand))
+        .replace("value", value)
+}
+
+/// What XX of an instruction is called.
+fn point(instruction: Instruction<'_>) -> String {
+    let xx = instruction.number().unwrap_or(0);
+    match instruction.opcode.row().kind {
+        Kind::Group => {
+            let last = u32::from(xx) * 8;
+            format!("M{}-{last}", last.saturating_sub(7))
+        }
+        Kind::Reading if xx == 1 => "scan µs".to_owned(),
+        Kind::Reading => "time ms".to_owned(),
+        Kind::None | Kind::Branch | Kind::Bit | Kind::Time | Kind::Timer | Kind::Scale => {
+            xx.to_string()
+        }
+        Kind::Filter => xx.to_string(),
+        Kind::Input | Kind::Output | Kind::Marker | Kind::System | Kind::TimerQ | Kind::Counter => {
+            address(instruction)
+        }
+        Kind::Register | Kind::Analogue | Kind::Pwm | Kind::Label | Kind::Jump | Kind::Count => {
+            address(instruction)
+        }
+        Kind::Value | Kind::Move | Kind::Drum => address(instruction),
+    }
+}
+
+fn address(instruction: Instruction<'_>) -> String {
+    Address::of(instruction).map_or_else(String::new, |point| point.to_string())
+}
+
+/// What follows the code.
+fn operand(operand: Operand<'_>) -> String {
+    match operand {
+        Operand::Value(Value::Register(register)) => Address::Register(register).to_string(),
+        Operand::Value(Value::Constant(number)) => number.to_string(),
+        Operand::Count { preset, .. } => preset.to_string(),
+        Operand::Move { from, to, count } => {
+            let last = |first: u8| first.saturating_add(count).saturating_sub(1);
+            format!("D{from}-{} to D{to}-{}", last(from), last(to))
+        }
+        Operand::Scale { from, to } => format!("{}..{} to {}..{}", from[0], from[1], to[0], to[1]),
+        Operand::Filter { strength, time } => format!("1/{} {time} ms", 1u32 << strength),
+        Operand::Timer(block) => format!("{} ms", block.preset),
+        // The steps stand below the box.
+        Operand::Drum { .. } => String::new(),
+        Operand::None | Operand::Number(_) | Operand::Jump { .. } => String::new(),
+    }
+}
