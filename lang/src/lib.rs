@@ -27,6 +27,7 @@ mod show;
 mod spell;
 mod temps;
 mod tree;
+mod words;
 
 pub use back::{instructions_to_il, to_il};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Word};

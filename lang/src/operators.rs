@@ -1,7 +1,8 @@
 //! The operators and their spellings: those of the norm, of its common extensions, and of the makers.
 
 use crate::Dialect;
-use unoclp_core::isa::Opcode;
+use crate::words::operator;
+use unoclp_core::isa::{Class, Kind, Opcode};
 
 /// What an instruction does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub(crate) enum Op {
     Shift(Opcode),
     /// NEG, SQRT
     Unary(Opcode),
-    /// EU, ED
+    /// EU, ED: made of the accumulator alone.
     Edge(Opcode),
     Jump,
     Call,
@@ -97,23 +98,6 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "ANDN" => spelling(Op::And, true, false, None),
         "ORN" => spelling(Op::Or, true, false, None),
         "XORN" => spelling(Op::Xor, true, false, None),
-        "ADD" => plain(Op::Number(Opcode::Add)),
-        "SUB" => plain(Op::Number(Opcode::Subtract)),
-        "MUL" => plain(Op::Number(Opcode::Multiply)),
-        "DIV" => plain(Op::Number(Opcode::Divide)),
-        "MOD" => plain(Op::Number(Opcode::Modulo)),
-        "GT" => plain(Op::Compare(Opcode::Greater)),
-        "GE" => plain(Op::Compare(Opcode::GreaterOrEqual)),
-        "EQ" => plain(Op::Compare(Opcode::Equal)),
-        "NE" => plain(Op::Compare(Opcode::NotEqual)),
-        "LE" => plain(Op::Compare(Opcode::LessOrEqual)),
-        "LT" => plain(Op::Compare(Opcode::Less)),
-        "SHL" => plain(Op::Shift(Opcode::ShiftLeft)),
-        "SHR" => plain(Op::Shift(Opcode::ShiftRight)),
-        "NEG" => plain(Op::Unary(Opcode::Negate)),
-        "SQRT" => plain(Op::Unary(Opcode::SquareRoot)),
-        "EU" => plain(Op::Edge(Opcode::RisingEdge)),
-        "ED" => plain(Op::Edge(Opcode::FallingEdge)),
         "JMP" => plain(Op::Jump),
         "JMPC" => spelling(Op::Jump, false, true, None),
         "JMPCN" | "JMPNC" | "JMPN" => spelling(Op::Jump, true, true, None),
@@ -123,10 +107,7 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "RET" => plain(Op::Return),
         "RETC" => spelling(Op::Return, false, true, None),
         "RETCN" | "RETNC" | "RETN" => spelling(Op::Return, true, true, None),
-        "TON" => plain(Op::Timer(Opcode::OnDelay)),
-        "TOF" => plain(Op::Timer(Opcode::OffDelay)),
-        "TP" => plain(Op::Timer(Opcode::Pulse)),
-        "TONR" | "TOR" => plain(Op::Timer(Opcode::RetentiveOnDelay)),
+        "TOR" => plain(Op::Timer(Opcode::RetentiveOnDelay)),
         "CTU" => plain(Op::CountUp),
         "CTD" => plain(Op::CountDown),
         "CTUD" => plain(Op::CountUpDown),
@@ -151,8 +132,39 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "BLK" => maker(Op::Block, false, Dialect::Twido),
         "OUT_BLK" => maker(Op::OutBlock, false, Dialect::Twido),
         "END_BLK" => maker(Op::EndBlock, false, Dialect::Twido),
-        _ => return None,
+        word => plain(of_table(word)?),
     })
+}
+
+/// What the instruction table itself says by this word.
+fn of_table(word: &str) -> Option<Op> {
+    let opcode = own_words().find(|&opcode| operator(opcode) == word)?;
+    let kind = opcode.row().kind;
+    Some(if opcode.class() == Class::Comparison {
+        Op::Compare(opcode)
+    } else if opcode.class() == Class::Timer {
+        Op::Timer(opcode)
+    } else if opcode.class() == Class::Logic {
+        Op::Edge(opcode)
+    } else if kind == Kind::Value {
+        Op::Number(opcode)
+    } else if kind == Kind::Bit {
+        Op::Shift(opcode)
+    } else {
+        Op::Unary(opcode)
+    })
+}
+
+/// The instructions that have a word of their own. What the others do, operators of several instructions say.
+fn own_words() -> impl Iterator<Item = Opcode> {
+    let own = [
+        Class::Comparison,
+        Class::Timer,
+        Class::Logic,
+        Class::Operation,
+    ];
+    let all = Opcode::ALL.iter().copied();
+    all.filter(move |opcode| own.contains(&opcode.class()) && !operator(*opcode).is_empty())
 }
 
 fn spelling(op: Op, negated: bool, conditional: bool, dialect: Option<Dialect>) -> Spelling {
@@ -164,8 +176,8 @@ fn spelling(op: Op, negated: bool, conditional: bool, dialect: Option<Dialect>) 
     }
 }
 
-/// Every spelling that may have been meant by a wrong one.
-pub(crate) const SPELLINGS: &[&str] = &[
+/// The spellings that may have been meant by a wrong one, the likelier first.
+const SPELLINGS: &[&str] = &[
     "LD", "LDN", "ST", "STN", "S", "R", "AND", "ANDN", "OR", "ORN", "XOR", "XORN", "NOT", "ADD",
     "SUB", "MUL", "DIV", "MOD", "GT", "GE", "EQ", "NE", "LE", "LT", "JMP", "JMPC", "JMPCN", "CAL",
     "CALC", "CALCN", "RET", "RETC", "RETCN", "TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD",
@@ -175,8 +187,10 @@ pub(crate) const SPELLINGS: &[&str] = &[
 
 /// The spelling that is one slip of the hand away: a letter wrong, missing or too many.
 pub(crate) fn nearest(word: &str) -> Option<&'static str> {
-    let known = |known: &&&str| one_slip(known.as_bytes(), word.as_bytes());
-    SPELLINGS.iter().find(known).copied()
+    // EU and ED are one slip away from too much.
+    let more = own_words().filter(|opcode| opcode.class() != Class::Logic);
+    let mut spellings = SPELLINGS.iter().copied().chain(more.map(operator));
+    spellings.find(|known| one_slip(known.as_bytes(), word.as_bytes()))
 }
 
 fn one_slip(a: &[u8], b: &[u8]) -> bool {

@@ -304,23 +304,48 @@ impl Number {
 
 /// The comparison that holds where this one does not.
 fn opposite(op: Opcode) -> Opcode {
-    match op {
-        Opcode::Greater => Opcode::LessOrEqual,
-        Opcode::GreaterOrEqual => Opcode::Less,
-        Opcode::Equal => Opcode::NotEqual,
-        Opcode::NotEqual => Opcode::Equal,
-        Opcode::LessOrEqual => Opcode::Greater,
-        _ => Opcode::GreaterOrEqual,
-    }
+    partner(op, &OPPOSITES)
 }
 
 /// The comparison that holds where this one holds of the operands exchanged.
 pub(crate) fn exchanged(op: Opcode) -> Opcode {
-    match op {
-        Opcode::Greater => Opcode::Less,
-        Opcode::GreaterOrEqual => Opcode::LessOrEqual,
-        Opcode::LessOrEqual => Opcode::GreaterOrEqual,
-        Opcode::Less => Opcode::Greater,
-        other => other,
+    partner(op, &EXCHANGED)
+}
+
+const OPPOSITES: [(Opcode, Opcode); 3] = [
+    (Opcode::Greater, Opcode::LessOrEqual),
+    (Opcode::GreaterOrEqual, Opcode::Less),
+    (Opcode::Equal, Opcode::NotEqual),
+];
+
+/// The others are their own.
+const EXCHANGED: [(Opcode, Opcode); 2] = [
+    (Opcode::Greater, Opcode::Less),
+    (Opcode::GreaterOrEqual, Opcode::LessOrEqual),
+];
+
+/// The other of the pair that a comparison stands in; itself where it stands in none.
+fn partner(op: Opcode, pairs: &[(Opcode, Opcode)]) -> Opcode {
+    let other = |&(one, other): &(Opcode, Opcode)| match op {
+        _ if op == one => Some(other),
+        _ if op == other => Some(one),
+        _ => None,
+    };
+    pairs.iter().find_map(other).unwrap_or(op)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use unoclp_core::isa::Class;
+
+    #[test]
+    fn every_comparison_has_an_opposite() {
+        for &op in Opcode::ALL {
+            if op.class() == Class::Comparison {
+                assert_ne!(opposite(op), op, "{op:?}: add it to OPPOSITES");
+                assert_eq!(opposite(opposite(op)), op);
+            }
+        }
     }
 }

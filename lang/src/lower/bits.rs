@@ -6,7 +6,8 @@ use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 use crate::rung::{Holds, Written};
 use crate::tree::{Expr, Num, Number};
-use unoclp_core::isa::Opcode;
+use crate::words::operator;
+use unoclp_core::isa::{Class, Opcode, Row, TABLE};
 
 impl Lower<'_> {
     pub(super) fn load(&mut self, instr: &Instr) {
@@ -151,14 +152,7 @@ impl Lower<'_> {
     }
 
     pub(super) fn unary(&mut self, instr: &Instr, opcode: Opcode) {
-        let acc = self.take_acc(
-            if opcode == Opcode::Negate {
-                "NEG"
-            } else {
-                "SQRT"
-            },
-            instr.span,
-        );
+        let acc = self.take_acc(operator(opcode), instr.span);
         if let Some(number) = self.as_number(acc, ACCUMULATOR, instr.span) {
             self.acc = Acc::Number(Number::Unary(opcode, Box::new(number), instr.span));
             self.link(instr.span);
@@ -191,14 +185,7 @@ impl Lower<'_> {
 
     /// EU, ED: the accumulator's own rise or fall.
     pub(super) fn edge(&mut self, instr: &Instr, opcode: Opcode) {
-        let Some(expr) = self.take_bit(
-            if opcode == Opcode::RisingEdge {
-                "EU"
-            } else {
-                "ED"
-            },
-            instr.span,
-        ) else {
+        let Some(expr) = self.take_bit(operator(opcode), instr.span) else {
             return;
         };
         self.bring(expr, instr.span);
@@ -236,15 +223,8 @@ impl Lower<'_> {
     fn code_effect(&mut self, code: i32) {
         self.rungs.holds = Holds::Other;
         self.acc = Acc::Bit(Expr::Live);
-        if [
-            Opcode::OnDelay,
-            Opcode::OffDelay,
-            Opcode::Pulse,
-            Opcode::RetentiveOnDelay,
-        ]
-        .into_iter()
-        .any(|opcode| opcode.row().code == code)
-        {
+        let is_timer = |row: &Row| row.class == Class::Timer && row.code == code;
+        if TABLE.iter().any(is_timer) {
             self.rungs.timers = self.rungs.timers.saturating_add(1);
         }
         let label = code - Opcode::Label.row().code;
@@ -267,7 +247,7 @@ pub(super) fn name(op: Op) -> &'static str {
         Op::And => "AND",
         Op::Or => "OR",
         Op::Xor => "XOR",
-        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) => opcode.row().letters,
+        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) => operator(opcode),
         _ => "",
     }
 }

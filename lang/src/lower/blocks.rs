@@ -118,10 +118,12 @@ impl Lower<'_> {
 
     /// `IN`, `CU`, `CD`: within a block, or with the timer or counter as operand.
     pub(super) fn input_operator(&mut self, instr: &Instr, opcode: Opcode) {
-        let word = match opcode {
-            Opcode::CountUp => "CU",
-            Opcode::CountDown => "CD",
-            _ => "IN",
+        let word = if opcode == Opcode::CountUp {
+            "CU"
+        } else if opcode == Opcode::CountDown {
+            "CD"
+        } else {
+            "IN"
         };
         let Some(operand) = instr.operands.first() else {
             if self.block.is_none() {

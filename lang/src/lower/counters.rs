@@ -198,9 +198,10 @@ impl Lower<'_> {
             None => Opcode::CountUp,
         };
         self.names.counters[counter].kind = Some(kind);
-        let order = match kind {
-            Opcode::CountDown => ["CD", "LD", "PV"],
-            _ => ["CU", "R", "PV"],
+        let order = if kind == Opcode::CountDown {
+            ["CD", "LD", "PV"]
+        } else {
+            ["CU", "R", "PV"]
         };
         let mut inputs = Inputs::default();
         for (index, param) in params.iter().enumerate().filter(|(_, param)| !param.out) {

@@ -7,6 +7,7 @@ use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::rung::Holds;
 use crate::tree::{Bit, Expr, Num, Number};
+use crate::words::operator;
 use unoclp_core::isa::Opcode;
 
 /// The preset of a timer.
@@ -19,7 +20,7 @@ pub(super) enum Preset {
 impl Lower<'_> {
     /// `TON T1, 100` on the accumulator.
     pub(super) fn timer_operator(&mut self, instr: &Instr, opcode: Opcode, next: Option<&Stmt>) {
-        let word = word(opcode);
+        let word = operator(opcode);
         let span = instr.whole;
         let acc = self.take_acc(word, instr.span);
         let input = self.as_bit(acc, ACCUMULATOR, instr.span);
@@ -267,12 +268,4 @@ pub(super) fn lit(bit: Bit, span: Span) -> Acc {
         negated: false,
         span,
     })
-}
-
-/// What a timer's operator is written as.
-fn word(opcode: Opcode) -> &'static str {
-    match opcode {
-        Opcode::RetentiveOnDelay => "TONR",
-        _ => opcode.row().letters,
-    }
 }

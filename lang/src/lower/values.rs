@@ -69,9 +69,10 @@ impl Lower<'_> {
             }
             Place::Counter(counter) => {
                 let counter = &self.names.counters[counter];
-                match counter.kind {
-                    Some(Opcode::CountDown) => bit(Bit::Zero(counter.number)),
-                    _ => bit(Bit::Reached(counter.number)),
+                if counter.kind == Some(Opcode::CountDown) {
+                    bit(Bit::Zero(counter.number))
+                } else {
+                    bit(Bit::Reached(counter.number))
                 }
             }
             Place::Trigger(_, marker) => bit(Bit::Marker(marker)),

@@ -158,18 +158,26 @@ impl Names {
             return;
         };
         let n = (code - row.code).unsigned_abs();
+        let exists = row
+            .kind
+            .numbers()
+            .is_some_and(|(first, last)| (u32::from(first)..=u32::from(last)).contains(&n));
+        // A register 00 is a constant.
+        if !exists || n == 0 {
+            return;
+        }
         match row.kind {
-            Kind::Marker if (1..=64).contains(&n) => self.temps.markers |= 1 << (n - 1),
-            Kind::Group if (1..=8).contains(&n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
-            Kind::Counter | Kind::Count if (1..=16).contains(&n) => {
-                self.counters_used |= 1 << (n - 1)
-            }
-            Kind::Register | Kind::Value | Kind::Drum if (1..=32).contains(&n) => {
-                self.temps.registers |= 1 << (n - 1);
-            }
+            Kind::Marker => self.temps.markers |= 1 << (n - 1),
+            Kind::Group => self.temps.markers |= 0xFF << (8 * (n - 1)),
+            Kind::Counter | Kind::Count => self.counters_used |= 1 << (n - 1),
+            Kind::Register | Kind::Value | Kind::Drum => self.temps.registers |= 1 << (n - 1),
             // A block may go on to the last.
             Kind::Move => self.temps.registers = u32::MAX,
-            _ => {}
+            // The compiler gives none of these out.
+            Kind::Input | Kind::Output | Kind::Branch | Kind::System | Kind::TimerQ => {}
+            Kind::Analogue | Kind::Pwm | Kind::Reading | Kind::Bit | Kind::Time => {}
+            Kind::Label | Kind::Jump | Kind::Filter => {}
+            Kind::None | Kind::Timer | Kind::Scale => {}
         }
     }
 

@@ -28,7 +28,7 @@ impl Rungs {
                 self.write(Written::Numbered(*op, *bits), *span);
             }
             Number::Binary(op, left, right, span) => {
-                let commutes = !matches!(op, Opcode::Subtract | Opcode::Divide | Opcode::Modulo);
+                let commutes = COMMUTING.contains(op);
                 let exchange = commutes && simple(right).is_none() && simple(left).is_some();
                 let (left, right) = if exchange {
                     (right, left)
@@ -100,6 +100,15 @@ impl Rungs {
         self.write(written, span);
     }
 }
+
+/// The operations whose operands may change places.
+const COMMUTING: &[Opcode] = &[
+    Opcode::Add,
+    Opcode::Multiply,
+    Opcode::AndWord,
+    Opcode::OrWord,
+    Opcode::XorWord,
+];
 
 /// What an operation can take its operand from.
 fn simple(number: &Number) -> Option<Value> {

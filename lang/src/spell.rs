@@ -1,10 +1,8 @@
 //! A rung of instructions as lines of Instruction List.
 
-mod words;
-
-use unoclp_core::Instruction;
-use unoclp_core::isa::{Opcode, Operand};
-use words::{comparison, contact, load, number_target, operation, target};
+use crate::words::{named, operator, words};
+use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::{Instruction, Target};
 
 /// The lines of a rung; none where Instruction List has no words for it. Timers are named in file order, so
 /// those before it are counted.
@@ -84,16 +82,12 @@ impl<'c> Speller<'_, 'c> {
     /// Whether the last number became a comparison, and not a store.
     fn compared(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.steps.get(at));
-        before.is_some_and(|step| comparison(step.opcode))
+        before.is_some_and(|step| comparison(*step))
     }
 
     /// From behind an opening code to its `41`.
     fn branch(&mut self, opening: Opcode) -> Option<()> {
-        let operator = match opening {
-            Opcode::OpenBranch => "OR",
-            Opcode::OpenAnd => "AND",
-            _ => "XOR",
-        };
+        let operator = operator(opening);
         let head = self.next()?;
         let closes =
             |step: Option<&Instruction<'_>>| step.is_some_and(|s| s.opcode == Opcode::CloseBranch);
@@ -142,7 +136,7 @@ impl<'c> Speller<'_, 'c> {
             let step = self.next()?;
             let (operator, operand) = operation(step)?;
             self.line(operator, &operand);
-            if comparison(step.opcode) {
+            if comparison(step) {
                 return Some(());
             }
         }
@@ -162,7 +156,7 @@ impl<'c> Speller<'_, 'c> {
                 let (operator, operand) = operation(step)?;
                 self.line(operator, &operand);
                 stored = false;
-                if comparison(step.opcode) {
+                if comparison(step) {
                     self.at += 1;
                     return Some(());
                 }
@@ -176,75 +170,76 @@ impl<'c> Speller<'_, 'c> {
 
     /// What is neither contact nor branch nor number.
     fn other(&mut self, step: Instruction<'_>, first: &mut bool) -> Option<()> {
-        let number = step.number().unwrap_or(0);
-        let opcode = step.opcode;
-        if let (Opcode::Label, true) = (opcode, *first) {
+        let class = step.opcode.class();
+        if class == Class::Label {
+            let number = step.number().filter(|_| *first)?;
             self.lines.push(format!("L{number:02}:"));
             return Some(());
         }
-        if let Some(block) = step.timer() {
-            if *first {
-                self.line("LD", "TRUE");
-                *first = false;
+        let (operator, operand) = match class {
+            Class::Logic | Class::Xor | Class::Coil | Class::Leave | Class::Count => words(step)?,
+            Class::Timer => (operator(step.opcode), String::new()),
+            Class::Rung | Class::Label | Class::OpenOr | Class::OpenAnd | Class::OpenXor => {
+                return None;
             }
-            let operator = match opcode {
-                Opcode::RetentiveOnDelay => "TONR",
-                opcode => opcode.row().letters,
-            };
-            self.timers += 1;
-            self.line(operator, &format!("T{}, {}", self.timers, block.preset));
-            self.line("ST", &target(block.target));
+            Class::Close | Class::StorePoint | Class::RecallPoint => return None,
+            Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => {
+                return None;
+            }
+            Class::Load | Class::LoadResult | Class::Operation | Class::Store | Class::Setting => {
+                return None;
+            }
+        };
+        // At the head of a rung the scan goes on elsewhere for certain: the operator is that without C.
+        if let (Class::Leave, true, Some(always)) = (class, *first, operator.strip_suffix('C')) {
+            self.line(always, &operand);
             return Some(());
         }
         if *first {
-            match opcode {
-                Opcode::Jump => {
-                    self.line("JMP", &format!("L{number:02}"));
-                    return Some(());
-                }
-                Opcode::Return => {
-                    self.line("RET", "");
-                    return Some(());
-                }
-                _ => {}
-            }
             self.line("LD", "TRUE");
             *first = false;
         }
-        let (operator, operand) = match opcode {
-            Opcode::Not => ("NOT", String::new()),
-            Opcode::RisingEdge => ("EU", String::new()),
-            Opcode::FallingEdge => ("ED", String::new()),
-            Opcode::Coil => ("ST", format!("Q{number}")),
-            Opcode::NegatedCoil => ("STN", format!("Q{number}")),
-            Opcode::SetCoil => ("S", format!("Q{number}")),
-            Opcode::ResetCoil => ("R", format!("Q{number}")),
-            Opcode::MarkerCoil => ("ST", format!("M{number}")),
-            Opcode::NegatedMarkerCoil => ("STN", format!("M{number}")),
-            Opcode::SetMarker => ("S", format!("M{number}")),
-            Opcode::ResetMarker => ("R", format!("M{number}")),
-            Opcode::XorInput => ("XOR", format!("I{number}")),
-            Opcode::XorInputNot => ("XORN", format!("I{number}")),
-            Opcode::XorOutput => ("XOR", format!("Q{number}")),
-            Opcode::XorOutputNot => ("XORN", format!("Q{number}")),
-            Opcode::XorMarker => ("XOR", format!("M{number}")),
-            Opcode::XorMarkerNot => ("XORN", format!("M{number}")),
-            Opcode::ResetTimer => ("R", format!("T{number}")),
-            Opcode::ResetCounter => ("R", format!("C{number}")),
-            Opcode::LoadCounter => ("S", format!("C{number}")),
-            Opcode::Jump => ("JMPC", format!("L{number:02}")),
-            Opcode::JumpNot => ("JMPCN", format!("L{number:02}")),
-            Opcode::Return => ("RETC", String::new()),
-            Opcode::ReturnNot => ("RETCN", String::new()),
-            Opcode::CountUp | Opcode::CountDown => {
-                let Operand::Count { preset, .. } = step.operand else {
-                    return None;
-                };
-                (opcode.row().letters, format!("C{number}, {preset}"))
+        match step.timer() {
+            Some(block) => {
+                self.timers += 1;
+                self.line(operator, &format!("T{}, {}", self.timers, block.preset));
+                self.line("ST", &target(block.target));
             }
-            _ => return None,
-        };
-        self.line(operator, &operand);
+            None => self.line(operator, &operand),
+        }
         Some(())
+    }
+}
+
+/// The name of a contact's point, and whether it is inverted.
+fn contact(step: Instruction<'_>) -> Option<(String, bool)> {
+    let contact = matches!(step.opcode.class(), Class::Contact | Class::Condition);
+    Some((named(step).filter(|_| contact)?, step.opcode.is_inverted()))
+}
+
+/// The name of a number that is loaded.
+fn load(step: Instruction<'_>) -> Option<String> {
+    named(step).filter(|_| step.opcode.class() == Class::Load)
+}
+
+/// Where a number is stored.
+fn number_target(step: Instruction<'_>) -> Option<String> {
+    named(step).filter(|_| step.opcode.class() == Class::Store)
+}
+
+/// An operation on a number, and its operand.
+fn operation(step: Instruction<'_>) -> Option<(&'static str, String)> {
+    let works = matches!(step.opcode.class(), Class::Operation | Class::Comparison);
+    words(step).filter(|_| works)
+}
+
+fn comparison(step: Instruction<'_>) -> bool {
+    step.opcode.class() == Class::Comparison
+}
+
+fn target(target: Target) -> String {
+    match target {
+        Target::Output(n) => format!("Q{n}"),
+        Target::Marker(n) => format!("M{n}"),
     }
 }
