@@ -1,8 +1,10 @@
 //! Every scenario of the project on the core: the samples in `programs/`, the tests in `suite/`.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_core::isa::Opcode;
+use unoclp_host_sim::engine::{HostEngine, Machine};
 use unoclp_host_sim::scenario::{Scenario, Verdict, check};
 
 /// The scenario files in a folder and in all folders below it, in the order of their names.
@@ -46,4 +48,19 @@ fn every_scenario_passes_on_the_core() {
         failures.len(),
         failures.join("\n")
     );
+}
+
+#[test]
+fn every_instruction_has_a_scenario() {
+    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
+    let mut seen = BTreeSet::new();
+    for path in scenarios(&suite) {
+        let scenario = Scenario::load(&path).unwrap();
+        // Of programs that are refused nothing is run.
+        if let Ok(machine) = Machine::load(&scenario.program().bytes) {
+            seen.extend(machine.plc().steps().map(|step| step.opcode));
+        }
+    }
+    let missing: Vec<&Opcode> = Opcode::ALL.iter().filter(|o| !seen.contains(o)).collect();
+    assert!(missing.is_empty(), "no scenario in suite/ runs {missing:?}");
 }
