@@ -3,7 +3,7 @@
 mod common;
 
 use unoclp_core::Inputs;
-use unoclp_core::isa::REGISTERS;
+use unoclp_core::isa::{Class, Kind, REGISTERS, TABLE};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::Random;
 use unoclp_host_sim::scenario::{Cell, Engine};
@@ -44,12 +44,14 @@ const EDGES: &[i32] = &[
     i32::MIN + 1,
 ];
 
-/// Operations of value with a register or a constant, by their code.
-const OPERATIONS: &[u32] = &[
-    65_686_800, 83_856_600, 77_857_600, 68_738_600, 77_796_800, 65_786_800, 798_200, 88_798_200,
-];
-/// Comparisons likewise.
-const COMPARISONS: &[u32] = &[718_400, 716_900, 698_100, 786_900, 766_900, 768_400];
+/// The codes of this class and kind: whatever the instruction table has, is tried.
+fn codes(class: Class, kind: Kind) -> impl Iterator<Item = i32> {
+    let rows = TABLE
+        .iter()
+        .filter(move |row| row.class == class && row.kind == kind);
+    rows.map(|row| row.code)
+}
+
 const LOAD: u32 = 766_800;
 const STORE: u32 = 838_400;
 
@@ -59,23 +61,24 @@ fn program(random: &mut Random) -> String {
     let mut text = String::from("0\n");
     let mut result = 3;
     let mut store = |text: &mut String| {
+        assert!(result < 32, "INT has D 32");
         *text += &format!("{}\n787600\n", STORE + result);
         result += 1;
     };
     let load = format!("{}\n", LOAD + 1);
-    for operation in OPERATIONS {
+    for operation in codes(Class::Operation, Kind::Value) {
         text += &format!("{load}{}\n", operation + 2);
         store(&mut text);
         text += &format!("{load}{operation}\n{}\n", number(random));
         store(&mut text);
     }
     // NEG, SQR, and shifts.
-    for code in ["786971", "838182"] {
+    for code in codes(Class::Operation, Kind::None) {
         text += &format!("{load}{code}\n");
         store(&mut text);
     }
-    for shift in [83_727_600, 83_728_200] {
-        text += &format!("{load}{}\n", shift + random.below(32));
+    for shift in codes(Class::Operation, Kind::Bit) {
+        text += &format!("{load}{}\n", shift + random.below(32) as i32);
         store(&mut text);
     }
     // SCL, FLT, INT into D 32.
@@ -96,10 +99,10 @@ fn program(random: &mut Random) -> String {
     store(&mut text);
     text += &format!("787600\n827301\n{load}73788432\n");
     let mut marker = 1;
-    for comparison in COMPARISONS {
+    for comparison in codes(Class::Comparison, Kind::Value) {
         for (code, line) in [
             (comparison + 2, String::new()),
-            (*comparison, { format!("{}\n", number(random)) }),
+            (comparison, { format!("{}\n", number(random)) }),
         ] {
             text += &format!("787600\n{load}{code}\n{line}{}\n", 877_700 + marker);
             marker += 1;

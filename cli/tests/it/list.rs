@@ -87,11 +87,9 @@ fn every_instruction_is_listed() {
             Opcode::Jump | Opcode::JumpNot => (format!("0\n766601\n{step}"), ">> L1"),
             Opcode::Label => (format!("0\n{step}"), "L1:"),
             Opcode::NewRung => (format!("0\n827301\n{step}"), "Rung 2"),
-            Opcode::TimerContact
-            | Opcode::TimerContactNot
-            | Opcode::ResetTimer
-            | Opcode::LoadTimer
-            | Opcode::PresetTimer => (format!("0\n{step}787600\n847978\n1\n7901\n"), "T1"),
+            _ if opcode.row().kind == Kind::TimerQ => {
+                (format!("0\n{step}787600\n847978\n1\n7901\n"), "T1")
+            }
             _ => (format!("0\n{step}"), ""),
         };
         let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80);

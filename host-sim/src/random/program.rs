@@ -1,7 +1,7 @@
 //! The instructions of a random program.
 
 use super::Random;
-use unoclp_core::isa::{self, Kind, Opcode, Operand, Value};
+use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
 use unoclp_core::{Delay, Instruction, Target, TimerBlock};
 use unoclp_source::BOARD;
 
@@ -213,18 +213,24 @@ impl Draft<'_> {
             97..100 => Opcode::OffDelay,
             _ => self.random.pick(Opcode::ALL)?,
         };
-        match opcode {
+        let may = match opcode.class() {
             // They have their own places.
-            Opcode::NewRung | Opcode::RecallBranch | Opcode::Label => None,
-            _ if opcode.opens() && self.depth >= isa::DEEPEST => None,
-            Opcode::CloseBranch if self.depth == 0 => None,
+            Class::Rung | Class::RecallPoint | Class::Label => false,
+            Class::OpenOr | Class::OpenAnd | Class::OpenXor => self.depth < isa::DEEPEST,
+            Class::Close => self.depth > 0,
             // Right behind an opening code this would recall.
-            Opcode::StoreBranch if opened => None,
-            // These end the scan, so they are seldom.
-            Opcode::Return | Opcode::ReturnNot if self.depth > 0 || self.random.percent(80) => None,
-            Opcode::Jump | Opcode::JumpNot if self.depth > 0 => None,
-            _ => self.with_operand(opcode),
-        }
+            Class::StorePoint => !opened,
+            // Returns end the scan, so they are seldom.
+            Class::Leave => {
+                let jumps = opcode.row().kind == Kind::Jump;
+                self.depth == 0 && (jumps || !self.random.percent(80))
+            }
+            Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => true,
+            Class::Xor | Class::Logic | Class::Coil | Class::Timer | Class::Count => true,
+            Class::Load | Class::LoadResult | Class::Operation | Class::Store => true,
+            Class::Setting => true,
+        };
+        may.then(|| self.with_operand(opcode)).flatten()
     }
 
     /// Notes what an added instruction means for those after it; after an opening code, perhaps recalls.
@@ -303,7 +309,15 @@ impl Draft<'_> {
                 },
             },
             Kind::Jump => return Some(jump(opcode, self.random.number(1, LOOPS - 1))),
-            _ => Operand::Number(self.xx(kind)?),
+            Kind::Input | Kind::Output | Kind::Branch | Kind::Marker | Kind::System => {
+                Operand::Number(self.xx(kind)?)
+            }
+            Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm => {
+                Operand::Number(self.xx(kind)?)
+            }
+            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => {
+                Operand::Number(self.xx(kind)?)
+            }
         };
         Some(Instruction { opcode, operand })
     }
@@ -333,7 +347,9 @@ impl Draft<'_> {
             Kind::Group => (1..=8).collect(),
             Kind::Bit => (0..32).collect(),
             Kind::Time => vec![0, 1, 5, 20, 99],
-            _ => return None,
+            // Labels have their own places, and the others have more than a number.
+            Kind::Label | Kind::Jump | Kind::None | Kind::Timer | Kind::Count => return None,
+            Kind::Value | Kind::Move | Kind::Drum | Kind::Scale | Kind::Filter => return None,
         };
         self.random.pick(&choice)
     }

@@ -4,7 +4,7 @@
 pub mod read;
 mod timer;
 
-use read::{OPERATIONS, Step};
+use read::Step;
 use std::collections::HashMap;
 use timer::Timer;
 
@@ -198,7 +198,7 @@ impl Naive {
             Some(name) => (name, true),
             None => (letters.as_str(), false),
         };
-        if OPERATIONS.contains(&name) {
+        if step.takes_number {
             let operand = lines.first().copied().unwrap_or(self.registers[xx]);
             return pass.operate(name, operand);
         }
@@ -325,7 +325,7 @@ impl Naive {
                     .unwrap_or(0);
                 self.set_outputs([1000, 100, 10, 1].map(|digit| step / digit % 10 == 1));
             }
-            _ => panic!("{name} is no instruction of the page"),
+            _ => panic!("{name}: say in tests/naive what it does"),
         }
     }
 
@@ -390,7 +390,8 @@ impl Pass<'_> {
             "MOD" => value % operand,
             "AND" => value & operand,
             "OR" => value | operand,
-            _ => value ^ operand,
+            "XOR" => value ^ operand,
+            _ => panic!("{name}: say in tests/naive what it does"),
         };
         self.value = wrap(result);
     }

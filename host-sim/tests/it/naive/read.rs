@@ -1,4 +1,7 @@
-//! A program file as instructions: the letters that its codes spell, and their numbers.
+//! A program file as instructions, by the table of docs/numeric-code.md: the letters of its codes, and their
+//! numbers.
+
+use std::sync::LazyLock;
 
 /// An instruction with all that stands with it.
 pub struct Step {
@@ -12,17 +15,43 @@ pub struct Step {
     pub line: u32,
     /// Bytes of program memory that it takes, from the table of the page.
     pub bytes: i64,
+    /// Whether it works with a register or, with XX = 00, a constant.
+    pub takes_number: bool,
 }
 
-/// The codes that end in no XX.
-const PLAIN: &[&str] = &[
-    "(", ")", "TON", "TOF", "TOR", "TP", "NOT", "EU", "ED", "A(", "X(", "RET", "NEG", "SQR", "SCL",
-];
+/// A row of the page's table of codes.
+struct Row {
+    /// The digits of the code, without XX.
+    digits: i64,
+    has_xx: bool,
+    letters: String,
+    /// How many bytes store it: `2`, `2, constant 6`, `3 and 1 a step`.
+    bytes: String,
+}
 
-/// Operations that take a register or, with XX = 00, a constant.
-pub const OPERATIONS: &[&str] = &[
-    "LD", "ADD", "SUB", "MUL", "DIV", "MOD", "AND", "OR", "XOR", "GT", "GE", "EQ", "NE", "LE", "LT",
-];
+/// The table of codes, as the page has it.
+fn page() -> &'static [Row] {
+    static PAGE: LazyLock<Vec<Row>> = LazyLock::new(|| {
+        let text = include_str!("../../../docs/numeric-code.md");
+        let (_, rest) = text.split_once("<!-- isa:begin -->").unwrap();
+        let (table, _) = rest.split_once("<!-- isa:end -->").unwrap();
+        let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
+        rows.map(row).collect()
+    });
+    &PAGE
+}
+
+fn row(line: &str) -> Row {
+    let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+    let code = cells[0].trim_matches('`');
+    let digits = code.strip_suffix("XX");
+    Row {
+        digits: digits.unwrap_or(code).parse().unwrap(),
+        has_xx: digits.is_some(),
+        letters: cells[1].strip_suffix(" XX").unwrap_or(cells[1]).to_owned(),
+        bytes: cells[4].to_owned(),
+    }
+}
 
 /// The instructions of a valid program, program start left out.
 pub fn read(text: &str) -> Vec<Step> {
@@ -37,7 +66,9 @@ pub fn read(text: &str) -> Vec<Step> {
     let mut codes = codes.into_iter().skip(1);
     let mut steps = Vec::new();
     while let Some((line, code)) = codes.next() {
-        let (letters, xx) = decode(code);
+        let (row, xx) = decode(code);
+        let letters = row.letters.clone();
+        let takes_number = row.bytes.contains("constant");
         let mut next = || codes.next().unwrap().1;
         let mut lines = Vec::new();
         let name = letters.trim_start_matches('-');
@@ -49,20 +80,15 @@ pub fn read(text: &str) -> Vec<Step> {
                 lines.push(next());
                 lines[0]
             }
-            _ if OPERATIONS.contains(&name) && xx == 0 => 1,
+            _ if takes_number && xx == 0 => 1,
             _ => 0,
         };
         lines.extend((0..count).map(|_| next()));
-        let bytes = match name {
-            "NL" | "(" | ")" | "A(" | "X(" | "NOT" | "EU" | "ED" | "RET" | "NEG" | "SQR"
-            | "LDI" | "LDO" | "LDB" | "STO" | "RI" | "RO" | "SWO" | "RWO" | "()" => 1,
-            "WO" if letters == "WO" => 1,
-            "TON" | "TOF" | "TOR" | "TP" | "CTU" | "CTD" => 6,
-            "MOV" | "FLT" | "JMP" => 4,
-            "SCL" => 9,
-            "DRM" => 3 + lines[0],
-            _ if OPERATIONS.contains(&name) && xx == 0 => 6,
-            _ => 2,
+        let bytes = match row.bytes.as_str() {
+            "2, constant 6" if lines.is_empty() => 2,
+            "2, constant 6" => 6,
+            "3 and 1 a step" => 3 + lines[0],
+            bytes => bytes.parse().unwrap(),
         };
         steps.push(Step {
             letters,
@@ -70,27 +96,17 @@ pub fn read(text: &str) -> Vec<Step> {
             lines,
             line,
             bytes,
+            takes_number,
         });
     }
     steps
 }
 
-/// Each pair of digits is a letter, and the last two are the number of a point.
-fn decode(code: i64) -> (String, usize) {
-    let minus = if code < 0 { "-" } else { "" };
-    let plain = letters(code.abs());
-    if PLAIN.contains(&plain.as_str()) {
-        return (format!("{minus}{plain}"), 0);
-    }
-    let spelt = letters(code.abs() / 100);
-    (format!("{minus}{spelt}"), (code.abs() % 100) as usize)
-}
-
-fn letters(mut code: i64) -> String {
-    let mut letters = Vec::new();
-    while code > 0 {
-        letters.push((code % 100) as u8 as char);
-        code /= 100;
-    }
-    letters.iter().rev().collect()
+/// The row of a code, and the number of its point.
+fn decode(code: i64) -> (&'static Row, usize) {
+    let fits = |row: &&Row| row.digits == if row.has_xx { code / 100 } else { code };
+    let row = page().iter().find(fits);
+    let row = row.unwrap_or_else(|| panic!("{code} is no code of the page"));
+    let xx = if row.has_xx { code.abs() % 100 } else { 0 };
+    (row, xx as usize)
 }
