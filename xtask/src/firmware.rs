@@ -9,10 +9,10 @@ use unoclp_core::Profile;
 use unoclp_core::isa::Opcode;
 
 use crate::budget::{Size, thousands};
+use crate::link::{self, Link};
 use crate::shell::{self, say};
-use crate::shorten::link::Link;
 use crate::toolchain::Toolchain;
-use crate::{parts, r0check, setup, shorten};
+use crate::{parts, r0check, setup};
 
 /// A build that is within its limits and has passed the check for wrong code.
 pub struct Firmware {
@@ -57,8 +57,8 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
 
     say("firmware: shortening what the compiler has made");
     let shortened = target_folder().join("shortened/unoclp.elf");
-    let rules = shorten::link::link(&link, &shortened)?;
-    println!("{rules}");
+    let rules = link::link(&link, &shortened)?;
+    println!("{}", link::savings(&rules));
     let elf =
         fs::read(&shortened).with_context(|| format!("cannot read {}", shortened.display()))?;
 

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use super::operands::normalise;
+
 /// The assembly of a whole firmware.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Unit {
@@ -52,23 +54,24 @@ pub enum Line {
 pub struct Code {
     /// Its mnemonic, in small letters.
     pub name: String,
-    /// Its operands as they were written.
+    /// Its operands, each in the one spelling that [`operands`](super::operands) gives it.
     pub operands: Vec<String>,
 }
 
 impl Code {
-    /// An instruction of its text, as `ldd r24, Y+3`. Comments are dropped.
+    /// An instruction of its text, as `ldd r24, Y+3`. Comments are dropped, and operands take the spelling
+    /// that LLVM prints.
     pub fn parse(text: &str) -> Self {
         let text = text.split(';').next().unwrap_or("").trim();
         let (name, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-        Code {
-            name: name.to_ascii_lowercase(),
-            operands: rest
-                .split(',')
-                .map(|operand| operand.trim().to_owned())
-                .filter(|operand| !operand.is_empty())
-                .collect(),
-        }
+        let name = name.to_ascii_lowercase();
+        let mut operands: Vec<String> = rest
+            .split(',')
+            .map(|operand| operand.trim().to_owned())
+            .filter(|operand| !operand.is_empty())
+            .collect();
+        normalise(&name, &mut operands);
+        Code { name, operands }
     }
 
     /// Whether it is exactly this text.
@@ -172,7 +175,7 @@ fn function_at(lines: &[&str], n: usize, between: &mut Vec<String>) -> Option<(F
 }
 
 /// The lines of a body; `None` if there is a directive among them that takes room.
-pub(super) fn body_of(lines: &[&str]) -> Option<Vec<Line>> {
+pub fn body_of(lines: &[&str]) -> Option<Vec<Line>> {
     let mut by_hand = false;
     lines
         .iter()

@@ -6,7 +6,9 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 
-use super::{Shortened, shorten};
+use avr_shorten::{Shortened, shorten};
+
+use crate::budget::thousands;
 use crate::shell;
 
 /// How rustc has called the linker.
@@ -108,6 +110,17 @@ pub fn link(link: &Link, elf: &Path) -> Result<Shortened> {
     shell::run(assembler.arg(&short).arg("-o").arg(&object))?;
     shell::run(&mut link.command(&object, elf)?)?;
     Ok(shortened)
+}
+
+/// A line for each rule: the bytes that it has saved.
+pub fn savings(shortened: &Shortened) -> String {
+    let all: isize = shortened.saved.iter().map(|(_, bytes)| bytes).sum();
+    let of = thousands(shortened.before as u64);
+    let mut text = format!("shortened functions of {of} B by {all} B");
+    for (name, bytes) in &shortened.saved {
+        text.push_str(&format!("\n  {name:<28}{:>7} B", -bytes));
+    }
+    text
 }
 
 #[cfg(test)]

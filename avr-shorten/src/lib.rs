@@ -1,9 +1,4 @@
-//! Makes the firmware shorter, between the compiler and the assembler.
-//!
-//! LLVM's AVR back end has no shared prologues, does not merge equal ends of functions, takes no equal
-//! parts out of them, and branches by way of jumps that are not needed. This module does that to its
-//! assembly: each rule is a file, [`assembly`] is what they work on, [`mod@link`] has the result assembled and
-//! linked. What each rule relies on, and how the result is checked, stands in `docs/avr-codegen.md`.
+#![doc = include_str!("../README.md")]
 
 pub mod assembly;
 pub mod body;
@@ -13,8 +8,8 @@ mod decide;
 pub mod effects;
 pub mod frame;
 mod jumps;
-pub mod link;
 mod liveness;
+pub mod operands;
 mod order;
 mod parts;
 mod reach;
@@ -24,11 +19,7 @@ mod tails;
 mod tests;
 mod values;
 
-use std::fmt;
-
 use assembly::{Line, Unit};
-
-use crate::budget::thousands;
 
 /// Shortened assembly, and what each rule has saved.
 pub struct Shortened {
@@ -104,17 +95,4 @@ fn bytes(unit: &Unit) -> usize {
         codes.map(effects::short_bytes).sum()
     };
     unit.functions().map(codes).sum()
-}
-
-/// A line for each rule: the bytes that it has saved.
-impl fmt::Display for Shortened {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all: isize = self.saved.iter().map(|(_, bytes)| bytes).sum();
-        let of = thousands(self.before as u64);
-        write!(f, "shortened functions of {of} B by {all} B")?;
-        for (name, bytes) in &self.saved {
-            write!(f, "\n  {name:<28}{:>7} B", -bytes)?;
-        }
-        Ok(())
-    }
 }
