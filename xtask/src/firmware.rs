@@ -56,7 +56,7 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     let link = compile(toolchain)?;
 
     say("firmware: shortening what the compiler has made");
-    let shortened = target_folder().join("shortened/unoclp.elf");
+    let shortened = shortened();
     let rules = link::link(&link, &shortened)?;
     println!("{}", link::savings(&rules));
     let elf =
@@ -109,6 +109,11 @@ pub fn cargo(toolchain: &Toolchain, subcommand: &str) -> Command {
         .arg("--target-dir")
         .arg(target_folder());
     cargo
+}
+
+/// The shortened firmware before it is checked, with its assembly beside it.
+pub fn shortened() -> PathBuf {
+    target_folder().join("shortened/unoclp.elf")
 }
 
 /// The AVR build has a folder of its own: the simulator's tests may run cargo meanwhile.

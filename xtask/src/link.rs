@@ -92,7 +92,13 @@ impl Link {
     }
 }
 
-/// Shortens what the compiler has made, and links it to `elf`, with the assembly and its object beside it.
+/// The compiler's assembly, beside the result of [`link`].
+pub fn compiled(elf: &Path) -> PathBuf {
+    elf.with_file_name("compiled.s")
+}
+
+/// Shortens what the compiler has made, and links it to `elf`, with the assembly before and after and the
+/// object beside it.
 ///
 /// # Errors
 /// If a file is missing, or the assembler or the linker refuses something.
@@ -102,6 +108,8 @@ pub fn link(link: &Link, elf: &Path) -> Result<Shortened> {
         .with_context(|| format!("cannot read {}", assembly.display()))?;
     let (short, object) = (elf.with_extension("s"), elf.with_extension("o"));
     shell::make_folder_of(elf)?;
+    let before = compiled(elf);
+    fs::write(&before, &text).with_context(|| format!("cannot write {}", before.display()))?;
     let shortened = shorten(&text);
     fs::write(&short, &shortened.text)
         .with_context(|| format!("cannot write {}", short.display()))?;

@@ -1,0 +1,99 @@
+//! Where the machine's values come from: both versions of a function ask the same questions, and get the
+//! same answers.
+
+/// Answers by numbers alone, so that it does not matter who asks first, or how often.
+pub struct Oracle {
+    /// Each seed but the first answers some of the questions in place of those before it.
+    seeds: Vec<u64>,
+    /// Values that the code compares with.
+    constants: Vec<u8>,
+}
+
+/// How many answers stay for one that changes with one more seed.
+pub const CHANGED: u64 = 16;
+
+/// What is asked for.
+#[derive(Clone, Copy)]
+#[allow(missing_docs, reason = "the fields are what the question is about")]
+pub enum Question {
+    /// A register at the entry.
+    Register(u8),
+    /// The flags at the entry.
+    Flags,
+    /// The stack pointer at the entry.
+    Stack,
+    /// A byte of memory, as the call with this number has left it.
+    Memory { address: u16, call: u32 },
+    /// Whether a call writes to a byte of memory.
+    Writes { address: u16, call: u32 },
+    /// A read of an I/O register, the first, the second and so on.
+    Io { address: u16, nth: u32 },
+    /// A register behind a call.
+    Result { register: u8, call: u32 },
+    /// What a call leaves in a register that nobody may look at, in one version and in the other.
+    Junk {
+        register: u8,
+        call: u32,
+        version: u8,
+    },
+    /// A byte of program memory.
+    Program(u16),
+}
+
+impl Oracle {
+    /// An oracle for a run. With one more seed, one in [`CHANGED`] of its answers is another.
+    pub fn new(seeds: &[u64], constants: Vec<u8>) -> Self {
+        let seeds = seeds.iter().map(|&seed| mix(seed)).collect();
+        Oracle { seeds, constants }
+    }
+
+    /// The answer.
+    pub fn answer(&self, question: Question) -> u64 {
+        let (kind, a, b, c): (u64, u64, u64, u64) = match question {
+            Question::Register(n) => (1, n.into(), 0, 0),
+            Question::Flags => (2, 0, 0, 0),
+            Question::Stack => (3, 0, 0, 0),
+            Question::Memory { address, call } => (4, address.into(), call.into(), 0),
+            Question::Writes { address, call } => (5, address.into(), call.into(), 0),
+            Question::Io { address, nth } => (6, address.into(), nth.into(), 0),
+            Question::Result { register, call } => (7, register.into(), call.into(), 0),
+            Question::Junk {
+                register,
+                call,
+                version,
+            } => (8, register.into(), call.into(), version.into()),
+            Question::Program(address) => (9, address.into(), 0, 0),
+        };
+        let key = kind << 60 ^ a << 40 ^ b << 8 ^ c;
+        let answers = |seed: &u64| mix(seed.wrapping_add(key));
+        let (first, later) = self.seeds.split_first().unwrap_or((&0, &[]));
+        let chosen = later.iter().rev().map(answers);
+        let mut chosen = chosen.filter(|answer| answer >> 32 & (CHANGED - 1) == 0);
+        mix(chosen.next().unwrap_or_else(|| answers(first)))
+    }
+
+    /// The answer as a byte: often 0, or a value that the code compares with, or one beside it.
+    pub fn byte(&self, question: Question) -> u8 {
+        let answer = self.answer(question);
+        let byte = (answer >> 8) as u8;
+        let place = (answer >> 16) as usize % self.constants.len().max(1);
+        let known = self.constants.get(place).copied().unwrap_or(byte);
+        match answer % 16 {
+            0..=2 => 0,
+            3..=4 => byte % 4,
+            5 => 0xFF,
+            6..=8 => known,
+            9 => known.wrapping_add(1),
+            10 => known.wrapping_sub(1),
+            _ => byte,
+        }
+    }
+}
+
+/// SplitMix64 by a single step.
+pub fn mix(mut n: u64) -> u64 {
+    n = n.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    n = (n ^ n >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    n = (n ^ n >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+    n ^ n >> 31
+}
