@@ -3,6 +3,7 @@
 
 use super::assembly::{Code, Function, Line, Unit};
 use super::effects::{Flow, effects, flow, register};
+use super::frame::points_to_frame;
 use super::liveness::needed_behind;
 use super::values::{Registers, Walk};
 
@@ -63,12 +64,13 @@ fn lasting(registers: &Registers, copy: &Code) -> Option<Line> {
 
 /// Goes through the code backward.
 fn drop_unneeded(function: &mut Function) -> bool {
+    let framed = points_to_frame(function);
     let needed = needed_behind(function);
     let mut after_skip = false;
     let mut kept = Vec::new();
     for (line, needed) in function.body.iter().zip(needed) {
         let drop = match line {
-            Line::Code(code) if !after_skip && is_only_a_value(code) => {
+            Line::Code(code) if !after_skip && is_only_a_value(code, framed) => {
                 effects(code).writes & needed == 0
             }
             _ => false,
@@ -85,14 +87,15 @@ fn drop_unneeded(function: &mut Function) -> bool {
     changed
 }
 
-/// Whether an instruction does nothing but to put a value into registers and flags.
-fn is_only_a_value(code: &Code) -> bool {
+/// Whether an instruction does nothing but to put a value into registers and flags. `framed` says that Y
+/// points to the frame.
+fn is_only_a_value(code: &Code, framed: bool) -> bool {
     const NAMES: [&str; 21] = [
         "mov", "movw", "ldi", "clr", "eor", "andi", "ori", "and", "or", "com", "lsr", "lsl", "ror",
         "rol", "swap", "add", "sub", "subi", "cp", "cpi", "cpc",
     ];
-    // A slot of the stack is plain memory.
-    let slot = code.name == "ldd" && code.operand(1).starts_with("Y+");
+    // A slot of the frame is plain memory. By another pointer a read may be one of an I/O register.
+    let slot = framed && code.name == "ldd" && code.operand(1).starts_with("Y+");
     // Of the frame and of r0, which the stack pointer's change needs, nothing is dropped.
     let kept = matches!(code.operand(0), "r28" | "r29" | "r0" | "r1");
     !kept && (slot || NAMES.contains(&code.name.as_str()))

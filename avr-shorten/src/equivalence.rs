@@ -20,6 +20,8 @@ use crate::machine::{End, Program, Run, Setting, run};
 
 /// The instructions that a run may have.
 pub const LIMIT: u32 = 10_000;
+/// How far pointers must keep away from the stack, in bytes.
+const BELOW: u16 = 16;
 /// The most instructions that may stand between two timed writes for the one to count on the other.
 const TIMED: u32 = 4;
 
@@ -118,6 +120,7 @@ impl Pair {
             oracle: &oracle,
             version: 0,
             moved: 0,
+            below: 2 * BELOW,
             limit: LIMIT,
         };
         let before = run(setting, function, &mut self.visited_before);
@@ -125,6 +128,8 @@ impl Pair {
             return Ok(false);
         }
         setting.program = &self.after;
+        // A shared part has a return address more on the stack.
+        setting.below = BELOW;
         // An interrupt keeps all registers.
         setting.version = u8::from(before.end != End::ReturnedFromInterrupt);
         setting.limit = 2 * LIMIT;
@@ -134,6 +139,11 @@ impl Pair {
         {
             setting.moved = wanted.wrapping_sub(found);
             after = run(setting, function, &mut self.visited_after);
+        }
+        // The few bytes by which its stack begins higher may be hit by a pointer too.
+        let higher = setting.moved != 0 && before.trace.starts_with(&after.trace);
+        if after.end == End::Void && higher {
+            return Ok(false);
         }
         match difference(&before, &after) {
             None => Ok(true),

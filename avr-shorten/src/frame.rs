@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::assembly::{Code, Function, Line};
 use super::body::code_from;
-use super::effects::{Flow, flow, register};
+use super::effects::{Flow, Set, effects, flow, register};
 
 /// The stack pointer's low byte, as an I/O address.
 const SPL: &str = "61";
@@ -180,6 +180,36 @@ pub fn is_understood(function: &Function) -> bool {
         at += 1;
     }
     moved_by == 0
+}
+
+/// Whether Y points to the frame wherever a function uses it: the entry sets it to the stack pointer, and
+/// up to the exits nothing writes to it but what moves it to reach a far slot, and back at once.
+pub fn points_to_frame(function: &Function) -> bool {
+    const Y: Set = 3 << 28;
+    let Some(frame) = frame(function).filter(|frame| frame.room.is_some()) else {
+        return false;
+    };
+    let body = &function.body;
+    let mut moved_by = 0_u16;
+    let mut at = frame.entry.end;
+    while let Some(line) = body.get(at) {
+        if let Some(exit) = frame.exits.iter().find(|exit| exit.contains(&at)) {
+            at = exit.end;
+            continue;
+        }
+        if let (Line::Code(_), Some((next, by))) = (line, y_moved(body, at)) {
+            moved_by = moved_by.wrapping_add(by);
+            at = next;
+            continue;
+        }
+        let code = line.instruction();
+        let straight = code.map_or(!matches!(line, Line::Label(_)), |c| flow(c) == Flow::Next);
+        if code.is_some_and(|code| effects(code).writes & Y != 0) || moved_by != 0 && !straight {
+            return false;
+        }
+        at += 1;
+    }
+    true
 }
 
 /// Whether an address that begins as a copy of Y stays within the frame: what is added comes soon.

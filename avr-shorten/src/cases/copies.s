@@ -119,12 +119,132 @@ f:
 == what nothing needs is dropped
 f:
         ldi r26, 7
-        ldd r27, Y+3
+        mov r27, r24
         ret
 =>
 f:
-
         ret
+
+== nor a read of the frame, however far its slot is
+f:
+        push r28
+        push r29
+        in r28, 61
+        in r29, 62
+        subi r28, 80
+        sbci r29, 0
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        ldd r27, Y+3
+        adiw r28, 18
+        ldd r27, Y+62
+        sbiw r28, 18
+        ldd r24, Y+5
+        subi r28, 176
+        sbci r29, 255
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        pop r29
+        pop r28
+        ret
+=>
+f:
+        push r28
+        push r29
+        in r28, 61
+        in r29, 62
+        subi r28, 80
+        sbci r29, 0
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        adiw r28, 18
+        sbiw r28, 18
+        ldd r24, Y+5
+        subi r28, 176
+        sbci r29, 255
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        pop r29
+        pop r28
+        ret
+
+== a read by Y is none of the frame where Y is no frame pointer
+f:
+        push r28
+        push r29
+        movw r28, r24
+        ldd r27, Y+3
+        ldd r24, Y+2
+        pop r29
+        pop r28
+        ret
+=> unchanged
+
+== nor where Y was the frame pointer at the entry only
+f:
+        push r28
+        push r29
+        in r28, 61
+        in r29, 62
+        sbiw r28, 8
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        movw r16, r28
+        ldd r28, Y+1
+        ldd r27, Y+3
+        movw r28, r16
+        adiw r28, 8
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        pop r29
+        pop r28
+        ret
+=> unchanged
+
+== nor where an asm block moves Y, in whatever spelling
+f:
+        push r28
+        push r29
+        in r28, 61
+        in r29, 62
+        sbiw r28, 8
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        ;APP
+        movw YL, 0x18
+        ;NO_APP
+        ldd r27, Y+3
+        adiw r28, 8
+        in r0, 63
+        cli
+        out 62, r29
+        out 63, r0
+        out 61, r28
+        pop r29
+        pop r28
+        ret
+=> unchanged
 
 == not a result, nor a register of the caller's, nor a read of anything but the stack
 f:

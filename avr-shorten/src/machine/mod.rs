@@ -80,12 +80,12 @@ pub struct Setting<'a> {
     pub version: u8,
     /// What the stack pointer is moved by at the entry, so that frames of both versions begin alike.
     pub moved: u16,
+    /// How far below the stack wild pointers must keep away from.
+    pub below: u16,
     /// The instructions after which a run is too long.
     pub limit: u32,
 }
 
-/// How far the stack reaches where nothing was pushed yet: wild pointers must keep away.
-const BELOW: u16 = 8;
 /// The return address that ends the run.
 const CALLER: u16 = 0xFFFF;
 /// The address of the first instruction.
@@ -116,8 +116,9 @@ struct Machine<'a> {
     frame: Option<u16>,
     gaps: Vec<u32>,
     timed: Option<u32>,
-    /// Whether the instruction is one of the pass's routines.
-    routine: bool,
+    /// Whether the instruction is one of the pass's routines, or of an `asm!` block: these may look below the
+    /// stack, and at what was pushed.
+    trusted: bool,
 }
 
 /// Where control goes.
@@ -151,7 +152,7 @@ pub fn run(setting: Setting<'_>, function: &str, visited: &mut [bool]) -> Run {
             *visited = true;
         }
         steps += 1;
-        machine.routine = step.routine;
+        machine.trusted = step.routine || step.by_hand;
         if step.timed {
             let last = machine.timed.replace(steps);
             machine.gaps.extend(last.map(|last| steps - last));

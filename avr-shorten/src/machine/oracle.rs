@@ -5,8 +5,7 @@
 pub struct Oracle {
     /// Each seed but the first answers some of the questions in place of those before it.
     seeds: Vec<u64>,
-    /// Values that the code compares with.
-    constants: Vec<u8>,
+    constants: Constants,
 }
 
 /// How many answers stay for one that changes with one more seed.
@@ -42,7 +41,7 @@ pub enum Question {
 
 impl Oracle {
     /// An oracle for a run. With one more seed, one in [`CHANGED`] of its answers is another.
-    pub fn new(seeds: &[u64], constants: Vec<u8>) -> Self {
+    pub fn new(seeds: &[u64], constants: Constants) -> Self {
         let seeds = seeds.iter().map(|&seed| mix(seed)).collect();
         Oracle { seeds, constants }
     }
@@ -72,12 +71,19 @@ impl Oracle {
         mix(chosen.next().unwrap_or_else(|| answers(first)))
     }
 
-    /// The answer as a byte: often 0, or a value that the code compares with, or one beside it.
+    /// The answer as a byte: often 0, or a value that the code compares with, or one beside it, or half of a
+    /// word that it compares with where the other half is the next answer.
     pub fn byte(&self, question: Question) -> u8 {
+        if let Some([low, _]) = self.word(question) {
+            return low;
+        }
+        if let Some([_, high]) = question.before().and_then(|before| self.word(before)) {
+            return high;
+        }
         let answer = self.answer(question);
         let byte = (answer >> 8) as u8;
-        let place = (answer >> 16) as usize % self.constants.len().max(1);
-        let known = self.constants.get(place).copied().unwrap_or(byte);
+        let place = (answer >> 16) as usize % self.constants.bytes.len().max(1);
+        let known = self.constants.bytes.get(place).copied().unwrap_or(byte);
         match answer % 16 {
             0..=2 => 0,
             3..=4 => byte % 4,
@@ -88,6 +94,50 @@ impl Oracle {
             _ => byte,
         }
     }
+
+    /// The word that begins here, if one does.
+    fn word(&self, question: Question) -> Option<[u8; 2]> {
+        let answer = self.answer(question);
+        let place = (answer >> 8) as usize % self.constants.words.len().max(1);
+        let word = *self.constants.words.get(place)?;
+        (question.begins_word() && answer >> 4 & 0xF < 3).then_some(word)
+    }
+}
+
+impl Question {
+    /// The question for the low byte, if this one may be for the high byte of a word.
+    fn before(self) -> Option<Self> {
+        Some(match self {
+            Question::Register(n) => Question::Register(n.checked_sub(1)?),
+            Question::Memory { address, call } => Question::Memory {
+                address: address.wrapping_sub(1),
+                call,
+            },
+            Question::Result { register, call } => Question::Result {
+                register: register.checked_sub(1)?,
+                call,
+            },
+            _ => return None,
+        })
+    }
+
+    /// Whether a word may begin here: in registers it does so at even numbers.
+    fn begins_word(self) -> bool {
+        match self {
+            Question::Register(register) | Question::Result { register, .. } => register % 2 == 0,
+            Question::Memory { .. } => true,
+            _ => false,
+        }
+    }
+}
+
+/// Values that code compares with.
+#[derive(Clone, Debug, Default)]
+pub struct Constants {
+    /// Bytes.
+    pub bytes: Vec<u8>,
+    /// Words, the low byte first.
+    pub words: Vec<[u8; 2]>,
 }
 
 /// SplitMix64 by a single step.

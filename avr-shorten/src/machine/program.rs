@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::decode::{Op, decode};
+use super::oracle::Constants;
 use crate::assembly::{Code, Line, Unit};
 use crate::effects::is_timed;
 
@@ -132,28 +133,45 @@ impl Program {
         self.functions.get(function).copied()
     }
 
-    /// The steps of a function, and the constants in its code: values that a branch of it may ask for.
-    pub(crate) fn constants(&self, function: &str) -> Vec<u8> {
-        use super::decode::Value::Constant;
+    /// The constants in the code of a function: values that a branch of it may ask for.
+    pub(crate) fn constants(&self, function: &str) -> Constants {
+        use super::decode::Value::{Constant, Register};
         let begin = self.begin(function).unwrap_or(self.steps.len());
-        let ops = self.steps.iter().skip(begin);
-        let ops = ops.map_while(|step| step.op.as_ref());
-        let mut found: Vec<u8> = ops
-            .filter_map(|op| match *op {
+        let steps = self.steps.iter().skip(begin);
+        let mut found = Constants::default();
+        // What each register was set to last; good enough for `ldi high; cpi low; cpc high`.
+        let mut held = [0; 32];
+        let mut low = 0;
+        for op in steps.map_while(|step| step.op.as_ref()) {
+            match *op {
+                Op::Move {
+                    to,
+                    from: Constant(n),
+                } => {
+                    held[usize::from(to)] = n;
+                    found.bytes.push(n);
+                }
                 Op::Subtract {
                     value: Constant(n), ..
+                } => {
+                    low = n;
+                    found.bytes.push(n);
                 }
-                | Op::Logic {
+                Op::Subtract {
+                    value: Register(r),
+                    carry: true,
+                    ..
+                } => found.words.push([low, held[usize::from(r)]]),
+                Op::Logic {
                     value: Constant(n), ..
-                }
-                | Op::Move {
-                    from: Constant(n), ..
-                } => Some(n),
-                _ => None,
-            })
-            .collect();
-        found.sort_unstable();
-        found.dedup();
+                } => found.bytes.push(n),
+                _ => {}
+            }
+        }
+        found.bytes.sort_unstable();
+        found.bytes.dedup();
+        found.words.sort_unstable();
+        found.words.dedup();
         found
     }
 

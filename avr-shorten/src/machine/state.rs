@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::decode::{Place, Value, flag};
 use super::oracle::Question;
-use super::{BELOW, CALLER, End, Event, IO, Machine, RAM, Run, SPH, SPL, SREG, Setting, Wild};
+use super::{CALLER, End, Event, IO, Machine, RAM, Run, SPH, SPL, SREG, Setting, Wild};
 
 /// The registers that a function may look at: its arguments, and r1, which is 0.
 const ARGUMENTS: [u8; 19] = [
@@ -16,8 +16,8 @@ const JUNK: [u8; 5] = [0, 26, 27, 30, 31];
 impl<'a> Machine<'a> {
     pub(super) fn new(setting: Setting<'a>) -> Self {
         let oracle = setting.oracle;
-        // Clear of all data, so that few pointers hit the stack.
-        let random = 0x4000 + oracle.answer(Question::Stack) as u16 % 0x8000;
+        // Above all data, so that few pointers hit the stack.
+        let random = 0x900 + oracle.answer(Question::Stack) as u16 % 0x200;
         let entry = random.wrapping_add(setting.moved);
         let mut machine = Machine {
             setting,
@@ -34,7 +34,7 @@ impl<'a> Machine<'a> {
             frame: None,
             gaps: Vec::new(),
             timed: None,
-            routine: false,
+            trusted: false,
         };
         machine.registers[1] = 0;
         machine.junk();
@@ -194,8 +194,8 @@ impl<'a> Machine<'a> {
     fn check(&self, address: u16, place: Place) -> Result<(), Wild> {
         let by_pointer = !matches!(place, Place::Fixed(_));
         let special = address < IO || (SPL..=SREG).contains(&address);
-        let near = self.lowest.wrapping_sub(BELOW)..=self.entry.wrapping_add(2);
-        let private = address <= self.stack || self.saved.contains(&address) && !self.routine;
+        let near = self.lowest.wrapping_sub(self.setting.below)..=self.entry.wrapping_add(2);
+        let private = !self.trusted && (address <= self.stack || self.saved.contains(&address));
         if by_pointer && (special || near.contains(&address) && private) {
             return Err(Wild);
         }
