@@ -50,8 +50,11 @@ impl Link {
         Ok(link)
     }
 
-    /// The file that it has made.
-    fn result(&self) -> Result<PathBuf> {
+    /// The file that it has made: the firmware as the compiler left it.
+    ///
+    /// # Errors
+    /// If it has no name.
+    pub fn result(&self) -> Result<PathBuf> {
         let at = self.words.iter().position(|word| word == "-o");
         let name = at.and_then(|at| self.words.get(at + 1));
         name.map(PathBuf::from)

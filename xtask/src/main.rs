@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{bench, card, demo, firmware, flash, modules, r0check, setup, test};
+use xtask::{bench, card, demo, firmware, flash, modules, setup, test};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -21,8 +21,6 @@ enum Task {
     Card(card::Args),
     /// Write the firmware to a board
     Flash(flash::Args),
-    /// Look for code that an error of LLVM's AVR back end has made wrong
-    R0check(r0check::Args),
     /// Show circles of modules in each crate
     Modules,
     /// Install what demo, test and firmware need, or say what is missing
@@ -37,7 +35,6 @@ fn main() -> ExitCode {
         Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
-        Task::R0check(args) => r0check::run(&args),
         Task::Modules => modules::run(),
         Task::Setup => setup::run(),
     };

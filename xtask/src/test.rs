@@ -44,13 +44,20 @@ pub fn run() -> Result<()> {
         tests(&mut test)
     })?;
     step("firmware", || firmware::build(&toolchain))?;
-    sum += step("tests of the check for wrong code", || {
+    sum += step("tests of what the compiler has made", || {
         let options = [
             "--package=xtask",
             "--features=avr-tools",
+            "--test=equivalence",
             "--test=miscompile",
         ];
-        tests(cargo().arg("test").args(options))
+        // Shown, because the tests print how much was compared.
+        tests(
+            cargo()
+                .arg("test")
+                .args(options)
+                .args(["--", "--nocapture"]),
+        )
     })?;
     sum += step("tests of the firmware on the simulated UNO", || {
         // Shown, because the tests print what they measure: scenarios, times, stack.

@@ -11,7 +11,7 @@ use avr_shorten::machine::Program;
 use xtask::{firmware, link};
 
 /// How often each function runs.
-const RUNS: u64 = 1500;
+const RUNS: u64 = 1_000;
 
 fn units() -> (Unit, Unit) {
     let elf = firmware::shortened();

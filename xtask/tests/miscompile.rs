@@ -1,10 +1,10 @@
-//! The check for wrong code against the compiler itself: it must find the product that is lost in
-//! `fixtures/lost-product`, and must find nothing in the same source compiled with the flags of
-//! the project. It needs the AVR tools: `cargo xtask test` runs it.
+//! The check for products against the compiler itself: `fixtures/lost-product` loses one when it is compiled
+//! with LLVM's defaults, and has none of the compiler's with the flags of the project. It needs the AVR tools:
+//! `cargo xtask test` runs it.
 
 use std::fs;
 
-use xtask::r0check::{self, Origin, Report};
+use xtask::mulcheck::{self, Report};
 use xtask::{shell, toolchain::Toolchain};
 
 /// The flags of `.cargo/config.toml` without the remedy.
@@ -35,25 +35,19 @@ fn build(target: &str, flags: Option<&[&str]>) -> Report {
     }
     shell::run(&mut cargo).expect("the fixture compiles");
     let elf = fs::read(target.join("avr-none/firmware/lost-product.elf")).expect("an ELF");
-    r0check::check(&elf).expect("an ELF that can be checked")
+    mulcheck::check(&elf).expect("an ELF that can be checked")
 }
 
 #[test]
-fn the_lost_product_is_found() {
+fn a_product_of_the_compiler_is_found() {
     let report = build("target/avr-fixture/without", Some(&WITHOUT));
-    let [finding] = &report.findings.iter().collect::<Vec<_>>()[..] else {
-        panic!("expected one finding: {report}");
-    };
-    assert_eq!(finding.function, "case", "{report}");
-    assert!(
-        matches!(finding.origins[..], [Origin::Status(_)]),
-        "{report}"
-    );
+    let functions: Vec<&str> = report.foreign.iter().map(|(_, name)| &**name).collect();
+    assert_eq!(functions, ["case"], "{report}");
 }
 
 #[test]
-fn the_project_s_flags_keep_the_product() {
+fn with_the_flags_of_the_project_all_products_are_written_by_hand() {
     let report = build("target/avr-fixture/with", None);
     assert_eq!(report.products, PRODUCTS, "{report}");
-    assert_eq!(report.findings.len(), 0, "{report}");
+    assert_eq!(report.foreign, [], "{report}");
 }
