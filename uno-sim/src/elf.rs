@@ -12,6 +12,9 @@ use std::path::{Path, PathBuf};
 
 /// Flash of the ATmega328P, bytes.
 pub const FLASH_LEN: usize = 0x8000;
+/// What a chip of the same kind could have and still reach all of it by Z, bytes: for
+/// [`Program::read_enlarged`].
+pub const ENLARGED_FLASH_LEN: usize = 0x1_0000;
 /// First address of the SRAM in data space; below are the registers.
 pub const RAM_START: u32 = 0x100;
 /// Last address of the SRAM (RAMEND), where the stack starts.
@@ -46,7 +49,7 @@ pub struct Symbol {
 }
 
 /// A program for the ATmega328P, as read from an ELF file.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Program {
     /// Flash from address 0, code and the start values of `.data`.
     pub(crate) flash: Vec<u8>,
@@ -55,6 +58,8 @@ pub struct Program {
     symbols: BTreeMap<String, Symbol>,
     /// First data address above `.data`, `.bss` and `.noinit`.
     pub(crate) static_ram_end: u32,
+    /// The flash that the chip has, bytes.
+    pub(crate) flash_len: usize,
 }
 
 /// The ELF file of the firmware: the environment variable `UNOCLP_ELF` where it is set, else
@@ -74,12 +79,49 @@ pub fn firmware_elf() -> Result<PathBuf, Error> {
     }
 }
 
+/// The firmware as the compiler made it, for [`Program::read_enlarged`]: it stands beside [`firmware_elf`].
+///
+/// # Errors
+/// [`Error::NoFirmware`] where there is no such file.
+pub fn unshortened_elf() -> Result<PathBuf, Error> {
+    let path = firmware_elf()?.with_file_name("unoclp-unshortened.elf");
+    if path.is_file() {
+        Ok(path)
+    } else {
+        Err(Error::NoFirmware(path))
+    }
+}
+
 impl Program {
+    /// No program, for a chip with so much flash.
+    fn empty(flash_len: usize) -> Program {
+        Program {
+            flash: Vec::new(),
+            eeprom: Vec::new(),
+            symbols: BTreeMap::new(),
+            static_ram_end: RAM_START,
+            flash_len,
+        }
+    }
+
     /// Reads an ELF file.
     ///
     /// # Errors
     /// Where the file cannot be read, is no ELF file, is for another chip, or does not fit into this one.
     pub fn read(path: &Path) -> Result<Program, Error> {
+        Program::read_for(path, FLASH_LEN)
+    }
+
+    /// Reads an ELF file for a chip that has all that an ATmega328P has, and [`ENLARGED_FLASH_LEN`] of flash:
+    /// the firmware before it is shortened does not fit the real one.
+    ///
+    /// # Errors
+    /// As [`Program::read`].
+    pub fn read_enlarged(path: &Path) -> Result<Program, Error> {
+        Program::read_for(path, ENLARGED_FLASH_LEN)
+    }
+
+    fn read_for(path: &Path, flash_len: usize) -> Result<Program, Error> {
         let file = std::fs::read(path).map_err(|source| Error::Read {
             path: path.into(),
             source,
@@ -98,10 +140,7 @@ impl Program {
         if elf.elf_header().e_machine(endian) != EM_AVR {
             return Err(unfit("it is for another kind of processor".into()));
         }
-        let mut program = Program {
-            static_ram_end: RAM_START,
-            ..Program::default()
-        };
+        let mut program = Program::empty(flash_len);
         for segment in elf.elf_program_headers() {
             let bytes = segment.data(endian, file.as_slice()).map_err(|()| {
                 unfit("a segment lies outside the file; it seems to be cut off".into())
@@ -141,8 +180,7 @@ impl Program {
     pub(crate) fn from_words(words: &[u16]) -> Program {
         Program {
             flash: words.iter().flat_map(|word| word.to_le_bytes()).collect(),
-            static_ram_end: RAM_START,
-            ..Program::default()
+            ..Program::empty(FLASH_LEN)
         }
     }
 
@@ -174,7 +212,7 @@ impl Program {
     /// Puts the bytes of a segment where its load address says.
     fn load(&mut self, address: u32, bytes: &[u8]) -> Result<(), String> {
         let (memory, len, name) = match locate(address) {
-            Some((Space::Flash, _)) => (&mut self.flash, FLASH_LEN, "flash"),
+            Some((Space::Flash, _)) => (&mut self.flash, self.flash_len, "flash"),
             Some((Space::Eeprom, _)) => (&mut self.eeprom, EEPROM_LEN, "EEPROM"),
             Some((Space::Data, _)) => {
                 return Err("a segment would have to be loaded into RAM".into());
@@ -248,7 +286,7 @@ mod tests {
 
     #[test]
     fn segments_go_where_their_load_address_says() {
-        let mut program = Program::default();
+        let mut program = Program::empty(FLASH_LEN);
         program.load(4, &[1, 2]).expect("flash");
         program.load(EEPROM + 2, &[3]).expect("EEPROM");
         program.load(FUSES, &[4]).expect("fuses are left alone");

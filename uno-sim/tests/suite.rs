@@ -5,9 +5,10 @@ mod common;
 use unoclp_core::Millis;
 use unoclp_host_sim::scenario::{Scenario, check};
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::{Program, unshortened_elf};
 
-fn run_all(clock: Clock, folders: &[&str], longest: Millis) {
-    let mut engine = UnoEngine::new(common::firmware(), clock).unwrap();
+fn run_all(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
+    let mut engine = UnoEngine::new(firmware, clock).unwrap();
     let (mut passed, mut failed) = (0, Vec::new());
     for path in common::scenarios(folders) {
         let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
@@ -35,7 +36,27 @@ fn run_all(clock: Clock, folders: &[&str], longest: Millis) {
 /// NC-1 … NC-19, each scan with the time stamp that the scenario says.
 #[test]
 fn every_scenario_in_lockstep() {
-    run_all(Clock::Lockstep, &["programs", "suite"], Millis::MAX);
+    let firmware = common::firmware();
+    run_all(
+        firmware,
+        Clock::Lockstep,
+        &["programs", "suite"],
+        Millis::MAX,
+    );
+}
+
+/// The same on the firmware before its assembly is shortened: a scenario that fails in the other test alone
+/// is the pass's fault, one that fails in both is not.
+#[test]
+fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
+    let firmware = Program::read_enlarged(&unshortened_elf().unwrap()).unwrap();
+    assert!(firmware.flash_bytes() > common::firmware().flash_bytes());
+    run_all(
+        firmware,
+        Clock::Lockstep,
+        &["programs", "suite"],
+        Millis::MAX,
+    );
 }
 
 /// The samples and the timers with the board's own clock, which the timer interrupt drives: exact
@@ -43,5 +64,11 @@ fn every_scenario_in_lockstep() {
 /// test, where time costs nothing.
 #[test]
 fn programs_and_timers_on_the_running_clock() {
-    run_all(Clock::Running, &["programs", "suite/timers"], 40_000);
+    let firmware = common::firmware();
+    run_all(
+        firmware,
+        Clock::Running,
+        &["programs", "suite/timers"],
+        40_000,
+    );
 }

@@ -32,13 +32,17 @@ pub struct Avr {
 }
 
 impl Avr {
-    /// A chip fresh from the factory, just powered.
-    pub fn new() -> Result<Avr, Error> {
+    /// A chip fresh from the factory, just powered, with this many bytes of flash.
+    pub fn new(flash_len: usize) -> Result<Avr, Error> {
         // SAFETY: the name is a C string; simavr copies nothing of it.
         let avr = unsafe { ffi::avr_make_mcu_by_name(c"atmega328p".as_ptr()) };
         let avr = NonNull::new(avr).ok_or(Error::Simavr("it was built without this chip"))?;
-        // SAFETY: `avr` is a chip that simavr has just allocated and that nobody else knows.
-        let status = unsafe { ffi::avr_init(avr.as_ptr()) };
+        // SAFETY: `avr` is a chip that simavr has just allocated and that nobody else knows. The field is a plain
+        // value, by which `avr_init` allocates the flash.
+        let status = unsafe {
+            (*avr.as_ptr()).flashend = flash_len as u32 - 1;
+            ffi::avr_init(avr.as_ptr())
+        };
         let avr = Avr { avr };
         if status != 0 {
             return Err(Error::Simavr("avr_init failed"));

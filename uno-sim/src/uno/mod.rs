@@ -70,7 +70,7 @@ impl Uno {
     /// # Errors
     /// Where simavr cannot simulate the chip.
     pub fn with_program(program: Program, slot: Slot) -> Result<Uno, Error> {
-        let mut avr = Avr::new()?;
+        let mut avr = Avr::new(program.flash_len)?;
         avr.load_flash(&program.flash);
         power::scramble(avr.data_mut(), 0);
         let mut wired = Wired::new(&mut avr, slot)?;
