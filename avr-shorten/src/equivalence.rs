@@ -29,6 +29,7 @@ const TIMED: u32 = 4;
 pub struct Pair {
     before: Program,
     after: Program,
+    fragment: bool,
     visited_before: Vec<bool>,
     visited_after: Vec<bool>,
 }
@@ -77,6 +78,15 @@ impl Pair {
             visited_after: vec![false; after.steps()],
             before,
             after,
+            fragment: false,
+        }
+    }
+
+    /// Takes both versions of code that is no whole function: it may look at all registers at its entry.
+    pub fn of_fragments(before: Program, after: Program) -> Self {
+        Pair {
+            fragment: true,
+            ..Pair::new(before, after)
         }
     }
 
@@ -119,6 +129,7 @@ impl Pair {
             original: &self.before,
             oracle: &oracle,
             version: 0,
+            fragment: self.fragment,
             moved: 0,
             below: 2 * BELOW,
             limit: LIMIT,

@@ -1,7 +1,9 @@
 //! Each rule on the cases of its file in `cases/`: `== what`, functions, `=>`, what becomes of them. Where
-//! nothing may change it says `unchanged`.
+//! nothing may change it says `unchanged`. What has changed must still do the same when it runs.
 
-use super::assembly::{Function, Item, Line, Unit, body_of};
+use super::assembly::{Code, Function, Item, Line, Unit, body_of};
+use super::equivalence::{Difference, Pair};
+use super::machine::Program;
 use super::saves::routine;
 use super::{compare, copies, decide, jumps, parts, reach, saves, tails};
 
@@ -55,9 +57,143 @@ fn check(file: &str, rule: impl Fn(&mut Unit)) {
             _ => text(&unit(after)),
         };
         assert_eq!(text(&changed), expected, "{what}");
+        if let Some(difference) = difference(&before, &changed) {
+            panic!("{what}: {difference}");
+        }
         cases += 1;
     }
     assert!(cases > 0);
+}
+
+/// Runs each function before and after, many times. Says what was different first.
+fn difference(before: &Unit, after: &Unit) -> Option<Difference> {
+    let program = |unit| Program::new(unit).unwrap_or_else(|error| panic!("{error}"));
+    let mut pair = Pair::of_fragments(program(before), program(after));
+    let explore = |function: &Function| pair.explore(&function.name, 200).err();
+    before.functions().find_map(explore)
+}
+
+/// A unit with a change that a rule might make by mistake, as long as it can make one.
+fn with_mistake(unit: &Unit, mistake: impl Fn(&mut Vec<Line>)) -> Unit {
+    let mut wrong = unit.clone();
+    wrong.functions_mut().for_each(|f| mistake(&mut f.body));
+    wrong
+}
+
+/// Mistakes, each with code that shows it.
+#[test]
+fn a_rule_that_is_wrong_is_caught() {
+    let drop = |name: &'static str| {
+        move |body: &mut Vec<Line>| {
+            let at = body
+                .iter()
+                .position(|line| line.instruction().is_some_and(|c| c.name == name));
+            body.remove(at.expect(name));
+        }
+    };
+    let replace = |old: &'static str, new: &'static str| {
+        move |body: &mut Vec<Line>| {
+            let at = body.iter().position(|line| *line == Line::code(old));
+            body[at.expect(old)] = Line::code(new);
+        }
+    };
+    type Mistake = Box<dyn Fn(&mut Vec<Line>)>;
+    let cases: [(&str, &str, Mistake); 13] = [
+        (
+            "a comparison whose carry is needed",
+            "f:\n andi r24, 32\n cpi r24, 0\n cpc r25, r1\n breq .L1\n call g\n.L1:\n nop\n ret",
+            Box::new(drop("cpi")),
+        ),
+        (
+            "the other condition",
+            "f:\n tst r24\n breq .L1\n call g\n.L1:\n nop\n ret",
+            Box::new(replace("breq .L1", "brne .L1")),
+        ),
+        (
+            "a condition that differs at a borrow only",
+            "f:\n cp r24, r22\n brlt .L1\n ldi r24, 1\n.L1:\n ret",
+            Box::new(replace("brlt .L1", "brlo .L1")),
+        ),
+        (
+            "a register that is kept for the caller",
+            "f:\n push r16\n ldi r16, 1\n call g\n pop r16\n ret",
+            Box::new(move |body| {
+                drop("push")(body);
+                drop("pop")(body);
+            }),
+        ),
+        (
+            "a push without its pop",
+            "f:\n push r16\n call g\n pop r16\n ret",
+            Box::new(drop("pop")),
+        ),
+        (
+            "a register that a call changes",
+            "f:\n movw r26, r14\n call g\n movw r26, r14\n ld r24, X\n ret",
+            Box::new(move |body| {
+                body.remove(2);
+            }),
+        ),
+        (
+            "an argument",
+            "f:\n ldi r22, 7\n call g\n ret",
+            Box::new(drop("ldi")),
+        ),
+        (
+            "a write",
+            "f:\n std Z+1, r24\n std Z+2, r24\n ret",
+            Box::new(drop("std")),
+        ),
+        (
+            "the order of writes",
+            "f:\n sts 100, r24\n sts 101, r24\n ret",
+            Box::new(|body| body.swap(0, 1)),
+        ),
+        (
+            "a read of an I/O register that nothing needs",
+            "f:\n lds r26, 198\n ret",
+            Box::new(drop("lds")),
+        ),
+        (
+            "a read by a pointer that may be of I/O",
+            "f:\n ldd r27, Y+3\n ret",
+            Box::new(drop("ldd")),
+        ),
+        (
+            "interrupts that stay off",
+            "f:\n in r0, 63\n cli\n sts 300, r24\n out 63, r0\n ret",
+            Box::new(drop("out")),
+        ),
+        (
+            "a write that comes too late",
+            "f:\n ldi r25, 24\n sts 96, r25\n sts 96, r1\n ret",
+            Box::new(|body| body.insert(2, Line::code("nop"))),
+        ),
+    ];
+    for (what, text, mistake) in cases {
+        let before = unit(text);
+        assert!(difference(&before, &before).is_none(), "{what}");
+        let wrong = with_mistake(&before, mistake);
+        assert!(difference(&before, &wrong).is_some(), "{what}");
+    }
+}
+
+#[test]
+fn an_instruction_that_the_machine_does_not_know_is_an_error() {
+    for code in [
+        "des 3",
+        "mul r24, r25",
+        "mov r24, counter",
+        "ldd r24, Y-3",
+        "in r24, 200",
+    ] {
+        let before = unit(&format!("f:\n {code}\n ret"));
+        let error = Program::new(&before).err().expect(code);
+        assert_eq!(
+            (error.function.as_str(), error.code),
+            ("f", Code::parse(code))
+        );
+    }
 }
 
 #[test]

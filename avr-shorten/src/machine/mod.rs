@@ -78,6 +78,8 @@ pub struct Setting<'a> {
     pub oracle: &'a Oracle,
     /// Which version this is: what nobody may look at differs between versions.
     pub version: u8,
+    /// Whether the code may look at all registers at the entry, so that they are equal there.
+    pub fragment: bool,
     /// What the stack pointer is moved by at the entry, so that frames of both versions begin alike.
     pub moved: u16,
     /// How far below the stack wild pointers must keep away from.

@@ -56,7 +56,11 @@ impl<'a> Machine<'a> {
 
     /// What other code leaves in registers that nobody may look at.
     fn junk(&mut self) {
-        let (call, version) = (self.calls, self.setting.version);
+        let call = self.calls;
+        let version = match self.setting.fragment && call == 0 {
+            true => 0,
+            false => self.setting.version,
+        };
         for register in JUNK {
             let question = Question::Junk {
                 register,
