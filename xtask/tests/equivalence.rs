@@ -12,6 +12,12 @@ use xtask::{firmware, link};
 
 /// How often each function runs.
 const RUNS: u64 = 1_000;
+/// How often it does where a mistake is put in.
+const FEW: u64 = 100;
+/// The least share of the instructions that must have run, in per cent.
+const LEAST: usize = 80;
+/// The least share of the mistakes that must be found, in per cent.
+const FOUND: usize = 90;
 
 fn units() -> (Unit, Unit) {
     let elf = firmware::shortened();
@@ -58,9 +64,6 @@ fn every_function_that_was_shortened_does_the_same() {
     let (mut run, mut all) = (0, 0);
     for function in &changed {
         let (some, of) = pair.coverage(function);
-        if some * 2 < of {
-            println!("{function} {some} of {of}");
-        }
         run += some;
         all += of;
     }
@@ -68,5 +71,32 @@ fn every_function_that_was_shortened_does_the_same() {
         "{} functions: {alike} runs alike, {void} without meaning; {run} of {all} instructions run",
         changed.len()
     );
-    assert!(failed.is_empty(), "{} {}", failed.len(), failed.join("\n"));
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+    assert!(100 * run >= LEAST * all, "too little of the code was run");
+}
+
+/// The runs must find a mistake: in each function one instruction is left out behind the pass.
+#[test]
+fn an_instruction_that_is_lost_is_found() {
+    let (before, after) = units();
+    let (mut found, mut lost) = (0, 0);
+    for (n, name) in changed(&before, &after).iter().enumerate() {
+        let mut wrong = after.clone();
+        let function = wrong
+            .functions_mut()
+            .find(|function| function.name == *name);
+        let body = &mut function.expect("no function is lost").body;
+        let codes = (0..body.len()).filter(|&line| matches!(body.get(line), Some(Line::Code(_))));
+        // Among the first ones, which most runs come to.
+        let codes: Vec<usize> = codes.take(8).collect();
+        let Some(&line) = codes.get(n % codes.len().max(1)) else {
+            continue;
+        };
+        body.remove(line);
+        lost += 1;
+        let mut pair = Pair::new(program(&before), program(&wrong));
+        found += usize::from(pair.explore(name, FEW).is_err());
+    }
+    println!("{found} of {lost} lost instructions found");
+    assert!(100 * found >= FOUND * lost, "the runs see too little");
 }
