@@ -41,6 +41,8 @@ pub fn serve(
 ) -> ! {
     let Running { frame, data } = page;
     if let Err(fault) = program {
+        // At once: a reset may cut the report off.
+        board.watchdog.count_fault();
         report::fault(&board.serial, fault);
     } else {
         report::state_file(&board.serial, &file);
@@ -58,7 +60,7 @@ pub fn serve(
     };
     data.retain(work.retentive.markers());
     if let Err(fault) = program {
-        work.fail(fault);
+        work.enter_fault(fault);
     }
     work.server.start(board);
     loop {
@@ -92,11 +94,17 @@ pub fn check(board: &Board, memory: &mut [u8]) -> Result<Kept, Fault> {
 }
 
 impl Work<'_> {
-    /// FAULT begins, and lasts until the next start.
+    /// FAULT begins, and is counted.
     #[inline(never)]
     fn fail(&mut self, fault: Fault) {
-        self.board.release_card();
         self.board.watchdog.count_fault();
+        self.enter_fault(fault);
+    }
+
+    /// FAULT, which lasts until the next start.
+    #[inline(never)]
+    fn enter_fault(&mut self, fault: Fault) {
+        self.board.release_card();
         let operation = &mut self.scans.operation;
         operation.state = State::Fault;
         operation.fault = Some(fault);
@@ -143,6 +151,7 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
             if work.scans.operation.command == Some(Command::Upload) {
                 return Ok(());
             }
+            take_coils(work, plc);
             work.scans.pause();
         }
         let Ok(due) = work.scans.go_on(plc) else {
@@ -151,6 +160,7 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
         if !board.serial.is_quiet() && !board.eeprom.is_busy() {
             work.answer(plc.memory(), server::SLICE);
+            take_coils(work, plc);
         }
         if due {
             let operation = &mut work.scans.operation;
@@ -164,6 +174,13 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
             diagnosis.step(board).map_err(Fault::without_line)?;
         }
     }
+}
+
+/// The next scan takes the coils that were written.
+fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
+    let images = &mut work.scans.operation.images;
+    let outputs = images.outputs();
+    plc.take_outputs(images, outputs);
 }
 
 /// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.

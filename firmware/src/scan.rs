@@ -69,13 +69,11 @@ impl<'b> Scans<'b> {
     // Apart from what goes on beside: `self` and `plc` are all that is kept in registers over a scan.
     #[inline(never)]
     pub fn go_on(&mut self, plc: &mut Linked<'_>) -> Result<bool, TooManyJumps> {
-        let operation = &mut self.operation;
+        let operation = &self.operation;
         let forced = operation.forces.any();
         let runs = operation.state == State::Run;
         self.prepares = forced || plc.has_to_prepare();
         self.finishes = forced || !runs || plc.jumps_back() || plc.needs().pwm != 0;
-        let outputs = operation.images.outputs();
-        plc.take_outputs(&mut operation.images, outputs);
         loop {
             watchdog::scan_begins();
             // In this order: an input is never seen with a time stamp from before it changed (NC-5).
