@@ -203,7 +203,7 @@ impl Plc<'_> {
         let Operand::Filter { strength, time } = operand else {
             return;
         };
-        if let Some(data) = own(&mut self.own, pass) {
+        if let Some(data) = own(self.own, pass) {
             pass.value = smooth::filter(data, pass.value, strength, time, pass.now);
         }
     }
@@ -211,7 +211,7 @@ impl Plc<'_> {
     fn integrate(&mut self, pass: &Pass<'_>, register: u8) {
         let index = usize::from(register).wrapping_sub(1);
         let register = self.state.registers.get_mut(index);
-        if let (Some(register), Some(data)) = (register, own(&mut self.own, pass)) {
+        if let (Some(register), Some(data)) = (register, own(self.own, pass)) {
             smooth::integrate(data, register, pass.value, pass.acc, pass.now);
         }
     }
