@@ -8,10 +8,10 @@ use super::{Class, Kind, Row};
 ///
 /// A row is, in this order:
 ///
-/// - the [`Opcode`](isa::Opcode), its [`Kind`](isa::Kind) and its [`Class`](isa::Class);
+/// - the [`Opcode`](crate::isa::Opcode), its [`Kind`](crate::isa::Kind) and its [`Class`](crate::isa::Class);
 /// - the code, with XX = 00 where it has an XX, and its letters;
-/// - the byte that stores it, the bytes of run memory ([`Row::run`](isa::Row::run)), and how many of them are
-///   data of its own ([`Row::own`](isa::Row::own));
+/// - the byte that stores it, the bytes of run memory ([`Row::run`](crate::isa::Row::run)), and how many of them are
+///   data of its own ([`Row::own`](crate::isa::Row::own));
 /// - the effect in one line;
 /// - the label of its handler in a board's engine. Where several rows share a handler, they share a label;
 /// - how Instruction List says it: the line, or of a contact, a load and a store the operand alone, which
@@ -20,8 +20,6 @@ use super::{Class, Kind, Row};
 ///
 /// In the last two, `XX` is the point by its name, `operand` what follows the code, and `value` what the value
 /// accumulator holds.
-///
-/// [`isa`]: crate::isa
 #[macro_export]
 macro_rules! instructions {
     ($consumer:ident $($before:tt)*) => { $consumer! { $($before)*
