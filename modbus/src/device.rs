@@ -39,6 +39,22 @@ pub enum Exception {
     ServerDeviceBusy = 6,
 }
 
+impl Exception {
+    /// The exception of this code.
+    pub fn of(code: u8) -> Option<Exception> {
+        use Exception::*;
+        [
+            IllegalFunction,
+            IllegalDataAddress,
+            IllegalDataValue,
+            ServerDeviceFailure,
+            ServerDeviceBusy,
+        ]
+        .into_iter()
+        .find(|exception| *exception as u8 == code)
+    }
+}
+
 /// What the server reads and writes.
 ///
 /// [`begin`](crate::begin) and [`Exchange::fill`](crate::Exchange::fill) first ask

@@ -5,7 +5,7 @@ use crate::{Device, Exception};
 
 /// The function code, and the MEI type.
 pub(crate) const FUNCTION: u8 = 43;
-const READ_DEVICE_IDENTIFICATION: u8 = 14;
+pub(crate) const READ_DEVICE_IDENTIFICATION: u8 = 14;
 
 /// Basic identification, as a stream and object by object.
 const CONFORMITY: u8 = 0x81;
@@ -17,7 +17,7 @@ const OBJECTS: u8 = 3;
 const TEXT_BYTES: u8 = 80;
 
 /// Where the objects begin in the reply.
-const FIRST_OBJECT: u8 = 8;
+pub(crate) const FIRST_OBJECT: u8 = 8;
 
 /// Sends one object or, as a stream, all from that one on.
 ///

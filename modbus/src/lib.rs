@@ -1,6 +1,9 @@
-//! The protocol of a Modbus RTU server: what a request means, and what is answered.
+//! Modbus RTU, server and client. No I/O, no clock.
 //!
-//! The way of a request through this crate:
+//! - [`begin`], [`Exchange`], [`Device`]: the server, below
+//! - [`client`]: requests, and what is an answer to them
+//!
+//! The way of a request through the server:
 //!
 //! 1. The serial driver receives a frame, checks its CRC by [`Crc`] and its address, and leaves it
 //!    in a [`Frame`] without the CRC.
@@ -58,6 +61,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod client;
 mod crc;
 mod device;
 mod exchange;
