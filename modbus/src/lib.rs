@@ -1,7 +1,9 @@
-//! Modbus RTU, server and client. No I/O, no clock.
+//! Modbus RTU, server and client, and what a board's addresses stand for. No I/O, no clock.
 //!
 //! - [`begin`], [`Exchange`], [`Device`]: the server, below
 //! - [`client`]: requests, and what is an answer to them
+//! - [`map`]: every address that a board has
+//! - [`eeprom`]: what a board keeps, where, and in what form
 //!
 //! The way of a request through the server:
 //!
@@ -55,7 +57,7 @@
 //! - **A write of several is checked as a whole first**, and only then is anything written.
 //! - **Address 0 is a broadcast**: writes are done and never answered, reads are ignored.
 //!
-//! This crate knows no serial port, no clock and no memory map. It needs neither `std` nor an
+//! This crate knows no serial port and no clock, and its server no memory map. It needs neither `std` nor an
 //! allocator, contains no `unsafe`, and no frame makes it panic.
 
 #![no_std]
@@ -64,9 +66,11 @@
 pub mod client;
 mod crc;
 mod device;
+pub mod eeprom;
 mod exchange;
 mod frame;
 mod identification;
+pub mod map;
 mod request;
 
 pub use crc::Crc;

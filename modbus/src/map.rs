@@ -1,0 +1,359 @@
+//! What the addresses of a board stand for: the one list that the firmware serves, the client reads, the tests'
+//! board imitates and `docs/modbus.md` shows.
+
+use crate::Table;
+use core::fmt;
+use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
+
+/// Addresses in a row that hold values of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// Where.
+    pub table: Table,
+    /// The first address.
+    pub first: u16,
+    /// How many values there are.
+    pub values: u16,
+    /// What a value takes.
+    pub width: Width,
+    /// What a client may do.
+    pub rights: Rights,
+    /// The name in `docs/modbus.md`.
+    pub name: &'static str,
+}
+
+/// What a value takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Width {
+    /// A coil or a discrete input.
+    Bit,
+    /// A register.
+    Word,
+    /// Two registers, the high word first, at an even address.
+    Long,
+}
+
+/// What a client may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rights {
+    /// Read.
+    Read,
+    /// Read and write.
+    Write,
+    /// Write blocks, by function 16 from the first address on.
+    Window,
+}
+
+impl Span {
+    /// How many addresses it has.
+    pub const fn addresses(self) -> u16 {
+        match self.width {
+            Width::Bit | Width::Word => self.values,
+            Width::Long => 2 * self.values,
+        }
+    }
+
+    /// The first address behind it.
+    pub const fn end(self) -> u16 {
+        self.first + self.addresses()
+    }
+}
+
+/// Declares the spans of each table as constants, and [`ALL`] of them as a list.
+macro_rules! spans {
+    ($($(#[$doc:meta])* $module:ident: $table:ident {
+        $($(#[$about:meta])* $span:ident = $first:literal, $values:expr, $width:ident, $rights:ident, $name:literal;)*
+    })*) => {
+        $($(#[$doc])* pub mod $module {
+            use super::*;
+            $($(#[$about])* pub const $span: Span = Span {
+                table: Table::$table,
+                first: $first,
+                values: $values as u16,
+                width: Width::$width,
+                rights: Rights::$rights,
+                name: $name,
+            };)*
+        })*
+
+        /// Every address that a board has, table by table and in order.
+        pub const ALL: &[Span] = &[$($($module::$span),*),*];
+    };
+}
+
+spans! {
+    /// Coils.
+    coil: Coils {
+        /// The image of the outputs.
+        OUTPUTS = 0, Profile::UNO.outputs, Bit, Write, "output 01–04";
+        /// The markers.
+        MARKERS = 16, super::MARKERS, Bit, Write, "marker M 01–64";
+    }
+
+    /// Discrete inputs.
+    discrete: DiscreteInputs {
+        /// The inputs as the program sees them.
+        INPUTS = 0, Profile::UNO.inputs, Bit, Read, "input 01–08";
+    }
+
+    /// Input registers. From [`STATE`](input::STATE) to [`FAULTS`](input::FAULTS) they are the diagnostics, which
+    /// one request reads.
+    input: InputRegisters {
+        /// The analogue inputs, 0 to 1023.
+        ANALOGUE = 0, super::ANALOGUE, Word, Read, "analogue input A 00–04";
+        /// A [`State`].
+        STATE = 16, 1, Word, Read, "state";
+        /// Bits of [`flag`](super::flag), and the [`form`](super::form) of the stored program.
+        FLAGS = 17, 1, Word, Read, "bits";
+        /// The number of the fault; 0: none.
+        FAULT = 18, 1, Word, Read, "number of the fault";
+        /// The cause of the start: see [`cause`].
+        CAUSE = 19, 1, Word, Read, "cause of the start";
+        /// The line of the fault; 0: none.
+        LINE = 20, 1, Long, Read, "line of the fault";
+        /// ms since the start, wrapping.
+        UPTIME = 22, 1, Long, Read, "uptime";
+        /// The last, the least and the most scan time, µs; 32767 for more.
+        SCAN_TIMES = 24, 3, Word, Read, "scan time: last, least, most";
+        /// Bytes that the stack has never used.
+        FREE_STACK = 27, 1, Word, Read, "free stack";
+        /// Bytes of the stored form of the program.
+        PROGRAM_BYTES = 28, 1, Word, Read, "bytes of the program in its stored form";
+        /// The check sum of [`eeprom::program`](crate::eeprom::program).
+        PROGRAM_SUM = 29, 1, Word, Read, "its check sum";
+        /// The reading of the 1.1 V reference.
+        SUPPLY = 30, 1, Word, Read, "supply";
+        /// Restarts since power-up.
+        RESTARTS = 31, 1, Word, Read, "restarts since power-up";
+        /// Faults since power-up.
+        FAULTS = 32, 1, Word, Read, "faults since power-up";
+        /// What has elapsed of the timers, ms.
+        TIMERS = 128, super::TIMERS, Long, Read, "timer T 01–87: elapsed time";
+        /// What the counters have counted.
+        COUNTERS = 320, super::COUNTERS, Long, Read, "counter C 01–16: value";
+    }
+
+    /// Holding registers.
+    holding: HoldingRegisters {
+        /// The registers D.
+        REGISTERS = 0, super::REGISTERS, Long, Write, "register D 01–32";
+        /// The presets of the timers, ms.
+        TIMERS = 128, super::TIMERS, Long, Write, "timer T 01–87: preset";
+        /// The presets of the counters.
+        COUNTERS = 320, super::COUNTERS, Long, Write, "counter C 01–16: preset";
+        /// Takes a [`Command`]; reads as the state.
+        COMMAND = 400, 1, Word, Write, "command";
+        /// Which inputs are forced, bit 0 input 01.
+        FORCED_INPUTS = 402, 1, Word, Write, "inputs forced";
+        /// To what the inputs are forced.
+        INPUTS_TO = 403, 1, Word, Write, "to what";
+        /// Which outputs are forced, bit 0 output 01.
+        FORCED_OUTPUTS = 404, 1, Word, Write, "outputs forced";
+        /// To what the outputs are forced.
+        OUTPUTS_TO = 405, 1, Word, Write, "to what";
+        /// The settings: see [`setting`](super::setting).
+        SETTINGS = 410, setting::ALL.len(), Word, Write, "[settings](#settings)";
+        /// Blocks of an upload: a word with the block's number and size, then its text.
+        UPLOAD = 1000, 123, Word, Window, "[upload](#upload)";
+    }
+}
+
+/// As many timers as fit run memory: the linked form of a timer takes two bytes beside its data.
+const TIMERS: u16 = Profile::UNO.linked_bytes / (2 + TIMER_DATA as u16);
+
+/// The most text that a block of an upload holds, bytes.
+pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;
+
+/// Whether all of the addresses `first` to `first + (count - 1)` of a table can be read, or written one by one.
+/// It looks at each of them; the firmware has a shorter way to the same answer.
+pub fn has(table: Table, first: u16, count: u16) -> bool {
+    let is_there = |address: u16| {
+        ALL.iter().any(|span| {
+            let within = (span.first..span.end()).contains(&address);
+            span.table == table && span.rights != Rights::Window && within
+        })
+    };
+    first
+        .checked_add(count.saturating_sub(1))
+        .is_some_and(|last| (first..=last).all(is_there))
+}
+
+/// Bits of [`input::FLAGS`].
+pub mod flag {
+    /// A5 is closed.
+    pub const STOP_SWITCH: u16 = 1 << 0;
+    /// STOP by command.
+    pub const STOPPED: u16 = 1 << 1;
+    /// Something is forced.
+    pub const FORCED: u16 = 1 << 2;
+    /// An upload is under way.
+    pub const UPLOAD: u16 = 1 << 3;
+    /// The card failed.
+    pub const CARD_FAILED: u16 = 1 << 4;
+}
+
+/// The form in which a board stores programs, in the high byte of [`input::FLAGS`].
+pub mod form {
+    /// What stands there for a version of [`eeprom::program`](crate::eeprom::program): 0 for version 1, which
+    /// was there before it was told.
+    pub const fn bits(version: u8) -> u16 {
+        (version.wrapping_sub(1) as u16) << 8
+    }
+
+    /// The version that the bits tell.
+    pub const fn version(flags: u16) -> u8 {
+        ((flags >> 8) as u8).wrapping_add(1)
+    }
+}
+
+/// What may be written to [`holding::COMMAND`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Command {
+    /// RUN, from the beginning.
+    Run = 1,
+    /// STOP; ends an upload.
+    Stop = 2,
+    /// One single scan, in STOP.
+    SingleScan = 3,
+    /// The whole start-up anew.
+    Restart = 4,
+    /// Begin an upload.
+    Upload = 5,
+}
+
+/// What a board does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum State {
+    /// It scans.
+    Run = 1,
+    /// It does not; all outputs are off.
+    Stop = 2,
+    /// It shows a fault; all outputs are off.
+    Fault = 3,
+}
+
+impl State {
+    /// The state of a value of [`input::STATE`]. A later firmware's would be none of these.
+    pub const fn of(word: u16) -> Option<State> {
+        match word {
+            1 => Some(State::Run),
+            2 => Some(State::Stop),
+            3 => Some(State::Fault),
+            _ => None,
+        }
+    }
+
+    /// The state's name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            State::Run => "RUN",
+            State::Stop => "STOP",
+            State::Fault => "FAULT",
+        }
+    }
+}
+
+/// The cause of a start ([`input::CAUSE`]) in words.
+pub const fn cause(word: u16) -> &'static str {
+    match word {
+        1 => "power",
+        2 => "reset",
+        3 => "watchdog",
+        4 => "no reset",
+        5 => "command",
+        _ => "unknown",
+    }
+}
+
+/// A setting of the serial line: one of the registers [`holding::SETTINGS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// The name in `docs/modbus.md`.
+    pub name: &'static str,
+    /// What it is unless set otherwise.
+    pub default: u16,
+    /// Its range.
+    pub least: u16,
+    /// Its range.
+    pub most: u16,
+}
+
+/// The settings, in the order of their registers.
+pub mod setting {
+    use super::Setting;
+
+    /// The board's address.
+    pub const ADDRESS: Setting = Setting {
+        name: "address",
+        default: 1,
+        least: 1,
+        most: 247,
+    };
+    /// The rate, in 100 baud.
+    pub const RATE: Setting = Setting {
+        name: "rate, in 100 baud",
+        default: 1152,
+        least: 24,
+        most: 1152,
+    };
+    /// The [`Parity`](super::Parity).
+    pub const PARITY: Setting = Setting {
+        name: "parity",
+        default: 0,
+        least: 0,
+        most: 2,
+    };
+    /// Whether A4 is the direction pin of an RS-485 driver.
+    pub const DIRECTION: Setting = Setting {
+        name: "direction pin (A4)",
+        default: 0,
+        least: 0,
+        most: 1,
+    };
+    /// All of them.
+    pub const ALL: [Setting; 4] = [ADDRESS, RATE, PARITY, DIRECTION];
+}
+
+/// The parity bit of each byte: a value of [`setting::PARITY`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Parity {
+    /// There is none.
+    #[default]
+    None = 0,
+    /// The ones are even in number.
+    Even = 1,
+    /// The ones are odd in number.
+    Odd = 2,
+}
+
+impl Parity {
+    /// The parity of a setting's value.
+    pub const fn of(word: u16) -> Option<Parity> {
+        match word {
+            0 => Some(Parity::None),
+            1 => Some(Parity::Even),
+            2 => Some(Parity::Odd),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Parity {
+    /// `no parity`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Parity::None => "no parity",
+            Parity::Even => "even parity",
+            Parity::Odd => "odd parity",
+        })
+    }
+}
+
+/// The number that two words hold, the high one first.
+pub const fn long(high: u16, low: u16) -> u32 {
+    (high as u32) << 16 | low as u32
+}
