@@ -1,17 +1,46 @@
-//! Requests to a board, and their answers.
-//!
-//! Frames and check sums are those of the crate `rmodbus`; of an answer only address, function and length are
-//! looked at here, which it leaves open.
+//! Requests to a board, each sent until it is answered.
 
-use crate::identity::{self, Identity};
-use crate::port::{self, Line, NotOpened};
-use rmodbus::client::ModbusRequest;
-use rmodbus::{ErrorKind, ModbusProto, guess_response_frame_len};
-use serialport::{ClearBuffer, SerialPort};
-use std::io::{self, Read, Write};
-use std::thread;
-use std::time::{Duration, Instant};
-use unoclp_modbus::{Crc, Exception};
+use crate::identity::Identity;
+use crate::link::{Gone, Link};
+use std::fmt;
+use std::time::Duration;
+use unoclp_modbus::client::{NoReply, Reply, Request};
+use unoclp_modbus::map::{Parity, Span, setting};
+use unoclp_modbus::{Exception, Table};
+
+/// How a board is spoken to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// The board's address, 1 to 247.
+    pub address: u8,
+    /// Bits per second.
+    pub rate: u32,
+    /// The parity.
+    pub parity: Parity,
+}
+
+impl Default for Line {
+    /// That of a board that was never set otherwise.
+    fn default() -> Line {
+        Line {
+            address: setting::ADDRESS.default as u8,
+            rate: u32::from(setting::RATE.default) * 100,
+            parity: Parity::default(),
+        }
+    }
+}
+
+impl fmt::Display for Line {
+    /// `address 1 at 115200 baud, no parity`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Line {
+            address,
+            rate,
+            parity,
+        } = self;
+        write!(f, "address {address} at {rate} baud, {parity}")
+    }
+}
 
 /// How long to wait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +67,7 @@ impl Default for Patience {
 }
 
 /// Why a request has no result.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Failure {
     /// Nothing came back.
     #[error("no answer")]
@@ -51,7 +80,13 @@ pub enum Failure {
     Refused(Exception),
     /// The port is gone.
     #[error("the port is gone: {0}")]
-    Lost(#[from] io::Error),
+    Lost(String),
+}
+
+impl From<Gone> for Failure {
+    fn from(Gone(why): Gone) -> Failure {
+        Failure::Lost(why)
+    }
 }
 
 fn refusal(exception: Exception) -> &'static str {
@@ -64,22 +99,9 @@ fn refusal(exception: Exception) -> &'static str {
     }
 }
 
-/// A table that requests are about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Table {
-    /// Coils.
-    Coils,
-    /// Discrete inputs.
-    DiscreteInputs,
-    /// Holding registers.
-    HoldingRegisters,
-    /// Input registers.
-    InputRegisters,
-}
-
-/// The client of one board.
+/// The client of one board, for one conversation.
 pub struct Client {
-    port: Box<dyn SerialPort>,
+    link: Link,
     address: u8,
     /// Silence between frames.
     gap: Duration,
@@ -89,21 +111,15 @@ pub struct Client {
 }
 
 impl Client {
-    /// Opens the port. Also tells whether that has probably reset an UNO.
-    ///
-    /// # Errors
-    /// Where the port is not there or may not be used.
-    pub fn open(line: &Line, patience: Patience) -> Result<(Client, bool), NotOpened> {
-        let (port, may_reset) = port::open(line)?;
+    pub(crate) fn new(link: Link, line: Line, patience: Patience) -> Client {
         let character = Duration::from_secs(11) / line.rate.max(1);
-        let client = Client {
-            port,
+        Client {
+            link,
             address: line.address,
             gap: (character * 4).max(Duration::from_millis(2)),
             transit: character * 512,
             patience,
-        };
-        Ok((client, may_reset))
+        }
     }
 
     /// How long it waits.
@@ -111,73 +127,61 @@ impl Client {
         self.patience
     }
 
-    /// Reads bits.
+    /// Reads the bits of a span.
     ///
     /// # Errors
     /// As for every request: [`Failure`].
-    pub fn bits(&mut self, table: Table, first: u16, count: u16) -> Result<Vec<bool>, Failure> {
-        let (mut modbus, mut request) = self.request();
-        let generated = match table {
-            Table::Coils => modbus.generate_get_coils(first, count, &mut request),
-            _ => modbus.generate_get_discretes(first, count, &mut request),
-        };
-        generated.map_err(own)?;
-        let reply = self.exchange(&request, Some(count.div_ceil(8)))?;
-        let mut bits = Vec::new();
-        modbus.parse_bool(&reply, &mut bits).map_err(own)?;
-        Ok(bits)
+    pub async fn bits(&mut self, span: Span) -> Result<Vec<bool>, Failure> {
+        let request = Request::read(self.address, span.table, span.first, span.addresses());
+        let count = span.addresses().into();
+        self.ask(&request, |reply| reply.bits().take(count).collect())
+            .await
     }
 
     /// Reads words.
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn words(&mut self, table: Table, first: u16, count: u16) -> Result<Vec<u16>, Failure> {
-        let (mut modbus, mut request) = self.request();
-        let generated = match table {
-            Table::InputRegisters => modbus.generate_get_inputs(first, count, &mut request),
-            _ => modbus.generate_get_holdings(first, count, &mut request),
-        };
-        generated.map_err(own)?;
-        let reply = self.exchange(&request, Some(2 * count))?;
-        let mut words = Vec::new();
-        modbus.parse_u16(&reply, &mut words).map_err(own)?;
-        Ok(words)
+    pub async fn words(
+        &mut self,
+        table: Table,
+        first: u16,
+        count: u16,
+    ) -> Result<Vec<u16>, Failure> {
+        let request = Request::read(self.address, table, first, count);
+        self.ask(&request, |reply| reply.words().collect()).await
     }
 
     /// Writes a holding register.
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn set_word(&mut self, address: u16, value: u16) -> Result<(), Failure> {
-        let (mut modbus, mut request) = self.request();
-        modbus
-            .generate_set_holding(address, value, &mut request)
-            .map_err(own)?;
-        self.exchange(&request, None).map(drop)
+    pub async fn set_word(&mut self, span: Span, value: u16) -> Result<(), Failure> {
+        let request = Request::write_word(self.address, span.first, value);
+        self.ask(&request, |_| ()).await
     }
 
-    /// Writes several holding registers, at most 123.
+    /// Writes several holding registers, from the first of this span on; at most 123.
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn set_words(&mut self, first: u16, values: &[u16]) -> Result<(), Failure> {
-        let (mut modbus, mut request) = self.request();
-        modbus
-            .generate_set_holdings_bulk(first, values, &mut request)
-            .map_err(own)?;
-        self.exchange(&request, None).map(drop)
+    pub async fn set_words(&mut self, span: Span, values: &[u16]) -> Result<(), Failure> {
+        match Request::write_words(self.address, span.first, values) {
+            Some(request) => self.ask(&request, |_| ()).await,
+            // No board takes as many.
+            None => Err(Failure::Refused(Exception::IllegalDataValue)),
+        }
     }
 
-    /// Likewise, where the answer may take longer.
-    pub(crate) fn set_words_within(
+    /// As [`set_words`](Client::set_words), if the answer may take longer.
+    pub(crate) async fn set_words_within(
         &mut self,
         answer: Duration,
-        first: u16,
+        span: Span,
         values: &[u16],
     ) -> Result<(), Failure> {
         let usual = std::mem::replace(&mut self.patience.answer, answer);
-        let outcome = self.set_words(first, values);
+        let outcome = self.set_words(span, values).await;
         self.patience.answer = usual;
         outcome
     }
@@ -186,34 +190,46 @@ impl Client {
     ///
     /// # Errors
     /// [`Failure`]; [`Failure::Garbled`] too for an identification without vendor, product and version.
-    pub fn identify(&mut self) -> Result<Identity, Failure> {
-        let request = identity::request(self.address);
-        let reply = self.exchange(&request, None)?;
-        Identity::of(&reply).ok_or(Failure::Garbled)
+    pub async fn identify(&mut self) -> Result<Identity, Failure> {
+        let request = Request::identify(self.address);
+        let identity = self.ask(&request, |reply| Identity::of(reply.texts()));
+        identity.await?.ok_or(Failure::Garbled)
     }
 
-    /// What the board says of its own accord, until it has been quiet for so long or has said it all.
-    pub(crate) fn listen(
+    /// What the board says of its own accord, until it has been quiet for `quiet` or has said it all.
+    pub(crate) async fn listen(
         &mut self,
         quiet: Duration,
         is_all: impl Fn(&[u8]) -> bool,
     ) -> Result<Vec<u8>, Failure> {
         let mut said = Vec::new();
-        while !is_all(&said) && self.receive(&mut said, Instant::now() + quiet)? {}
+        while !is_all(&said) && self.link.receive(&mut said, self.now() + quiet).await? {}
         Ok(said)
     }
 
-    fn request(&self) -> (ModbusRequest, Vec<u8>) {
-        let modbus = ModbusRequest::new(self.address, ModbusProto::Rtu);
-        (modbus, Vec::new())
+    /// The time of this step.
+    pub(crate) fn now(&self) -> Duration {
+        self.link.now()
     }
 
-    /// Sends a request until it is answered; gives the answer, which holds so many bytes of data where that
-    /// is known.
-    fn exchange(&mut self, request: &[u8], data: Option<u16>) -> Result<Vec<u8>, Failure> {
+    /// Says nothing for so long, or until something is so.
+    pub(crate) async fn pause(
+        &self,
+        pause: Duration,
+        is_so: impl Fn() -> bool,
+    ) -> Result<bool, Failure> {
+        Ok(self.link.wait(self.now() + pause, is_so).await?)
+    }
+
+    /// Sends a request until it is answered; gives what there is to take from the answer.
+    async fn ask<T>(
+        &mut self,
+        request: &Request,
+        take: impl Fn(Reply<'_>) -> T,
+    ) -> Result<T, Failure> {
         let mut failure = Failure::Silent;
         for _ in 0..self.patience.attempts {
-            match self.attempt(request, data) {
+            match self.attempt(request, &take).await {
                 Err(Failure::Silent) => {}
                 Err(Failure::Garbled) => failure = Failure::Garbled,
                 other => return other,
@@ -222,22 +238,21 @@ impl Client {
         Err(failure)
     }
 
-    fn attempt(&mut self, request: &[u8], data: Option<u16>) -> Result<Vec<u8>, Failure> {
-        thread::sleep(self.gap);
-        // What is late, or was never meant for us.
-        self.port
-            .clear(ClearBuffer::Input)
-            .map_err(io::Error::from)?;
-        self.port.write_all(request)?;
-        let until = Instant::now() + self.transit + self.patience.answer;
-        let mut reply = Vec::new();
-        let length = loop {
-            match length(&reply) {
-                Some(length) if reply.len() >= length => break length,
-                _ => {}
+    async fn attempt<T>(
+        &mut self,
+        request: &Request,
+        take: impl Fn(Reply<'_>) -> T,
+    ) -> Result<T, Failure> {
+        self.pause(self.gap, || false).await?;
+        self.link.send(request.bytes());
+        let until = self.now() + self.transit + self.patience.answer;
+        let mut came = Vec::new();
+        let answer = loop {
+            if let Some(answer) = request.answer(&came) {
+                break answer.map(&take);
             }
-            if !self.receive(&mut reply, until)? {
-                let nothing = reply.is_empty();
+            if !self.link.receive(&mut came, until).await? {
+                let nothing = came.is_empty();
                 return Err(if nothing {
                     Failure::Silent
                 } else {
@@ -245,67 +260,18 @@ impl Client {
                 });
             }
         };
-        let refused = [request[0], request[1] | 0x80];
-        let data = data.is_none_or(|data| u16::from(reply[2]) == data);
-        let sound = reply.len() == length && Crc::of(&reply).value() == 0;
-        if sound && reply[..2] == refused {
-            return Err(exception(reply[2]).map_or(Failure::Garbled, Failure::Refused));
-        }
-        if sound && data && reply[..2] == request[..2] {
-            return Ok(reply);
-        }
-        // The rest of what is no answer is over before the next attempt.
-        while self.receive(&mut reply, Instant::now() + self.gap * 8)? {}
-        Err(Failure::Garbled)
-    }
-
-    /// Takes what has come in; false where nothing comes until then.
-    fn receive(&mut self, bytes: &mut Vec<u8>, until: Instant) -> Result<bool, Failure> {
-        loop {
-            let mut chunk = [0; 256];
-            let left = until.saturating_duration_since(Instant::now());
-            self.port.set_timeout(left).map_err(io::Error::from)?;
-            match self.port.read(&mut chunk) {
-                Ok(0) => return Err(io::Error::from(io::ErrorKind::UnexpectedEof).into()),
-                Ok(count) => {
-                    bytes.extend(&chunk[..count]);
-                    return Ok(true);
-                }
-                Err(error) if error.kind() == io::ErrorKind::TimedOut => return Ok(false),
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-                Err(error) => return Err(error.into()),
+        match answer {
+            Ok(taken) => Ok(taken),
+            Err(NoReply::Refused(exception)) => Err(Failure::Refused(exception)),
+            Err(NoReply::Garbled) => {
+                // The rest of what is no answer is over before the next attempt.
+                while self
+                    .link
+                    .receive(&mut came, self.now() + self.gap * 8)
+                    .await?
+                {}
+                Err(Failure::Garbled)
             }
         }
     }
-}
-
-/// How many bytes an answer that begins so has; none where that is not yet told.
-fn length(reply: &[u8]) -> Option<usize> {
-    if reply.get(1) == Some(&identity::FUNCTION) {
-        return identity::length(reply);
-    }
-    match guess_response_frame_len(reply, ModbusProto::Rtu) {
-        Ok(length) => Some(length.into()),
-        // Too little is known; all else is no answer, and as long as it is.
-        Err(ErrorKind::OOB) => None,
-        Err(_) => Some(reply.len().max(5)),
-    }
-}
-
-fn exception(code: u8) -> Option<Exception> {
-    use Exception::*;
-    [
-        IllegalFunction,
-        IllegalDataAddress,
-        IllegalDataValue,
-        ServerDeviceFailure,
-        ServerDeviceBusy,
-    ]
-    .into_iter()
-    .find(|exception| *exception as u8 == code)
-}
-
-/// Of a request within its bounds, and of an answer whose frame has been checked, `rmodbus` has nothing to say.
-fn own(_: ErrorKind) -> Failure {
-    Failure::Garbled
 }

@@ -1,9 +1,10 @@
 //! What a board says of itself: state, fault, times, and which program it keeps.
 
-use crate::client::{Client, Failure, Table};
-use crate::map::{State, flag, input, number};
+use crate::client::{Client, Failure};
+use crate::map::{Span, State, flag, form, input, long};
 use std::fmt;
-use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
+use unoclp_core::{Cause, Fault, Program};
+use unoclp_modbus::eeprom;
 
 /// What the board says of itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,29 +69,43 @@ impl fmt::Display for Trouble {
     }
 }
 
-/// Which program a board keeps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Which program a board keeps, told by its stored form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kept {
-    /// Bytes of its stored form.
+    /// The version of the form.
+    pub version: u8,
+    /// Bytes of the stored form.
     pub bytes: u16,
     /// Its check sum in the EEPROM.
-    pub crc: u16,
+    pub sum: u16,
+}
+
+impl Default for Kept {
+    /// No program.
+    fn default() -> Kept {
+        Kept {
+            version: eeprom::program::VERSION,
+            bytes: 0,
+            sum: 0,
+        }
+    }
 }
 
 impl Kept {
-    /// How a board keeps this file; none where the file has a fault.
-    pub fn of(file: &[u8]) -> Option<Kept> {
-        let mut memory = vec![0; usize::from(Profile::UNO.linked_bytes)];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
-        file.iter().try_for_each(|&byte| loader.push(byte)).ok()?;
-        let program = loader.finish().ok()?;
-        let bytes = u16::try_from(program.stored_bytes()).ok()?;
-        let [low, high] = bytes.to_le_bytes();
-        let mut crc = Crc16::default();
-        crc.extend(&[1, low, high, 0, 0]);
-        crc.extend(program.stored());
-        let crc = crc.value();
-        Some(Kept { bytes, crc })
+    /// How a board of this version keeps a program.
+    pub fn of(program: &Program<'_>) -> Kept {
+        Kept {
+            version: eeprom::program::VERSION,
+            // More does not fit the board that it was checked for.
+            bytes: program.stored_bytes() as u16,
+            sum: eeprom::program::sum(program.stored()).value(),
+        }
+    }
+
+    /// Whether both are told in the same form, and so of different programs. Of forms of two versions nothing can
+    /// be said.
+    pub fn differs(self, other: Kept) -> bool {
+        self.version == other.version && self != other
     }
 }
 
@@ -99,17 +114,20 @@ impl Diagnostics {
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn read(client: &mut Client) -> Result<Diagnostics, Failure> {
-        let count = input::FAULTS - input::STATE + 1;
-        let words = client.words(Table::InputRegisters, input::STATE, count)?;
-        let word = |address: u16| {
-            let word = words.get(usize::from(address - input::STATE));
+    pub async fn read(client: &mut Client) -> Result<Diagnostics, Failure> {
+        let first = input::STATE.first;
+        let count = input::FAULTS.end() - first;
+        let words = client.words(input::STATE.table, first, count).await?;
+        let at = |address: u16| {
+            let word = words.get(usize::from(address - first));
             word.copied().unwrap_or_default()
         };
-        let long = |address| number(word(address), word(address + 1));
+        let word = |span: Span| at(span.first);
+        let long = |span: Span| long(at(span.first), at(span.first + 1));
+        let flags = word(input::FLAGS);
         Ok(Diagnostics {
             state: State::of(word(input::STATE)),
-            flags: word(input::FLAGS),
+            flags,
             trouble: match word(input::FAULT) {
                 0 => None,
                 number => Some(Trouble {
@@ -119,11 +137,12 @@ impl Diagnostics {
             },
             cause: word(input::CAUSE),
             uptime: long(input::UPTIME),
-            scan_times: [0, 1, 2].map(|n| word(input::SCAN_TIME + n)),
+            scan_times: [0, 1, 2].map(|n| at(input::SCAN_TIMES.first + n)),
             free_stack: word(input::FREE_STACK),
             program: Kept {
+                version: form::version(flags),
                 bytes: word(input::PROGRAM_BYTES),
-                crc: word(input::PROGRAM_CRC),
+                sum: word(input::PROGRAM_SUM),
             },
             supply: 1_126_400_u32
                 .checked_div(word(input::SUPPLY).into())
@@ -147,15 +166,47 @@ impl Diagnostics {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use unoclp_core::{Crc16, Loader, Profile};
 
     #[test]
     fn a_board_keeps_what_its_page_says() {
+        let mut memory = [0; 960];
+        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        for &byte in b"0\n787600\n827301\n877901\n" {
+            loader.push(byte).unwrap();
+        }
+        let kept = Kept::of(&loader.finish().unwrap());
         // The stored form of a contact and a coil, behind program start and a new rung.
-        let kept = Kept::of(b"0\n787600\n827301\n877901\n").unwrap();
-        let crc = Crc16::of(&[1, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
-        assert_eq!(kept, Kept { bytes: 3, crc });
-        assert_eq!(Kept::of(b"0\n1\n"), None);
-        assert_eq!(Kept::of(b""), None);
+        let sum = Crc16::of(&[1, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
+        let expected = Kept {
+            version: 1,
+            bytes: 3,
+            sum,
+        };
+        assert_eq!(kept, expected);
+    }
+
+    #[test]
+    fn programs_differ_in_one_form_only() {
+        let kept = Kept {
+            version: 1,
+            bytes: 3,
+            sum: 7,
+        };
+        assert!(!kept.differs(kept));
+        for (version, bytes, sum, differs) in [
+            (1, 4, 7, true),
+            (1, 3, 8, true),
+            (2, 3, 7, false),
+            (2, 4, 8, false),
+        ] {
+            let other = Kept {
+                version,
+                bytes,
+                sum,
+            };
+            assert_eq!(kept.differs(other), differs, "{other:?}");
+        }
     }
 
     #[test]

@@ -1,23 +1,27 @@
-//! A board at a serial port, over Modbus: the PC side of `docs/modbus.md`.
+//! A board at the other end of a line, over Modbus: the client's side of `docs/modbus.md`, as a state machine without
+//! I/O, threads or clock.
 //!
-//! - [`map`]: what the addresses stand for
-//! - [`port`]: opening the port without resetting the board behind it
+//! - [`Conversation`]: bytes and times in, bytes and times out; drives what is said
 //! - [`client`]: requests and their answers
 //! - [`identity`], [`diagnostics`]: what a board says of itself
-//! - [`start`]: finding the board that shall be at the port
+//! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
 //! - [`watch`]: one reading of all that a screen shows, and what may be asked of the board
 //! - [`settings`]: address, rate, parity and direction pin
+//!
+//! What the addresses stand for is [`map`]'s, which the firmware serves too.
 
 pub mod client;
+mod conversation;
 pub mod diagnostics;
 pub mod identity;
-pub mod map;
-pub mod port;
+mod link;
 pub mod settings;
 pub mod start;
 pub mod upload;
 pub mod watch;
 
-pub use client::{Client, Failure, Patience};
-pub use port::{Line, NotOpened, Parity};
+pub use client::{Client, Failure, Line, Patience};
+pub use conversation::{Conversation, Next, Step};
+pub use unoclp_modbus::map;
+pub use unoclp_modbus::map::Parity;

@@ -1,8 +1,7 @@
 //! Address, rate, parity and direction pin, as a board keeps them for its next start.
 
-use crate::client::{Client, Failure, Table};
-use crate::map::holding;
-use crate::port::Parity;
+use crate::client::{Client, Failure};
+use crate::map::{Parity, holding};
 use std::fmt;
 
 /// What is set.
@@ -43,20 +42,16 @@ impl Settings {
     ///
     /// # Errors
     /// [`Failure`]; [`Failure::Garbled`] too where they are none of this version.
-    pub fn read(client: &mut Client) -> Result<Settings, Failure> {
-        let words = client.words(Table::HoldingRegisters, holding::SETTINGS, 4)?;
+    pub async fn read(client: &mut Client) -> Result<Settings, Failure> {
+        let span = holding::SETTINGS;
+        let words = client.words(span.table, span.first, span.values).await?;
         let &[address, rate, parity, direction] = &words[..] else {
             return Err(Failure::Garbled);
         };
         Ok(Settings {
             address: u8::try_from(address).map_err(|_| Failure::Garbled)?,
             rate: u32::from(rate) * 100,
-            parity: match parity {
-                0 => Parity::None,
-                1 => Parity::Even,
-                2 => Parity::Odd,
-                _ => return Err(Failure::Garbled),
-            },
+            parity: Parity::of(parity).ok_or(Failure::Garbled)?,
             direction: direction != 0,
         })
     }
@@ -65,13 +60,13 @@ impl Settings {
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn write(&self, client: &mut Client) -> Result<(), Failure> {
+    pub async fn write(&self, client: &mut Client) -> Result<(), Failure> {
         let words = [
             self.address.into(),
             (self.rate / 100) as u16,
             self.parity as u16,
             self.direction.into(),
         ];
-        client.set_words(holding::SETTINGS, &words)
+        client.set_words(holding::SETTINGS, &words).await
     }
 }

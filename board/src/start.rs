@@ -1,110 +1,72 @@
-//! Finding the board that shall be at a port.
+//! Finding the board at the other end of a line.
 
-use crate::client::{Client, Failure, Patience};
+use crate::client::{Client, Failure};
 use crate::identity::Identity;
-use crate::port::{Line, NotOpened};
-use std::time::{Duration, Instant};
+use std::fmt;
+use std::time::Duration;
 use unoclp_modbus::Exception;
 
-/// A board that has answered.
-pub struct Found {
-    /// How to speak to it.
-    pub client: Client,
-    /// What it says that it is.
-    pub identity: Identity,
-    /// Opening the port has probably reset it.
-    pub may_be_reset: bool,
+/// Why there is no board to speak to.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NotFound {
+    /// Nobody answers.
+    #[error("no answer")]
+    Silent,
+    /// Something else comes than answers.
+    #[error("what comes is no Modbus")]
+    Garbled,
+    /// Something else answers.
+    #[error("what answers is no unoclp{0}")]
+    Foreign(Foreign),
+    /// It is not to be found out.
+    #[error(transparent)]
+    Failed(Failure),
 }
 
-/// Why there is no board to speak to.
-#[derive(Debug, thiserror::Error)]
-pub enum NotFound {
-    /// The port cannot be used.
-    #[error(transparent)]
-    Port(#[from] NotOpened),
-    /// Nobody answers.
-    #[error(
-        "no answer from {line}, on {}; is the board powered and wired, and are these its settings? \
-         Another address or rate is given by --address and --rate; A5 and 01 to 04 closed at reset \
-         bring the defaults back", line.port
-    )]
-    Silent {
-        /// Where it was sought.
-        line: Line,
-    },
-    /// Something else comes than answers.
-    #[error(
-        "what comes from {} is no Modbus at {} baud, {}; is that the board's rate (--rate, --parity)?",
-        line.port, line.rate, line.parity
-    )]
-    Garbled {
-        /// Where it was sought.
-        line: Line,
-    },
-    /// Something else answers.
-    #[error("what answers at {} is no unoclp{said}", line.port)]
-    Foreign {
-        /// Where it was sought.
-        line: Line,
-        /// What it says that it is.
-        said: String,
-    },
-    /// The port has gone.
-    #[error("{}: {failure}", line.port)]
-    Failed {
-        /// Where it was sought.
-        line: Line,
-        /// What has happened.
-        failure: Failure,
-    },
+/// What something else than a unoclp says that it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Foreign(Option<Identity>);
+
+impl fmt::Display for Foreign {
+    /// ` but "ACME Meter 3"`, behind `no unoclp`; nothing if it does not say
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some(identity) => write!(f, " but \"{} {identity}\"", identity.vendor),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Silence after which a board is taken for one that has no boot text to say.
 const QUIET: Duration = Duration::from_millis(2500);
 
-/// Opens the port and finds the board. A board that this has reset is given the time to start.
+/// Finds the board. One that has probably been reset as the port was opened is given the time to start.
 ///
 /// # Errors
 /// [`NotFound`].
-pub fn find(line: &Line, patience: Patience) -> Result<Found, NotFound> {
-    let begun = Instant::now();
-    let (mut client, may_be_reset) = Client::open(line, patience)?;
-    let failed = |failure| NotFound::Failed {
-        line: line.clone(),
-        failure,
-    };
+pub async fn find(client: &mut Client, may_be_reset: bool) -> Result<Identity, NotFound> {
+    let patience = client.patience().start;
+    let begun = client.now();
     if may_be_reset {
         // A request would disturb the boot loader, which speaks another language.
-        let quiet = QUIET.min(patience.start);
-        client.listen(quiet, is_start_text).map_err(failed)?;
+        let said = client.listen(QUIET.min(patience), is_start_text).await;
+        said.map_err(NotFound::Failed)?;
     }
     let identity = loop {
-        match client.identify() {
+        match client.identify().await {
             Err(Failure::Silent | Failure::Garbled)
-                if may_be_reset && begun.elapsed() < patience.start => {}
+                if may_be_reset && client.now() - begun < patience => {}
             other => break other,
         }
     };
-    let line = line.clone();
-    let identity = match identity {
-        Ok(identity) => identity,
-        Err(Failure::Silent) => return Err(NotFound::Silent { line }),
-        Err(Failure::Garbled) => return Err(NotFound::Garbled { line }),
-        Err(Failure::Refused(Exception::IllegalFunction)) => {
-            let said = String::new();
-            return Err(NotFound::Foreign { line, said });
-        }
-        Err(failure) => return Err(NotFound::Failed { line, failure }),
-    };
-    if identity.vendor != "unoclp" {
-        let said = format!(" but \"{} {identity}\"", identity.vendor);
-        return Err(NotFound::Foreign { line, said });
+    match identity {
+        Ok(identity) if identity.vendor == "unoclp" => Ok(identity),
+        Ok(identity) => Err(NotFound::Foreign(Foreign(Some(identity)))),
+        Err(Failure::Silent) => Err(NotFound::Silent),
+        Err(Failure::Garbled) => Err(NotFound::Garbled),
+        Err(Failure::Refused(Exception::IllegalFunction)) => Err(NotFound::Foreign(Foreign(None))),
+        Err(failure) => Err(NotFound::Failed(failure)),
     }
-    Ok(Found {
-        client,
-        identity,
-        may_be_reset,
-    })
 }
 
 /// Whether this is all that a board says when it starts: it ends with `RUN`, `STOP` or a fault.

@@ -6,7 +6,6 @@ use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
 use std::fmt;
-use std::time::Instant;
 use unoclp_modbus::Exception;
 
 /// How far an upload is.
@@ -58,7 +57,7 @@ pub enum Broken {
     /// The board keeps something else than what was sent.
     #[error(
         "the board keeps {} bytes with check sum {:04X}, not the {} bytes with {:04X} that were sent; \
-         is its firmware of another version?", kept.bytes, kept.crc, sent.bytes, sent.crc
+         is its firmware of another version?", kept.bytes, kept.sum, sent.bytes, sent.sum
     )]
     Other {
         /// What it keeps.
@@ -96,17 +95,19 @@ fn whats_kept(may_be_stored: bool) -> &'static str {
     }
 }
 
-/// Uploads the text of a program, which a board will keep as `sent`. The board must not be in RUN.
+/// Uploads the text of a program, which a board of this version will keep as `sent`; gives how the board keeps it.
+/// The board must not be in RUN.
 ///
 /// # Errors
 /// [`Broken`].
-pub fn upload(
+pub async fn upload(
     client: &mut Client,
     text: &[u8],
     sent: Kept,
     progress: &mut dyn FnMut(Progress),
-) -> Result<(), Broken> {
-    match client.set_word(holding::COMMAND, Command::Upload as u16) {
+) -> Result<Kept, Broken> {
+    let begun = client.set_word(holding::COMMAND, Command::Upload as u16);
+    match begun.await {
         Ok(()) => {}
         Err(Failure::Refused(_)) => return Err(Broken::NotBegun),
         Err(failure) => return Err(Broken::Before(failure)),
@@ -117,49 +118,41 @@ pub fn upload(
         let of = text.len();
         progress(Progress::Sent { pass, bytes, of });
         // A block of no bytes ends the text.
-        for block in text.chunks(BLOCK_BYTES).chain([&[][..]]) {
+        for block in text.chunks(BLOCK_BYTES.into()).chain([&[][..]]) {
             let stored = pass == Pass::Store && block.is_empty();
             if stored {
                 progress(Progress::Storing);
             }
-            match send(client, number, block, stored) {
+            let off = |failure| Broken::Off {
+                pass,
+                bytes,
+                of,
+                stored,
+                failure,
+            };
+            match send(client, number, block, stored).await {
                 Ok(()) => {}
                 Err(Failure::Refused(_)) => {
-                    return explain(client, stored, sent).unwrap_or_else(|failure| {
-                        Err(Broken::Off {
-                            pass,
-                            bytes,
-                            of,
-                            stored,
-                            failure,
-                        })
-                    });
+                    let diagnostics = Diagnostics::read(client).await.map_err(off)?;
+                    return explain(&diagnostics, stored, sent);
                 }
-                Err(failure) => {
-                    return Err(Broken::Off {
-                        pass,
-                        bytes,
-                        of,
-                        stored,
-                        failure,
-                    });
-                }
+                Err(failure) => return Err(off(failure)),
             }
             number = number.wrapping_add(1);
             bytes += block.len();
             progress(Progress::Sent { pass, bytes, of });
         }
     }
-    let kept = Diagnostics::read(client).map_err(Broken::Before)?.program;
-    if kept == sent {
-        Ok(())
-    } else {
-        Err(Broken::Other { kept, sent })
+    let diagnostics = Diagnostics::read(client).await.map_err(Broken::Before)?;
+    let kept = diagnostics.program;
+    if kept.differs(sent) {
+        return Err(Broken::Other { kept, sent });
     }
+    Ok(kept)
 }
 
 /// Sends a block: a word with its number and size, and the text.
-fn send(client: &mut Client, number: u8, text: &[u8], last: bool) -> Result<(), Failure> {
+async fn send(client: &mut Client, number: u8, text: &[u8], last: bool) -> Result<(), Failure> {
     let size = u16::from(number) << 8 | text.len() as u16;
     let pairs = text.chunks(2);
     let words = pairs.map(|pair| match *pair {
@@ -173,31 +166,30 @@ fn send(client: &mut Client, number: u8, text: &[u8], last: bool) -> Result<(), 
     } else {
         patience.answer
     };
-    client.set_words_within(answer, holding::UPLOAD, &words)
+    let sent = client.set_words_within(answer, holding::UPLOAD, &words);
+    sent.await
 }
 
 /// Why a block was refused.
-fn explain(client: &mut Client, last: bool, sent: Kept) -> Result<Result<(), Broken>, Failure> {
-    let diagnostics = Diagnostics::read(client)?;
-    let under_way = diagnostics.has(flag::UPLOAD);
-    // The answer to the end was lost, and its repetition came too late.
-    if last && !under_way && diagnostics.trouble.is_none() && diagnostics.program == sent {
-        return Ok(Ok(()));
+fn explain(board: &Diagnostics, last: bool, sent: Kept) -> Result<Kept, Broken> {
+    let under_way = board.has(flag::UPLOAD);
+    match board.trouble {
+        // The answer to the end was lost, and its repetition came too late.
+        None if last && !under_way && !board.program.differs(sent) => Ok(board.program),
+        Some(trouble) if !under_way => Err(Broken::Fault(trouble)),
+        _ => Err(Broken::Ended),
     }
-    Ok(Err(match diagnostics.trouble {
-        Some(trouble) if !under_way => Broken::Fault(trouble),
-        _ => Broken::Ended,
-    }))
 }
 
 /// Brings a board into a state in which it takes an upload; gives what it was in before.
 ///
 /// # Errors
 /// [`Failure`].
-pub fn stop(client: &mut Client) -> Result<Diagnostics, Failure> {
-    let before = Diagnostics::read(client)?;
+pub async fn stop(client: &mut Client) -> Result<Diagnostics, Failure> {
+    let before = Diagnostics::read(client).await?;
     if before.state == Some(State::Run) {
-        client.set_word(holding::COMMAND, Command::Stop as u16)?;
+        let stopped = client.set_word(holding::COMMAND, Command::Stop as u16);
+        stopped.await?;
     }
     Ok(before)
 }
@@ -219,25 +211,26 @@ pub enum Behind {
     Trouble(Trouble),
 }
 
-/// Lets a board run what it has just taken, unless it `stays`. One that was in FAULT is restarted.
+/// Lets a board run the program that it keeps since an upload, unless it `stays`. One that was in FAULT is restarted.
 ///
 /// # Errors
 /// [`Failure`].
-pub fn go_on(
+pub async fn go_on(
     client: &mut Client,
     before: State,
-    sent: Kept,
+    kept: Kept,
     stays: bool,
 ) -> Result<Behind, Failure> {
     if before == State::Fault {
         if stays {
             return Ok(Behind::Faulty);
         }
-        client.set_word(holding::COMMAND, Command::Restart as u16)?;
-        let after = await_start(client)?;
+        let restarted = client.set_word(holding::COMMAND, Command::Restart as u16);
+        restarted.await?;
+        let after = await_start(client).await?;
         return Ok(match (after.trouble, after.state) {
             (Some(trouble), Some(State::Fault)) => Behind::Trouble(trouble),
-            _ if after.program != sent => Behind::Card,
+            _ if after.program != kept => Behind::Card,
             (_, Some(State::Run)) => Behind::Run,
             _ => Behind::Switch,
         });
@@ -245,10 +238,11 @@ pub fn go_on(
     if stays {
         return Ok(Behind::Stop);
     }
-    match client.set_word(holding::COMMAND, Command::Run as u16) {
+    let run = client.set_word(holding::COMMAND, Command::Run as u16);
+    match run.await {
         Ok(()) => Ok(Behind::Run),
         Err(Failure::Refused(Exception::ServerDeviceFailure))
-            if Diagnostics::read(client)?.is_switched_off() =>
+            if Diagnostics::read(client).await?.is_switched_off() =>
         {
             Ok(Behind::Switch)
         }
@@ -260,15 +254,12 @@ pub fn go_on(
 ///
 /// # Errors
 /// [`Failure`], once the time that a start may take is over.
-pub fn await_start(client: &mut Client) -> Result<Diagnostics, Failure> {
-    let until = Instant::now() + client.patience().start;
+pub async fn await_start(client: &mut Client) -> Result<Diagnostics, Failure> {
+    let until = client.now() + client.patience().start;
     loop {
-        match Diagnostics::read(client) {
-            Err(Failure::Silent | Failure::Garbled) if Instant::now() < until => {}
+        match Diagnostics::read(client).await {
+            Err(Failure::Silent | Failure::Garbled) if client.now() < until => {}
             other => return other,
         }
     }
 }
-
-/// The window is one register and as many as hold a block's text.
-const _: () = assert!(1 + BLOCK_BYTES.div_ceil(2) == 123);

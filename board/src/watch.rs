@@ -1,9 +1,12 @@
 //! One reading of all that a screen shows, and what may be asked of the board meanwhile.
 
-use crate::client::{Client, Failure, Table};
+use crate::client::{Client, Failure};
 use crate::diagnostics::Diagnostics;
-use crate::map::{self, Command, holding, input, number};
-use unoclp_core::Profile;
+use crate::map::{Command, Span, coil, discrete, holding, input, long};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+use std::time::Duration;
 use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
@@ -50,7 +53,8 @@ pub enum Side {
 }
 
 impl Side {
-    const fn register(self) -> u16 {
+    /// Which points are forced; the register behind it says to what.
+    const fn span(self) -> Span {
         match self {
             Side::Inputs => holding::FORCED_INPUTS,
             Side::Outputs => holding::FORCED_OUTPUTS,
@@ -106,32 +110,38 @@ impl Reading {
     ///
     /// # Errors
     /// [`Failure`].
-    pub fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
-        let mut inputs = |count| client.bits(Table::DiscreteInputs, map::discrete::INPUTS, count);
+    pub async fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
         // Firmware of version 1 has four.
-        let inputs = match if_there(inputs(Profile::UNO.inputs.into()))? {
-            Some(inputs) => inputs,
-            None => inputs(4)?,
+        let four = Span {
+            values: 4,
+            ..discrete::INPUTS
         };
-        let outputs = client.bits(
-            Table::Coils,
-            map::coil::OUTPUTS,
-            Profile::UNO.outputs.into(),
-        )?;
-        let markers = if_there(client.bits(Table::Coils, map::coil::MARKERS, 64))?;
-        let diagnostics = Diagnostics::read(client)?;
-        let analogue = client.words(Table::InputRegisters, input::ANALOGUE, 5);
+        let inputs = match if_there(client.bits(discrete::INPUTS).await)? {
+            Some(inputs) => inputs,
+            None => client.bits(four).await?,
+        };
+        let outputs = client.bits(coil::OUTPUTS).await?;
+        let markers = if_there(client.bits(coil::MARKERS).await)?;
+        let diagnostics = Diagnostics::read(client).await?;
+        let Span {
+            table,
+            first,
+            values,
+            ..
+        } = input::ANALOGUE;
+        let analogue = if_there(client.words(table, first, values).await)?;
+        let registers = holding::REGISTERS;
         Ok(Reading {
             diagnostics,
             inputs: pack(&inputs) as u16,
             outputs: pack(&outputs) as u16,
-            forced_inputs: forces(client, Side::Inputs)?,
-            forced_outputs: forces(client, Side::Outputs)?,
+            forced_inputs: forces(client, Side::Inputs).await?,
+            forced_outputs: forces(client, Side::Outputs).await?,
             markers: markers.map(|markers| pack(&markers)),
-            analogue: if_there(analogue)?.unwrap_or_default(),
-            registers: numbers(client, Table::HoldingRegisters, holding::REGISTERS, 32)?,
-            timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers)?,
-            counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters)?,
+            analogue: analogue.unwrap_or_default(),
+            registers: longs(client, registers, registers.values).await?,
+            timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers).await?,
+            counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters).await?,
         })
     }
 }
@@ -152,53 +162,124 @@ impl Wish {
     ///
     /// # Errors
     /// [`Failure`]; what is refused with 04 can be done in another state only.
-    pub fn fulfil(self, client: &mut Client) -> Result<(), Failure> {
+    pub async fn fulfil(self, client: &mut Client) -> Result<(), Failure> {
         match self {
-            Wish::Command(command) => client.set_word(holding::COMMAND, command as u16),
+            Wish::Command(command) => client.set_word(holding::COMMAND, command as u16).await,
             Wish::Force(side, index, to) => {
                 // Another client may force other points.
-                let mut forces = forces(client, side)?;
+                let mut forces = forces(client, side).await?;
                 forces.set(index, to);
-                client.set_words(side.register(), &[forces.points, forces.to])
+                let words = [forces.points, forces.to];
+                client.set_words(side.span(), &words).await
             }
             Wish::Release => {
-                client.set_words(holding::FORCED_INPUTS, &[0, 0])?;
-                client.set_words(holding::FORCED_OUTPUTS, &[0, 0])
+                client.set_words(holding::FORCED_INPUTS, &[0, 0]).await?;
+                client.set_words(holding::FORCED_OUTPUTS, &[0, 0]).await
             }
         }
     }
 }
 
-fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {
-    match *client.words(Table::HoldingRegisters, side.register(), 2)? {
+/// What is wished of a board while it is watched: the watch takes it, whoever has a clone of this puts it in.
+#[derive(Clone, Default)]
+pub struct Wishes(Rc<RefCell<VecDeque<Wish>>>);
+
+impl Wishes {
+    /// Wishes something; the next step of the conversation sees it.
+    pub fn push(&self, wish: Wish) {
+        self.0.borrow_mut().push_back(wish);
+    }
+
+    fn take(&self) -> Option<Wish> {
+        self.0.borrow_mut().pop_front()
+    }
+
+    fn are_there(&self) -> bool {
+        !self.0.borrow().is_empty()
+    }
+}
+
+/// What there is to say of a board that is watched.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// All that there is to show.
+    Reading(Box<Reading>),
+    /// It refuses a wish, and how it stands then: `ServerDeviceFailure` is the refusal of what can be done in another
+    /// state only.
+    Refused(Wish, Exception, Box<Diagnostics>),
+}
+
+/// Time from reading to reading: a few a second are enough to look at, and leave the line to others.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// Reads the board, and does what is wished in between, until it is lost; says how.
+pub async fn watch(
+    client: &mut Client,
+    scope: Scope,
+    wishes: &Wishes,
+    see: &mut dyn FnMut(Seen),
+) -> Failure {
+    loop {
+        if let Err(failure) = round(client, scope, wishes, see).await {
+            return failure;
+        }
+    }
+}
+
+/// One reading, and the wishes behind it.
+async fn round(
+    client: &mut Client,
+    scope: Scope,
+    wishes: &Wishes,
+    see: &mut dyn FnMut(Seen),
+) -> Result<(), Failure> {
+    see(Seen::Reading(Box::new(Reading::read(client, scope).await?)));
+    client.pause(PAUSE, || wishes.are_there()).await?;
+    // What they have brought about is shown at once.
+    while let Some(wish) = wishes.take() {
+        match wish.fulfil(client).await {
+            Ok(()) => {}
+            Err(Failure::Refused(exception)) => {
+                let board = Diagnostics::read(client).await?;
+                see(Seen::Refused(wish, exception, Box::new(board)));
+            }
+            Err(failure) => return Err(failure),
+        }
+    }
+    Ok(())
+}
+
+async fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {
+    let span = side.span();
+    match *client.words(span.table, span.first, 2).await? {
         [points, to] => Ok(Forces { points, to }),
         _ => Err(Failure::Garbled),
     }
 }
 
-/// Values of 32 bits; none where the board has none there.
-fn numbers(client: &mut Client, table: Table, first: u16, count: u16) -> Result<Vec<i32>, Failure> {
+/// The first `count` values of 32 bits of a span; none if the board does not have them.
+async fn longs(client: &mut Client, span: Span, count: u16) -> Result<Vec<i32>, Failure> {
     // As many as one request may ask for.
     const MOST: u16 = 62;
-    let mut numbers = Vec::new();
+    let mut longs = Vec::new();
     for index in (0..count).step_by(MOST.into()) {
         let pairs = (count - index).min(MOST);
-        let words = client.words(table, first + 2 * index, 2 * pairs);
-        let words = if_there(words)?.unwrap_or_default();
+        let words = client.words(span.table, span.first + 2 * index, 2 * pairs);
+        let words = if_there(words.await)?.unwrap_or_default();
         let pairs = words.as_chunks().0.iter();
-        numbers.extend(pairs.map(|&[high, low]| number(high, low).cast_signed()));
+        longs.extend(pairs.map(|&[high, low]| long(high, low).cast_signed()));
     }
-    Ok(numbers)
+    Ok(longs)
 }
 
-fn meters(
+async fn meters(
     client: &mut Client,
-    values: u16,
-    presets: u16,
+    values: Span,
+    presets: Span,
     count: u16,
 ) -> Result<Vec<Meter>, Failure> {
-    let values = numbers(client, Table::InputRegisters, values, count)?;
-    let presets = numbers(client, Table::HoldingRegisters, presets, count)?;
+    let values = longs(client, values, count).await?;
+    let presets = longs(client, presets, count).await?;
     let meters = values.into_iter().zip(presets);
     Ok(meters
         .map(|(value, preset)| Meter { value, preset })

@@ -156,9 +156,9 @@ fn main() -> ExitCode {
             state,
             il,
         } => commands::card(&card, &file, state, &il),
-        Command::Upload { file, il, at, stop } => commands::upload(&file, &at.line(), stop, &il),
-        Command::Monitor { file, il, at } => commands::monitor(file.as_deref(), at.line(), &il),
-        Command::Settings { at, changes } => commands::settings(&at.line(), &changes),
+        Command::Upload { file, il, at, stop } => commands::upload(&file, &at.place(), stop, &il),
+        Command::Monitor { file, il, at } => commands::monitor(file.as_deref(), at.place(), &il),
+        Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

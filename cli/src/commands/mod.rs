@@ -23,8 +23,8 @@ pub use words::Form;
 use anstream::println;
 use clap::Args;
 use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::start::{Found, find};
 use unoclp_board::{Line, Patience};
+use unoclp_cli::port::{Found, Place, Port, find};
 use words::Parity;
 
 /// Where the board is.
@@ -45,30 +45,35 @@ pub struct At {
 }
 
 impl At {
-    /// How to speak to it.
-    pub fn line(self) -> Line {
-        Line {
-            port: self.port,
+    /// Where it is, and how it is spoken to.
+    pub fn place(self) -> Place {
+        let line = Line {
             address: self.address,
             rate: self.rate,
             parity: self.parity.into(),
+        };
+        Place {
+            port: self.port,
+            line,
         }
     }
 }
 
-/// Finds the board and says so; and whether opening the port has reset it.
-fn meet(line: &Line) -> anyhow::Result<Found> {
+/// Finds the board, and says so, and whether opening the port has reset it.
+fn meet(place: &Place) -> anyhow::Result<Port> {
     let patience = Patience::default();
-    let mut found = find(line, patience)?;
-    println!(
-        "{} at {}, address {}",
-        found.identity, line.port, line.address
-    );
-    if found.may_be_reset {
-        let uptime = Diagnostics::read(&mut found.client)?.uptime;
+    let Found {
+        mut port,
+        identity,
+        may_be_reset,
+    } = find(place, patience)?;
+    let Place { port: name, line } = place;
+    println!("{identity} at {name}, address {}", line.address);
+    if may_be_reset {
+        let uptime = port.talk(Diagnostics::read)?.uptime;
         if u128::from(uptime) < patience.start.as_millis() {
             println!("opening the port has reset the board; the next time it will not");
         }
     }
-    Ok(found)
+    Ok(port)
 }

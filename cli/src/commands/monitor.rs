@@ -5,11 +5,12 @@ use crate::Outcome;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
-use unoclp_board::{Line, Patience};
+use unoclp_board::Patience;
 use unoclp_cli::monitor::{App, Program, run, watch};
+use unoclp_cli::port::Place;
 
 /// Shows a board until the person leaves.
-pub fn monitor(path: Option<&Path>, line: Line, il: &Il) -> Outcome {
+pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
     let program = match path {
         None => None,
         Some(path) => match open(path, il, Shown::Here)? {
@@ -21,8 +22,8 @@ pub fn monitor(path: Option<&Path>, line: Line, il: &Il) -> Outcome {
         bail!("the monitor needs a terminal");
     }
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
-    let place = format!("{}, address {}", line.port, line.address);
-    let (wish, news) = watch(line, Patience::default(), scope);
-    run(App::new(place, program), &wish, &news)?;
+    let app = App::new(place.to_string(), program);
+    let (wish, news) = watch(place, Patience::default(), scope);
+    run(app, &wish, &news)?;
     Ok(true)
 }

@@ -6,11 +6,12 @@ use crate::Outcome;
 use anstream::println;
 use anyhow::{Context, bail};
 use clap::{Args, ValueEnum};
-use unoclp_board::map::{Command, holding};
+use unoclp_board::map::Command;
 use unoclp_board::settings::{RATES, Settings};
-use unoclp_board::start::find;
 use unoclp_board::upload::stop;
+use unoclp_board::watch::Wish;
 use unoclp_board::{Line, Patience};
+use unoclp_cli::port::{Place, find};
 
 /// What shall be set anew.
 #[derive(Args)]
@@ -49,40 +50,41 @@ impl Changes {
 }
 
 /// Shows the settings that a board keeps, and sets those that shall change; it restarts to use them.
-pub fn settings(line: &Line, changes: &Changes) -> Outcome {
+pub fn settings(place: &Place, changes: &Changes) -> Outcome {
     if let Some(rate) = changes.set_rate
         && !RATES.contains(&rate)
     {
         let rates = RATES.map(|rate| rate.to_string()).join(", ");
         bail!("a board has no rate of {rate} baud; it has {rates}");
     }
-    let mut client = meet(line)?.client;
-    let old = Settings::read(&mut client)?;
+    let mut port = meet(place)?;
+    let old = port.talk(Settings::read)?;
     println!("{old}");
     let new = changes.apply(old);
     if new == old {
         return Ok(true);
     }
-    stop(&mut client).context("the board cannot be stopped")?;
-    new.write(&mut client)
+    port.talk(stop).context("the board cannot be stopped")?;
+    port.talk(async |client| new.write(client).await)
         .context("the board does not take the settings")?;
-    if Settings::read(&mut client)? != new {
+    if port.talk(Settings::read)? != new {
         bail!("the board does not keep the settings: its EEPROM fails");
     }
     println!("{new}; restarting");
-    client.set_word(holding::COMMAND, Command::Restart as u16)?;
-    drop(client);
+    let restart = Wish::Command(Command::Restart);
+    port.talk(async |client| restart.fulfil(client).await)?;
+    drop(port);
     let line = Line {
-        port: line.port.clone(),
         address: new.address,
         rate: new.rate,
         parity: new.parity,
     };
+    let port = place.port.clone();
     let patience = Patience::default();
     // It starts while it is sought.
     let attempts = patience.attempts + patience.start.as_secs() as u32;
     find(
-        &line,
+        &Place { port, line },
         Patience {
             attempts,
             ..patience

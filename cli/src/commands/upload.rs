@@ -7,23 +7,24 @@ use anstream::{eprint, println};
 use anyhow::{Context, bail};
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
-use unoclp_board::Line;
 use unoclp_board::diagnostics::Kept;
 use unoclp_board::map::{State, flag};
-use unoclp_board::start::Found;
 use unoclp_board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
+use unoclp_cli::port::Place;
 use unoclp_source::diagnosis::Diagnosis;
+use unoclp_source::{BOARD, load};
 
 /// Checks a program, and puts it on a board.
-pub fn upload(path: &Path, line: &Line, stays: bool, il: &Il) -> Outcome {
+pub fn upload(path: &Path, place: &Place, stays: bool, il: &Il) -> Outcome {
     let Some((program, size)) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
     println!("{}: {size}: OK", program.name);
-    let sent = Kept::of(&program.bytes).context("the program has no stored form")?;
+    let mut memory = vec![0; BOARD.linked_bytes.into()];
+    let sent = Kept::of(&load(&program.bytes, &mut memory)?);
 
-    let Found { mut client, .. } = meet(line)?;
-    let before = stop(&mut client).context("the board cannot be stopped")?;
+    let mut port = meet(place)?;
+    let before = port.talk(stop).context("the board cannot be stopped")?;
     let state = match before.state {
         Some(state) => state,
         None => bail!("the board is in a state that this version of unoclp does not know"),
@@ -38,10 +39,11 @@ pub fn upload(path: &Path, line: &Line, stays: bool, il: &Il) -> Outcome {
         },
     }
 
-    let uploaded = send(&mut client, &program.bytes, sent, &mut show);
+    let bytes = &program.bytes;
+    let uploaded = port.talk(async |client| send(client, bytes, sent, &mut show).await);
     hide();
-    match uploaded {
-        Ok(()) => {}
+    let kept = match uploaded {
+        Ok(kept) => kept,
         Err(Broken::Fault(trouble)) => {
             let Some(fault) = trouble.fault() else {
                 bail!("the board says {trouble}");
@@ -51,10 +53,10 @@ pub fn upload(path: &Path, line: &Line, stays: bool, il: &Il) -> Outcome {
             return Ok(refuse(&program, &[Diagnosis { fault, told_at }]));
         }
         Err(broken) => return Err(broken.into()),
-    }
-    println!("stored: {} bytes, check sum {:04X}", sent.bytes, sent.crc);
+    };
+    println!("stored: {} bytes, check sum {:04X}", kept.bytes, kept.sum);
 
-    let behind = go_on(&mut client, state, sent, stays);
+    let behind = port.talk(async |client| go_on(client, state, kept, stays).await);
     let behind = behind.context("the program is stored, but the board does not start it")?;
     match behind {
         Behind::Run => println!("RUN"),

@@ -59,7 +59,7 @@ impl App {
     /// Whether the board keeps another program than the file's.
     pub(super) fn differs(&self) -> bool {
         match (&self.program, &self.reading) {
-            (Some(program), Some(reading)) => program.kept != reading.diagnostics.program,
+            (Some(program), Some(reading)) => program.kept.differs(reading.diagnostics.program),
             _ => false,
         }
     }
@@ -134,7 +134,7 @@ impl App {
         match code {
             KeyCode::Char(digit @ '1'..='9') => self.force(digit as u8 - b'1'),
             KeyCode::Char('x') => Some(Wish::Release),
-            KeyCode::Char('s') => Some(Wish::Command(Command::Scan)),
+            KeyCode::Char('s') => Some(Wish::Command(Command::SingleScan)),
             KeyCode::Char('r') => Some(Wish::Command(Command::Restart)),
             KeyCode::Char(' ') => {
                 let state = self.reading.as_ref()?.diagnostics.state;

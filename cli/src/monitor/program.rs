@@ -5,7 +5,7 @@ use unoclp_board::diagnostics::Kept;
 use unoclp_board::watch::{Meter, Reading, Scope};
 use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};
 use unoclp_host_sim::engine::Machine;
-use unoclp_source::Written;
+use unoclp_source::{BOARD, Written, load};
 
 /// A program, to show a board's timers, counters and rungs by.
 pub struct Program {
@@ -29,10 +29,12 @@ impl Program {
     /// # Errors
     /// Its first fault.
     pub fn new(program: Written) -> Result<Program, Fault> {
+        let mut memory = vec![0; BOARD.linked_bytes.into()];
+        let kept = Kept::of(&load(&program.bytes, &mut memory)?);
         let machine = Machine::load(&program.bytes)?;
         let plc = machine.plc();
         Ok(Program {
-            kept: Kept::of(&program.bytes).unwrap_or_default(),
+            kept,
             drawn: Drawn::new(&program, plc),
             timers: plc
                 .steps()

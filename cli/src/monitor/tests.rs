@@ -34,7 +34,7 @@ fn reading() -> Reading {
             free_stack: 120,
             supply: 5006,
             restarts: 2,
-            program: Kept::of(PROGRAM.as_bytes()).unwrap(),
+            program: program().kept,
             ..Diagnostics::default()
         },
         inputs: 0b01,
@@ -134,7 +134,8 @@ fn another_program_is_warned_of_and_its_rungs_are_not_shown() {
     let mut other = reading();
     other.diagnostics.program = Kept {
         bytes: 9,
-        crc: 0xAB,
+        sum: 0xAB,
+        ..Kept::default()
     };
     let screen = screen(&mut showing(other), 100, 24);
     assert!(
@@ -235,7 +236,10 @@ fn keys_ask_for_what_fits_the_state() {
     let mut app = showing(reading());
     let command = |command| Some(Wish::Command(command));
     assert_eq!(press(&mut app, KeyCode::Char(' ')), command(Command::Stop));
-    assert_eq!(press(&mut app, KeyCode::Char('s')), command(Command::Scan));
+    assert_eq!(
+        press(&mut app, KeyCode::Char('s')),
+        command(Command::SingleScan)
+    );
     assert_eq!(
         press(&mut app, KeyCode::Char('r')),
         command(Command::Restart)
@@ -311,14 +315,25 @@ fn there_may_be_nothing_to_scroll() {
 }
 
 #[test]
+fn a_board_with_another_stored_form_is_not_said_to_run_another_program() {
+    let mut other = reading();
+    other.diagnostics.program = Kept {
+        version: 2,
+        bytes: 9,
+        sum: 0xAB,
+    };
+    let screen = screen(&mut showing(other), 100, 24);
+    assert!(!screen.contains("another program"), "{screen}");
+}
+
+#[test]
 fn rungs_scroll() {
     let rungs = "787600\n827301\n877901\n".repeat(40);
     let file = format!("0\n{rungs}");
-    let program =
-        Program::new(Written::numeric("long.txt".to_owned(), file.clone().into())).unwrap();
-    let mut app = app(Some(program));
+    let program = Program::new(Written::numeric("long.txt".to_owned(), file.into())).unwrap();
     let mut reading = reading();
-    reading.diagnostics.program = Kept::of(file.as_bytes()).unwrap();
+    reading.diagnostics.program = program.kept;
+    let mut app = app(Some(program));
     app.hear(News::Read(Box::new(reading)));
     let mut at = |key: Option<KeyCode>| {
         if let Some(key) = key {
@@ -415,9 +430,10 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
 fn instruction_list_is_shown_as_text_or_as_rungs() {
     let text = "VAR\n    button AT %IX1 : BOOL;\nEND_VAR\nLD button\nANDN I2\nST Q1\n";
     let program = Written::il("lamp.il".to_owned(), text.as_bytes(), None);
+    let program = Program::new(program).unwrap();
     let mut reading = reading();
-    reading.diagnostics.program = Kept::of(&program.bytes).unwrap();
-    let mut app = app(Some(Program::new(program).unwrap()));
+    reading.diagnostics.program = program.kept;
+    let mut app = app(Some(program));
     app.hear(News::Read(Box::new(reading)));
     let shown = screen(&mut app, 100, 30);
     let text = "\n   4 ● LD button\n   5 ● ANDN I2\n   6 ● ST Q1\n";

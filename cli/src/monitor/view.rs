@@ -224,9 +224,9 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
             "the board runs another program than {}: {} bytes {:04X}, not {} bytes {:04X}",
             program.name,
             board.program.bytes,
-            board.program.crc,
+            board.program.sum,
             program.kept.bytes,
-            program.kept.crc
+            program.kept.sum
         ));
     }
     if let Some(said) = &app.said {

@@ -1,15 +1,16 @@
 //! The thread that reads the board. It says all that it finds, and takes wishes in between.
 
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use crate::port::{Place, Port, find};
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread;
 use std::time::Duration;
-use unoclp_board::client::{Client, Failure};
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::identity::Identity;
 use unoclp_board::map::{Command, State, flag};
-use unoclp_board::start::find;
-use unoclp_board::watch::{Reading, Scope, Wish};
-use unoclp_board::{Line, Patience};
+use unoclp_board::watch::{self, Reading, Scope, Seen, Wish, Wishes};
+use unoclp_board::{Failure, Patience};
 use unoclp_modbus::Exception;
 
 /// What the thread says.
@@ -30,19 +31,16 @@ pub enum News {
     Lost(String),
 }
 
-/// Time from reading to reading: a few a second are enough to look at, and leave the line to others.
-const PAUSE: Duration = Duration::from_millis(50);
-
 /// Time until a lost board is sought again.
 const AGAIN: Duration = Duration::from_secs(1);
 
 /// Starts a thread that watches the board. It ends when nobody wishes or listens any more.
-pub fn watch(line: Line, patience: Patience, scope: Scope) -> (Sender<Wish>, Receiver<News>) {
+pub fn watch(place: Place, patience: Patience, scope: Scope) -> (Sender<Wish>, Receiver<News>) {
     let (wish, wishes) = mpsc::channel();
     let (say, news) = mpsc::channel();
     thread::spawn(move || {
         let watcher = Watcher {
-            line,
+            place,
             patience,
             scope,
             wishes,
@@ -58,7 +56,7 @@ pub fn watch(line: Line, patience: Patience, scope: Scope) -> (Sender<Wish>, Rec
 struct Gone;
 
 struct Watcher {
-    line: Line,
+    place: Place,
     patience: Patience,
     scope: Scope,
     wishes: Receiver<Wish>,
@@ -68,13 +66,13 @@ struct Watcher {
 impl Watcher {
     fn run(self) -> Result<(), Gone> {
         loop {
-            match find(&self.line, self.patience) {
+            match find(&self.place, self.patience) {
                 Ok(found) => {
                     self.say(News::Found {
                         identity: found.identity,
                         may_be_reset: found.may_be_reset,
                     })?;
-                    let failure = self.read(found.client)?;
+                    let failure = self.watch(found.port)?;
                     self.say(News::Lost(failure.to_string()))?;
                 }
                 Err(not_found) => self.say(News::Lost(not_found.to_string()))?,
@@ -85,23 +83,22 @@ impl Watcher {
         }
     }
 
-    /// Reads the board until it is lost.
-    fn read(&self, mut client: Client) -> Result<Failure, Gone> {
-        loop {
-            match Reading::read(&mut client, self.scope) {
-                Ok(reading) => self.say(News::Read(Box::new(reading)))?,
-                Err(failure) => return Ok(failure),
+    /// Watches the board until it is lost.
+    fn watch(&self, mut port: Port) -> Result<Failure, Gone> {
+        let wishes = Wishes::default();
+        let listens = Cell::new(true);
+        let mut see = |seen| listens.set(listens.get() && self.say(news(seen)).is_ok());
+        let attend = || loop {
+            match self.wishes.try_recv() {
+                Ok(wish) => wishes.push(wish),
+                Err(TryRecvError::Empty) if listens.get() => return ControlFlow::Continue(()),
+                Err(_) => return ControlFlow::Break(Gone),
             }
-            let mut pause = PAUSE;
-            while let Some(wish) = self.wish(pause)? {
-                match fulfil(wish, &mut client) {
-                    Ok(None) => {}
-                    Ok(Some(refusal)) => self.say(News::Refused(refusal))?,
-                    Err(failure) => return Ok(failure),
-                }
-                // What it has brought about is shown at once.
-                pause = Duration::ZERO;
-            }
+        };
+        let talk = async |client: &mut _| watch::watch(client, self.scope, &wishes, &mut see).await;
+        match port.attended(talk, attend) {
+            ControlFlow::Continue(failure) => Ok(failure),
+            ControlFlow::Break(gone) => Err(gone),
         }
     }
 
@@ -119,22 +116,20 @@ impl Watcher {
     }
 }
 
-/// Does what is wished; says why where the board refuses it.
-fn fulfil(wish: Wish, client: &mut Client) -> Result<Option<String>, Failure> {
-    match wish.fulfil(client) {
-        Ok(()) => Ok(None),
-        Err(Failure::Refused(Exception::ServerDeviceFailure)) => {
-            let diagnostics = Diagnostics::read(client)?;
-            Ok(Some(refusal(wish, &diagnostics).to_owned()))
+/// What is seen of a board, in the words of the monitor.
+fn news(seen: Seen) -> News {
+    match seen {
+        Seen::Reading(reading) => News::Read(reading),
+        Seen::Refused(wish, Exception::ServerDeviceFailure, board) => {
+            News::Refused(refusal(wish, &board).to_owned())
         }
-        Err(Failure::Refused(exception)) => Ok(Some(format!("{}", Failure::Refused(exception)))),
-        Err(failure) => Err(failure),
+        Seen::Refused(_, exception, _) => News::Refused(Failure::Refused(exception).to_string()),
     }
 }
 
 /// Why a board does not do something now.
 fn refusal(wish: Wish, board: &Diagnostics) -> &'static str {
-    let scan = wish == Wish::Command(Command::Scan);
+    let scan = wish == Wish::Command(Command::SingleScan);
     if board.state == Some(State::Fault) {
         "the board is in FAULT: r restarts it"
     } else if board.has(flag::STOP_SWITCH) {
@@ -159,7 +154,7 @@ mod tests {
             flags,
             ..Diagnostics::default()
         };
-        let (run, scan) = (Command::Run, Command::Scan);
+        let (run, scan) = (Command::Run, Command::SingleScan);
         for (command, board, says) in [
             (run, board(State::Fault, 0), "FAULT: r restarts"),
             (run, board(State::Stop, flag::STOP_SWITCH), "A5 is closed"),

@@ -1,10 +1,9 @@
 //! The commands that speak to a board: exit codes, messages and what the board gets.
 
-use crate::fake::{Board, FAULT, Fake, RUN, STOP};
+use crate::pty::{Board, FAULT, Fake, RUN, STOP, kept};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
-use unoclp_board::diagnostics::Kept;
 
 const FOLLOW: &str = "0\n787600\n827301\n877901\n";
 
@@ -37,7 +36,7 @@ fn on(fake: &Fake, arguments: &[&str]) -> (i32, String, String) {
 #[test]
 fn an_upload_says_what_it_does() {
     let program = file("follow.txt", FOLLOW);
-    let crc = Kept::of(FOLLOW.as_bytes()).unwrap().crc;
+    let crc = kept(FOLLOW).sum;
     let fake = Fake::new(Board::default());
     let (code, out, err) = on(&fake, &["upload", &program]);
     let path = fake.path();
@@ -49,6 +48,20 @@ fn an_upload_says_what_it_does() {
     assert_eq!((code, err.as_str()), (0, ""));
     assert_eq!(fake.board().text, FOLLOW.as_bytes());
     assert_eq!(fake.board().state, RUN);
+}
+
+#[test]
+fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
+    let program = file("form.txt", FOLLOW);
+    for state in [STOP, FAULT] {
+        let fake = Fake::new(Board::of_version(2, Board::in_state(state)));
+        let (code, out, err) = on(&fake, &["upload", &program]);
+        assert_eq!((code, err.as_str()), (0, ""), "{out}");
+        let told = fake.board().kept.sum;
+        assert_ne!(told, kept(FOLLOW).sum);
+        let says = format!("stored: 3 bytes, check sum {told:04X}\nRUN\n");
+        assert!(out.ends_with(&says), "{out}");
+    }
 }
 
 #[test]

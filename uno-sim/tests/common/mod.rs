@@ -1,6 +1,7 @@
 //! What the tests on the firmware share.
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod line;
 pub mod modbus;
 pub mod state;
 

@@ -5,58 +5,11 @@
 //! cleared here: the first opening since the board was plugged in may reset it, later ones do not. On
 //! Windows DTR stays off.
 
+use super::place::Place;
 use serialport::{ErrorKind, SerialPort};
-use std::fmt;
 use std::io;
 use std::time::Duration;
-
-/// Which board, and how to speak to it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Line {
-    /// The serial port, `/dev/ttyACM0` or `COM3`.
-    pub port: String,
-    /// The board's address, 1 to 247.
-    pub address: u8,
-    /// Bits per second.
-    pub rate: u32,
-    /// The parity.
-    pub parity: Parity,
-}
-
-/// The parity bit of each byte.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Parity {
-    /// There is none.
-    #[default]
-    None,
-    /// The ones are even in number.
-    Even,
-    /// The ones are odd in number.
-    Odd,
-}
-
-impl fmt::Display for Parity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Parity::None => "no parity",
-            Parity::Even => "even parity",
-            Parity::Odd => "odd parity",
-        })
-    }
-}
-
-impl fmt::Display for Line {
-    /// `address 1 at 115200 baud, no parity`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Line {
-            address,
-            rate,
-            parity,
-            ..
-        } = self;
-        write!(f, "address {address} at {rate} baud, {parity}")
-    }
-}
+use unoclp_board::Parity;
 
 /// Why a port cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -97,18 +50,18 @@ pub enum NotOpened {
     },
 }
 
-/// Opens the port of a line. Also tells whether that has probably reset an UNO behind it.
+/// Opens the port of a place. Also tells whether that has probably reset an UNO behind it.
 ///
 /// # Errors
 /// Where the port is not there or may not be used.
-pub(crate) fn open(line: &Line) -> Result<(Box<dyn SerialPort>, bool), NotOpened> {
-    let may_reset = keep_dtr(&line.port).map_err(|error| not_opened(&line.port, error))?;
-    let parity = match line.parity {
+pub(super) fn open(place: &Place) -> Result<(Box<dyn SerialPort>, bool), NotOpened> {
+    let may_reset = keep_dtr(&place.port).map_err(|error| not_opened(&place.port, error))?;
+    let parity = match place.line.parity {
         Parity::None => serialport::Parity::None,
         Parity::Even => serialport::Parity::Even,
         Parity::Odd => serialport::Parity::Odd,
     };
-    let port = serialport::new(&line.port, line.rate)
+    let port = serialport::new(&place.port, place.line.rate)
         .parity(parity)
         .timeout(Duration::ZERO)
         .preserve_dtr_on_open()
@@ -116,14 +69,14 @@ pub(crate) fn open(line: &Line) -> Result<(Box<dyn SerialPort>, bool), NotOpened
     match port {
         Ok(port) => Ok((port, may_reset)),
         Err(error) => Err(match error.kind() {
-            ErrorKind::Io(kind) => not_opened(&line.port, io::Error::new(kind, error.description)),
+            ErrorKind::Io(kind) => not_opened(&place.port, io::Error::new(kind, error.description)),
             // On Unix it has just been there.
-            ErrorKind::NoDevice if cfg!(unix) || is_available(&line.port) => NotOpened::Busy {
-                port: line.port.clone(),
+            ErrorKind::NoDevice if cfg!(unix) || is_available(&place.port) => NotOpened::Busy {
+                port: place.port.clone(),
             },
-            ErrorKind::NoDevice => missing(&line.port),
+            ErrorKind::NoDevice => missing(&place.port),
             _ => NotOpened::Other {
-                port: line.port.clone(),
+                port: place.port.clone(),
                 reason: error.description,
             },
         }),

@@ -1,37 +1,20 @@
-//! A board in memory behind a pseudo-terminal: the server's protocol is that of the firmware.
+//! A board in memory behind a pseudo-terminal.
 #![allow(dead_code, reason = "each test uses its part")]
 
-mod device;
+#[path = "../../../board/tests/fake/mod.rs"]
+mod fake;
 
-pub use device::{Board, FAULT, RUN, STOP};
+pub use fake::{Board, FAULT, Fate, RUN, STOP, kept};
 
+use fake::{Trick, answer, request_length};
 use serialport::{SerialPort, TTYPort};
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
-use unoclp_board::{Line, Parity, Patience};
-use unoclp_modbus::{Answer, Crc, FRAME_BYTES, begin};
-
-/// What becomes of a request, before the board or behind it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// It is answered.
-    Answered,
-    /// It is lost on its way.
-    Lost,
-    /// It is done, but the answer is lost.
-    AnswerLost,
-    /// It is done, but something else comes back.
-    Garbled,
-    /// Another function is answered.
-    Mistaken,
-    /// The port goes, and does not come back.
-    Unplugged,
-}
-
-type Trick = Box<dyn FnMut(&mut Board, &[u8]) -> Fate + Send>;
+use unoclp_board::{Line, Patience};
+use unoclp_cli::port::Place;
 
 /// The board, and the port that it is at.
 pub struct Fake {
@@ -91,13 +74,11 @@ impl Fake {
         &self.path
     }
 
-    /// How to speak to it.
-    pub fn line(&self) -> Line {
-        Line {
+    /// Where it is.
+    pub fn place(&self) -> Place {
+        Place {
             port: self.path.clone(),
-            address: 1,
-            rate: 115_200,
-            parity: Parity::None,
+            line: Line::default(),
         }
     }
 }
@@ -156,66 +137,13 @@ impl Server {
                 && came.len() >= length
             {
                 let request: Vec<u8> = came.drain(..length).collect();
-                assert_eq!(Crc::of(&request).value(), 0, "{request:02x?}");
-                if self.answer(&request[..length - 2]) == Fate::Unplugged {
+                let mut board = self.board.lock().unwrap();
+                let (fate, reply) = answer(&mut board, &mut self.trick, &request);
+                if fate == Fate::Unplugged {
                     return;
                 }
+                self.port.write_all(&reply).unwrap();
             }
         }
     }
-
-    fn answer(&mut self, request: &[u8]) -> Fate {
-        let mut board = self.board.lock().unwrap();
-        let fate = (self.trick)(&mut board, request);
-        // The address in use is that of the last start, which is 1 here as long as nobody asks for another.
-        let ours = request[0] == board.settings[0] as u8 || request[0] == 1;
-        if matches!(fate, Fate::Lost | Fate::Unplugged) || !ours {
-            return fate;
-        }
-        let mut reply = handle(&mut board, request);
-        match fate {
-            Fate::AnswerLost => return fate,
-            Fate::Garbled => *reply.last_mut().unwrap() ^= 1,
-            Fate::Mistaken => {
-                reply.truncate(reply.len() - 2);
-                reply[1] ^= 7;
-                reply.extend(Crc::of(&reply).to_bytes());
-            }
-            _ => {}
-        }
-        self.port.write_all(&reply).unwrap();
-        fate
-    }
-}
-
-/// The board's answer, with its check sum.
-fn handle(board: &mut Board, request: &[u8]) -> Vec<u8> {
-    let mut frame = [0; FRAME_BYTES];
-    frame[..request.len()].copy_from_slice(request);
-    let length = if request[1] == 43 && !board.identifies {
-        (frame[1], frame[2]) = (0xAB, 1);
-        3
-    } else {
-        match begin(&mut frame, request.len() as u8, board) {
-            Answer::Silence => 0,
-            Answer::Ready(length) => length,
-            Answer::Filling(mut exchange) => loop {
-                if let Some(length) = exchange.fill(&mut frame, board, 16) {
-                    break length;
-                }
-            },
-        }
-    };
-    let mut reply = frame[..length.into()].to_vec();
-    reply.extend(Crc::of(&reply).to_bytes());
-    reply
-}
-
-/// How long a request that begins so is: there is no silence on a pseudo-terminal.
-fn request_length(came: &[u8]) -> Option<usize> {
-    Some(match *came.get(1)? {
-        15 | 16 => 9 + usize::from(*came.get(6)?),
-        43 => 7,
-        _ => 8,
-    })
 }

@@ -1,0 +1,65 @@
+//! What lies between a step of a conversation and what is said in it.
+
+use std::cell::{Cell, RefCell};
+use std::future::poll_fn;
+use std::rc::Rc;
+use std::task::Poll;
+use std::time::Duration;
+
+/// What lies between a step and what is said.
+#[derive(Default)]
+pub(crate) struct Mailbox {
+    pub now: Cell<Duration>,
+    /// When to go on if nothing comes.
+    pub until: Cell<Duration>,
+    pub came: RefCell<Vec<u8>>,
+    pub send: RefCell<Vec<u8>>,
+    pub gone: RefCell<Option<String>>,
+}
+
+/// The port is gone, and why.
+#[derive(Debug)]
+pub(crate) struct Gone(pub String);
+
+/// The line as a conversation sees it.
+pub(crate) struct Link(pub Rc<Mailbox>);
+
+impl Link {
+    /// The time of this step.
+    pub fn now(&self) -> Duration {
+        self.0.now.get()
+    }
+
+    /// Sends bytes. What has come before that is forgotten: it is late, or was never meant for us.
+    pub fn send(&self, bytes: &[u8]) {
+        self.0.came.take();
+        self.0.send.borrow_mut().extend(bytes);
+    }
+
+    /// Adds what has come to `bytes`; false if nothing comes until then.
+    pub async fn receive(&self, bytes: &mut Vec<u8>, until: Duration) -> Result<bool, Gone> {
+        let has_come = self.wait(until, || !self.0.came.borrow().is_empty());
+        let has_come = has_come.await?;
+        bytes.append(&mut self.0.came.borrow_mut());
+        Ok(has_come)
+    }
+
+    /// Waits until something is so; false if it is not so by then. It is asked at each step.
+    pub async fn wait(&self, until: Duration, is_so: impl Fn() -> bool) -> Result<bool, Gone> {
+        poll_fn(|_| {
+            let mailbox = &*self.0;
+            if let Some(why) = &*mailbox.gone.borrow() {
+                return Poll::Ready(Err(Gone(why.clone())));
+            }
+            if is_so() {
+                return Poll::Ready(Ok(true));
+            }
+            if mailbox.now.get() >= until {
+                return Poll::Ready(Ok(false));
+            }
+            mailbox.until.set(until);
+            Poll::Pending
+        })
+        .await
+    }
+}

@@ -1,0 +1,10 @@
+//! Conversations with a board in memory, on a line on which time passes only while a conversation waits.
+
+#[path = "../fake/mod.rs"]
+mod fake;
+mod find;
+mod line;
+mod read;
+mod requests;
+mod upload;
+mod watch;

@@ -1,0 +1,192 @@
+//! What is read of a board, and written to it.
+
+use crate::fake::{Board, FAULT, Fate, RUN, STOP, kept};
+use crate::line::Wire;
+use unoclp_board::diagnostics::{Diagnostics, Kept};
+use unoclp_board::map::{Command, Parity, State, cause, holding, input};
+use unoclp_board::settings::Settings;
+use unoclp_board::watch::{Forces, Meter, Reading, Scope, Side, Wish};
+use unoclp_board::{Client, Failure};
+use unoclp_modbus::Exception;
+
+fn read(wire: &mut Wire, scope: Scope) -> Reading {
+    wire.talk(async |client| Reading::read(client, scope).await)
+        .unwrap()
+}
+
+fn fulfil(wire: &mut Wire, wish: Wish) -> Result<(), Failure> {
+    wire.talk(async |client| wish.fulfil(client).await)
+}
+
+#[test]
+fn every_read_has_its_shape() {
+    let (i, h) = (input::ANALOGUE.table as u16, holding::SETTINGS.table as u16);
+    let words = [
+        (i, input::ANALOGUE.first, 1023),
+        (i, input::ANALOGUE.first + 4, 7),
+        (h, holding::REGISTERS.end() - 2, 0xFFFF),
+        (h, holding::REGISTERS.end() - 1, 0xFFFE),
+        (i, input::TIMERS.first, 1),
+        (i, input::TIMERS.first + 1, 2),
+        (h, holding::TIMERS.first, 3),
+        (h, holding::TIMERS.first + 1, 4),
+        (i, input::TIMERS.end() - 1, 9),
+        (i, input::COUNTERS.end() - 1, 5),
+        (h, holding::COUNTERS.end() - 1, 6),
+        (i, input::CAUSE.first, 5),
+        (i, input::UPTIME.first, 1),
+        (i, input::SCAN_TIMES.first, 300),
+        (i, input::SCAN_TIMES.first + 2, 400),
+        (i, input::FREE_STACK.first, 120),
+        (i, input::SUPPLY.first, 225),
+        (i, input::RESTARTS.first, 2),
+        (i, input::FAULTS.first, 1),
+    ];
+    let mut wire = Wire::new(Board {
+        inputs: 0b1000_0101,
+        outputs: 0b0110,
+        markers: 0x8000_0000_0000_0005,
+        words: words
+            .map(|(table, address, word)| ((table, address), word))
+            .into(),
+        ..Board::in_state(STOP)
+    });
+    let scope = Scope {
+        timers: 87,
+        counters: 16,
+    };
+    let reading = read(&mut wire, scope);
+    let board = reading.diagnostics;
+    assert_eq!(board.state, Some(State::Stop));
+    assert_eq!((cause(board.cause), board.uptime), ("command", 65_536));
+    assert_eq!((board.scan_times, board.free_stack), ([300, 0, 400], 120));
+    assert_eq!((board.supply, board.restarts, board.faults), (5006, 2, 1));
+    assert_eq!(board.program, wire.board.kept);
+    assert_eq!((reading.inputs, reading.outputs), (0b1000_0101, 0b0110));
+    assert_eq!(reading.markers, Some(0x8000_0000_0000_0005));
+    assert_eq!(reading.analogue, [1023, 0, 0, 0, 7]);
+    assert_eq!((reading.registers.len(), reading.registers[31]), (32, -2));
+    assert_eq!((reading.timers.len(), reading.counters.len()), (87, 16));
+    let meter = |value, preset| Meter { value, preset };
+    assert_eq!(reading.timers[0], meter(0x1_0002, 0x3_0004));
+    assert_eq!(reading.timers[86], meter(9, 0));
+    assert_eq!(reading.counters[15], meter(5, 6));
+}
+
+#[test]
+fn a_board_without_markers_and_registers_is_read_too() {
+    let mut wire = Wire::new(Board {
+        is_of_version_1: true,
+        ..Board::default()
+    });
+    let scope = Scope {
+        timers: 2,
+        counters: 1,
+    };
+    let reading = read(&mut wire, scope);
+    assert_eq!(reading.markers, None);
+    assert!(reading.analogue.is_empty() && reading.registers.is_empty());
+    assert!(reading.timers.is_empty() && reading.counters.is_empty());
+}
+
+#[test]
+fn points_are_forced_and_let_go() {
+    let mut wire = Wire::new(Board::default());
+    let mut wish = |wish: Wish| {
+        fulfil(&mut wire, wish).unwrap();
+        (read(&mut wire, Scope::default()), wire.board.forces)
+    };
+    let (reading, _) = wish(Wish::Force(Side::Inputs, 7, Some(true)));
+    assert_eq!((reading.inputs, reading.forced_inputs.points), (0x80, 0x80));
+    let (reading, _) = wish(Wish::Force(Side::Inputs, 0, Some(false)));
+    let both = Forces {
+        points: 0x81,
+        to: 0x80,
+    };
+    assert_eq!(reading.forced_inputs, both);
+    wish(Wish::Force(Side::Inputs, 7, None));
+    let (_, forces) = wish(Wish::Force(Side::Outputs, 3, Some(true)));
+    assert_eq!(forces, [1, 0, 8, 8]);
+    let (_, forces) = wish(Wish::Release);
+    assert_eq!(forces, [0; 4]);
+}
+
+#[test]
+fn commands_reach_the_board() {
+    let mut wire = Wire::new(Board::default());
+    let mut command = |command| {
+        let outcome = fulfil(&mut wire, Wish::Command(command));
+        let Board {
+            state,
+            single_scans,
+            restarts,
+            ..
+        } = wire.board;
+        (outcome, state, single_scans, restarts)
+    };
+    assert_eq!(command(Command::Stop), (Ok(()), STOP, 0, 0));
+    assert_eq!(command(Command::SingleScan), (Ok(()), STOP, 1, 0));
+    assert_eq!(command(Command::Run), (Ok(()), RUN, 1, 0));
+    let refused = Err(Failure::Refused(Exception::ServerDeviceFailure));
+    assert_eq!(command(Command::SingleScan), (refused, RUN, 1, 0));
+    assert_eq!(command(Command::Restart), (Ok(()), RUN, 1, 1));
+}
+
+#[test]
+fn a_command_whose_answer_is_lost_is_repeated() {
+    let mut lost = true;
+    let mut wire = Wire::with(Board::default(), move |_, _| {
+        match std::mem::take(&mut lost) {
+            true => Fate::AnswerLost,
+            false => Fate::Answered,
+        }
+    });
+    assert_eq!(fulfil(&mut wire, Wish::Command(Command::Stop)), Ok(()));
+    assert_eq!((wire.board.state, wire.sent.len()), (STOP, 2));
+}
+
+#[test]
+fn settings_are_read_and_written() {
+    let mut wire = Wire::new(Board {
+        settings: [3, 96, 2, 1],
+        ..Board::in_state(STOP)
+    });
+    let read = async |client: &mut Client| Settings::read(client).await;
+    let mut settings = wire.talk(read).unwrap();
+    let shown = "address 3, 9600 baud, odd parity, direction pin on";
+    assert_eq!(settings.to_string(), shown);
+    (settings.address, settings.rate) = (247, 2400);
+    (settings.parity, settings.direction) = (Parity::Even, false);
+    wire.talk(async |client| settings.write(client).await)
+        .unwrap();
+    assert_eq!(wire.board.settings, [247, 24, 1, 0]);
+    // None of this version.
+    for settings in [[256, 96, 0, 0], [1, 96, 3, 0]] {
+        wire.board.settings = settings;
+        assert_eq!(wire.talk(read), Err(Failure::Garbled));
+    }
+}
+
+#[test]
+fn a_diagnosis_is_complete() {
+    let mut wire = Wire::new(Board {
+        fault: 24,
+        line: 70_000,
+        switch: true,
+        ..Board::in_state(FAULT)
+    });
+    let board = wire.talk(Diagnostics::read).unwrap();
+    let trouble = board.trouble.unwrap().to_string();
+    assert_eq!(trouble, "fault 24, line 70000: no such code");
+    assert!(board.is_switched_off());
+}
+
+#[test]
+fn a_board_tells_the_version_of_its_stored_form() {
+    let mut wire = Wire::new(Board::of_version(9, Board::default()));
+    let told = wire.talk(Diagnostics::read).unwrap().program;
+    assert_eq!(told, wire.board.kept);
+    assert_eq!(told.version, 9);
+    let here: Kept = kept("0\n877901\n");
+    assert!(!told.differs(here), "nothing can be said of it");
+}

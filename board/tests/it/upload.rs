@@ -1,0 +1,307 @@
+//! Uploading to a board.
+
+use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
+use crate::line::Wire;
+use unoclp_board::diagnostics::Kept;
+use unoclp_board::map::{self, BLOCK_BYTES, Command, State, holding};
+use unoclp_board::upload::{Behind, Broken, Pass, Progress, go_on, stop, upload};
+use unoclp_modbus::Device;
+
+const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
+
+/// A program of several blocks.
+fn long() -> String {
+    format!("{}/{}\n", FOLLOW, "comment ".repeat(200))
+}
+
+/// Uploads a text as what it is kept as, without a look at the progress.
+fn send_as(wire: &mut Wire, text: &str, sent: Kept) -> Result<Kept, Broken> {
+    wire.talk(async |client| upload(client, text.as_bytes(), sent, &mut |_| ()).await)
+}
+
+/// Uploads a program.
+fn send(wire: &mut Wire, text: &str) -> Result<Kept, Broken> {
+    send_as(wire, text, kept(text))
+}
+
+/// Lets the board run what it has taken, or not.
+fn then(wire: &mut Wire, before: State, kept: Kept, stays: bool) -> Behind {
+    wire.talk(async |client| go_on(client, before, kept, stays).await)
+        .unwrap()
+}
+
+#[test]
+fn a_program_is_sent_twice_and_stored() {
+    for text in [FOLLOW.to_owned(), long(), "0\n877901\n/".to_owned()] {
+        let mut wire = Wire::new(Board::default());
+        let before = wire.talk(stop).unwrap();
+        assert_eq!((before.state, wire.board.state), (Some(State::Run), STOP));
+        let sent = kept(&text);
+        let mut shown = Vec::new();
+        let mut show = |step| shown.push(step);
+        let stored =
+            wire.talk(async |client| upload(client, text.as_bytes(), sent, &mut show).await);
+        assert_eq!(stored.unwrap(), sent);
+        assert_eq!(wire.board.text, text.as_bytes());
+        assert_eq!(wire.board.kept, sent);
+        for pass in [Pass::Check, Pass::Store] {
+            let (bytes, of) = (text.len(), text.len());
+            assert!(shown.contains(&Progress::Sent { pass, bytes, of }));
+        }
+        assert!(shown.contains(&Progress::Storing));
+        let behind = then(&mut wire, State::Run, sent, false);
+        assert_eq!((behind, wire.board.state), (Behind::Run, RUN));
+    }
+}
+
+#[test]
+fn block_numbers_go_round() {
+    let text = format!("{FOLLOW}/{}\n", "x".repeat(140 * usize::from(BLOCK_BYTES)));
+    let mut wire = Wire::new(Board::in_state(STOP));
+    send(&mut wire, &text).unwrap();
+    assert_eq!(wire.board.text.len(), text.len());
+}
+
+#[test]
+fn a_block_whose_answer_is_lost_is_sent_again_and_taken_once() {
+    for fate in [Fate::Garbled, Fate::AnswerLost, Fate::Lost] {
+        let text = long();
+        let mut blocks = 0;
+        let mut wire = Wire::with(Board::in_state(STOP), move |_, request| {
+            blocks += u32::from(is_block(request));
+            match (is_block(request), blocks % 4) {
+                (true, 2) => fate,
+                _ => Fate::Answered,
+            }
+        });
+        send(&mut wire, &text).unwrap();
+        assert_eq!(wire.board.text, text.as_bytes());
+    }
+}
+
+#[test]
+fn the_answer_to_the_end_may_take_as_long_as_storing_does() {
+    // The second end, and any other block.
+    for (number, is_waited_for) in [(3, true), (2, false)] {
+        let mut wire = Wire::with(Board::in_state(STOP), move |_, request| {
+            match is_block(request) && request[7] == number {
+                true => Fate::Slow,
+                false => Fate::Answered,
+            }
+        });
+        let sent = send(&mut wire, FOLLOW);
+        assert_eq!(sent.is_ok(), is_waited_for, "{sent:?}");
+    }
+}
+
+#[test]
+fn an_end_that_was_stored_and_whose_answer_is_lost_is_an_upload() {
+    let mut wire = Wire::with(Board::in_state(STOP), |board, request| {
+        let end = is_block(request) && request[8] == 0;
+        // The second one: the board stores, and will refuse the repetition.
+        if end && request[7] == 3 && board.is_uploading() {
+            Fate::Garbled
+        } else {
+            Fate::Answered
+        }
+    });
+    send(&mut wire, FOLLOW).unwrap();
+    assert_eq!(wire.board.text, FOLLOW.as_bytes());
+}
+
+#[test]
+fn the_board_tells_a_fault_with_its_line() {
+    // As by a board of another version: its loader knows less than this one.
+    let fault = |text: &str, board: Board| {
+        let mut wire = Wire::new(board);
+        let before = wire.board.kept;
+        let error = send_as(&mut wire, text, Kept::default()).unwrap_err();
+        assert_eq!(wire.board.kept, before, "it keeps what it had");
+        error.to_string()
+    };
+    let stop = || Board::in_state(STOP);
+    assert_eq!(
+        fault("0\n787600\n123\n", stop()),
+        "fault 24, line 3: no such code"
+    );
+    let late = format!("{}40\n", long());
+    let line = late.lines().count();
+    assert_eq!(
+        fault(&late, stop()),
+        format!("fault 32, line {line}: this 40 is not closed by 41 in its rung (NC-8)")
+    );
+    assert_eq!(fault("", stop()), "fault 21: the file holds no code");
+    let differs = Board {
+        second_differs: true,
+        ..stop()
+    };
+    assert!(fault(FOLLOW, differs).starts_with("fault 57: the card gave another program"));
+}
+
+#[test]
+fn an_upload_does_not_begin_in_run() {
+    let mut wire = Wire::new(Board::in_state(RUN));
+    let error = send(&mut wire, FOLLOW).unwrap_err();
+    assert!(matches!(error, Broken::NotBegun), "{error}");
+    assert!(!wire.board.is_uploading());
+}
+
+#[test]
+fn an_upload_that_another_client_ends_says_so() {
+    let mut wire = Wire::with(Board::in_state(STOP), |board, request| {
+        if is_block(request) && request[7] == 2 {
+            board.set_word(holding::COMMAND.first, Command::Stop as u16);
+        }
+        Fate::Answered
+    });
+    let error = send(&mut wire, &long()).unwrap_err();
+    assert!(matches!(error, Broken::Ended), "{error}");
+}
+
+#[test]
+fn an_upload_that_is_broken_off_says_where_and_what_the_board_keeps() {
+    for (number, while_, keeps) in [
+        (
+            2,
+            "checking, at byte 488 of ",
+            "it keeps the program that it had",
+        ),
+        (
+            9,
+            "storing, at byte 244 of ",
+            "it keeps the program that it had",
+        ),
+        (
+            15,
+            "storing, at byte ",
+            "whether it keeps the new program is open",
+        ),
+    ] {
+        let text = long();
+        assert_eq!(text.len().div_ceil(BLOCK_BYTES.into()), 7);
+        let mut wire = Wire::with(Board::in_state(STOP), move |_, request| {
+            if is_block(request) && request[7] == number {
+                Fate::Unplugged
+            } else {
+                Fate::Answered
+            }
+        });
+        let before = wire.board.kept;
+        let error = send(&mut wire, &text).unwrap_err().to_string();
+        let begin = format!("the upload was broken off while {while_}");
+        assert!(error.starts_with(&begin), "{error}");
+        assert!(error.contains("the port is gone"), "{error}");
+        assert!(error.contains(keeps), "{error}");
+        assert_eq!(wire.board.kept, before);
+    }
+}
+
+#[test]
+fn a_board_that_keeps_something_else_is_found_out() {
+    let mut wire = Wire::new(Board::in_state(STOP));
+    let sent = Kept {
+        bytes: 1,
+        sum: 2,
+        ..Kept::default()
+    };
+    let error = send_as(&mut wire, FOLLOW, sent).unwrap_err().to_string();
+    assert!(error.contains("not the 1 bytes with 0002"), "{error}");
+}
+
+/// A firmware may keep programs in another form than this client knows: that is no failure.
+#[test]
+fn a_board_with_another_stored_form_takes_an_upload() {
+    let other = |board| Board::of_version(map::form::version(0) + 1, board);
+    for (board, before) in [
+        (Board::default(), State::Run),
+        (Board::in_state(STOP), State::Stop),
+        (Board::in_state(FAULT), State::Fault),
+    ] {
+        // The answer to the second end, too, may be lost.
+        for lost in [false, true] {
+            let mut wire = Wire::with(
+                other(Board {
+                    state: board.state,
+                    ..Board::default()
+                }),
+                move |board, request| {
+                    let end = is_block(request) && request[8..] == [0];
+                    match lost && end && request[7] == 3 && board.is_uploading() {
+                        true => Fate::AnswerLost,
+                        false => Fate::Answered,
+                    }
+                },
+            );
+            wire.talk(stop).unwrap();
+            let stored = send(&mut wire, FOLLOW).unwrap();
+            assert_eq!(
+                stored, wire.board.kept,
+                "what the board tells, not what was sent"
+            );
+            assert!(stored.version != kept(FOLLOW).version && stored.sum != kept(FOLLOW).sum);
+            assert_eq!(then(&mut wire, before, stored, false), Behind::Run);
+            assert_eq!(wire.board.text, FOLLOW.as_bytes());
+        }
+    }
+    let mut wire = Wire::new(other(Board {
+        card: Some(b"0\n877901\n".to_vec()),
+        ..Board::in_state(FAULT)
+    }));
+    let stored = send(&mut wire, FOLLOW).unwrap();
+    let behind = then(&mut wire, State::Fault, stored, false);
+    assert_eq!(behind, Behind::Card, "its card is still found out");
+}
+
+#[test]
+fn what_comes_behind_an_upload_depends_on_where_the_board_was() {
+    let uploaded = |board: Board, stays: bool| {
+        let mut wire = Wire::new(board);
+        let before = wire.talk(stop).unwrap().state.unwrap();
+        let stored = send(&mut wire, FOLLOW).unwrap();
+        let behind = then(&mut wire, before, stored, stays);
+        (behind, wire.board.state)
+    };
+    assert_eq!(uploaded(Board::in_state(RUN), true), (Behind::Stop, STOP));
+    assert_eq!(uploaded(Board::in_state(STOP), false), (Behind::Run, RUN));
+    let switched = |state| Board {
+        switch: true,
+        ..Board::in_state(state)
+    };
+    assert_eq!(uploaded(switched(STOP), false), (Behind::Switch, STOP));
+    assert_eq!(uploaded(Board::in_state(FAULT), false), (Behind::Run, RUN));
+    assert_eq!(
+        uploaded(Board::in_state(FAULT), true),
+        (Behind::Faulty, FAULT)
+    );
+    assert_eq!(uploaded(switched(FAULT), false), (Behind::Switch, STOP));
+    let card = Board {
+        card: Some(b"0\n877901\n".to_vec()),
+        ..Board::in_state(FAULT)
+    };
+    assert_eq!(uploaded(card, false), (Behind::Card, RUN));
+    let broken = Board {
+        fault_at_restart: 64,
+        ..Board::in_state(FAULT)
+    };
+    let (behind, state) = uploaded(broken, false);
+    let Behind::Trouble(trouble) = behind else {
+        panic!("{behind:?}");
+    };
+    assert_eq!((trouble.number, trouble.line, state), (64, None, FAULT));
+}
+
+#[test]
+fn a_board_that_restarts_is_waited_for() {
+    let mut silent = 0;
+    let mut wire = Wire::with(Board::in_state(FAULT), move |board, _| {
+        match board.restarts > 0 && silent < 12 {
+            true => {
+                silent += 1;
+                Fate::Lost
+            }
+            false => Fate::Answered,
+        }
+    });
+    let stored = send(&mut wire, FOLLOW).unwrap();
+    assert_eq!(then(&mut wire, State::Fault, stored, false), Behind::Run);
+}
