@@ -2,6 +2,7 @@
 
 use crate::client::{Client, Failure};
 use crate::identity::Identity;
+use crate::map::VENDOR;
 use std::fmt;
 use std::time::Duration;
 use unoclp_modbus::Exception;
@@ -60,7 +61,7 @@ pub async fn find(client: &mut Client, may_be_reset: bool) -> Result<Identity, N
         }
     };
     match identity {
-        Ok(identity) if identity.vendor == "unoclp" => Ok(identity),
+        Ok(identity) if identity.vendor == VENDOR => Ok(identity),
         Ok(identity) => Err(NotFound::Foreign(Foreign(Some(identity)))),
         Err(Failure::Silent) => Err(NotFound::Silent),
         Err(Failure::Garbled) => Err(NotFound::Garbled),

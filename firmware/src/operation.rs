@@ -4,25 +4,7 @@
 
 use unoclp_core::{Fault, Image};
 
-/// What the board is doing; the numbers are those of the Modbus map.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-pub enum State {
-    Run = 1,
-    Stop = 2,
-    Fault = 3,
-}
-
-/// What is to be done once a request has been answered; the numbers are those of the Modbus map.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Command {
-    Run = 1,
-    Stop = 2,
-    SingleScan = 3,
-    Restart = 4,
-    Upload = 5,
-}
+pub use unoclp_modbus::map::{Command, State};
 
 /// Operation from one start of the board to the next.
 pub struct Operation {

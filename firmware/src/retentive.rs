@@ -1,6 +1,6 @@
 //! Retentive markers: M 57 to M 64, kept in the EEPROM over a power cut (NC-12).
 //!
-//! Owns where they are kept and how often they are written. Each writing goes to the next of 32 places,
+//! Owns how often they are written. Each writing goes to the next of 32 places,
 //! so each place is written every 32nd time: at the 100,000 writings that the chip is good for, and one
 //! a minute at most in the long run, that is 6 years of a marker that changes every minute, day and
 //! night.
@@ -10,9 +10,8 @@
 //! did not last for has no number that follows, and the place before it counts.
 
 use crate::board::eeprom::Eeprom;
+use unoclp_modbus::eeprom::markers::{FIRST, PLACE_BYTES, PLACES};
 
-const FIRST: u16 = 960;
-const PLACES: u8 = 32;
 /// So many changes may be written one after the other; then one every [`PAUSE`].
 const CREDITS: u8 = 16;
 /// ms until another may be written.
@@ -87,5 +86,5 @@ impl Retentive {
 }
 
 fn address(place: u8) -> u16 {
-    FIRST + 2 * u16::from(place)
+    FIRST + PLACE_BYTES * u16::from(place)
 }

@@ -1,24 +1,21 @@
-//! The settings of the serial line, kept in the EEPROM.
-//!
-//! | byte | |
-//! | --- | --- |
-//! | 908 … 915 | address, rate, parity, direction: a word each, low byte first |
-//! | 916, 917 | CRC-16 of these, high byte first |
-//!
-//! What is damaged or was written in part counts as the defaults.
+//! The settings of the serial line, kept in the EEPROM in the form of [`unoclp_modbus::eeprom::settings`].
 
 use crate::board::clock::CLOCK_HZ;
 use crate::board::eeprom::Eeprom;
 use crate::board::serial::Line;
 use crate::store;
 use unoclp_core::Crc16;
+use unoclp_modbus::eeprom::settings::{BYTES, FIRST};
+use unoclp_modbus::map::{Parity, Setting, setting};
 
-const PLACE: u16 = 908;
-/// How many settings there are.
-pub const COUNT: u8 = 4;
-/// Bytes of all of them, and with the check sum behind them.
-const VALUES: usize = 2 * COUNT as usize;
-const BYTES: usize = VALUES + 2;
+// The numbers of the settings.
+const ADDRESS: u8 = 0;
+const RATE: u8 = 1;
+const PARITY: u8 = 2;
+const DIRECTION: u8 = 3;
+
+// The defaults are set over zeros.
+const _: () = assert!(setting::PARITY.default == 0 && setting::DIRECTION.default == 0);
 
 /// Clock cycles of 8 in a second, in hundreds.
 const EIGHTHS: u16 = (CLOCK_HZ / 8 / 100) as u16;
@@ -33,13 +30,13 @@ impl Settings {
     #[inline(never)]
     pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
         let mut settings = Settings([0; BYTES]);
-        for (address, byte) in (PLACE..).zip(&mut settings.0) {
+        for (address, byte) in (FIRST..).zip(&mut settings.0) {
             *byte = eeprom.read(address);
         }
         if defaults || Crc16::of(&settings.0).value() != 0 || settings.address() == 0 {
             settings.0.fill(0);
-            settings.set(0, 1);
-            settings.set(1, 1152);
+            settings.set(ADDRESS, setting::ADDRESS.default);
+            settings.set(RATE, setting::RATE.default);
         }
         settings
     }
@@ -49,7 +46,7 @@ impl Settings {
     pub fn save(&mut self, eeprom: &Eeprom) {
         let [values @ .., high, low] = &mut self.0;
         [*high, *low] = Crc16::of(values).value().to_be_bytes();
-        store::write(eeprom, PLACE, &self.0);
+        store::write(eeprom, FIRST, &self.0);
     }
 
     /// A setting, by its number.
@@ -76,19 +73,25 @@ impl Settings {
             address: self.address(),
             divider: self.divider(),
             parity_bits: self.parity_bits(),
-            has_direction: self.0[6] != 0,
+            has_direction: self.low(DIRECTION) != 0,
         }
     }
 
     /// The server's address.
     fn address(&self) -> u8 {
-        self.0[0]
+        self.low(ADDRESS)
+    }
+
+    /// The low byte of a setting.
+    #[inline(always)]
+    fn low(&self, number: u8) -> u8 {
+        self.0[2 * usize::from(number)]
     }
 
     /// The divider of the rate with U2X, rounded: at 115200 baud 17, which is 117647 baud, 2.1 % fast, as the
     /// Arduino core has it. By subtraction, since a division would cost flash.
     fn divider(&self) -> u16 {
-        let rate = self.get(1);
+        let rate = self.get(RATE);
         let mut rest = EIGHTHS + rate / 2;
         let mut divider = 0;
         while rest >= rate {
@@ -100,9 +103,9 @@ impl Settings {
 
     /// UPM0, in its place.
     fn parity_bits(&self) -> u8 {
-        match self.0[4] {
-            0 => 0,
-            1 => 0b10 << 4,
+        match Parity::of(self.low(PARITY).into()) {
+            Some(Parity::None) => 0,
+            Some(Parity::Even) => 0b10 << 4,
             _ => 0b11 << 4,
         }
     }
@@ -111,11 +114,14 @@ impl Settings {
 /// Whether a setting may have this value.
 #[inline(never)]
 pub fn allows(number: u8, value: u16) -> bool {
+    const fn range(setting: Setting) -> (u16, u16) {
+        (setting.least, setting.most)
+    }
     let (least, most) = match number {
-        0 => (1, 247),
-        1 => (24, 1152),
-        2 => (0, 2),
-        _ => (0, 1),
+        ADDRESS => const { range(setting::ADDRESS) },
+        RATE => const { range(setting::RATE) },
+        PARITY => const { range(setting::PARITY) },
+        _ => const { range(setting::DIRECTION) },
     };
     value >= least && value <= most
 }

@@ -1,16 +1,7 @@
-//! Program memory: the program that was last accepted, kept in the EEPROM.
+//! Program memory: the program that was last accepted, kept in the EEPROM in the form of
+//! [`unoclp_modbus::eeprom::program`].
 //!
-//! Owns the layout; must not know where a program comes from. The stored form does not depend on
-//! the build, so a new firmware finds the program of the old one.
-//!
-//! | byte | |
-//! | --- | --- |
-//! | 0 | mark: [`VALID`], or anything else |
-//! | 1 | version of this layout |
-//! | 2, 3 | bytes of the program, low byte first |
-//! | 4, 5 | 0, kept free |
-//! | 6, 7 | CRC-16 of bytes 1 to 5 and of the program, low byte first |
-//! | 8 … | the program in its stored form, up to 900 bytes |
+//! Owns when what is written; must not know where a program comes from.
 //!
 //! The mark goes invalid before anything changes, and valid when everything has been read back: a
 //! program that was written in part never runs.
@@ -18,15 +9,12 @@
 use crate::board::eeprom::Eeprom;
 use crate::instructions;
 use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
+use unoclp_modbus::eeprom::program::{
+    self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
+};
 
-const MARK: u16 = 0;
-const VALID: u8 = 0x5A;
-const INVALID: u8 = 0x00;
-const VERSION: u8 = 1;
-/// Bytes of the header behind the mark.
-const HEADER: usize = 7;
-/// Where the program begins.
-const PROGRAM: u16 = 1 + HEADER as u16;
+/// Bytes of the head and the check sum behind it.
+const HEADER: usize = HEAD_BYTES + 2;
 
 /// Keeps a program, unless it is the one that is kept. Only bytes that differ are written.
 ///
@@ -35,8 +23,7 @@ const PROGRAM: u16 = 1 + HEADER as u16;
 #[inline(never)]
 pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     let header = header(stored);
-    let whole =
-        |write| pass(eeprom, MARK + 1, &header, write) && pass(eeprom, PROGRAM, stored, write);
+    let whole = |write| pass(eeprom, HEAD, &header, write) && pass(eeprom, STORED, stored, write);
     if eeprom.read(MARK) == VALID && whole(false) {
         return Ok(());
     }
@@ -79,15 +66,16 @@ pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
 /// reached only by detours.
 #[inline(never)]
 fn restore(eeprom: &Eeprom, loader: &mut Loader<'_>) -> Option<Kept> {
-    let [length, sum] = [2, 6].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
+    let [length, sum] =
+        [LENGTH, SUM].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
-    let mut stored = (PROGRAM..PROGRAM + length).map(|address| eeprom.read(address));
+    let mut stored = (STORED..STORED + length).map(|address| eeprom.read(address));
     loader.restore(&mut stored).ok()?;
     let program = loader.finish().ok()?;
     // Its bytes have just come from there: only the check sum can differ.
-    pass(eeprom, MARK + 1, &header(program.stored()), false).then_some(Kept {
+    pass(eeprom, HEAD, &header(program.stored()), false).then_some(Kept {
         length,
         sum,
         codes: program.codes(),
@@ -104,14 +92,8 @@ impl Kept {
             eeprom,
             stored: self,
             position: 0,
-            sum: Crc16::of(&self.head()),
+            sum: Crc16::of(&program::head(self.length)),
         }
-    }
-
-    /// The header up to the check sum.
-    fn head(self) -> [u8; HEADER - 2] {
-        let [low, high] = self.length.to_le_bytes();
-        [VERSION, low, high, 0, 0]
     }
 }
 
@@ -130,7 +112,7 @@ impl Reader<'_> {
         if self.position == self.stored.length {
             return None;
         }
-        let byte = self.eeprom.read(PROGRAM + self.position);
+        let byte = self.eeprom.read(STORED + self.position);
         self.position += 1;
         self.sum.push(byte);
         Some(byte)
@@ -148,7 +130,7 @@ pub fn kept(eeprom: &Eeprom) -> u32 {
     if eeprom.read(MARK) != VALID {
         return 0;
     }
-    u32::from(word(eeprom, 2)) << 16 | u32::from(word(eeprom, 6))
+    u32::from(word(eeprom, LENGTH)) << 16 | u32::from(word(eeprom, SUM))
 }
 
 #[inline(never)]
@@ -158,16 +140,15 @@ fn word(eeprom: &Eeprom, address: u16) -> u16 {
 
 /// Whether a program was ever kept.
 pub fn is_blank(eeprom: &Eeprom) -> bool {
-    eeprom.read(MARK) == 0xFF
+    eeprom.read(MARK) == BLANK
 }
 
-/// The bytes of the header behind the mark.
+/// The head and the check sum.
 fn header(stored: &[u8]) -> [u8; HEADER] {
-    let [low, high] = (stored.len() as u16).to_le_bytes();
-    let mut header = [VERSION, low, high, 0, 0, 0, 0];
-    let mut crc = Crc16::of(&header[..HEADER - 2]);
-    crc.extend(stored);
-    [header[HEADER - 2], header[HEADER - 1]] = crc.value().to_le_bytes();
+    let mut header = [0; HEADER];
+    let [head @ .., low, high] = &mut header;
+    *head = program::head(stored.len() as u16);
+    [*low, *high] = program::sum(stored).value().to_le_bytes();
     header
 }
 

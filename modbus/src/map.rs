@@ -223,6 +223,21 @@ pub enum Command {
     Upload = 5,
 }
 
+impl Command {
+    /// The command of a value of [`holding::COMMAND`].
+    #[inline(always)]
+    pub const fn of(word: u16) -> Option<Command> {
+        match word {
+            1 => Some(Command::Run),
+            2 => Some(Command::Stop),
+            3 => Some(Command::SingleScan),
+            4 => Some(Command::Restart),
+            5 => Some(Command::Upload),
+            _ => None,
+        }
+    }
+}
+
 /// What a board does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
@@ -352,6 +367,11 @@ impl fmt::Display for Parity {
         })
     }
 }
+
+/// What a board says that it is, by function 43/14; its version follows.
+pub const VENDOR: &str = "unoclp";
+/// See [`VENDOR`].
+pub const PRODUCT: &str = "unoclp UNO";
 
 /// The number that two words hold, the high one first.
 pub const fn long(high: u16, low: u16) -> u32 {

@@ -2,8 +2,8 @@
 
 use unoclp_modbus::eeprom::program::{VERSION, head};
 use unoclp_modbus::map::{
-    ALL, BLOCK_BYTES, Command, Rights, Span, State, Width, cause, coil, flag, form, holding, input,
-    setting,
+    ALL, BLOCK_BYTES, Command, PRODUCT, Rights, Span, State, VENDOR, Width, cause, coil, flag,
+    form, holding, input, setting,
 };
 use unoclp_modbus::{Exception, Table};
 
@@ -148,8 +148,11 @@ fn the_page_has_the_commands_and_exceptions() {
     assert_eq!(told.len(), commands.len());
     for (row, (number, text)) in told.iter().zip(commands) {
         assert_eq!(row[0], number.to_string());
+        let command = Command::of(number.into());
+        assert_eq!(command.map(|command| command as u8), Some(number));
         assert!(row[1].starts_with(text), "{row:?}");
     }
+    assert_eq!((Command::of(0), Command::of(6)), (None, None));
     for row in rows("Exceptions") {
         let code = row[0].parse().unwrap();
         assert_eq!(Exception::of(code).map(|known| known as u8), Some(code));
@@ -176,6 +179,8 @@ fn the_page_has_the_window_and_the_stored_form() {
     let window = row("Holding registers", &addresses(holding::UPLOAD));
     let only = format!("only function 16 from {} on", holding::UPLOAD.first);
     assert!(window[1].contains(&only), "{window:?}");
+
+    assert!(PAGE.contains(&format!("vendor `{VENDOR}`, product `{PRODUCT}`")));
 
     let sum = &row("Input registers", &addresses(input::PROGRAM_SUM))[2];
     let bytes = input::PROGRAM_BYTES.first;

@@ -7,6 +7,7 @@ use common::modbus::{
     ask, exchange, input, serving, to_serving, with_crc, words, write, write_words,
 };
 use common::{card, ms_until, to_run};
+use unoclp_modbus::eeprom::settings;
 use unoclp_uno_sim::{CYCLES_PER_MS, Flaw, Line, Parity, Slot, Uno};
 
 const TEXT: &str = "0\n827301\n827302\n877901\n";
@@ -191,7 +192,11 @@ fn settings_are_checked_and_not_written_in_run() {
     }
     assert_eq!(write_words(&mut uno, 410, &[2, 96, 1, 2]), Err(3));
     assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
-    assert!(uno.eeprom_writes().iter().all(|write| write.address < 908));
+    assert!(
+        uno.eeprom_writes()
+            .iter()
+            .all(|write| write.address < settings::FIRST)
+    );
 }
 
 /// Whichever byte is turned over, and wherever the power fails.
@@ -199,11 +204,11 @@ fn settings_are_checked_and_not_written_in_run() {
 fn damaged_settings_are_the_defaults() {
     let mut uno = running();
     set(&mut uno, [7, 96, 1, 0]);
-    let kept = uno.read_eeprom(908, 10).unwrap();
+    let kept = uno.read_eeprom(settings::FIRST, settings::BYTES).unwrap();
     for byte in 0..10 {
         let mut uno = running();
-        uno.write_eeprom(908, &kept).unwrap();
-        uno.write_eeprom(908 + byte, &[kept[usize::from(byte)] ^ 1])
+        uno.write_eeprom(settings::FIRST, &kept).unwrap();
+        uno.write_eeprom(settings::FIRST + byte, &[kept[usize::from(byte)] ^ 1])
             .unwrap();
         uno.power_up();
         to_serving(&mut uno);

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{card, to_run, uno};
+use unoclp_modbus::eeprom::markers;
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// Input 01 sets M 57 and M 60, input 02 resets them; outputs 01 to 04 show M 57 to M 60.
@@ -11,8 +12,6 @@ const LATCH: &str = "0\n827301\n83877757\n83877760\n787600\n827302\n82877757\n82
 const SET: u8 = 0b1001;
 /// M 57 changes twenty times a second.
 const FLICKER: &str = "0\n828303\n877757\n";
-/// Where the ring stands in the EEPROM.
-const RING: u16 = 960;
 
 /// A board that runs this from a card; then the card is gone.
 fn running(text: &str) -> Uno {
@@ -62,7 +61,7 @@ fn what_was_set_and_reset_is_so_after_a_power_cut() {
         assert_eq!(after_power_cut(&mut uno), 0);
     }
     let wear = uno.eeprom_wear();
-    let most = wear[RING.into()..].iter().max().unwrap();
+    let most = wear[markers::FIRST.into()..].iter().max().unwrap();
     assert!((1..=2).contains(most), "{most}");
 }
 

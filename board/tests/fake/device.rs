@@ -5,7 +5,8 @@ use unoclp_board::diagnostics::Kept;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
 use unoclp_modbus::eeprom::program::{HEAD_BYTES, VERSION, head};
 use unoclp_modbus::map::{
-    self, BLOCK_BYTES, Command, Span, State, coil, discrete, flag, form, holding, input, setting,
+    self, BLOCK_BYTES, Command, PRODUCT, Span, State, VENDOR, coil, discrete, flag, form, holding,
+    input, setting,
 };
 use unoclp_modbus::{Access, Device, Exception, Table};
 
@@ -93,7 +94,7 @@ pub struct Board {
 impl Default for Board {
     fn default() -> Board {
         Board {
-            identity: ["unoclp", "unoclp UNO", "0.1.0"],
+            identity: [VENDOR, PRODUCT, "0.1.0"],
             identifies: true,
             state: RUN,
             switch: false,
@@ -279,13 +280,6 @@ const FORCES: Span = Span {
     ..holding::FORCED_INPUTS
 };
 
-/// The values that a command's register takes.
-fn command(word: u16) -> Option<Command> {
-    use Command::*;
-    let commands = [Run, Stop, SingleScan, Restart, Upload];
-    commands.into_iter().find(|command| *command as u16 == word)
-}
-
 impl Device for Board {
     fn has(&self, table: Table, first: u16, count: u16, _: Access) -> bool {
         map::has(table, first, count) && (!self.is_of_version_1 || Board::had(table, first, count))
@@ -337,7 +331,7 @@ impl Device for Board {
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
         let at = |span| at(span, Table::HoldingRegisters, address);
         if at(holding::COMMAND).is_some() {
-            return match command(value) {
+            return match Command::of(value) {
                 Some(command) if self.allows(command) => Ok(()),
                 Some(_) => Err(Exception::ServerDeviceFailure),
                 None => Err(Exception::IllegalDataValue),
@@ -360,7 +354,7 @@ impl Device for Board {
     fn set_word(&mut self, address: u16, value: u16) {
         let at = |span| at(span, Table::HoldingRegisters, address);
         if at(holding::COMMAND).is_some() {
-            if let Some(command) = command(value) {
+            if let Some(command) = Command::of(value) {
                 self.command(command);
             }
         } else if let Some(index) = at(FORCES) {

@@ -8,36 +8,58 @@ use crate::engine::memory::Memory;
 use crate::operation::{Command, Operation, State};
 use crate::settings::{self, Settings};
 use crate::store;
-use unoclp_core::isa::{ANALOGUE, COUNTER_DATA, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
-use unoclp_core::{Image, Millis, Profile};
+use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
+use unoclp_core::{Image, Millis};
+use unoclp_modbus::eeprom::program;
+use unoclp_modbus::map::{PRODUCT, Span, VENDOR, coil, discrete, flag, form, holding, input};
 use unoclp_modbus::{Access, Device, Exception, Table};
 
-const INPUTS: u16 = Profile::UNO.inputs as u16;
-const OUTPUTS: u16 = Profile::UNO.outputs as u16;
+const MARKER: u16 = coil::MARKERS.first;
+const TIMER: u16 = input::TIMERS.first;
+const COUNTER: u16 = input::COUNTERS.first;
+const DIAGNOSTICS: u16 = input::STATE.first;
+const COMMAND: u16 = holding::COMMAND.first;
+const FORCES: u16 = holding::FORCED_INPUTS.first;
+const SETTINGS: u16 = holding::SETTINGS.first;
 
-// Coils.
-const MARKER: u16 = 16;
-
-// Input and holding registers of 32 bits: the high word first, at an even address.
-const TIMER: u16 = 128;
-const TIMER_COUNT: u16 = 2 * 87;
-const COUNTER: u16 = 320;
-const COUNTER_COUNT: u16 = 2 * COUNTERS as u16;
-const REGISTER_COUNT: u16 = 2 * REGISTERS as u16;
-
-// Input registers.
-const DIAGNOSTICS: u16 = 16;
-const DIAGNOSTICS_COUNT: u16 = 17;
-
-// Holding registers.
-const COMMAND: u16 = 400;
-const FORCES: u16 = 402;
-const FORCES_COUNT: u16 = 4;
-const SETTINGS: u16 = 410;
-const SETTINGS_COUNT: u16 = settings::COUNT as u16;
-const WINDOW: u16 = 1000;
-
+// Input and holding registers have these at the same addresses.
+const _: () = assert!(TIMER == holding::TIMERS.first && COUNTER == holding::COUNTERS.first);
 const _: () = assert!(TIMER_DATA == COUNTER_DATA);
+
+/// The forces, as [`Forces`](crate::operation::Forces) has them.
+const FORCED: Span = Span {
+    values: 4,
+    ..holding::FORCED_INPUTS
+};
+
+/// The words of the diagnostics, by their numbers from 0.
+mod number {
+    use super::*;
+
+    /// All of them, which are one range.
+    pub const DIAGNOSTICS: Span = Span {
+        values: input::FAULTS.end() - super::DIAGNOSTICS,
+        ..input::STATE
+    };
+
+    const fn of(span: Span) -> u16 {
+        span.first - super::DIAGNOSTICS
+    }
+
+    pub const STATE: u16 = of(input::STATE);
+    pub const FLAGS: u16 = of(input::FLAGS);
+    pub const FAULT: u16 = of(input::FAULT);
+    pub const CAUSE: u16 = of(input::CAUSE);
+    pub const LINE: u16 = of(input::LINE);
+    pub const UPTIME: u16 = of(input::UPTIME);
+    pub const LAST: u16 = of(input::SCAN_TIMES);
+    pub const LEAST: u16 = LAST + 1;
+    pub const MOST: u16 = LAST + 2;
+    pub const FREE_STACK: u16 = of(input::FREE_STACK);
+    pub const PROGRAM: u16 = of(input::PROGRAM_BYTES);
+    pub const SUPPLY: u16 = of(input::SUPPLY);
+    pub const RESTARTS: u16 = of(input::RESTARTS);
+}
 
 /// The board as the server shows it, for one step.
 pub struct Map<'a, 'm> {
@@ -59,23 +81,23 @@ impl Map<'_, '_> {
         } = self;
         let line = operation.fault.and_then(|fault| fault.line).unwrap_or(0);
         let pair = match number {
-            0 => return operation.state as u16,
-            1 => return self.bits().into(),
-            2 => {
+            number::STATE => return operation.state as u16,
+            number::FLAGS => return u16::from(self.bits()) | form::bits(program::VERSION),
+            number::FAULT => {
                 return operation
                     .fault
                     .map_or(0, |fault| fault.cause.number().into());
             }
-            3 => return board.start as u16 + 1,
-            4 | 5 => line,
-            6 | 7 => self.came,
-            8 => return operation.times.last(),
-            9 => return operation.times.least(),
-            10 => return operation.times.most(),
-            11 => return stack::free(),
-            12 | 13 => store::kept(&board.eeprom),
-            14 => return board.analogue.reference(),
-            15 => return board.watchdog.restarts(),
+            number::CAUSE => return board.start as u16 + 1,
+            number::LINE..number::UPTIME => line,
+            number::UPTIME..number::LAST => self.came,
+            number::LAST => return operation.times.last(),
+            number::LEAST => return operation.times.least(),
+            number::MOST => return operation.times.most(),
+            number::FREE_STACK => return stack::free(),
+            number::PROGRAM..number::SUPPLY => store::kept(&board.eeprom),
+            number::SUPPLY => return board.analogue.reference(),
+            number::RESTARTS => return board.watchdog.restarts(),
             _ => return board.watchdog.faults(),
         };
         if number & 1 == 0 {
@@ -112,11 +134,12 @@ impl Map<'_, '_> {
 
     fn bits(&self) -> u8 {
         let operation = &self.operation;
-        u8::from(self.board.pins.stop())
-            | u8::from(operation.stopped) << 1
-            | u8::from(operation.forces.any()) << 2
-            | u8::from(operation.uploading) << 3
-            | u8::from(operation.card_failed) << 4
+        let bit = |is_set, flag: u16| u8::from(is_set) << flag.trailing_zeros();
+        bit(self.board.pins.stop(), flag::STOP_SWITCH)
+            | bit(operation.stopped, flag::STOPPED)
+            | bit(operation.forces.any(), flag::FORCED)
+            | bit(operation.uploading, flag::UPLOAD)
+            | bit(operation.card_failed, flag::CARD_FAILED)
     }
 
     /// The command of this number, if it can be followed now.
@@ -126,13 +149,13 @@ impl Map<'_, '_> {
         } = *self.operation;
         let fault = state == State::Fault;
         let held = self.board.pins.stop() || fault || uploading;
-        let (command, now) = match number {
-            1 => (Command::Run, !held),
-            2 => (Command::Stop, !fault || uploading),
-            3 => (Command::SingleScan, !held && state == State::Stop),
-            4 => (Command::Restart, true),
-            5 => (Command::Upload, state != State::Run),
-            _ => return Err(Exception::IllegalDataValue),
+        let command = Command::of(number).ok_or(Exception::IllegalDataValue)?;
+        let now = match command {
+            Command::Run => !held,
+            Command::Stop => !fault || uploading,
+            Command::SingleScan => !held && state == State::Stop,
+            Command::Restart => true,
+            Command::Upload => state != State::Run,
         };
         if now {
             Ok(command)
@@ -195,6 +218,12 @@ fn elapsed(data: &[u8], now: Millis) -> u32 {
     time.min(u32_of(rest.get(4..).unwrap_or_default()))
 }
 
+/// Where a span begins, and how many addresses it has: as numbers, since a constant that is handed on as a
+/// whole would take RAM.
+const fn range(span: Span) -> (u16, u16) {
+    (span.first, span.addresses())
+}
+
 /// Whether all addresses of a request lie in this range.
 #[inline(never)]
 fn within(first: u16, count: u16, start: u16, length: u16) -> bool {
@@ -204,19 +233,24 @@ fn within(first: u16, count: u16, start: u16, length: u16) -> bool {
 
 impl Device for Map<'_, '_> {
     fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
-        let within = |start, length| within(first, count, start, length);
-        let long = || within(TIMER, TIMER_COUNT) || within(COUNTER, COUNTER_COUNT);
+        let within = |(start, length)| within(first, count, start, length);
+        let long =
+            || within(const { range(input::TIMERS) }) || within(const { range(input::COUNTERS) });
         match table {
-            Table::Coils => within(0, OUTPUTS) || within(MARKER, MARKERS.into()),
-            Table::DiscreteInputs => within(0, INPUTS),
+            Table::Coils => {
+                within(const { range(coil::OUTPUTS) }) || within(const { range(coil::MARKERS) })
+            }
+            Table::DiscreteInputs => within(const { range(discrete::INPUTS) }),
             Table::InputRegisters => {
-                within(0, ANALOGUE.into()) || within(DIAGNOSTICS, DIAGNOSTICS_COUNT) || long()
+                within(const { range(input::ANALOGUE) })
+                    || within(const { range(number::DIAGNOSTICS) })
+                    || long()
             }
             Table::HoldingRegisters => {
-                within(0, REGISTER_COUNT)
-                    || within(COMMAND, 1)
-                    || within(FORCES, FORCES_COUNT)
-                    || within(SETTINGS, SETTINGS_COUNT)
+                within(const { range(holding::REGISTERS) })
+                    || within(const { range(holding::COMMAND) })
+                    || within(const { range(FORCED) })
+                    || within(const { range(holding::SETTINGS) })
                     || long()
                         && (access == Access::Read
                             || self.has_presets(first.wrapping_add(count - 1)))
@@ -281,10 +315,10 @@ impl Device for Map<'_, '_> {
             // A preset is not negative: its high word tells.
             address < TIMER || address & 1 != 0 || value < 0x8000
         } else if address < SETTINGS {
-            let points = if address - FORCES < 2 {
-                INPUTS
+            let points = if address < holding::FORCED_OUTPUTS.first {
+                discrete::INPUTS.values
             } else {
-                OUTPUTS
+                coil::OUTPUTS.values
             };
             value < 1 << points
         } else if self.operation.state == State::Run {
@@ -333,7 +367,7 @@ impl Device for Map<'_, '_> {
     }
 
     fn take(&mut self, first: u16, data: &[u8]) -> Option<Result<(), Exception>> {
-        if first != WINDOW {
+        if first != holding::UPLOAD.first {
             return None;
         }
         Some(match &mut self.upload {
@@ -344,8 +378,8 @@ impl Device for Map<'_, '_> {
 
     fn identification(&self, object: u8, index: u8) -> Option<u8> {
         let text = match object {
-            0 => flash_codes!(Codes::plain("unoclp")),
-            1 => flash_codes!(Codes::plain("unoclp UNO")),
+            0 => flash_codes!(Codes::plain(VENDOR)),
+            1 => flash_codes!(Codes::plain(PRODUCT)),
             _ => flash_codes!(Codes::plain(env!("CARGO_PKG_VERSION"))),
         };
         text.at(index)
