@@ -43,4 +43,5 @@ pub use needs::Needs;
 pub use plc::{Clocks, CounterState, Debounce, Inputs, Plc, Snapshot, TimerState};
 pub use profile::Profile;
 pub use program::{Program, Steps};
+pub use text::Part;
 pub use timer::{Delay, Millis, Target, TimerBlock};

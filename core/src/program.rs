@@ -52,6 +52,15 @@ impl<'m> Program<'m> {
         self.needs
     }
 
+    /// Lends the program together with its memory, to run it there. Once it has run, run memory holds its
+    /// data and no longer what is behind the stored form.
+    pub fn lend(&mut self) -> Program<'_> {
+        Program {
+            memory: self.memory,
+            ..*self
+        }
+    }
+
     /// All of the memory that it was loaded into: a board that links a program from elsewhere has use
     /// for it.
     pub fn into_memory(self) -> &'m mut [u8] {

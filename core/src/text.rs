@@ -4,6 +4,19 @@
 
 use crate::Cause;
 
+/// What a byte of a file belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A mark at the head of the file, a blank, or the end of a line.
+    Blank,
+    /// A code or operand.
+    Code,
+    /// A comment, its first `/` included.
+    Comment,
+    /// Nothing that can be read: the rest of a line behind a fault.
+    Faulty,
+}
+
 /// Where in a line the reader stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum At {
@@ -88,6 +101,16 @@ impl Text {
                 Err(Cause::StrayCharacter)
             }
             _ => self.end_of_line(),
+        }
+    }
+
+    /// What the byte taken last belongs to.
+    pub(crate) fn part(&self) -> Part {
+        match self.at {
+            At::Minus | At::Digits => Part::Code,
+            At::Comment => Part::Comment,
+            At::Faulty | At::End => Part::Faulty,
+            _ => Part::Blank,
         }
     }
 

@@ -10,7 +10,7 @@ mod room;
 use crate::isa::{self, By, Entry, Kind, Line, Opcode, PackedTable};
 use crate::needs::Needs;
 use crate::rung::Rung;
-use crate::text::Text;
+use crate::text::{Part, Text};
 use crate::{Cause, Fault, Point, Profile, Program};
 use core::mem;
 use labels::Labels;
@@ -143,6 +143,17 @@ impl<'m> Loader<'m> {
             Some(fault) => Err(fault),
             None => Ok(self.room.program(self.codes, self.needs)),
         }
+    }
+
+    /// What the byte taken last belongs to, for a tool that shows where the codes of a file stand.
+    pub fn part(&self) -> Part {
+        self.text.part()
+    }
+
+    /// How many codes have come so far, counted as [`Program::codes`] counts them: where a line makes it
+    /// more, that line began an instruction; other codes are operands of the one before.
+    pub fn codes(&self) -> u16 {
+        self.codes
     }
 
     /// Checks what the text gave.
