@@ -10,7 +10,7 @@ use annotate_snippets::Renderer;
 use anstream::{eprintln, print, println};
 use anyhow::{Context, anyhow, bail};
 use clap::{Parser, Subcommand};
-use commands::{At, Changes, Form, Il, Shown, open};
+use commands::{At, Changes, Form, Il, Shown, check_written, open};
 use ratatui::crossterm::terminal;
 use std::fs::File;
 use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
@@ -21,9 +21,7 @@ use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_ladder::NARROWEST;
-use unoclp_source::diagnosis::{Diagnosis, show};
-use unoclp_source::list;
-use unoclp_source::{Written, is_il};
+use unoclp_source::{Source, Written, list};
 
 /// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
 #[derive(Parser)]
@@ -174,14 +172,14 @@ fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize)
     if svg.is_some() && form != Form::Ladder {
         bail!("--svg draws a ladder diagram; leave out --as, or --svg");
     }
-    let Some((program, _)) = open(path, il, Shown::Here)? else {
+    let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
     let Some(svg) = svg else {
-        print!("{}", list::list(&program, form.into(), width)?);
+        print!("{}", list::list(&program, form.into(), width));
         return Ok(true);
     };
-    let drawing = list::svg(&program, width)?;
+    let drawing = list::svg(&program, width);
     create(svg)?
         .write_all(drawing.as_bytes())
         .with_context(|| cannot_write(svg))?;
@@ -190,13 +188,13 @@ fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize)
 }
 
 fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
-    let Some((program, _)) = open(path, il, Shown::Here)? else {
+    let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
     if !(stdin().is_terminal() && stdout().is_terminal()) {
         bail!("the simulator needs a terminal; without one, run a scenario: --scenario S.toml");
     }
-    let mut app = App::new(program)?;
+    let mut app = App::new(program);
     if let Some(vcd) = vcd {
         app.record_to(Recorder::new(create(vcd)?));
     }
@@ -207,15 +205,17 @@ fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
 fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il) -> Outcome {
     let mut scenario = Scenario::load(path)?;
     if let Some(program) = program {
+        let ProgramFile { name, bytes } = read(program)?;
+        let written = Written::new(name, bytes);
         // Numeric code is run as it is: a scenario may expect a fault of it.
-        let file = read(program)?;
-        let file = match is_il(program, &file.bytes) {
-            false => file,
-            true => match open(program, il, Shown::Here)? {
-                Some((Written { name, bytes, .. }, _)) => ProgramFile { name, bytes },
+        let (name, bytes) = match written.is_il {
+            false => (written.name, written.bytes),
+            true => match check_written(written, il, Shown::Here)? {
+                Some(Source { name, code, .. }) => (name, code),
                 None => return Ok(false),
             },
         };
+        let file = ProgramFile { name, bytes };
         scenario = scenario.with_program(file);
     }
     let report = match vcd {
@@ -229,22 +229,6 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
     };
     println!("{report}");
     Ok(report.passed())
-}
-
-/// Shows the faults of the numeric code; what was asked about is not well.
-fn refuse(program: &Written, faults: &[Diagnosis]) -> bool {
-    if program.compiled.is_some() {
-        for Diagnosis { fault, .. } in faults {
-            let line = fault.line.and_then(|line| program.line(line));
-            let place = line.map_or_else(String::new, |line| format!(":{line}"));
-            let (number, text) = (fault.cause.number(), fault.cause.text());
-            println!("{}{place}: fault {number}: {text}", program.name);
-        }
-        return false;
-    }
-    let shown = show(&program.name, &program.bytes, faults, &renderer());
-    println!("{shown}");
-    false
 }
 
 /// How excerpts of a program are shown.

@@ -3,14 +3,15 @@
 use crate::scenario::{Cell, Engine, Outcome, Refusal};
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
+use unoclp_checked::Checked;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Snapshot};
+use unoclp_source::load;
 use unoclp_source::used::Used;
-use unoclp_source::{BOARD, load};
 
 self_cell!(
-    /// A running program together with its run memory, which a [`Plc`] only borrows.
+    /// A running program together with the checked one, whose memory a [`Plc`] only borrows.
     struct Owned {
-        owner: MutBorrow<Vec<u8>>,
+        owner: MutBorrow<Checked>,
         #[covariant]
         dependent: Plc,
     }
@@ -23,16 +24,13 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Loads a program file; gives its first fault where it has one.
-    pub fn load(file: &[u8]) -> Result<Machine, Fault> {
-        let memory = vec![0; BOARD.plc_bytes()];
-        Owned::try_new(MutBorrow::new(memory), |memory| {
-            load(file, memory.borrow_mut()).map(Plc::new)
-        })
-        .map(|owned| {
-            let used = Used::of_plc(owned.borrow_dependent());
-            Machine { owned, used }
-        })
+    /// A program that is ready to run.
+    pub fn new(program: Checked) -> Machine {
+        let used = Used::of(program.program());
+        let owned = Owned::new(MutBorrow::new(program), |program| {
+            Plc::new(program.borrow_mut().lend())
+        });
+        Machine { owned, used }
     }
 
     /// The PLC, to look at.
@@ -97,9 +95,9 @@ impl Engine for HostEngine {
 
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Infallible> {
         self.machine = None;
-        Ok(match Machine::load(file) {
-            Ok(machine) => {
-                self.machine = Some(machine);
+        Ok(match load(file) {
+            Ok(program) => {
+                self.machine = Some(Machine::new(program));
                 Ok(())
             }
             Err(fault) => Err(fault.into()),

@@ -291,7 +291,7 @@ mod tests {
             let mut trace = Vec::new();
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
-            let mut reference = Machine::load(program.as_bytes()).unwrap();
+            let mut reference = Machine::new(unoclp_source::load(program.as_bytes()).unwrap());
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
             let mut image = Inputs::default();

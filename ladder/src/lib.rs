@@ -45,7 +45,6 @@ mod fork;
 mod layout;
 mod listing;
 mod power;
-mod source;
 mod stores;
 mod svg_page;
 mod symbols;
@@ -60,7 +59,6 @@ pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
 pub use listing::listing;
 pub use power::{Net, Nets, Power};
-pub use source::{Place, Source};
 pub use svg_page::to_svg;
 
 use build::Builder;

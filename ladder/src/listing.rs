@@ -1,12 +1,13 @@
 //! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
 
-use crate::{Address, Drawing, Names, Source};
+use crate::{Address, Drawing, Names};
 use unicode_width::UnicodeWidthStr;
+use unoclp_checked::SourceMap;
 
 /// The listing of a drawing, for text: what the program is about, then its rungs.
-pub fn listing(drawing: &Drawing<'_>, source: &Source, names: &Names) -> String {
+pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names) -> String {
     let mut text = String::new();
-    for line in &source.title {
+    for line in &map.title {
         // A line that fits stays as it is: it may be part of a table.
         let lines = match line.width() <= drawing.limit {
             true => vec![line.clone()],
@@ -16,11 +17,11 @@ pub fn listing(drawing: &Drawing<'_>, source: &Source, names: &Names) -> String 
             text += &format!("{line}\n");
         }
     }
-    if !source.title.is_empty() {
+    if !map.title.is_empty() {
         text.push('\n');
     }
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for line in heading(drawing, source, names, index) {
+        for line in heading(drawing, map, names, index) {
             text += &format!("{line}\n");
         }
         text += &picture.to_string();
@@ -35,18 +36,18 @@ pub fn listing(drawing: &Drawing<'_>, source: &Source, names: &Names) -> String 
 /// then its labels.
 pub(crate) fn heading(
     drawing: &Drawing<'_>,
-    source: &Source,
+    map: &SourceMap,
     names: &Names,
     index: usize,
 ) -> Vec<String> {
     let rung = &drawing.ladder().rungs[index];
     let mut first = format!("Rung {}", index + 1);
-    match source.lines(rung.first, rung.steps) {
+    match map.lines(rung.first, rung.steps) {
         Some((from, to)) if from == to => first += &format!(", line {from}"),
         Some((from, to)) => first += &format!(", lines {from} to {to}"),
         None => {}
     }
-    let about: Vec<&str> = source.about(rung.first).collect();
+    let about: Vec<&str> = map.about(rung.first).collect();
     if !about.is_empty() {
         first += ": ";
         first += &about.join(" ");

@@ -1,7 +1,8 @@
 //! What each form of code looks like.
 
+use unoclp_checked::numeric;
 use unoclp_core::{Loader, Profile};
-use unoclp_ladder::{Address, Ladder, Names, Source, Style, listing, to_svg};
+use unoclp_ladder::{Address, Ladder, Names, Style, listing, to_svg};
 
 /// Draws the codes of one rung.
 fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
@@ -175,11 +176,8 @@ fn a_rung_that_is_too_wide_goes_on_by_name() {
 fn a_listing_tells_rungs_lines_comments_and_labels() {
     let file = "/ Motor\n/ I1  start\n\n0\n/ Forward, as long as\n/ the button is held\n827301\n877901\n\
         787600 / NL\n766603\n\n/ Off\n827302\n847978\n5\n7902";
-    let mut memory = vec![0; 2_000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
-    file.bytes().for_each(|byte| loader.push(byte).unwrap());
-    let program = loader.finish().unwrap();
-    let source = Source::new(file.as_bytes(), program.steps());
+    let (checked, map) = numeric(file.as_bytes(), Profile::UNO).unwrap();
+    let program = checked.program();
     let ladder = Ladder::new(program.steps());
     let names = Names::from([(Address::Label(3), "again".to_owned())]);
     let style = Style {
@@ -199,8 +197,8 @@ Rung 2, lines 9 to 16
 L3: again
 ├──┤ I2 ├──[ TON T1 5 ms ]──────────────────────( Q2 )─┤
 ";
-    assert_eq!(listing(&drawing, &source, &names), expected);
-    let svg = to_svg(&drawing, &source, &names, "A < B & C");
+    assert_eq!(listing(&drawing, &map, &names), expected);
+    let svg = to_svg(&drawing, &map, &names, "A < B & C");
     for part in [
         "<svg ",
         "A &lt; B &amp; C",

@@ -19,7 +19,10 @@ pub(crate) struct Unit {
     pub result: Option<Word>,
     pub vars: Vec<Var>,
     pub body: Vec<Stmt>,
+    /// The word that it begins with.
     pub span: Span,
+    /// The byte of the text behind its last line.
+    pub end: u32,
 }
 
 /// What a unit is.

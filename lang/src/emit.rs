@@ -2,9 +2,11 @@
 
 use crate::diagnostics::{Code, Found, Lines, Span};
 use crate::lower::Lowered;
+use crate::places::{Places, name};
 use crate::rung::Written;
+use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::isa::{self, LABELS, Opcode, Operand};
-use unoclp_core::{Cause, Instruction, Loader, Profile, Target, TimerBlock};
+use unoclp_core::{Cause, Fault, Instruction, Profile, Target, TimerBlock};
 
 /// A line of the program file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,6 +21,14 @@ pub struct CodeLine {
     pub source: Option<u32>,
 }
 
+/// What of the text a line of the program file comes from.
+#[derive(Default)]
+pub(crate) struct Origin {
+    pub span: Span,
+    /// What the text calls the point of the instruction.
+    pub name: Option<String>,
+}
+
 /// Writes out what has been compiled. The numbers of labels are decided here, and the marker that takes
 /// the Q of timers that nobody asks for it.
 pub(crate) fn emit(
@@ -26,7 +36,8 @@ pub(crate) fn emit(
     lines: &Lines,
     lowered: &mut Lowered,
     found: &mut Found,
-) -> (Vec<CodeLine>, Vec<Span>) {
+) -> (Vec<CodeLine>, Vec<Origin>) {
+    let dialect = lowered.names.dialect;
     let labels = number_labels(lowered, found);
     let mut unused = None;
     let mut out = vec![CodeLine {
@@ -35,7 +46,7 @@ pub(crate) fn emit(
         symbol: String::new(),
         source: None,
     }];
-    let mut spans = vec![Span::default()];
+    let mut origins = vec![Origin::default()];
     let label = |index: usize| labels.get(index).copied().flatten().unwrap_or(1);
     for step in &lowered.steps {
         let operand = |operand| move |opcode| Instruction { opcode, operand };
@@ -67,7 +78,10 @@ pub(crate) fn emit(
                     symbol: String::new(),
                     source: Some(lines.line(step.span.start)),
                 });
-                spans.push(step.span);
+                origins.push(Origin {
+                    span: step.span,
+                    name: None,
+                });
                 continue;
             }
         };
@@ -93,11 +107,19 @@ pub(crate) fn emit(
                 },
                 source: Some(lines.line(step.span.start)),
             });
-            spans.push(step.span);
+            let name = if first {
+                name(symbol, instruction.opcode, dialect).map(str::to_owned)
+            } else {
+                None
+            };
+            origins.push(Origin {
+                span: step.span,
+                name,
+            });
         }
     }
     lowered.names.told_none_left(Span::default(), found);
-    (out, spans)
+    (out, origins)
 }
 
 /// What a code spells, with its XX.
@@ -183,33 +205,43 @@ pub(crate) fn file(lines: &[CodeLine]) -> String {
     file
 }
 
-/// Gives the program to the loader, as the board would.
-pub(crate) fn check(lines: &[CodeLine], spans: &[Span], board: Profile, found: &mut Found) {
-    let mut memory = vec![0; usize::from(board.linked_bytes)];
-    let mut loader = Loader::new(&mut memory, board);
+/// Gives the program to the loader, as the board would, and each of its steps a place.
+pub(crate) fn check(
+    lines: &[CodeLine],
+    origins: &[Origin],
+    board: Profile,
+    mut places: Places<'_>,
+    found: &mut Found,
+) -> Option<(Checked, SourceMap)> {
     let mut faults = Vec::new();
-    for line in lines {
-        let code = line.code.to_string();
-        faults.extend(
-            code.bytes()
-                .chain([b'\n'])
-                .filter_map(|byte| loader.push(byte).err()),
-        );
-        if faults
-            .iter()
-            .any(|fault| fault.cause == Cause::ProgramFull || fault.cause == Cause::RunMemoryFull)
-        {
-            break;
+    let checked = Checked::new(board, |loader| {
+        for ((line, origin), number) in lines.iter().zip(origins).zip(1..) {
+            let before = loader.codes();
+            let code = format!("{}\n", line.code);
+            faults.extend(code.bytes().filter_map(|byte| loader.push(byte).err()));
+            let full =
+                |fault: &Fault| matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull);
+            if faults.iter().any(full) {
+                break;
+            }
+            match before {
+                // Program start is no step.
+                0 => {}
+                _ if loader.codes() > before => places.begin(origin, number),
+                _ => places.operand(origin, number),
+            }
         }
-    }
-    if faults.is_empty() {
-        while let Err(fault) = loader.end() {
-            faults.push(fault);
+        if faults.is_empty() {
+            while let Err(fault) = loader.end() {
+                faults.push(fault);
+            }
         }
-    }
+    });
     for fault in faults {
         let index = fault.line.map_or(0, |line| line as usize - 1);
-        let span = spans.get(index).copied().unwrap_or_default();
+        let span = origins
+            .get(index)
+            .map_or(Span::default(), |origin| origin.span);
         match fault.cause {
             Cause::ProgramFull | Cause::RunMemoryFull => {
                 let most = [
@@ -224,4 +256,5 @@ pub(crate) fn check(lines: &[CodeLine], spans: &[Span], board: Profile, found: &
             }
         }
     }
+    Some((checked.ok()?, places.finish()))
 }

@@ -40,13 +40,21 @@ pub(crate) struct Token {
     pub span: Span,
 }
 
-/// The tokens of a text, an [`Kind::End`] the last.
-pub(crate) fn tokens(text: &str, found: &mut Found) -> Vec<Token> {
+/// The words of a text.
+pub(crate) struct Words {
+    /// A [`Kind::End`] is the last.
+    pub tokens: Vec<Token>,
+    /// The comments between them, with what begins and ends them.
+    pub comments: Vec<Span>,
+}
+
+pub(crate) fn words(text: &str, found: &mut Found) -> Words {
     let mut lexer = Lexer {
         text,
         bytes: text.as_bytes(),
         at: 0,
         unclosed: 0,
+        comments: Vec::new(),
         found,
     };
     let mut tokens = Vec::with_capacity(text.len() / 3 + 1);
@@ -64,7 +72,8 @@ pub(crate) fn tokens(text: &str, found: &mut Found) -> Vec<Token> {
         kind: Kind::End,
         span: end,
     });
-    tokens
+    let comments = lexer.comments;
+    Words { tokens, comments }
 }
 
 struct Lexer<'t, 'f> {
@@ -73,6 +82,7 @@ struct Lexer<'t, 'f> {
     at: usize,
     /// There is no `*)` from `at` to here.
     unclosed: usize,
+    comments: Vec<Span>,
     found: &'f mut Found,
 }
 
@@ -88,12 +98,14 @@ impl Lexer<'_, '_> {
                 b'\n' => Kind::NewLine,
                 b'(' if second == Some(b'*') => {
                     self.comment(start);
+                    self.comments.push(self.span(start));
                     continue;
                 }
                 b'/' if second == Some(b'/') => {
                     while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
                         self.at += 1;
                     }
+                    self.comments.push(self.span(start));
                     continue;
                 }
                 b'(' => Kind::Open,

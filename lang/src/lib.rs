@@ -2,7 +2,8 @@
 //!
 //! The way of a text through this crate is also its map: `lexer` (bytes → words), `parser` (words → syntax
 //! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
-//! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them).
+//! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
+//! steps stand in the text).
 //! [`to_il`] goes the other way. What can be wrong with a text is said once, in `messages`.
 //!
 //! It knows no pins, no files and no screen, and no text makes it panic.
@@ -12,6 +13,7 @@
 mod address;
 mod ast;
 mod back;
+mod comments;
 mod diagnostics;
 mod dialect;
 mod emit;
@@ -22,6 +24,7 @@ mod messages;
 mod names;
 mod operators;
 mod parser;
+mod places;
 mod rung;
 mod show;
 mod spell;
@@ -35,7 +38,10 @@ pub use dialect::Dialect;
 pub use emit::CodeLine;
 pub use show::show;
 
+use comments::Comments;
 use diagnostics::Found;
+use places::Places;
+use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
 
 /// How to compile.
@@ -57,12 +63,15 @@ impl Default for Options {
 }
 
 /// What has come of a text.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Compiled {
     /// Whose Instruction List it was taken to be.
     pub dialect: Dialect,
     /// The lines of the program file; what could be compiled, where there are errors.
     pub lines: Vec<CodeLine>,
+    /// The program, as the board's own loader has checked it, and where its steps stand in the text; none
+    /// where there are errors.
+    pub program: Option<(Checked, SourceMap)>,
     /// In the order of their places.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -93,9 +102,13 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
     let names = names::Names::new(dialect, options.board, &parsed.units);
     let mut lowered = lower::lower(&parsed.units, names, &mut found);
-    let (lines, spans) = emit::emit(text, &Lines::new(text), &mut lowered, &mut found);
+    let starts = Lines::new(text);
+    let (lines, origins) = emit::emit(text, &starts, &mut lowered, &mut found);
+    let mut program = None;
     if !found.has_errors() {
-        emit::check(&lines, &spans, options.board, &mut found);
+        let comments = Comments::new(text, &starts, &parsed.comments);
+        let places = Places::new(text, &starts, &parsed.units, comments);
+        program = emit::check(&lines, &origins, options.board, places, &mut found);
     }
     let mut diagnostics = found.0;
     // A function's body is compiled once for each call, and says the same each time.
@@ -104,6 +117,7 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
     Compiled {
         dialect,
         lines,
+        program,
         diagnostics,
     }
 }

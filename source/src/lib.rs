@@ -1,7 +1,7 @@
 //! A program as a person has written it, in numeric code or Instruction List.
 //!
-//! - [`Written`]: the text, and the numeric code that it stands for
-//! - [`load`]: from numeric code to a checked program
+//! - [`Written`]: a file as it was read, unchecked
+//! - [`Source`]: its text, the checked program, and the map from one to the other
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`used`]: what a program uses of the board and its memory
@@ -11,15 +11,16 @@
 
 pub mod diagnosis;
 pub mod list;
-mod load;
+mod size;
 mod source;
 mod text;
 pub mod used;
 mod written;
 
-pub use load::load;
+pub use size::Size;
+pub use source::{Language, Source, load, names};
 pub use text::{decode, is_il};
-pub use written::Written;
+pub use written::{Refused, Written};
 
 use unoclp_core::Profile;
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 use unoclp_core::isa::{Kind, Operand, Value};
-use unoclp_core::{Inputs, Instruction, Needs, Plc, Program, Target};
+use unoclp_core::{Inputs, Instruction, Plc, Program, Target};
 
 /// The numbers that a program names, in rising order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -27,15 +27,7 @@ pub struct Used {
 impl Used {
     /// What this program uses.
     pub fn of(program: &Program<'_>) -> Used {
-        Used::of_steps(program.steps(), program.needs())
-    }
-
-    /// What the program of this PLC uses.
-    pub fn of_plc(plc: &Plc<'_>) -> Used {
-        Used::of_steps(plc.steps(), plc.needs())
-    }
-
-    fn of_steps<'c>(steps: impl Iterator<Item = Instruction<'c>>, needs: Needs) -> Used {
+        let needs = program.needs();
         let bits = |bits: u8, first: u8| -> BTreeSet<u8> {
             let set = (0..8).filter(|bit| bits >> bit & 1 != 0);
             set.map(|bit| bit + first).collect()
@@ -46,7 +38,7 @@ impl Used {
             pwm: bits(needs.pwm, 1),
             ..Used::default()
         };
-        for step in steps {
+        for step in program.steps() {
             used.note(&step);
         }
         used

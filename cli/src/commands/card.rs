@@ -39,18 +39,18 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
              in .img"
         ),
     };
-    let Some((program, _)) = open(file, il, Shown::Here)? else {
+    let Some(program) = open(file, il, Shown::Here)? else {
         return Ok(false);
     };
     if is_folder {
-        into_folder(target, &program.bytes, state)?;
+        into_folder(target, &program.code, state)?;
     } else {
-        into_image(target, &program.bytes, state)?;
+        into_image(target, &program.code, state)?;
     }
     println!(
         "{}: on {name} as PROGRAM.TXT, {} bytes",
         program.name,
-        program.bytes.len()
+        program.code.len()
     );
     Ok(true)
 }

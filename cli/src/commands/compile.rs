@@ -6,36 +6,34 @@ use anstream::{eprintln, print};
 use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
-use unoclp_lang::{Lang, Severity};
+use unoclp_lang::Lang;
+use unoclp_source::Language;
 
 /// Compiles Instruction List to numeric code, into this file or to standard output.
 pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
-    let Some((program, size)) = open(path, il, Shown::Beside)? else {
+    let Some(program) = open(path, il, Shown::Beside)? else {
         return Ok(false);
     };
     let lang = il.lang();
     let name = &program.name;
-    let Some(compiled) = &program.compiled else {
+    let Language::Il { dialect, warnings } = &program.language else {
         match lang {
             Lang::En => bail!("{name} is numeric code; there is nothing to compile"),
             Lang::Pt => bail!("{name} já é código numérico; não há o que compilar"),
         }
     };
     match output.filter(|output| *output != Path::new("-")) {
-        None => print!("{}", String::from_utf8_lossy(&program.bytes)),
+        None => print!("{}", String::from_utf8_lossy(&program.code)),
         Some(output) if same(path, output) => match lang {
             Lang::En => bail!("{name} is what is compiled; name another file with -o"),
             Lang::Pt => bail!("{name} é o que se compila; indique outro arquivo com -o"),
         },
         Some(output) => {
-            fs::write(output, &program.bytes).with_context(|| cannot_write(output))?;
+            fs::write(output, &program.code).with_context(|| cannot_write(output))?;
         }
     }
-    let warnings = compiled.diagnostics.iter();
-    let warnings = warnings
-        .filter(|d| d.severity() == Severity::Warning)
-        .count();
-    let (dialect, codes) = (il.dialect(compiled.dialect), size.codes);
+    let (dialect, warnings) = (il.dialect(*dialect), warnings.len());
+    let codes = program.size.codes;
     eprintln!(
         "{name}: {}",
         match lang {

@@ -15,7 +15,7 @@ mod words;
 pub use card::card;
 pub use compile::compile;
 pub use monitor::monitor;
-pub use open::{Il, Shown, check, open};
+pub use open::{Il, Shown, check, check_written, open};
 pub use settings::{Changes, settings};
 pub use upload::upload;
 pub use words::Form;

@@ -14,7 +14,7 @@ pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
     let program = match path {
         None => None,
         Some(path) => match open(path, il, Shown::Here)? {
-            Some((program, _)) => Some(Program::new(program)?),
+            Some(source) => Some(Program::new(source)),
             None => return Ok(false),
         },
     };

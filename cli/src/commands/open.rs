@@ -1,15 +1,16 @@
 //! Reading a program, whichever of the two languages it is written in.
 
-use crate::{Outcome, read, refuse, renderer};
+use crate::{Outcome, read, renderer};
 use anstream::{eprint, eprintln, println};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::env;
 use std::path::Path;
+use unoclp_checked::Diagnosis;
+use unoclp_core::Fault;
 use unoclp_host_sim::scenario::ProgramFile;
-use unoclp_lang::{Dialect, Lang, Severity, show};
-use unoclp_source::diagnosis::{Size, diagnose};
-use unoclp_source::{Written, is_il};
+use unoclp_lang::{self as lang, Diagnostic, Dialect, Lang, Severity};
+use unoclp_source::{Language, Refused, Source, Written, diagnosis};
 
 /// How to read Instruction List.
 #[derive(Args)]
@@ -66,61 +67,73 @@ pub enum Shown {
     Beside,
 }
 
-/// Reads a program that is right, and its size. The faults of one that is not are shown, and the warnings of
-/// its text.
-pub fn open(path: &Path, il: &Il, shown: Shown) -> anyhow::Result<Option<(Written, Size)>> {
+/// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
+pub fn open(path: &Path, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>> {
     let ProgramFile { name, bytes } = read(path)?;
-    let program = match is_il(path, &bytes) {
-        true => Written::il(name, &bytes, il.dialect),
-        false => Written::numeric(name, bytes),
-    };
-    if !passes(&program, il.lang(), shown) {
-        return Ok(None);
-    }
-    match diagnose(&program.bytes) {
-        Ok(size) => Ok(Some((program, size))),
-        Err(faults) => {
-            refuse(&program, &faults);
+    check_written(Written::new(name, bytes), il, shown)
+}
+
+/// Checks a program that was read; see [`open`].
+pub fn check_written(written: Written, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>> {
+    let (name, bytes) = (written.name.clone(), written.bytes.clone());
+    match written.check(il.dialect) {
+        Ok(source) => {
+            if let Language::Il { warnings, .. } = &source.language {
+                let (text, lang) = (&source.text, il.lang());
+                eprint!("{}", lang::show(&name, text, warnings, lang, &renderer()));
+            }
+            Ok(Some(source))
+        }
+        Err(Refused::Numeric(faults)) => {
+            let shown = diagnosis::show(&name, &bytes, &faults, &renderer());
+            println!("{shown}");
+            Ok(None)
+        }
+        Err(Refused::Il { text, diagnostics }) => {
+            let all = lang::show(&name, &text, &diagnostics, il.lang(), &renderer());
+            let count = count(&diagnostics, il.lang());
+            match shown {
+                Shown::Here => println!("{all}{name}: {count}"),
+                Shown::Beside => eprintln!("{all}{name}: {count}"),
+            }
             Ok(None)
         }
     }
 }
 
-/// Shows what there is to say of a text of Instruction List; whether there is a program. Warnings stand beside
-/// what was asked for.
-fn passes(program: &Written, lang: Lang, shown: Shown) -> bool {
-    let Some(compiled) = &program.compiled else {
-        return true;
-    };
-    let Written { name, text, .. } = program;
-    let text = show(name, text, &compiled.diagnostics, lang, &renderer());
-    if !compiled.has_errors() {
-        eprint!("{text}");
-        return true;
-    }
-    let errors = compiled.diagnostics.iter();
+/// How many errors there are.
+fn count(diagnostics: &[Diagnostic], lang: Lang) -> String {
+    let errors = diagnostics.iter();
     let errors = errors.filter(|d| d.severity() == Severity::Error).count();
-    let count = match (errors, lang) {
+    match (errors, lang) {
         (1, Lang::En) => "1 error; there is no program".to_owned(),
         (_, Lang::En) => format!("{errors} errors; there is no program"),
         (1, Lang::Pt) => "1 erro; não há programa".to_owned(),
         (_, Lang::Pt) => format!("{errors} erros; não há programa"),
-    };
-    match shown {
-        Shown::Here => println!("{text}{name}: {count}"),
-        Shown::Beside => eprintln!("{text}{name}: {count}"),
     }
-    false
+}
+
+/// A fault that a board tells of a program, in the line of its text.
+pub fn faulty(source: &Source, fault: Fault) -> String {
+    let Source { name, code, .. } = source;
+    if !source.is_il() {
+        let told_at = None;
+        return diagnosis::show(name, code, &[Diagnosis { fault, told_at }], &renderer());
+    }
+    let place = fault.line.and_then(|line| source.map.of_code(line));
+    let place = place.map_or_else(String::new, |place| format!(":{}", place.line));
+    let (number, text) = (fault.cause.number(), fault.cause.text());
+    format!("{name}{place}: fault {number}: {text}")
 }
 
 /// `unoclp check`.
 pub fn check(path: &Path, il: &Il) -> Outcome {
-    let Some((program, size)) = open(path, il, Shown::Here)? else {
+    let Some(source) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    println!("{}: OK: {size}", program.name);
-    if let Some(compiled) = &program.compiled {
-        println!("  {}", il.dialect(compiled.dialect));
+    println!("{}: OK: {}", source.name, source.size);
+    if let Language::Il { dialect, .. } = source.language {
+        println!("  {}", il.dialect(dialect));
     }
     Ok(true)
 }

@@ -1,8 +1,9 @@
 //! `unoclp upload`.
 
 use super::meet;
+use super::open::faulty;
 use super::open::{Il, Shown, open};
-use crate::{Outcome, refuse};
+use crate::Outcome;
 use anstream::{eprint, println};
 use anyhow::{Context, bail};
 use std::io::{IsTerminal, stderr};
@@ -11,17 +12,14 @@ use unoclp_board::diagnostics::Kept;
 use unoclp_board::map::{State, flag};
 use unoclp_board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
 use unoclp_cli::port::Place;
-use unoclp_source::diagnosis::Diagnosis;
-use unoclp_source::{BOARD, load};
 
 /// Checks a program, and puts it on a board.
 pub fn upload(path: &Path, place: &Place, stays: bool, il: &Il) -> Outcome {
-    let Some((program, size)) = open(path, il, Shown::Here)? else {
+    let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    println!("{}: {size}: OK", program.name);
-    let mut memory = vec![0; BOARD.linked_bytes.into()];
-    let sent = Kept::of(&load(&program.bytes, &mut memory)?);
+    println!("{}: {}: OK", program.name, program.size);
+    let sent = Kept::of(program.program());
 
     let mut port = meet(place)?;
     let before = port.talk(stop).context("the board cannot be stopped")?;
@@ -39,8 +37,8 @@ pub fn upload(path: &Path, place: &Place, stays: bool, il: &Il) -> Outcome {
         },
     }
 
-    let bytes = &program.bytes;
-    let uploaded = port.talk(async |client| send(client, bytes, sent, &mut show).await);
+    let code = &program.code;
+    let uploaded = port.talk(async |client| send(client, code, sent, &mut show).await);
     hide();
     let kept = match uploaded {
         Ok(kept) => kept,
@@ -49,8 +47,8 @@ pub fn upload(path: &Path, place: &Place, stays: bool, il: &Il) -> Outcome {
                 bail!("the board says {trouble}");
             };
             println!("the board refuses the program, and keeps the one that it had:");
-            let told_at = None;
-            return Ok(refuse(&program, &[Diagnosis { fault, told_at }]));
+            println!("{}", faulty(&program, fault));
+            return Ok(false);
         }
         Err(broken) => return Err(broken.into()),
     };

@@ -3,9 +3,9 @@
 use crate::panel::{Drawn, Flow};
 use unoclp_board::diagnostics::Kept;
 use unoclp_board::watch::{Meter, Reading, Scope};
-use unoclp_core::{Delay, Fault, Image, Inputs, Snapshot};
+use unoclp_core::{Delay, Image, Inputs, Snapshot};
 use unoclp_host_sim::engine::Machine;
-use unoclp_source::{BOARD, Written, load};
+use unoclp_source::Source;
 
 /// A program, to show a board's timers, counters and rungs by.
 pub struct Program {
@@ -24,18 +24,15 @@ pub struct Program {
 }
 
 impl Program {
-    /// A program of which the text is known.
-    ///
-    /// # Errors
-    /// Its first fault.
-    pub fn new(program: Written) -> Result<Program, Fault> {
-        let mut memory = vec![0; BOARD.linked_bytes.into()];
-        let kept = Kept::of(&load(&program.bytes, &mut memory)?);
-        let machine = Machine::load(&program.bytes)?;
+    /// A program whose text is known.
+    pub fn new(program: Source) -> Program {
+        let kept = Kept::of(program.program());
+        let drawn = Drawn::new(&program);
+        let machine = Machine::new(program.checked);
         let plc = machine.plc();
-        Ok(Program {
+        Program {
             kept,
-            drawn: Drawn::new(&program, plc),
+            drawn,
             timers: plc
                 .steps()
                 .filter_map(|step| Delay::of(step.opcode))
@@ -44,7 +41,7 @@ impl Program {
             steps: plc.steps().count(),
             twin: machine,
             name: program.name,
-        })
+        }
     }
 
     /// What the program does on the board at the moment: a scan from what was read. Edges are those from reading

@@ -14,13 +14,21 @@ use unoclp_board::watch::{Forces, Meter, Reading, Side, Wish};
 use unoclp_core::{Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
-use unoclp_source::Written;
+use unoclp_source::{Source, Written, load};
 
 /// I1 sets Q1 through a TON of 20 ms; a counter of I2 sets Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n67848501\n3\n877902\n";
 
+/// A program that is right, of this name and text.
+fn source(name: &str, text: &str) -> Source {
+    let written = Written::new(name.to_owned(), text.into());
+    written
+        .check(None)
+        .unwrap_or_else(|refused| panic!("{refused:?}"))
+}
+
 fn program() -> Program {
-    Program::new(Written::numeric("motor.txt".to_owned(), PROGRAM.into())).unwrap()
+    Program::new(source("motor.txt", PROGRAM))
 }
 
 /// A board that runs the program.
@@ -330,7 +338,7 @@ fn a_board_with_another_stored_form_is_not_said_to_run_another_program() {
 fn rungs_scroll() {
     let rungs = "787600\n827301\n877901\n".repeat(40);
     let file = format!("0\n{rungs}");
-    let program = Program::new(Written::numeric("long.txt".to_owned(), file.into())).unwrap();
+    let program = Program::new(source("long.txt", &file));
     let mut reading = reading();
     reading.diagnostics.program = program.kept;
     let mut app = app(Some(program));
@@ -371,8 +379,8 @@ const RICH: &str = "0\n\
 #[test]
 fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
     let text = RICH.replace(' ', "");
-    let mut board = Machine::load(text.as_bytes()).unwrap();
-    let mut program = Program::new(Written::numeric("rich.txt".to_owned(), text.into())).unwrap();
+    let mut board = Machine::new(load(text.as_bytes()).unwrap());
+    let mut program = Program::new(source("rich.txt", &text));
     let mut random = Random::new(7);
     let mut inputs = Image(0);
     let mut compared = 0;
@@ -429,8 +437,7 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
 #[test]
 fn instruction_list_is_shown_as_text_or_as_rungs() {
     let text = "VAR\n    button AT %IX1 : BOOL;\nEND_VAR\nLD button\nANDN I2\nST Q1\n";
-    let program = Written::il("lamp.il".to_owned(), text.as_bytes(), None);
-    let program = Program::new(program).unwrap();
+    let program = Program::new(source("lamp.il", text));
     let mut reading = reading();
     reading.diagnostics.program = program.kept;
     let mut app = app(Some(program));

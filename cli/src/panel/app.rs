@@ -8,12 +8,12 @@ use super::ladder::Flow;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use std::io::{self, Write};
 use std::time::Duration;
+use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::wave::{Recorder, Sample};
-use unoclp_source::BOARD;
-use unoclp_source::Written;
 use unoclp_source::used::Quantity;
+use unoclp_source::{BOARD, Source};
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
@@ -32,8 +32,9 @@ pub struct App {
     machine: Machine,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
-    pub(super) fault_line: Option<u32>,
-    program: Written,
+    pub(super) fault_line: Option<usize>,
+    /// Where its steps stand in its text.
+    map: SourceMap,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -59,16 +60,16 @@ pub struct App {
 }
 
 impl App {
-    /// A simulator that runs this program file from now on; its first fault where it has one.
-    pub fn new(program: Written) -> Result<App, Fault> {
-        let machine = Machine::load(&program.bytes)?;
-        let drawn = Drawn::new(&program, machine.plc());
-        Ok(App {
-            name: program.name.clone(),
+    /// A simulator that runs this program from now on.
+    pub fn new(program: Source) -> App {
+        let drawn = Drawn::new(&program);
+        let machine = Machine::new(program.checked);
+        App {
+            name: program.name,
             knobs: Knobs::new(machine.used().analogue.iter().copied()),
             fault: None,
             fault_line: None,
-            program,
+            map: program.map,
             machine,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
@@ -83,7 +84,7 @@ impl App {
             quit: false,
             recorder: None,
             recorded: 0,
-        })
+        }
     }
 
     /// Records every scan from now on.
@@ -167,7 +168,8 @@ impl App {
         let observe = |step, power| acc[step] = Some(power);
         if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
             self.fault = Some(fault);
-            self.fault_line = fault.line.and_then(|line| self.program.line(line));
+            let place = fault.line.and_then(|line| self.map.of_code(line));
+            self.fault_line = place.map(|place| place.line);
             self.running = false;
         }
         self.flow.acc = acc;

@@ -3,8 +3,7 @@
 use super::ladder::{Flow, Rungs};
 use super::listing::Listing;
 use ratatui::text::Line;
-use unoclp_core::Plc;
-use unoclp_source::Written;
+use unoclp_source::Source;
 
 /// Both ways to look at a program.
 pub struct Drawn {
@@ -14,12 +13,12 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// A program that runs there. What was written as Instruction List is shown so first.
-    pub fn new(program: &Written, plc: &Plc<'_>) -> Drawn {
+    /// Of this program. What was written as Instruction List is shown so first.
+    pub fn new(program: &Source) -> Drawn {
         Drawn {
-            rungs: Rungs::new(program, plc.steps()),
-            listing: Listing::new(program, plc.steps()),
-            as_text: program.compiled.is_some(),
+            rungs: Rungs::new(program),
+            listing: Listing::new(program),
+            as_text: program.is_il(),
         }
     }
 

@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 use unoclp_core::isa::Operand;
 use unoclp_core::{CounterState, Delay, Instruction, Plc, TimerState};
 use unoclp_ladder::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
-use unoclp_source::Written;
+use unoclp_source::{Source, names};
 
 /// The columns before the left rail, for the number of the rung.
 const MARGIN: usize = 4;
@@ -48,11 +48,9 @@ impl Flow {
 }
 
 impl Rungs {
-    /// The rungs of this program, which has these steps.
-    pub fn new<'c>(
-        program: &Written,
-        steps: impl Iterator<Item = Instruction<'c>> + Clone,
-    ) -> Rungs {
+    /// The rungs of this program.
+    pub fn new(program: &Source) -> Rungs {
+        let steps = program.program().steps();
         let mut timers = 0..;
         let count = |step: Instruction<'_>| match step.operand {
             Operand::Count { counter, .. } => {
@@ -64,7 +62,7 @@ impl Rungs {
         };
         let ladder = Ladder::new(steps.clone());
         Rungs {
-            names: program.names(&ladder, steps.clone()),
+            names: names(&program.map, &ladder),
             counts: steps.map(count).collect(),
             ladder,
         }

@@ -4,32 +4,29 @@ use super::ON;
 use super::ladder::Flow;
 use ratatui::style::Style;
 use ratatui::text::Line;
+use unoclp_core::Delay;
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Delay, Instruction};
-use unoclp_source::Written;
+use unoclp_source::Source;
 
 /// The lines of a text, with the steps that tell how each stands.
 pub struct Listing(Vec<(String, Vec<usize>)>);
 
 impl Listing {
-    /// The lines of the text of this program, which has these steps.
-    pub fn new<'c>(
-        program: &Written,
-        steps: impl Iterator<Item = Instruction<'c>> + Clone,
-    ) -> Listing {
+    /// The lines of the text of this program.
+    pub fn new(program: &Source) -> Listing {
         let shown = |line: &str| {
             let line = line.replace('\t', "    ");
             line.chars().filter(|c| !c.is_control()).collect()
         };
         let lines = program.text.lines().map(|line| (shown(line), Vec::new()));
         let mut lines: Vec<(String, Vec<usize>)> = lines.collect();
-        let places = program.places(steps.clone());
-        let steps = steps.map(|step| step.opcode).zip(places).enumerate();
+        let steps = program.program().steps().zip(&program.map.steps);
         let steps: Vec<Step> = steps
-            .map(|(index, (opcode, line))| Step {
+            .enumerate()
+            .map(|(index, (step, place))| Step {
                 index,
-                opcode,
-                line,
+                opcode: step.opcode,
+                line: place.line,
             })
             .collect();
         let runs = || steps.chunk_by(|one, other| one.line == other.line);

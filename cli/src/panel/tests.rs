@@ -14,14 +14,22 @@ use std::time::Duration;
 use unoclp_core::Image;
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_host_sim::wave::Recorder;
-use unoclp_source::Written;
+use unoclp_source::{Source, Written};
 
 /// I1 sets Q1 through a TON of 20 ms; I2 or not I3, and Q1, to Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n\
     787600\n827302\n40\n-827303\n41\n827901\n877902\n";
 
+/// A program that is right, of this name and text.
+fn source(name: &str, text: &str) -> Source {
+    let written = Written::new(name.to_owned(), text.into());
+    written
+        .check(None)
+        .unwrap_or_else(|refused| panic!("{refused:?}"))
+}
+
 fn app(program: &str) -> App {
-    App::new(Written::numeric("motor.txt".to_owned(), program.into())).unwrap()
+    App::new(source("motor.txt", program))
 }
 
 fn advance(app: &mut App, ms: u64) {
@@ -484,8 +492,8 @@ const LIST: &str = "(* Lamp *)\nLD I1\nOR( I2\nANDN I3\n)\nST Q1\n\nLD Q1\nTON T
 
 #[test]
 fn lines_of_instruction_list_show_what_they_have_come_to() {
-    let program = Written::il("lamp.il".to_owned(), LIST.as_bytes(), None);
-    let mut app = App::new(program).unwrap();
+    let program = source("lamp.il", LIST);
+    let mut app = App::new(program);
     press(&mut app, '2');
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
@@ -538,7 +546,7 @@ fn lines_of_numeric_code_show_what_they_have_come_to() {
 fn a_fault_names_the_line_of_the_text() {
     // Numeric code has the jump in another line.
     let text = "(* a comment *)\n(* and another *)\nbegin: LD I1\nST Q1\nJMP begin\n";
-    let mut app = App::new(Written::il("loop.il".to_owned(), text.as_bytes(), None)).unwrap();
+    let mut app = App::new(source("loop.il", text));
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
     assert!(shown.contains("FAULT 75, line 5"), "{shown}");

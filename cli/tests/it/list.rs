@@ -6,22 +6,24 @@ use std::path::{Path, PathBuf};
 use unoclp_core::isa::{Kind, Opcode};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
-use unoclp_source::Written;
 use unoclp_source::list::{Form, list, svg};
-use unoclp_source::{BOARD, load};
+use unoclp_source::{Source, Written, load};
 
 fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-fn numeric(file: impl Into<Vec<u8>>) -> Written {
-    Written::numeric("p.txt".to_owned(), file.into())
+fn numeric(file: impl Into<Vec<u8>>) -> Source {
+    let written = Written::new("p.txt".to_owned(), file.into());
+    assert!(!written.is_il);
+    written
+        .check(None)
+        .unwrap_or_else(|refused| panic!("{refused:?}"))
 }
 
 /// The stored form of a program file.
 fn stored(file: &[u8]) -> Vec<u8> {
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    load(file, &mut memory).unwrap().stored().to_vec()
+    load(file).unwrap().program().stored().to_vec()
 }
 
 #[test]
@@ -33,7 +35,7 @@ fn samples_are_listed_as_they_shall_be() {
         if path.extension().is_none_or(|extension| extension != "txt") {
             continue;
         }
-        let listing = list(&numeric(fs::read(&path).unwrap()), Form::Ladder, 80).unwrap();
+        let listing = list(&numeric(fs::read(&path).unwrap()), Form::Ladder, 80);
         let expected = folder("tests/listings").join(&name);
         let expected = fs::read_to_string(&expected).unwrap_or_default();
         assert_eq!(
@@ -93,7 +95,6 @@ fn every_instruction_is_listed() {
             _ => (format!("0\n{step}"), ""),
         };
         let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80);
-        let ladder = ladder.unwrap_or_else(|fault| panic!("{opcode:?}: {fault}\n{program}"));
         assert!(ladder.contains(shown), "{opcode:?}:\n{ladder}");
         let first = ladder.lines().find(|line| line.starts_with('├')).unwrap();
         let alone = matches!(opcode, Opcode::Label);
@@ -102,7 +103,7 @@ fn every_instruction_is_listed() {
             "{opcode:?}:\n{ladder}"
         );
         let letters = opcode.row().letters;
-        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80).unwrap();
+        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80);
         assert!(
             numeric.contains(&format!("/ {letters}")),
             "{opcode:?}:\n{numeric}"
@@ -116,8 +117,8 @@ fn random_programs_keep_every_step_once_at_every_width() {
     let mut random = Random::new(7);
     for number in 0..400 {
         let file = random_program(&mut random);
-        let mut memory = vec![0; BOARD.plc_bytes()];
-        let program = load(file.as_bytes(), &mut memory).unwrap();
+        let checked = load(file.as_bytes()).unwrap();
+        let program = checked.program();
         let ladder = Ladder::new(program.steps());
         let mut shown: Vec<usize> = Vec::new();
         for rung in &ladder.rungs {
@@ -153,19 +154,19 @@ fn random_programs_keep_every_step_once_at_every_width() {
             assert!(drawn || element.steps.is_empty(), "{element:?}\n{file}");
         }
 
-        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width).unwrap();
+        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width);
         let widest = listing.lines().map(|line| line.chars().count()).max();
         assert!(widest <= Some(width), "{listing}");
-        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width).unwrap();
+        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width);
         assert_eq!(plain(&listed), plain(&file), "program {number}");
-        assert!(svg(&numeric(file.as_bytes()), width).is_ok());
+        assert!(svg(&numeric(file.as_bytes()), width).starts_with("<svg"));
     }
 }
 
 /// A program's stored form, without the lines that its jumps remember.
 fn plain(file: &str) -> Vec<String> {
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let program = load(file.as_bytes(), &mut memory).unwrap();
+    let checked = load(file.as_bytes()).unwrap();
+    let program = checked.program();
     program.steps().map(|step| step.to_string()).collect()
 }
 
@@ -173,11 +174,11 @@ fn plain(file: &str) -> Vec<String> {
 fn a_numeric_listing_is_the_same_program() {
     for name in ["motor", "twohand", "figure6"] {
         let file = fs::read(folder("../programs").join(name).with_extension("txt")).unwrap();
-        let listing = list(&numeric(&*file), Form::Numeric, 80).unwrap();
+        let listing = list(&numeric(&*file), Form::Numeric, 80);
         assert_eq!(stored(listing.as_bytes()), stored(&file), "{listing}");
         // A listing of a listing is the same once more.
         assert_eq!(
-            list(&numeric(listing.as_bytes()), Form::Numeric, 80).unwrap(),
+            list(&numeric(listing.as_bytes()), Form::Numeric, 80),
             listing
         );
     }
@@ -199,8 +200,5 @@ fn a_numeric_listing_is_the_same_program() {
 ";
     let file =
         "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
-    assert_eq!(
-        list(&numeric(file.as_bytes()), Form::Numeric, 80).unwrap(),
-        expected
-    );
+    assert_eq!(list(&numeric(file.as_bytes()), Form::Numeric, 80), expected);
 }

@@ -11,4 +11,5 @@ mod instruction_list;
 mod list;
 #[cfg(unix)]
 mod pty;
+mod source_map;
 mod tutorial;

@@ -57,8 +57,7 @@ pub fn random_program(random: &mut Random) -> String {
     loop {
         let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
         let text = write::write(random, &instructions);
-        let mut memory = vec![0; BOARD.plc_bytes()];
-        match unoclp_source::load(text.as_bytes(), &mut memory) {
+        match unoclp_source::load(text.as_bytes()) {
             // Sizes were only estimated.
             Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
                 drop(rungs.pop());
@@ -108,9 +107,9 @@ mod tests {
         let (mut smallest, mut most_stored, mut most_linked) = (usize::MAX, 0, 0);
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed));
-            let mut memory = vec![0; BOARD.plc_bytes()];
-            let program = unoclp_source::load(text.as_bytes(), &mut memory)
+            let checked = unoclp_source::load(text.as_bytes())
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
+            let program = checked.program();
             smallest = smallest.min(program.stored_bytes());
             most_stored = most_stored.max(program.stored_bytes());
             most_linked = most_linked.max(program.linked_bytes());
@@ -136,7 +135,8 @@ mod tests {
         for seed in 0..500 {
             let mut random = Random::new(seed);
             let text = random_program(&mut random);
-            let mut machine = crate::engine::Machine::load(text.as_bytes()).unwrap();
+            let mut machine =
+                crate::engine::Machine::new(unoclp_source::load(text.as_bytes()).unwrap());
             let mut inputs = Inputs::default();
             for now in 0..60 {
                 inputs = random_inputs(&mut random, machine.plc().needs(), inputs);

@@ -4,9 +4,10 @@ mod wires;
 
 use crate::block::Cell;
 use crate::listing::heading;
-use crate::{Drawing, Element, Names, Picture, Source, Symbol};
+use crate::{Drawing, Element, Names, Picture, Symbol};
 use svg::Document;
 use svg::node::element::{Group, Path, Rectangle, Text};
+use unoclp_checked::SourceMap;
 use wires::{arms, horizontal, is_rail, is_text, vertical};
 
 /// A column of the drawing, in units of the page.
@@ -33,7 +34,7 @@ const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
 const INK: &str = "#1a1a1a";
 
 /// The drawing as an SVG document under this title.
-pub fn to_svg(drawing: &Drawing<'_>, source: &Source, names: &Names, title: &str) -> String {
+pub fn to_svg(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: &str) -> String {
     let mut page = Page {
         drawing,
         group: Group::new(),
@@ -42,7 +43,7 @@ pub fn to_svg(drawing: &Drawing<'_>, source: &Source, names: &Names, title: &str
     page.text(MARGIN, page.y + 16.0, title, &Font::TITLE);
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for (line, text) in heading(drawing, source, names, index).iter().enumerate() {
+        for (line, text) in heading(drawing, map, names, index).iter().enumerate() {
             let font = if line == 0 {
                 Font::HEADING
             } else {

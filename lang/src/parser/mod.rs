@@ -7,7 +7,7 @@ mod statement;
 use crate::ast::{Unit, UnitKind, Word};
 use crate::diagnostics::{Code, Found, Span, Word as Said};
 use crate::dialect::Signs;
-use crate::lexer::{Kind, Token, tokens};
+use crate::lexer::{Kind, Token, Words, words};
 use std::collections::HashSet;
 
 /// What the parser has read.
@@ -15,10 +15,12 @@ pub(crate) struct Parsed {
     /// The program first, then functions and function blocks.
     pub units: Vec<Unit>,
     pub signs: Signs,
+    /// Where comments stand.
+    pub comments: Vec<Span>,
 }
 
 pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
-    let tokens = tokens(text, found);
+    let Words { tokens, comments } = words(text, found);
     let mut parser = Parser {
         text,
         functions: HashSet::new(),
@@ -32,6 +34,7 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
     Parsed {
         units,
         signs: parser.signs,
+        comments,
     }
 }
 
@@ -170,7 +173,10 @@ impl Parser<'_, '_> {
     }
 
     /// Where a unit ends; `end` is its own END_…, none where another unit or the text's end came first.
-    fn end_unit(&mut self, unit: Option<Unit>, end: Option<Span>) -> Option<Unit> {
+    fn end_unit(&mut self, mut unit: Option<Unit>, end: Option<Span>) -> Option<Unit> {
+        if let Some(unit) = &mut unit {
+            unit.end = end.unwrap_or(self.peek().span).start;
+        }
         match (&unit, end) {
             (None, Some(end)) => {
                 let text = self.text_of(end).to_owned();
@@ -199,6 +205,7 @@ impl Parser<'_, '_> {
             vars: Vec::new(),
             body: Vec::new(),
             span,
+            end: u32::MAX,
         }
     }
 

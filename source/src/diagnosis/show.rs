@@ -1,8 +1,9 @@
 //! Faults as text: the line of the file, a caret under what is wrong, and help.
 
-use super::{Diagnosis, help::help};
+use super::help::help;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
+use unoclp_checked::Diagnosis;
 use unoclp_core::Cause;
 
 /// More faults than this are only counted: a file that is no program at all has one in each line.

@@ -1,12 +1,10 @@
-//! `unoclp list`: a program as a ladder diagram, as Instruction List, or as numeric code with the
+//! A program listed: as a ladder diagram, as Instruction List, or as numeric code with the
 //! meaning of each line.
 
 mod numeric;
 
-use crate::Written;
-use crate::{BOARD, load};
+use crate::{BOARD, Source, names};
 use std::path::Path;
-use unoclp_core::Fault;
 use unoclp_ladder::{Drawing, Ladder, Names, Style, listing, to_svg};
 use unoclp_lang::instructions_to_il;
 
@@ -23,43 +21,27 @@ pub enum Form {
 }
 
 /// Lists a program in so many columns, as far as the form can be narrow.
-///
-/// # Errors
-/// The first fault of the program.
-pub fn list(file: &Written, form: Form, width: usize) -> Result<String, Fault> {
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let program = load(&file.bytes, &mut memory)?;
-    let source = file.source(program.steps());
+pub fn list(source: &Source, form: Form, width: usize) -> String {
+    let program = source.program();
     match form {
-        Form::Numeric => Ok(numeric::listing(&program, &source)),
-        Form::Il => Ok(instructions_to_il(program.steps(), BOARD)),
+        Form::Numeric => numeric::listing(program, &source.map),
+        Form::Il => instructions_to_il(program.steps(), BOARD),
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
-            let names = file.names(&ladder, program.steps());
-            Ok(listing(&draw(&ladder, &names, width), &source, &names))
+            let names = names(&source.map, &ladder);
+            listing(&draw(&ladder, &names, width), &source.map, &names)
         }
     }
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
-///
-/// # Errors
-/// The first fault of the program.
-pub fn svg(file: &Written, width: usize) -> Result<String, Fault> {
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let program = load(&file.bytes, &mut memory)?;
-    let source = file.source(program.steps());
-    let ladder = Ladder::new(program.steps());
-    let names = file.names(&ladder, program.steps());
-    let path = Path::new(&file.name);
+pub fn svg(source: &Source, width: usize) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let path = Path::new(&source.name);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let title = source.title.first().map_or(&*name, String::as_str);
-    Ok(to_svg(
-        &draw(&ladder, &names, width),
-        &source,
-        &names,
-        title,
-    ))
+    let title = source.map.title.first().map_or(&*name, String::as_str);
+    to_svg(&draw(&ladder, &names, width), &source.map, &names, title)
 }
 
 fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize) -> Drawing<'l> {

@@ -1,9 +1,9 @@
 //! Numeric code in columns: code, letters, meaning. It is a program file that means the same.
 
 use std::fmt::Write;
+use unoclp_checked::SourceMap;
 use unoclp_core::isa::{self, Opcode, Operand, Value};
 use unoclp_core::{Instruction, Program};
-use unoclp_ladder::Source;
 
 /// A line of the listing.
 struct Line {
@@ -13,7 +13,7 @@ struct Line {
 }
 
 /// Lists a program. Of the file's comments it keeps those on lines of their own.
-pub(super) fn listing(program: &Program<'_>, source: &Source) -> String {
+pub(super) fn listing(program: &Program<'_>, map: &SourceMap) -> String {
     let steps: Vec<(Vec<Line>, Opcode)> = program
         .steps()
         .map(|step| (lines(step), step.opcode))
@@ -44,20 +44,20 @@ pub(super) fn listing(program: &Program<'_>, source: &Source) -> String {
     for (lines, _) in &steps {
         lines.iter().for_each(&mut put);
     }
-    with_comments(&text, &steps, source)
+    with_comments(&text, &steps, map)
 }
 
 /// Puts the comments of the file before the codes that they stand before in it, and a blank line before
 /// each rung.
-fn with_comments(text: &str, steps: &[(Vec<Line>, Opcode)], source: &Source) -> String {
+fn with_comments(text: &str, steps: &[(Vec<Line>, Opcode)], map: &SourceMap) -> String {
     let mut lines = text.lines();
-    let mut all: String = source.title.iter().map(|line| comment(line)).collect();
+    let mut all: String = map.title.iter().map(|line| comment(line)).collect();
     if !all.is_empty() {
         all.push('\n');
     }
     all.extend(lines.next().map(|line| format!("{line}\n")));
     for (index, (step, opcode)) in steps.iter().enumerate() {
-        let comments = source.places.get(index).map(|place| &place.comments[..]);
+        let comments = map.steps.get(index).map(|place| &place.comments[..]);
         let comments = comments.unwrap_or_default();
         if *opcode == Opcode::NewRung || !comments.is_empty() {
             all.push('\n');

@@ -1,0 +1,80 @@
+//! The comments of a text that stand on lines of their own, for whoever shows what has become of it.
+//!
+//! Owns which line says what; must not know where a comment begins or ends: the lexer says so.
+
+use crate::diagnostics::{Lines, Span};
+
+/// The lines of a text, as far as they hold comments or more.
+pub(crate) struct Comments(Vec<Line>);
+
+#[derive(Clone, Default)]
+struct Line {
+    /// Whether it holds more than comments.
+    code: bool,
+    /// What its comments say.
+    words: String,
+}
+
+impl Comments {
+    /// Of a text with its comments in these places.
+    pub(crate) fn new(text: &str, places: &Lines, spans: &[Span]) -> Comments {
+        let mut lines = vec![Line::default(); text.lines().count() + 1];
+        let mut put = |start: usize, text: &str, with: fn(&mut Line, &str)| {
+            let first = places.line(start as u32) as usize - 1;
+            let lines = lines.iter_mut().skip(first);
+            lines
+                .zip(text.split('\n'))
+                .for_each(|(line, part)| with(line, part));
+        };
+        let mut behind = 0;
+        let end = text.len()..text.len();
+        for span in spans.iter().map(|span| span.range()).chain([end]) {
+            let between = text.get(behind..span.start).unwrap_or_default();
+            put(behind, between, |line, part| {
+                line.code |= !part.trim().is_empty();
+            });
+            let comment = text.get(span.clone()).unwrap_or_default();
+            put(span.start, words(comment), |line, part| {
+                line.words.push_str(part);
+            });
+            behind = span.end;
+        }
+        Comments(lines)
+    }
+
+    /// Those before all else.
+    pub(crate) fn title(&self) -> Vec<String> {
+        let lines = self.0.iter().take_while(|line| !line.code);
+        lines.filter_map(|line| some(&line.words)).collect()
+    }
+
+    /// Those right above this line, behind the title. Each is given once only.
+    pub(crate) fn take_above(&mut self, line: usize) -> Vec<String> {
+        let before = self.0.get_mut(..line.saturating_sub(1)).unwrap_or_default();
+        let Some(code) = before.iter().rposition(|line| line.code) else {
+            return Vec::new();
+        };
+        let between = before.get_mut(code + 1..).unwrap_or_default().iter_mut();
+        between
+            .filter_map(|line| some(&std::mem::take(&mut line.words)))
+            .collect()
+    }
+}
+
+/// What a comment says, without what begins and ends it.
+fn words(comment: &str) -> &str {
+    if let Some(words) = comment.strip_prefix("//") {
+        return words;
+    }
+    let words = comment.strip_prefix("(*").unwrap_or(comment);
+    let words = words
+        .strip_suffix(')')
+        .unwrap_or(words)
+        .trim_end_matches([' ', '\t']);
+    words.strip_suffix('*').unwrap_or(words)
+}
+
+fn some(words: &str) -> Option<String> {
+    let words = words.trim();
+    (!words.is_empty()).then(|| words.to_owned())
+}

@@ -1,0 +1,103 @@
+//! Where the steps of a program stand in its text.
+//!
+//! Owns which unit, line, column, comments and name a step has; must not know how it was compiled, nor which
+//! codes are operands: the loader says that.
+
+use crate::Dialect;
+use crate::ast::{Unit, UnitKind};
+use crate::comments::Comments;
+use crate::diagnostics::Lines;
+use crate::emit::Origin;
+use std::ops::Range;
+use std::sync::Arc;
+use unoclp_checked::{Place, SourceMap};
+use unoclp_core::isa::{Kind, Opcode};
+
+/// Makes the map of a text, code by code.
+pub(crate) struct Places<'t> {
+    text: &'t str,
+    lines: &'t Lines,
+    /// The functions and function blocks of the text: where they stand, and what they are called.
+    units: Vec<(Range<u32>, Arc<str>)>,
+    comments: Comments,
+    map: SourceMap,
+}
+
+impl<'t> Places<'t> {
+    pub(crate) fn new(
+        text: &'t str,
+        lines: &'t Lines,
+        units: &[Unit],
+        comments: Comments,
+    ) -> Places<'t> {
+        let named = |unit: &Unit| {
+            let name = text.get(unit.name.as_ref()?.span.range())?;
+            Some((unit.span.start..unit.end, Arc::from(name)))
+        };
+        let units = units.iter().filter(|unit| unit.kind != UnitKind::Program);
+        Places {
+            text,
+            lines,
+            units: units.filter_map(named).collect(),
+            map: SourceMap {
+                title: comments.title(),
+                steps: Vec::new(),
+            },
+            comments,
+        }
+    }
+
+    /// A step begins with this code, in this line of the program file.
+    pub(crate) fn begin(&mut self, origin: &Origin, line_of_code: u32) {
+        let span = origin.span;
+        let (line, column) = self.lines.place(self.text, span.start);
+        let line = line as usize;
+        let unit = self
+            .units
+            .iter()
+            .find(|(bytes, _)| bytes.contains(&span.start));
+        self.map.steps.push(Place {
+            unit: unit.map(|(_, name)| name.clone()),
+            line,
+            column: column as usize,
+            last: line,
+            comments: self.comments.take_above(line),
+            name: origin.name.clone(),
+            codes: line_of_code..=line_of_code,
+        });
+    }
+
+    /// This line of the program file is an operand of the step that began last.
+    pub(crate) fn operand(&mut self, origin: &Origin, line_of_code: u32) {
+        if let Some(place) = self.map.steps.last_mut() {
+            place.codes = *place.codes.start()..=line_of_code;
+            place.last = place.last.max(self.lines.line(origin.span.start) as usize);
+        }
+    }
+
+    pub(crate) fn finish(self) -> SourceMap {
+        self.map
+    }
+}
+
+/// The name of a point in the words that its code comes from: `start`; of a block `CAL pause (…)`. None where
+/// they give an address.
+pub(crate) fn name(words: &str, opcode: Opcode, dialect: Dialect) -> Option<&str> {
+    let part_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '%' | '.' | '#');
+    let mut words = words
+        .split(|c| !part_of_name(c))
+        .filter(|word| !word.is_empty());
+    let first = words.next()?;
+    let kind = opcode.row().kind;
+    let is_block = matches!(
+        kind,
+        Kind::Timer | Kind::TimerQ | Kind::Counter | Kind::Count
+    );
+    let name = match words.next() {
+        None => first,
+        Some(second) if is_block => second,
+        Some(_) => return None,
+    };
+    let begins = name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    (begins && !name.contains(['.', '#']) && !dialect.is_address(name)).then_some(name)
+}

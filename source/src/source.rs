@@ -1,0 +1,79 @@
+//! A program with the text that it was written in.
+//!
+//! Owns what belongs together from here on: the text, the checked program, and the map from one to the other.
+//! Must not know how the program was checked, nor how it runs.
+
+use crate::{BOARD, Size};
+use unoclp_checked::{Checked, SourceMap};
+use unoclp_core::{Fault, Program};
+use unoclp_ladder::{Ladder, Names};
+use unoclp_lang::{Diagnostic, Dialect};
+
+/// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
+#[derive(Debug)]
+pub struct Source {
+    /// What it is called.
+    pub name: String,
+    /// What a person reads and changes.
+    pub text: String,
+    /// The same as numeric code, as it stands on a card.
+    pub code: Vec<u8>,
+    /// What the text is written in.
+    pub language: Language,
+    /// How much of the board it takes.
+    pub size: Size,
+    /// Where its steps stand in the text.
+    pub map: SourceMap,
+    /// The program.
+    pub checked: Checked,
+}
+
+/// What a text is written in.
+#[derive(Clone, Debug)]
+pub enum Language {
+    /// Numeric code.
+    Numeric,
+    /// Instruction List.
+    Il {
+        /// Whose it was taken to be.
+        dialect: Dialect,
+        /// What is worth a second look.
+        warnings: Vec<Diagnostic>,
+    },
+}
+
+impl Source {
+    /// The program, to look at.
+    pub fn program(&self) -> &Program<'_> {
+        self.checked.program()
+    }
+
+    /// Whether it was written as Instruction List.
+    pub fn is_il(&self) -> bool {
+        matches!(self.language, Language::Il { .. })
+    }
+}
+
+/// What a text calls the points of this ladder, whose steps stand in it so.
+pub fn names(map: &SourceMap, ladder: &Ladder) -> Names {
+    let mut names = Names::new();
+    for element in &ladder.elements {
+        let place = element.steps.last().and_then(|&step| map.steps.get(step));
+        let name = place.and_then(|place| place.name.as_ref());
+        if let (Some(point), Some(name)) = (element.point, name) {
+            names.entry(point).or_insert_with(|| name.clone());
+        }
+    }
+    names
+}
+
+/// The program of a file in numeric code, for what shows neither its text nor all of its faults.
+///
+/// # Errors
+/// The first fault of the file.
+pub fn load(file: &[u8]) -> Result<Checked, Fault> {
+    Checked::new(BOARD, |loader| {
+        // The loader itself keeps the fault.
+        let _ = file.iter().try_for_each(|&byte| loader.push(byte));
+    })
+}

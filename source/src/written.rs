@@ -1,0 +1,92 @@
+//! A program file as it was read: a claim, in one of two languages, until it is checked.
+//!
+//! Owns which language that is. Must not know what either means: `unoclp-checked` and `unoclp-lang` do.
+
+use crate::{BOARD, Language, Size, Source, decode, is_il};
+use std::path::Path;
+use unoclp_checked::{Diagnosis, numeric};
+use unoclp_lang::{Diagnostic, Dialect, Options, compile};
+
+/// A program file of which nothing but the language is known.
+#[derive(Clone, Debug)]
+pub struct Written {
+    /// What it is called.
+    pub name: String,
+    /// The bytes of the file.
+    pub bytes: Vec<u8>,
+    /// Whether it is Instruction List; else it is numeric code.
+    pub is_il: bool,
+}
+
+/// Why a file is no program.
+#[derive(Debug)]
+pub enum Refused {
+    /// The faults of numeric code, at least one.
+    Numeric(Vec<Diagnosis>),
+    /// The errors of Instruction List, at least one, and its warnings.
+    Il {
+        /// What they stand in.
+        text: String,
+        /// In the order of their places.
+        diagnostics: Vec<Diagnostic>,
+    },
+}
+
+impl Written {
+    /// A file of this name, whose language its name and its text tell.
+    pub fn new(name: String, bytes: Vec<u8>) -> Written {
+        Written {
+            is_il: is_il(Path::new(&name), &bytes),
+            name,
+            bytes,
+        }
+    }
+
+    /// Compiles and checks it. `dialect` says whose Instruction List it is; none: what the text looks like.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn check(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
+        match self.is_il {
+            true => self.compiled(dialect),
+            false => self.numeric(),
+        }
+    }
+
+    fn numeric(self) -> Result<Source, Refused> {
+        let Written { name, bytes, .. } = self;
+        let (checked, map) = numeric(&bytes, BOARD).map_err(Refused::Numeric)?;
+        Ok(Source {
+            name,
+            text: String::from_utf8_lossy(&bytes).into_owned(),
+            code: bytes,
+            language: Language::Numeric,
+            size: Size::of(checked.program()),
+            map,
+            checked,
+        })
+    }
+
+    fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
+        let text = decode(&self.bytes);
+        let board = BOARD;
+        let compiled = compile(&text, &Options { dialect, board });
+        let code = compiled.file();
+        let diagnostics = compiled.diagnostics;
+        let (Some(code), Some((checked, map))) = (code, compiled.program) else {
+            return Err(Refused::Il { text, diagnostics });
+        };
+        Ok(Source {
+            name: self.name,
+            text,
+            code: code.into_bytes(),
+            language: Language::Il {
+                dialect: compiled.dialect,
+                warnings: diagnostics,
+            },
+            size: Size::of(checked.program()),
+            map,
+            checked,
+        })
+    }
+}
