@@ -1,9 +1,10 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
 use crate::panel::{Drawn, Flow};
-use unoclp_board::diagnostics::Kept;
+use unoclp_board::diagnostics::{Kept, Trouble};
 use unoclp_board::watch::{Meter, Reading, Scope};
-use unoclp_core::{Delay, Image, Inputs, Snapshot};
+use unoclp_checked::SourceMap;
+use unoclp_core::{Cause, Delay, Image, Inputs, Snapshot};
 use unoclp_host_sim::engine::Machine;
 use unoclp_source::Source;
 
@@ -14,6 +15,8 @@ pub struct Program {
     /// How a board keeps it.
     pub(super) kept: Kept,
     pub(super) drawn: Drawn,
+    /// Where its steps stand in its text.
+    map: SourceMap,
     /// What each timer does.
     pub(super) timers: Vec<Delay>,
     counters: u16,
@@ -33,6 +36,7 @@ impl Program {
         Program {
             kept,
             drawn,
+            map: program.map,
             timers: plc
                 .steps()
                 .filter_map(|step| Delay::of(step.opcode))
@@ -76,6 +80,17 @@ impl Program {
         // A scan with too many jumps shows how far it has come.
         let _ = self.twin.scan_observed(inputs, now, observe);
         flow
+    }
+
+    /// A fault of this program as it runs, in the line of its text in place of that of its code. Other faults
+    /// are those of a file that the board has refused.
+    pub(super) fn in_text(&self, trouble: Trouble) -> Trouble {
+        if trouble.number != Cause::TooManyJumps.number().into() {
+            return trouble;
+        }
+        let place = trouble.line.and_then(|line| self.map.of_code(line));
+        let line = place.map_or(trouble.line, |place| Some(place.line as u32));
+        Trouble { line, ..trouble }
     }
 
     /// How much of a board there is to read for it.

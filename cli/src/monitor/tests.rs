@@ -455,3 +455,31 @@ fn instruction_list_is_shown_as_text_or_as_rungs() {
         "{shown}"
     );
 }
+
+#[test]
+fn a_fault_of_the_running_program_names_the_line_of_the_text() {
+    // Numeric code has the jump in another line.
+    let text = "(* a comment *)\n(* and another *)\nbegin: LD I1\nST Q1\nJMP begin\n";
+    let program = source("loop.il", text);
+    let jump = program.map.steps.last().unwrap().codes.clone();
+    assert_ne!(jump, 5..=5);
+    let kept = Kept::of(&program.code).unwrap();
+    let mut app = app(Some(Program::new(program)));
+    let mut shown = |kept, number| {
+        let mut reading = reading();
+        reading.diagnostics.program = kept;
+        reading.diagnostics.state = Some(State::Fault);
+        let line = Some(*jump.start());
+        reading.diagnostics.trouble = Some(Trouble { number, line });
+        app.hear(News::Read(Box::new(reading)));
+        screen(&mut app, 100, 30)
+    };
+    let running = shown(kept, 75);
+    assert!(running.contains("fault 75, line 5:"), "{running}");
+    // The line is one of another file.
+    let code_line = format!(", line {}:", jump.start());
+    let refused = shown(kept, 24);
+    assert!(refused.contains(&code_line), "{refused}");
+    let other = shown(Kept::default(), 75);
+    assert!(other.contains(&code_line), "{other}");
+}

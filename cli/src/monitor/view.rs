@@ -200,10 +200,11 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
         warn(format!("lost, trying again: {why}"));
     }
     if let Some(trouble) = board.trouble {
-        let of = if board.state == Some(State::Fault) {
-            ""
-        } else {
-            "last upload: "
+        let own = app.program.as_ref().filter(|_| !app.differs());
+        let (of, trouble) = match (board.state, own) {
+            (Some(State::Fault), Some(program)) => ("", program.in_text(trouble)),
+            (Some(State::Fault), None) => ("", trouble),
+            _ => ("last upload: ", trouble),
         };
         warn(format!("{of}{trouble}"));
     }
