@@ -210,7 +210,7 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
         // Numeric code is run as it is: a scenario may expect a fault of it.
         let (name, bytes) = match written.is_il {
             false => (written.name, written.bytes),
-            true => match check_written(written, il, Shown::Here)? {
+            true => match check_written(written, il, Shown::Here) {
                 Some(Source { name, code, .. }) => (name, code),
                 None => return Ok(false),
             },

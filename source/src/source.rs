@@ -11,6 +11,7 @@ use unoclp_lang::{Diagnostic, Dialect};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Source {
     /// What it is called.
     pub name: String,

@@ -21,13 +21,20 @@ pub struct Written {
 /// Why a file is no program.
 #[derive(Debug)]
 pub enum Refused {
-    /// The faults of numeric code, at least one.
-    Numeric(Vec<Diagnosis>),
-    /// The errors of Instruction List, at least one, and its warnings.
+    /// The faults of numeric code.
+    Numeric {
+        /// The file that has them.
+        written: Written,
+        /// At least one, in the order in which they are found.
+        faults: Vec<Diagnosis>,
+    },
+    /// The errors of Instruction List, and its warnings.
     Il {
-        /// What they stand in.
+        /// What the file is called.
+        name: String,
+        /// Its text.
         text: String,
-        /// In the order of their places.
+        /// At least one error, in the order of their places.
         diagnostics: Vec<Diagnostic>,
     },
 }
@@ -54,12 +61,17 @@ impl Written {
     }
 
     fn numeric(self) -> Result<Source, Refused> {
-        let Written { name, bytes, .. } = self;
-        let (checked, map) = numeric(&bytes, BOARD).map_err(Refused::Numeric)?;
+        let (checked, map) = match numeric(&self.bytes, BOARD) {
+            Ok(read) => read,
+            Err(faults) => {
+                let written = self;
+                return Err(Refused::Numeric { written, faults });
+            }
+        };
         Ok(Source {
-            name,
-            text: String::from_utf8_lossy(&bytes).into_owned(),
-            code: bytes,
+            name: self.name,
+            text: String::from_utf8_lossy(&self.bytes).into_owned(),
+            code: self.bytes,
             language: Language::Numeric,
             size: Size::of(checked.program()),
             map,
@@ -74,7 +86,11 @@ impl Written {
         let code = compiled.file();
         let diagnostics = compiled.diagnostics;
         let (Some(code), Some((checked, map))) = (code, compiled.program) else {
-            return Err(Refused::Il { text, diagnostics });
+            return Err(Refused::Il {
+                name: self.name,
+                text,
+                diagnostics,
+            });
         };
         Ok(Source {
             name: self.name,

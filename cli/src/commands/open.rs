@@ -70,33 +70,37 @@ pub enum Shown {
 /// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
 pub fn open(path: &Path, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>> {
     let ProgramFile { name, bytes } = read(path)?;
-    check_written(Written::new(name, bytes), il, shown)
+    Ok(check_written(Written::new(name, bytes), il, shown))
 }
 
 /// Checks a program that was read; see [`open`].
-pub fn check_written(written: Written, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>> {
-    let (name, bytes) = (written.name.clone(), written.bytes.clone());
+pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> {
     match written.check(il.dialect) {
         Ok(source) => {
             if let Language::Il { warnings, .. } = &source.language {
-                let (text, lang) = (&source.text, il.lang());
-                eprint!("{}", lang::show(&name, text, warnings, lang, &renderer()));
+                let Source { name, text, .. } = &source;
+                let shown = lang::show(name, text, warnings, il.lang(), &renderer());
+                eprint!("{shown}");
             }
-            Ok(Some(source))
+            Some(source)
         }
-        Err(Refused::Numeric(faults)) => {
-            let shown = diagnosis::show(&name, &bytes, &faults, &renderer());
-            println!("{shown}");
-            Ok(None)
+        Err(Refused::Numeric { written, faults }) => {
+            let Written { name, bytes, .. } = &written;
+            println!("{}", diagnosis::show(name, bytes, &faults, &renderer()));
+            None
         }
-        Err(Refused::Il { text, diagnostics }) => {
+        Err(Refused::Il {
+            name,
+            text,
+            diagnostics,
+        }) => {
             let all = lang::show(&name, &text, &diagnostics, il.lang(), &renderer());
             let count = count(&diagnostics, il.lang());
             match shown {
                 Shown::Here => println!("{all}{name}: {count}"),
                 Shown::Beside => eprintln!("{all}{name}: {count}"),
             }
-            Ok(None)
+            None
         }
     }
 }
