@@ -10,7 +10,10 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis};
-use unoclp_host_sim::scenario::{self, Cell, Engine, Outcome, Refusal, Scenario, Verdict};
+use unoclp_host_sim::scenario::{
+    self, Cell, Engine, Outcome, ProgramFile, Refusal, Scenario, Verdict,
+};
+use unoclp_source::Written;
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
@@ -156,8 +159,8 @@ fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
         "\n{}\n\nThe program on the card says of itself:",
         scenario.about()
     );
-    for line in opening(&scenario.program().bytes).lines() {
-        println!("  {line}");
+    for line in opening(scenario.program()) {
+        println!("{}", format!("   {line}").trim_end());
     }
     let mut show = Show {
         engine,
@@ -194,12 +197,11 @@ fn state(uno: &mut Uno) -> Option<String> {
     Some(String::from_utf8_lossy(bytes).trim_end().to_owned())
 }
 
-/// The comment at the head of a program, up to its first code.
-fn opening(program: &[u8]) -> String {
-    let text = String::from_utf8_lossy(program);
-    let comment = |line: &str| line.trim().strip_prefix('/').map(str::to_owned);
-    let lines: Vec<String> = text.lines().map_while(comment).collect();
-    lines.join("\n")
+/// The comment at the head of a program. Of one that has faults the board itself tells them.
+fn opening(program: &ProgramFile) -> Vec<String> {
+    let written = Written::new(program.name.clone(), program.bytes.clone());
+    let source = written.check(None).ok();
+    source.map_or_else(Vec::new, |source| source.map.title)
 }
 
 /// The engine, with everything that changes told as it comes.
