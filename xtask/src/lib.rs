@@ -16,3 +16,4 @@ pub mod setup;
 pub mod shell;
 pub mod test;
 pub mod toolchain;
+pub mod wasm;

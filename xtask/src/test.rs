@@ -8,7 +8,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 
 use crate::shell::{self, cargo, say};
-use crate::{demo, firmware, setup};
+use crate::{demo, firmware, setup, wasm};
 
 /// Sets up, and takes one step after the other until one fails. The last line says how many tests
 /// have passed.
@@ -36,6 +36,7 @@ pub fn run() -> Result<()> {
         doc.args(["doc", "--no-deps"]).args(HOST);
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
+    step("libraries for WebAssembly", || wasm::check(&toolchain))?;
     let mut sum = step("tests on the PC", || {
         let mut test = cargo();
         test.arg("test")

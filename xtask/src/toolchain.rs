@@ -1,9 +1,9 @@
-//! The Rust that compiles for AVR.
+//! The Rust that compiles for AVR and WebAssembly.
 //!
 //! `avr-none` comes without a compiled `core`: cargo builds it (`-Z build-std`) from the source
 //! that must be of the compiler's own version. rustup brings it as the component `rust-src`,
 //! which `rust-toolchain.toml` asks for; Debian has a newer Rust whose source is a package, and it
-//! stands beside rustup's in `/usr/bin`.
+//! stands beside rustup's in `/usr/bin`. The same compiles for WebAssembly where rustup has no such target.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -76,6 +76,26 @@ impl Toolchain {
             "-Zbuild-std=core",
             "--target=avr-none",
         ]);
+        command
+    }
+
+    /// A cargo command for `wasm32-unknown-unknown`: of the active toolchain where rustup has the target, else of
+    /// this one, with `std` built from source.
+    pub fn cargo_for_wasm(&self, subcommand: &str) -> Command {
+        const TARGET: &str = "wasm32-unknown-unknown";
+        let sysroot = shell::output(Toolchain::Active.rustc().args(["--print", "sysroot"]));
+        let installed = |sysroot: String| Path::new(&sysroot).join("lib/rustlib").join(TARGET);
+        let is_installed = sysroot.map(installed).is_some_and(|folder| folder.is_dir());
+        let mut command = match is_installed {
+            true => Toolchain::Active.bare_cargo(subcommand),
+            false => self.bare_cargo(subcommand),
+        };
+        command.args([subcommand, "--target", TARGET]);
+        if !is_installed {
+            command
+                .env("RUSTC_BOOTSTRAP", "1")
+                .arg("-Zbuild-std=std,panic_abort");
+        }
         command
     }
 
