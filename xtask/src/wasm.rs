@@ -10,6 +10,7 @@ use crate::toolchain::Toolchain;
 
 /// What a page needs: none of it knows a port, a thread, a terminal or a file.
 const CRATES: &[&str] = &[
+    "unoclp-board",
     "unoclp-card",
     "unoclp-checked",
     "unoclp-core",

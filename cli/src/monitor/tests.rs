@@ -463,7 +463,7 @@ fn a_fault_of_the_running_program_names_the_line_of_the_text() {
     let program = source("loop.il", text);
     let jump = program.map.steps.last().unwrap().codes.clone();
     assert_ne!(jump, 5..=5);
-    let kept = Kept::of(&program.code).unwrap();
+    let kept = Kept::of(program.program());
     let mut app = app(Some(Program::new(program)));
     let mut shown = |kept, number| {
         let mut reading = reading();

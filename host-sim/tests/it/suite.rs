@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::isa::Opcode;
-use unoclp_host_sim::engine::{HostEngine, Machine};
+use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Scenario, Verdict, check};
 
 /// The scenario files in a folder and in all folders below it, in the order of their names.
@@ -57,8 +57,8 @@ fn every_instruction_has_a_scenario() {
     for path in scenarios(&suite) {
         let scenario = Scenario::load(&path).unwrap();
         // Of programs that are refused nothing is run.
-        if let Ok(machine) = Machine::load(&scenario.program().bytes) {
-            seen.extend(machine.plc().steps().map(|step| step.opcode));
+        if let Ok(checked) = unoclp_source::load(&scenario.program().bytes) {
+            seen.extend(checked.program().steps().map(|step| step.opcode));
         }
     }
     let missing: Vec<&Opcode> = Opcode::ALL.iter().filter(|o| !seen.contains(o)).collect();

@@ -32,7 +32,7 @@ struct Row {
 /// The table of codes, as the page has it.
 fn page() -> &'static [Row] {
     static PAGE: LazyLock<Vec<Row>> = LazyLock::new(|| {
-        let text = include_str!("../../../docs/numeric-code.md");
+        let text = include_str!("../../../../docs/numeric-code.md");
         let (_, rest) = text.split_once("<!-- isa:begin -->").unwrap();
         let (table, _) = rest.split_once("<!-- isa:end -->").unwrap();
         let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
