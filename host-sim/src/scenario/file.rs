@@ -83,7 +83,7 @@ fn line_of(source: &str, byte: usize) -> usize {
 struct FileKeys {
     about: String,
     program: Option<Spanned<String>>,
-    text: Option<Spanned<String>>,
+    text: Option<Spanned<TextKey>>,
     start_ms: Option<Spanned<Millis>>,
     scan_ms: Option<Spanned<Millis>>,
     until: Option<Spanned<Millis>>,
@@ -91,6 +91,32 @@ struct FileKeys {
     stops: Option<Spanned<StopKeys>>,
     #[serde(default)]
     step: Vec<Spanned<StepKeys>>,
+}
+
+/// The value of `text`: all of it, or one part after the other.
+#[derive(Deserialize)]
+#[serde(
+    untagged,
+    expecting = "`text` must be a text, or a list of texts and repeated texts"
+)]
+enum TextKey {
+    Whole(String),
+    Parts(Vec<TextPart>),
+}
+
+/// A part of a text: as it stands, or `{ repeat = 3, text = "…" }`.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum TextPart {
+    Once(String),
+    Repeated(Repeated),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Repeated {
+    repeat: usize,
+    text: String,
 }
 
 /// The keys of `fault`.
@@ -140,7 +166,7 @@ fn read(name: &str, source: &str, folder: &Path) -> Result<Scenario, Wrong> {
         (Some(path), None) => program_file(path, folder)?,
         (None, Some(text)) => ProgramFile {
             name: format!("the text in {name}"),
-            bytes: text.get_ref().clone().into_bytes(),
+            bytes: program_text(text)?,
         },
         (Some(_), Some(text)) => {
             let what = "`program` and `text` both give a program; keep one of them";
@@ -161,6 +187,32 @@ fn read(name: &str, source: &str, folder: &Path) -> Result<Scenario, Wrong> {
         program,
         goal,
     })
+}
+
+/// The longest text that a scenario may describe by its parts, in bytes.
+const LONGEST_TEXT: usize = 1 << 20;
+
+/// The bytes of a text, with its repeated parts written out.
+fn program_text(key: &Spanned<TextKey>) -> Result<Vec<u8>, Wrong> {
+    let parts = match key.get_ref() {
+        TextKey::Whole(text) => return Ok(text.clone().into_bytes()),
+        TextKey::Parts(parts) => parts,
+    };
+    let mut bytes = Vec::new();
+    for part in parts {
+        let (times, text) = match part {
+            TextPart::Once(text) => (1, text),
+            TextPart::Repeated(Repeated { repeat, text }) => (*repeat, text),
+        };
+        let length = text.len().checked_mul(times);
+        let room = LONGEST_TEXT - bytes.len();
+        if length.is_none_or(|length| length > room) {
+            let what = format!("`text` comes to more than {LONGEST_TEXT} bytes");
+            return Err(wrong(Some(key.span()), what));
+        }
+        bytes.extend(text.as_bytes().repeat(times));
+    }
+    Ok(bytes)
 }
 
 fn program_file(path: &Spanned<String>, folder: &Path) -> Result<ProgramFile, Wrong> {

@@ -118,8 +118,8 @@ fn files_that_are_missing_are_named() {
 
 #[test]
 fn the_program_is_named_relative_to_the_scenario() {
-    file("follow.txt", "0\n827301\n877901\n");
-    let source = "about = \"\"\nprogram = \"follow.txt\"\nuntil = 3\n";
+    file("relative.txt", "0\n827301\n877901\n");
+    let source = "about = \"\"\nprogram = \"relative.txt\"\nuntil = 3\n";
     let scenario = load("relative.toml", source);
     assert_eq!(scenario.program().bytes, b"0\n827301\n877901\n");
     assert_eq!(scenario.about(), "");
@@ -239,4 +239,31 @@ fn a_run_may_end_in_a_fault() {
         report.verdict.to_string(),
         format!("FAIL\n  expected at 2 ms {fault}\n  but the program ran on")
     );
+}
+
+#[test]
+fn a_text_may_be_given_by_its_parts() {
+    let source = |text: &str| format!("about = \"\"\ntext = {text}\nfault = {{ number = 24 }}\n");
+    let path = file(
+        "parts.toml",
+        &source(r#"["0\n", { repeat = 3, text = "40\n" }, { repeat = 0, text = "5" }, "41\n"]"#),
+    );
+    let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scenario.program().bytes, b"0\n40\n40\n40\n41\n");
+
+    let kind = "`text` must be a text, or a list of texts and repeated texts";
+    #[rustfmt::skip]
+    let cases = [
+        ("5", kind),
+        (r#"["0\n", 5]"#, kind),
+        (r#"[{ repeat = -1, text = "" }]"#, kind),
+        (r#"[{ repeat = 1, text = "", line = 3 }]"#, kind),
+        (r#"["0\n", { repeat = 1048575, text = "\n" }]"#, "`text` comes to more than 1048576 bytes"),
+        (r#"[{ repeat = 9223372036854775807, text = "123" }]"#, "`text` comes to more than 1048576 bytes"),
+    ];
+    for (index, (text, message)) in cases.into_iter().enumerate() {
+        let path = file(&format!("wrong-parts-{index}.toml"), &source(text));
+        let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
+        assert_eq!(told, format!("{}:2: {message}", path.display()), "{text}");
+    }
 }
