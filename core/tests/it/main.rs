@@ -1,0 +1,7 @@
+//! The loader, the instructions and the documents, from outside.
+
+mod documents;
+mod isa;
+mod loader;
+mod stored;
+mod timers;

@@ -1,0 +1,79 @@
+//! What the tests share: random numbers, and a board that runs what has been compiled.
+
+use unoclp_core::{Image, Inputs, Loader, Plc, Profile};
+use unoclp_lang::{Compiled, Options, compile};
+
+/// SplitMix64 (Steele, Lea and Flood, 2014).
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let z = self.0;
+        let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    pub fn below(&mut self, limit: usize) -> usize {
+        ((u128::from(self.bits()) * limit as u128) >> 64) as usize
+    }
+
+    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
+        from[self.below(from.len())]
+    }
+
+    pub fn percent(&mut self, cases: usize) -> bool {
+        self.below(100) < cases
+    }
+}
+
+/// A board with more memory than any, so that size decides nothing.
+pub const LARGE: Profile = Profile {
+    inputs: 8,
+    outputs: 4,
+    stored_bytes: 60_000,
+    linked_bytes: 60_000,
+};
+
+pub fn large() -> Options {
+    Options {
+        dialect: None,
+        board: LARGE,
+    }
+}
+
+/// Compiles a text that must be a program.
+pub fn program(text: &str, options: &Options) -> Compiled {
+    let compiled = compile(text, options);
+    assert!(
+        !compiled.has_errors(),
+        "{text}\n{:#?}",
+        compiled.diagnostics
+    );
+    compiled
+}
+
+/// The program in this memory.
+pub fn plc<'m>(file: &str, memory: &'m mut [u8], board: Profile) -> Plc<'m> {
+    let mut loader = Loader::new(memory, board);
+    for byte in file.bytes() {
+        loader
+            .push(byte)
+            .unwrap_or_else(|fault| panic!("{fault}\n{file}"));
+    }
+    Plc::new(
+        loader
+            .finish()
+            .unwrap_or_else(|fault| panic!("{fault}\n{file}")),
+    )
+}
+
+/// Inputs as bits, and analogue readings.
+pub fn inputs(points: u8, analogue: [u16; 5]) -> Inputs {
+    Inputs {
+        points: Image(points.into()),
+        analogue,
+        scan_time: 0,
+    }
+}

@@ -1,0 +1,79 @@
+//! What the tests share: a device that writes down what is asked of it, and an oracle.
+
+pub mod oracle;
+pub mod random;
+pub mod recorder;
+pub mod uno;
+
+use unoclp_modbus::{Answer, Device, FRAME_BYTES, Frame, begin};
+
+/// What stands in the frame behind the request: nothing may depend on it.
+pub const LEFTOVER: u8 = 0xA5;
+
+/// A request as it stands in the frame.
+pub fn frame(request: &[u8]) -> Frame {
+    let mut frame = [LEFTOVER; FRAME_BYTES];
+    frame[..request.len()].copy_from_slice(request);
+    frame
+}
+
+/// Answers a request, with slices of `most`. `scan` stands between two slices.
+pub fn answer_scanning<D: Device>(
+    device: &mut D,
+    request: &[u8],
+    most: u8,
+    mut scan: impl FnMut(&mut D),
+) -> Option<Vec<u8>> {
+    let mut frame = frame(request);
+    let length = match begin(&mut frame, request.len() as u8, device) {
+        Answer::Silence => 0,
+        Answer::Ready(length) => length,
+        Answer::Filling(mut exchange) => {
+            let mut slices = 0;
+            loop {
+                scan(device);
+                if let Some(length) = exchange.fill(&mut frame, device, most) {
+                    break length;
+                }
+                slices += 1;
+                assert!(slices < 300, "no end: {request:02x?}, {most}");
+            }
+        }
+    };
+    (length > 0).then(|| frame[..length.into()].to_vec())
+}
+
+/// Answers a request in one go.
+pub fn answer(device: &mut impl Device, request: &[u8]) -> Option<Vec<u8>> {
+    answer_scanning(device, request, u8::MAX, |_| ())
+}
+
+/// The bytes of `01 03 00*2`, which are 1, 3, 0, 0.
+pub fn bytes(hex: &str) -> Vec<u8> {
+    let some = |text: &str| {
+        let (byte, times) = text.split_once('*').unwrap_or((text, "1"));
+        vec![u8::from_str_radix(byte, 16).expect(text); times.parse().expect(text)]
+    };
+    hex.split_whitespace().flat_map(some).collect()
+}
+
+/// Address, function and words of a request.
+pub fn request(server: u8, function: u8, words: [u16; 2]) -> Vec<u8> {
+    let mut request = vec![server, function];
+    request.extend(words.into_iter().flat_map(u16::to_be_bytes));
+    request
+}
+
+/// A write of several, sound as far as its quantity lets it be: of so many words or bits, as many data as
+/// fit one frame.
+pub fn write(server: u8, function: u8, first: u16, count: u16) -> Vec<u8> {
+    let needed = match function {
+        15 => usize::from(count).div_ceil(8),
+        _ => usize::from(count) * 2,
+    };
+    let present = needed.min(246);
+    let mut request = request(server, function, [first, count]);
+    request.push(needed as u8);
+    request.extend((0..present).map(|n| (n as u8).wrapping_mul(37) ^ first as u8));
+    request
+}

@@ -1,0 +1,12 @@
+//! The server, held against an oracle and against clients of others.
+
+mod boundaries;
+mod client;
+mod common;
+mod crc;
+mod frames;
+mod identification;
+mod mutation;
+mod page;
+mod requests;
+mod slices;

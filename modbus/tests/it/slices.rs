@@ -1,0 +1,124 @@
+//! An exchange in slices: the same reply whatever their size, none longer than allowed, no pair torn.
+
+use crate::common::oracle::oracle;
+use crate::common::recorder::{Call, Recorder};
+use crate::common::{answer_scanning, request, write};
+
+/// Reads and writes of many lengths, from even and from odd addresses.
+fn requests() -> Vec<Vec<u8>> {
+    let mut requests = vec![];
+    for first in [0x1000, 0xFF85] {
+        for count in [1, 2, 3, 4, 5, 8, 9, 16, 17, 31, 64, 122, 123] {
+            requests.extend([3, 4].map(|function| request(1, function, [first, count])));
+            requests.push(write(1, 16, first, count));
+            requests.push(write(0, 16, first, count));
+        }
+    }
+    for first in [0x1000, 0x1001] {
+        for count in [1, 2, 7, 8, 9, 15, 16, 17, 100, 1967, 1968] {
+            requests.extend([1, 2].map(|function| request(1, function, [first, count])));
+            requests.push(write(1, 15, first, count));
+        }
+        requests.push(request(1, 1, [first, 2000]));
+        requests.push(request(1, 3, [first, 125]));
+        requests.push(request(1, 5, [first, 0xFF00]));
+        requests.push(request(1, 6, [first, 77]));
+    }
+    requests
+}
+
+/// The calls of each slice.
+fn slices(request: &[u8], most: u8) -> Vec<Vec<Call>> {
+    let mut device = Recorder::default();
+    let reply = answer_scanning(&mut device, request, most, Recorder::scan);
+    let (expected, writes) = oracle(request);
+    assert_eq!(reply, expected, "{request:02x?}, {most}");
+    assert_eq!(device.writes(), writes, "{request:02x?}, {most}");
+    let calls = device.calls();
+    let mut slices = calls.split(|call| *call == Call::Scan);
+    assert_eq!(slices.next(), Some(&[][..]), "before the first slice");
+    slices.map(<[Call]>::to_vec).collect()
+}
+
+fn count(calls: &[Call], which: fn(&Call) -> bool) -> usize {
+    calls.iter().filter(|call| which(call)).count()
+}
+
+#[test]
+fn slices_of_every_size_give_the_same_reply_and_none_is_longer() {
+    for request in requests() {
+        for most in 0..=255 {
+            let bits = 8 * usize::from(most.max(1));
+            let words = usize::from(most.max(2));
+            for calls in slices(&request, most) {
+                let of_bits = count(&calls, |call| {
+                    matches!(call, Call::Bit(_) | Call::SetBit(..))
+                });
+                let reads = count(&calls, |call| matches!(call, Call::Word(_)));
+                let checks = count(&calls, |call| matches!(call, Call::Check(_)));
+                let writes = count(&calls, |call| matches!(call, Call::SetWord(..)));
+                assert!(of_bits <= bits, "{request:02x?}, {most}");
+                for number in [reads, checks, writes] {
+                    assert!(number <= words, "{request:02x?}, {most}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_slice_does_as_much_as_it_may() {
+    let slices_of = |request: &[u8], most| slices(request, most).len();
+    assert_eq!(slices_of(&request(1, 3, [0x1000, 125]), 16), 8);
+    assert_eq!(slices_of(&request(1, 3, [0x1000, 16]), 16), 1);
+    // The first ends before an even address.
+    assert_eq!(slices_of(&request(1, 3, [0x1001, 16]), 16), 2);
+    assert_eq!(slices_of(&request(1, 3, [0x1001, 15]), 16), 1);
+    assert_eq!(slices_of(&request(1, 1, [0x1001, 2000]), 10), 25);
+    assert_eq!(slices_of(&write(1, 15, 0x1001, 1968), 82), 3);
+    // Checked in two slices; the second of them writes 10.
+    assert_eq!(slices_of(&write(1, 16, 0x1000, 20), 10), 3);
+}
+
+#[test]
+fn no_value_of_two_words_is_torn() {
+    let address = |call: &Call| match *call {
+        Call::Word(address) | Call::SetWord(address, _) => Some(address),
+        _ => None,
+    };
+    for request in requests() {
+        for most in (0..=20).chain([61, 62, 63, 122, 123, 124, 255]) {
+            let slices = slices(&request, most);
+            let addresses: Vec<Vec<u16>> = slices
+                .iter()
+                .map(|calls| calls.iter().filter_map(address).collect())
+                .filter(|addresses: &Vec<u16>| !addresses.is_empty())
+                .collect();
+            for pair in addresses.windows(2) {
+                let [last, next] = [pair[0].last(), pair[1].first()].map(Option::unwrap);
+                assert_eq!(last + 1, *next);
+                assert!(next.is_multiple_of(2), "{request:02x?}, {most}: {next:#x}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_fits_one_slice_is_checked_and_written_in_one() {
+    for words in [1, 2, 10] {
+        let slices = slices(&write(1, 16, 0x1000, words), 10);
+        assert_eq!(slices.len(), 1);
+        assert_eq!(slices[0].len(), 2 * usize::from(words));
+    }
+}
+
+/// Between two slices the device may have changed its mind; only the check counts.
+#[test]
+fn all_words_are_checked_before_the_first_is_written() {
+    let calls = slices(&write(1, 16, 0x1001, 123), 4).concat();
+    let first_write = calls
+        .iter()
+        .position(|call| matches!(call, Call::SetWord(..)));
+    assert_eq!(first_write, Some(123));
+    assert_eq!(calls.len(), 2 * 123);
+}

@@ -1,0 +1,93 @@
+//! Random programs on the core and on the firmware, compared after every scan.
+
+use crate::common;
+use unoclp_core::isa::{MARKERS, REGISTERS};
+use unoclp_core::{Image, Inputs};
+use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::random::{Random, random_inputs, random_program};
+use unoclp_host_sim::scenario::{Cell, Engine};
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+
+const PROGRAMS: u64 = 600;
+const SCANS: u32 = 120;
+/// Set `UNOCLP_SEED` to repeat a run, or to make another one.
+const SEED: u64 = 0x0C19;
+
+#[test]
+fn random_programs_behave_alike() {
+    let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
+    let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
+    let (mut scans, mut changes, mut faults) = (0u64, 0u64, 0u64);
+    for n in 0..PROGRAMS {
+        let seed = seed.wrapping_add(n);
+        let random = &mut Random::new(seed);
+        let program = random_program(random);
+        let mut host = HostEngine::default();
+        let Ok(accepted) = host.load(program.as_bytes());
+        assert_eq!(accepted, Ok(()), "seed {seed} on the host:\n{program}");
+        let accepted = uno
+            .load(program.as_bytes())
+            .unwrap_or_else(|e| panic!("seed {seed}: {e}"));
+        assert_eq!(accepted, Ok(()), "seed {seed} on the firmware:\n{program}");
+
+        let needs = host.machine().map(|machine| machine.plc().needs()).unwrap();
+
+        // Start close to the wrap of the clock in one of four programs.
+        let mut now = if random.percent(25) {
+            u32::MAX - random.below(500)
+        } else {
+            random.below(u32::MAX)
+        };
+        let (mut inputs, mut before) = (Inputs::default(), Ok(Image::default()));
+        let mut memory_before = Vec::new();
+        for scan in 0..SCANS {
+            inputs = random_inputs(random, needs, inputs);
+            now = now.wrapping_add(random.below(20));
+            let Ok(expected) = host.scan(&inputs, now);
+            let came = uno
+                .scan(&inputs, now)
+                .unwrap_or_else(|e| panic!("seed {seed}: {e}"));
+            assert_eq!(
+                came, expected,
+                "seed {seed}, scan {scan}, clock {now}:\n{program}"
+            );
+            changes += u64::from(came != before);
+            before = came;
+            scans += 1;
+            if came.is_err() {
+                faults += 1;
+                break;
+            }
+            let mut memory = Vec::new();
+            for cell in (1..=MARKERS)
+                .map(Cell::Marker)
+                .chain((1..=REGISTERS).map(Cell::Register))
+            {
+                let Ok(expected) = host.look(cell);
+                let came = uno.look(cell).unwrap();
+                assert_eq!(
+                    came, expected,
+                    "seed {seed}, scan {scan}, {cell:?}:\n{program}"
+                );
+                memory.push(came);
+            }
+            changes += u64::from(memory != memory_before);
+            memory_before = memory;
+            for output in [1, 4] {
+                let Ok(expected) = host.pwm(output);
+                let came = uno.pwm(output).unwrap();
+                assert_eq!(
+                    came, expected,
+                    "seed {seed}, scan {scan}, PWM {output}:\n{program}"
+                );
+            }
+        }
+    }
+    println!(
+        "{PROGRAMS} random programs, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
+    );
+    assert!(
+        changes > scans / 20,
+        "the programs do too little to be compared: {changes}"
+    );
+}

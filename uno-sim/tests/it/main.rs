@@ -1,0 +1,33 @@
+//! The firmware's ELF on the simulated UNO.
+
+mod analogue;
+mod arithmetic;
+mod cards;
+mod clients;
+mod common;
+mod diagnosis;
+mod fault_matrix;
+mod lockstep;
+mod modbus;
+mod modbus_boundaries;
+mod modbus_data;
+mod modbus_frames;
+mod modbus_line;
+mod modbus_upload;
+mod monitor;
+mod program_memory;
+mod retentive;
+mod sd_driver;
+mod sd_protocol;
+mod sd_write;
+mod serve;
+mod soak;
+mod stack;
+mod start_up;
+mod state;
+mod state_power;
+mod state_refused;
+mod state_scans;
+mod stop;
+mod suite;
+mod watchdog;

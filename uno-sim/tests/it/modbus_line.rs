@@ -1,0 +1,326 @@
+//! The Modbus server on the line: silence where a frame is not for it, settings, direction, and how long scans
+//! grow.
+
+use crate::common;
+use crate::common::modbus::{
+    ask, exchange, input, serving, to_serving, with_crc, words, write, write_words,
+};
+use crate::common::{card, ms_until, to_run};
+use unoclp_modbus::eeprom::settings;
+use unoclp_uno_sim::{CYCLES_PER_MS, Flaw, Line, Parity, Slot, Uno};
+
+const TEXT: &str = "0\n827301\n827302\n877901\n";
+const STOP: u16 = 2;
+const RESTART: u16 = 4;
+/// State, 1 word.
+const GOOD: [u8; 6] = [1, 4, 0, 16, 0, 1];
+
+fn running() -> Uno {
+    serving(TEXT)
+}
+
+fn assert_answers(uno: &mut Uno, case: &str) {
+    assert_eq!(ask(uno, &GOOD), Some(vec![1, 4, 2, 0, 1]), "{case}");
+}
+
+#[test]
+fn what_is_wrong_gets_silence() {
+    let mut uno = running();
+    let whole = with_crc(&GOOD);
+    for byte in 0..whole.len() {
+        for bit in 0..8 {
+            let mut wrong = whole.clone();
+            wrong[byte] ^= 1 << bit;
+            assert_eq!(exchange(&mut uno, &wrong, 4), None, "{byte} {bit}");
+        }
+    }
+    for server in 2..=255 {
+        let frame = [&[server], &GOOD[1..]].concat();
+        assert_eq!(exchange(&mut uno, &with_crc(&frame), 4), None, "{server}");
+    }
+    for length in 1..whole.len() {
+        assert_eq!(exchange(&mut uno, &whole[..length], 4), None, "{length}");
+    }
+    assert_eq!(
+        exchange(&mut uno, &[whole.clone(), vec![1]].concat(), 4),
+        None
+    );
+    assert_eq!(exchange(&mut uno, &[vec![0; 300], whole].concat(), 4), None);
+    // A check sum that is right, and no function.
+    assert_eq!(exchange(&mut uno, &with_crc(&[1]), 4), None);
+    assert_answers(&mut uno, "after all that");
+}
+
+#[test]
+fn a_flaw_in_one_byte_gets_silence() {
+    let mut uno = running();
+    let whole = with_crc(&GOOD);
+    for flawed in 0..whole.len() {
+        uno.send_serial(&whole[..flawed]);
+        uno.send_serial_flawed(&whole[flawed..=flawed], Flaw::Framing);
+        assert_eq!(
+            exchange(&mut uno, &whole[flawed + 1..], 4),
+            None,
+            "{flawed}"
+        );
+        assert_answers(&mut uno, "after a flaw");
+    }
+}
+
+#[test]
+fn a_frame_ends_with_silence_and_goes_on_without() {
+    let mut uno = running();
+    let whole = with_crc(&GOOD);
+    for (gap_us, answered) in [(0, true), (900, true), (2200, false)] {
+        let end = uno.send_serial(&whole[..3]);
+        let at = end + gap_us * CYCLES_PER_MS / 1000;
+        uno.send_serial_at(at, &whole[3..]);
+        uno.run_cycles(at - uno.cycles()).unwrap();
+        let reply = exchange(&mut uno, &[], 8);
+        assert_eq!(reply.is_some(), answered, "{gap_us} us");
+    }
+    // Two frames with silence between them: the first is foreign, and does not spoil the second.
+    let foreign = with_crc(&[9, 4, 0, 16, 0, 1]);
+    let end = uno.send_serial(&foreign);
+    let at = end + 2 * CYCLES_PER_MS;
+    uno.send_serial_at(at, &whole);
+    uno.run_cycles(at - uno.cycles()).unwrap();
+    assert!(exchange(&mut uno, &[], 8).is_some());
+}
+
+#[test]
+fn a_frame_of_the_longest_length_is_answered() {
+    let mut uno = running();
+    let longest = |length: usize| {
+        let mut frame = vec![0; length - 2];
+        frame[..2].copy_from_slice(&[1, 0x64]);
+        with_crc(&frame)
+    };
+    assert_eq!(exchange(&mut uno, &longest(255), 8), Some(vec![1, 0xE4, 1]));
+    assert_eq!(exchange(&mut uno, &longest(256), 8), None);
+    assert_answers(&mut uno, "after one that is too long");
+}
+
+/// Sets the board to this, and restarts it.
+fn set(uno: &mut Uno, settings: [u16; 4]) {
+    write(uno, 400, STOP).unwrap();
+    write_words(uno, 410, &settings).unwrap();
+    assert_eq!(words(uno, 3, 410, 4), settings);
+    write(uno, 400, RESTART).unwrap();
+    let parity = [Parity::None, Parity::Even, Parity::Odd][usize::from(settings[2])];
+    uno.set_serial_line(Line {
+        baud: u32::from(settings[1]) * 100,
+        parity,
+    });
+    to_run(uno);
+    uno.run_ms(20).unwrap();
+    uno.take_serial_log();
+}
+
+#[test]
+fn each_rate_and_parity() {
+    for rate in [24, 48, 96, 192, 288, 384, 576, 1152] {
+        for parity in 0..=2 {
+            let mut uno = running();
+            set(&mut uno, [1, rate, parity, 0]);
+            let case = format!("{rate}00 baud, parity {parity}");
+            assert_answers(&mut uno, &case);
+            // What it sends is of that rate and form.
+            uno.send_serial(&with_crc(&GOOD));
+            uno.run_ms(150).unwrap();
+            let sent = uno.take_serial_log();
+            let expected = uno.serial_line();
+            assert_eq!(sent.len(), 7, "{case}");
+            let character = expected.cycles(1) as f64;
+            for byte in sent {
+                assert_eq!(byte.parity, expected.parity, "{case}");
+                let took = (byte.end - byte.start) as f64;
+                assert!((took / character - 1.0).abs() < 0.022, "{case}: {took}");
+            }
+            if parity > 0 {
+                uno.send_serial_flawed(&with_crc(&GOOD)[..1], Flaw::Parity);
+                assert_eq!(exchange(&mut uno, &with_crc(&GOOD)[1..], 8), None, "{case}");
+                assert_answers(&mut uno, &case);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_address_is_kept_and_the_way_back_is_the_switch_and_all_inputs() {
+    let mut uno = running();
+    set(&mut uno, [247, 1152, 0, 0]);
+    assert_eq!(exchange(&mut uno, &with_crc(&GOOD), 8), None);
+    let other = [&[247], &GOOD[1..]].concat();
+    assert_eq!(ask(&mut uno, &other), Some(vec![247, 4, 2, 0, 1]));
+    uno.power_up();
+    to_serving(&mut uno);
+    assert_eq!(ask(&mut uno, &other), Some(vec![247, 4, 2, 0, 1]));
+
+    // Not with three inputs alone.
+    for (inputs, back) in [(0b0111, false), (0b1111, true)] {
+        uno.set_stop(true);
+        uno.set_inputs(inputs);
+        uno.reset();
+        ms_until(&mut uno, &["STOP\r\n"]);
+        assert_eq!(ask(&mut uno, &GOOD).is_some(), back, "{inputs:04b}");
+    }
+    assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
+    write(&mut uno, 410, 1).unwrap();
+    uno.set_stop(false);
+    uno.reset();
+    to_serving(&mut uno);
+    assert_answers(&mut uno, "its own address again");
+}
+
+#[test]
+fn settings_are_checked_and_not_written_in_run() {
+    let mut uno = running();
+    assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
+    assert_eq!(write(&mut uno, 410, 2), Err(4));
+    write(&mut uno, 400, STOP).unwrap();
+    for (address, value) in [
+        (410, 0),
+        (410, 248),
+        (411, 23),
+        (411, 1153),
+        (412, 3),
+        (413, 2),
+    ] {
+        assert_eq!(write(&mut uno, address, value), Err(3), "{address} {value}");
+    }
+    assert_eq!(write_words(&mut uno, 410, &[2, 96, 1, 2]), Err(3));
+    assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
+    assert!(
+        uno.eeprom_writes()
+            .iter()
+            .all(|write| write.address < settings::FIRST)
+    );
+}
+
+/// Whichever byte is turned over, and wherever the power fails.
+#[test]
+fn damaged_settings_are_the_defaults() {
+    let mut uno = running();
+    set(&mut uno, [7, 96, 1, 0]);
+    let kept = uno.read_eeprom(settings::FIRST, settings::BYTES).unwrap();
+    for byte in 0..10 {
+        let mut uno = running();
+        uno.write_eeprom(settings::FIRST, &kept).unwrap();
+        uno.write_eeprom(settings::FIRST + byte, &[kept[usize::from(byte)] ^ 1])
+            .unwrap();
+        uno.power_up();
+        to_serving(&mut uno);
+        assert_answers(&mut uno, &format!("byte {byte}"));
+        assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
+    }
+    let firmware = common::firmware();
+    for ms in 0..12 {
+        let mut uno = Uno::with_program(firmware.clone(), Slot::Card(card(TEXT))).unwrap();
+        to_serving(&mut uno);
+        write(&mut uno, 400, STOP).unwrap();
+        uno.send_serial(&with_crc(&[1, 6, 1, 0x9C, 0, 1]));
+        uno.run_ms(3 + ms).unwrap();
+        uno.power_up();
+        to_serving(&mut uno);
+        let parity = words(&mut uno, 3, 412, 1)[0];
+        assert!(parity <= 1, "{ms} {parity}");
+    }
+}
+
+#[test]
+fn the_direction_pin_frames_the_reply() {
+    let mut uno = running();
+    assert_eq!(ask(&mut uno, &GOOD), Some(vec![1, 4, 2, 0, 1]));
+    assert!(!uno.direction());
+    set(&mut uno, [1, 192, 0, 1]);
+    // Not even for the text of the start.
+    let direction = |uno: &mut Uno| -> Vec<(bool, u64)> {
+        let edges = uno.take_edges().into_iter();
+        edges
+            .filter(|edge| edge.pin == unoclp_uno_sim::Pin::Direction)
+            .map(|edge| (edge.high, edge.cycle))
+            .collect()
+    };
+    assert_eq!(direction(&mut uno), []);
+    uno.send_serial(&with_crc(&GOOD));
+    uno.run_ms(20).unwrap();
+    let sent = uno.take_serial_log();
+    let [(true, on), (false, off)] = direction(&mut uno)[..] else {
+        panic!("the direction goes on and off once")
+    };
+    assert_eq!(sent.len(), 7);
+    assert!(on <= sent[0].start && sent[0].start - on < 200);
+    let late = off - sent[6].end;
+    assert!(off >= sent[6].end && late < 600, "{late}");
+    assert_answers(&mut uno, "with the direction pin");
+}
+
+/// The longest of so many scans, in cycles.
+fn longest(uno: &mut Uno, scans: u32) -> u64 {
+    let scan = uno.symbol("scan_begin").unwrap().address;
+    uno.run_until(scan, 1_000_000).unwrap();
+    let mut longest = 0;
+    for _ in 0..scans {
+        let begun = uno.cycles();
+        uno.run_until(scan, 1_000_000).unwrap();
+        longest = longest.max(uno.cycles() - begun);
+    }
+    longest
+}
+
+/// As much as a request can ask for, of a program with many timers: 60 of them fill its memory.
+#[test]
+fn no_scan_grows_by_more_than_300_us() {
+    let timers: String = (0..60)
+        .map(|n| format!("787600\n847978\n{}\n7901\n", 100_000 + n))
+        .collect();
+    let mut uno = serving(&format!("0\n{timers}"));
+    set(&mut uno, [1, 96, 0, 0]);
+    uno.run_ms(20).unwrap();
+    let idle = longest(&mut uno, 4_000);
+    let mut write_registers = vec![1, 16, 0, 0, 0, 64, 128];
+    write_registers.extend([7; 128]);
+    let requests: [(&[u8], usize); 14] = [
+        (&[1, 1, 0, 0, 0, 4], 1),
+        (&[1, 1, 0, 16, 0, 64], 8),
+        (&[1, 2, 0, 0, 0, 8], 1),
+        (&[1, 3, 0, 0, 0, 64], 128),
+        (&[1, 3, 0, 128, 0, 125], 250),
+        (&[1, 3, 1, 0x92, 0, 4], 8),
+        (&[1, 3, 1, 0x9A, 0, 4], 8),
+        (&[1, 4, 0, 0, 0, 5], 10),
+        (&[1, 4, 0, 16, 0, 17], 34),
+        (&[1, 4, 0, 128, 0, 125], 250),
+        (&[1, 15, 0, 16, 0, 64, 8, 1, 2, 3, 4, 5, 6, 7, 8], 3),
+        (&[1, 16, 1, 0x92, 0, 4, 8, 0, 1, 0, 1, 0, 1, 0, 1], 3),
+        (&write_registers, 3),
+        (&[1, 0x2B, 14, 1, 0], 20),
+    ];
+    for (request, data) in requests {
+        uno.send_serial(&with_crc(request));
+        let most = longest(&mut uno, 4_000);
+        println!("{request:02x?}: {idle} cycles idle, {most} at most");
+        assert!(most <= idle + 4800, "{request:02x?}: {idle} {most}");
+        let reply = uno.take_serial_log();
+        assert!(reply.len() >= data + 5, "{request:02x?}: {}", reply.len());
+        assert_eq!(reply[1].byte, request[1], "{request:02x?}");
+    }
+}
+
+/// Two contacts and a coil, with nothing on the serial port: 240 cycles at most.
+#[test]
+fn an_idle_server_costs_little() {
+    let mut uno = running();
+    let scan = uno.symbol("scan_begin").unwrap().address;
+    uno.run_until(scan, 1_000_000).unwrap();
+    let begun = uno.cycles();
+    let scans = 20_000;
+    for _ in 0..scans {
+        uno.run_until(scan, 1_000_000).unwrap();
+    }
+    let mean = (uno.cycles() - begun) / scans;
+    println!("{mean} cycles a scan");
+    assert!(mean <= 240, "{mean}");
+    assert_eq!(input(&mut uno, 16), 1);
+}

@@ -1,0 +1,269 @@
+//! A program that comes over Modbus in place of a card.
+
+use crate::common;
+use crate::common::modbus::{ask, bits, input, long, with_crc, words, write};
+use crate::common::{card, ms_until, to_run, uno};
+use unoclp_uno_sim::{Slot, Uno};
+
+/// Output 01 follows input 01.
+const OLD: &str = "0\n827301\n877901\n";
+/// Output 02 is on.
+const NEW: &str = "0\n877902\n";
+
+const RUN: u16 = 1;
+const STOP: u16 = 2;
+const FAULT: u16 = 3;
+const RESTART: u16 = 4;
+const UPLOAD: u16 = 5;
+
+fn stopped() -> Uno {
+    let mut uno = uno(Slot::Card(card(OLD)));
+    to_run(&mut uno);
+    write(&mut uno, 400, STOP).unwrap();
+    uno
+}
+
+/// A block of a text, as function 16 writes it.
+fn block(number: u8, text: &[u8]) -> Vec<u8> {
+    let mut data = vec![number, text.len() as u8];
+    data.extend(text);
+    data.resize(data.len().next_multiple_of(2), 0xEE);
+    let mut frame = vec![1, 16, 3, 0xE8, 0, data.len() as u8 / 2, data.len() as u8];
+    frame.extend(data);
+    frame
+}
+
+/// Sends a block.
+fn send(uno: &mut Uno, number: u8, text: &[u8]) -> Result<(), u8> {
+    let frame = block(number, text);
+    let reply = common::modbus::exchange(uno, &with_crc(&frame), 5000).expect("a reply");
+    if reply == frame[..6] {
+        Ok(())
+    } else {
+        assert_eq!(reply[..2], [1, 0x90]);
+        Err(reply[2])
+    }
+}
+
+/// Sends texts one after the other, in blocks of so many bytes.
+fn upload(uno: &mut Uno, texts: [&str; 2], bytes: usize) -> Result<(), u8> {
+    write(uno, 400, UPLOAD)?;
+    let mut number = 0u8;
+    for text in texts {
+        for part in text.as_bytes().chunks(bytes).chain([&[][..]]) {
+            assert_eq!(input(uno, 17) >> 3 & 1, 1);
+            send(uno, number, part)?;
+            number = number.wrapping_add(1);
+        }
+    }
+    Ok(())
+}
+
+/// The outcome in the diagnostics: whether an upload is under way, fault, line.
+fn outcome(uno: &mut Uno) -> (bool, u16, u32) {
+    let told = words(uno, 4, 17, 5);
+    (told[0] >> 3 & 1 == 1, told[1], long(&told[3..5]))
+}
+
+/// The board is in STOP with its old program.
+fn assert_old(uno: &mut Uno, case: &str) {
+    assert_eq!(input(uno, 16), STOP, "{case}");
+    write(uno, 400, RUN).unwrap();
+    for inputs in [1, 0] {
+        uno.set_inputs(inputs);
+        uno.run_ms(2).unwrap();
+        assert_eq!(uno.outputs(), inputs, "{case}");
+    }
+}
+
+#[test]
+fn a_program_is_checked_stored_and_run() {
+    for bytes in [1, 2, 7, 244] {
+        let mut uno = stopped();
+        upload(&mut uno, [NEW; 2], bytes).unwrap();
+        assert_eq!(outcome(&mut uno), (false, 0, 0));
+        assert_eq!((input(&mut uno, 16), input(&mut uno, 28)), (STOP, 1));
+        assert_eq!(bits(&mut uno, 1, 0, 4), 0);
+        write(&mut uno, 400, RUN).unwrap();
+        uno.run_ms(2).unwrap();
+        assert_eq!(uno.outputs(), 0b10);
+        // Without a card it is what runs.
+        uno.swap_slot(Slot::Empty);
+        uno.power_up();
+        to_run(&mut uno);
+        uno.run_ms(2).unwrap();
+        assert_eq!(uno.outputs(), 0b10);
+    }
+}
+
+#[test]
+fn the_largest_program_fits() {
+    let text = "0\n".to_owned() + &"827301\n".repeat(899) + "877904\n";
+    let mut uno = stopped();
+    upload(&mut uno, [&text; 2], 244).unwrap();
+    assert_eq!(input(&mut uno, 28), 900);
+    uno.set_inputs(1);
+    write(&mut uno, 400, RUN).unwrap();
+    // It begins anew out of the EEPROM.
+    uno.run_ms(60).unwrap();
+    assert_eq!(uno.outputs(), 0b1000);
+    assert!(uno.stack_free() > 0);
+}
+
+#[test]
+fn faults_are_those_of_a_card_and_the_old_program_stays() {
+    for (text, fault, line) in [
+        ("", 21, 0),
+        ("877902\n", 22, 1),
+        ("0\n\n/ comment\n877905\n", 26, 4),
+        ("0\n40\n827301\n", 32, 2),
+        ("0\n827301\n847978\n500\n", 35, 3),
+        ("0\r827301", 13, 1),
+        ("0\n877902\r", 13, 2),
+    ] {
+        let mut card_uno = uno(Slot::Card(card(text)));
+        ms_until(&mut card_uno, &["fault "]);
+        card_uno.run_ms(20).unwrap();
+        assert_eq!(outcome(&mut card_uno), (false, fault, line), "{text:?}");
+
+        let mut uno = stopped();
+        assert_eq!(upload(&mut uno, [text; 2], 5), Err(4), "{text:?}");
+        assert_eq!(outcome(&mut uno), (false, fault, line), "{text:?}");
+        assert_eq!(send(&mut uno, 0, b"0"), Err(4));
+        assert_old(&mut uno, text);
+        assert_eq!(input(&mut uno, 18), fault);
+    }
+}
+
+#[test]
+fn another_text_the_second_time_is_a_fault() {
+    let mut uno = stopped();
+    assert_eq!(upload(&mut uno, [NEW, OLD], 50), Err(4));
+    assert_eq!(outcome(&mut uno), (false, 57, 0));
+    assert_old(&mut uno, "another text");
+}
+
+#[test]
+fn blocks_are_repeated_and_in_order() {
+    let mut uno = stopped();
+    assert_eq!(send(&mut uno, 0, b"0\n"), Err(4), "no upload yet");
+    write(&mut uno, 400, UPLOAD).unwrap();
+    assert_eq!(
+        send(&mut uno, 255, b""),
+        Err(3),
+        "not the one before the first"
+    );
+    let mut number = 0;
+    for _ in 0..2 {
+        for part in [&b"0\n8779"[..], b"02\n", b""] {
+            assert_eq!(send(&mut uno, number + 1, part), Err(3));
+            for _ in 0..3 {
+                // The last end is over at once, and there is no upload any more.
+                if outcome(&mut uno).0 {
+                    send(&mut uno, number, part).unwrap();
+                }
+            }
+            number += 1;
+        }
+    }
+    assert_eq!(outcome(&mut uno), (false, 0, 0));
+    assert_eq!(input(&mut uno, 28), 1);
+}
+
+#[test]
+fn a_block_says_how_long_it_is() {
+    let mut uno = stopped();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    for (words, expected) in [(1u8, 3), (2, 0), (3, 3)] {
+        let mut frame = vec![1, 16, 3, 0xE8, 0, words, words * 2, 0, 2, b'0', b'\n', 0, 0];
+        frame.truncate(7 + usize::from(words) * 2);
+        let reply = ask(&mut uno, &frame).unwrap();
+        match expected {
+            0 => assert_eq!(reply, frame[..6]),
+            code => assert_eq!(reply, [1, 0x90, code]),
+        }
+    }
+    // Only from the first address on, and only by function 16.
+    assert_eq!(
+        ask(&mut uno, &[1, 16, 3, 0xE9, 0, 1, 2, 0, 0]),
+        Some(vec![1, 0x90, 2])
+    );
+    assert_eq!(
+        ask(&mut uno, &[1, 6, 3, 0xE8, 0, 0]),
+        Some(vec![1, 0x86, 2])
+    );
+    assert_eq!(
+        ask(&mut uno, &[1, 3, 3, 0xE8, 0, 1]),
+        Some(vec![1, 0x83, 2])
+    );
+    assert!(outcome(&mut uno).0);
+}
+
+#[test]
+fn stop_ends_an_upload_and_a_new_one_begins_anew() {
+    let mut uno = stopped();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    send(&mut uno, 0, b"0\n8779").unwrap();
+    assert_eq!(write(&mut uno, 400, RUN), Err(4));
+    assert_eq!(write(&mut uno, 400, 3), Err(4));
+    write(&mut uno, 400, STOP).unwrap();
+    uno.run_ms(5).unwrap();
+    assert_eq!(outcome(&mut uno), (false, 0, 0));
+    assert_old(&mut uno, "ended");
+
+    let mut uno = stopped();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    send(&mut uno, 0, b"0\n8779").unwrap();
+    upload(&mut uno, [NEW; 2], 100).unwrap();
+    assert_eq!(input(&mut uno, 28), 1);
+}
+
+#[test]
+fn a_board_without_a_program_takes_one_in_fault() {
+    let mut uno = uno(Slot::Empty);
+    ms_until(&mut uno, &["wired?\r\n"]);
+    uno.run_ms(5).unwrap();
+    assert_eq!(upload(&mut uno, ["0\n877905\n"; 2], 100), Err(4));
+    assert_eq!(outcome(&mut uno), (false, 26, 2));
+    assert_eq!(input(&mut uno, 16), FAULT);
+    upload(&mut uno, [NEW; 2], 100).unwrap();
+    assert_eq!(outcome(&mut uno), (false, 0, 0));
+    assert_eq!(input(&mut uno, 16), FAULT);
+    assert_eq!(uno.outputs(), 0);
+    write(&mut uno, 400, RESTART).unwrap();
+    to_run(&mut uno);
+    uno.run_ms(2).unwrap();
+    assert_eq!(uno.outputs(), 0b10);
+}
+
+/// Wherever the power fails, what runs afterwards is the old program or the new one, or none.
+#[test]
+fn a_power_cut_leaves_no_half_program() {
+    let other = "0\n-827301\n-827302\n877903\n787600\n827303\n827304\n877904\n";
+    let (mut old, mut new, mut none) = (0, 0, 0);
+    for cut in (0..100).step_by(2) {
+        let mut uno = stopped();
+        uno.swap_slot(Slot::Empty);
+        write(&mut uno, 400, UPLOAD).unwrap();
+        send(&mut uno, 0, other.as_bytes()).unwrap();
+        send(&mut uno, 1, b"").unwrap();
+        send(&mut uno, 2, other.as_bytes()).unwrap();
+        uno.send_serial(&with_crc(&block(3, b"")));
+        uno.run_ms(1 + cut).unwrap();
+        uno.take_serial();
+        uno.power_up();
+        let said = ms_until(&mut uno, &["RUN\r\n", "\r\nfault "]).1;
+        if said.contains("fault") {
+            none += 1;
+            continue;
+        }
+        uno.run_ms(2).unwrap();
+        match uno.outputs() {
+            0 => old += 1,
+            0b0100 => new += 1,
+            outputs => panic!("{cut}: {outputs:04b}"),
+        }
+    }
+    println!("{old} old, {none} none, {new} new");
+    assert!(old > 0 && none > 0 && new > 0, "{old} {none} {new}");
+}

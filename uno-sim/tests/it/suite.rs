@@ -1,0 +1,73 @@
+//! Every scenario of the project on the firmware.
+
+use crate::common;
+use unoclp_core::Millis;
+use unoclp_host_sim::scenario::{Scenario, check};
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::{Program, unshortened_elf};
+
+fn run_all(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
+    let mut engine = UnoEngine::new(firmware, clock).unwrap();
+    let (mut passed, mut failed) = (0, Vec::new());
+    for path in common::scenarios(folders) {
+        let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        let running = clock == Clock::Running;
+        // Listings of a course: some hold only if the inputs are what they say from the very first scan.
+        let is_listing = path.components().any(|part| part.as_os_str() == "il");
+        if scenario.duration() > longest || running && (scenario.is_for_lockstep() || is_listing) {
+            continue;
+        }
+        let report = check(&scenario, &mut engine);
+        if report.passed() {
+            passed += 1;
+        } else {
+            failed.push(report.to_string());
+        }
+    }
+    println!(
+        "{clock:?}: {passed} scenarios passed, {} failed",
+        failed.len()
+    );
+    assert!(failed.is_empty(), "{}", failed.join("\n\n"));
+    assert!(passed > 0);
+}
+
+/// NC-1 … NC-19, each scan with the time stamp that the scenario says.
+#[test]
+fn every_scenario_in_lockstep() {
+    let firmware = common::firmware();
+    run_all(
+        firmware,
+        Clock::Lockstep,
+        &["programs", "suite"],
+        Millis::MAX,
+    );
+}
+
+/// The same on the firmware before its assembly is shortened: a scenario that fails in the other test alone
+/// is the pass's fault, one that fails in both is not.
+#[test]
+fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
+    let firmware = Program::read_enlarged(&unshortened_elf().unwrap()).unwrap();
+    assert!(firmware.flash_bytes() > common::firmware().flash_bytes());
+    run_all(
+        firmware,
+        Clock::Lockstep,
+        &["programs", "suite"],
+        Millis::MAX,
+    );
+}
+
+/// The samples and the timers with the board's own clock, which the timer interrupt drives: exact
+/// to one millisecond, however many scans go into it. Longer ones than 40 s are left to the other
+/// test, where time costs nothing.
+#[test]
+fn programs_and_timers_on_the_running_clock() {
+    let firmware = common::firmware();
+    run_all(
+        firmware,
+        Clock::Running,
+        &["programs", "suite/timers"],
+        40_000,
+    );
+}
