@@ -4,6 +4,7 @@ use crate::common::Random;
 use std::fs;
 use std::path::Path;
 use unoclp_lang::{Lang, Options, Severity, compile, show};
+use unoclp_testing::rounds;
 
 /// Words that the parser looks out for, and what stands between them.
 const WORDS: [&str; 96] = [
@@ -126,7 +127,7 @@ fn hold(text: &str) {
 fn random_words() {
     let mut random = Random(1);
     let mut text = String::new();
-    for _ in 0..500_000 {
+    for _ in 0..rounds(500_000) {
         text.clear();
         for _ in 0..random.below(14) {
             text.push_str(random.pick(&WORDS));
@@ -152,7 +153,7 @@ fn mutated_listings() {
         .filter(|text| text.len() < 400)
         .collect();
     let mut random = Random(2);
-    for _ in 0..500_000 {
+    for _ in 0..rounds(500_000) {
         let mut bytes = texts[random.below(texts.len())].clone();
         for _ in 0..random.below(4) + 1 {
             if bytes.is_empty() {
@@ -180,7 +181,7 @@ fn mutated_listings() {
 #[test]
 fn random_bytes() {
     let mut random = Random(3);
-    for _ in 0..50_000 {
+    for _ in 0..rounds(50_000) {
         let bytes: Vec<u8> = (0..random.below(80)).map(|_| random.bits() as u8).collect();
         hold(&String::from_utf8_lossy(&bytes));
     }
@@ -191,7 +192,7 @@ fn random_bytes() {
 fn everything_can_be_shown() {
     let mut random = Random(4);
     let renderer = annotate_snippets::Renderer::plain();
-    for _ in 0..3_000 {
+    for _ in 0..rounds(3_000) {
         let mut text = String::new();
         for _ in 0..random.below(20) {
             text.push_str(random.pick(&WORDS));

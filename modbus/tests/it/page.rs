@@ -7,7 +7,7 @@ use unoclp_modbus::map::{
 };
 use unoclp_modbus::{Exception, Table};
 
-const PAGE: &str = include_str!("../../docs/modbus.md");
+const PAGE: &str = include_str!("../../../docs/modbus.md");
 
 /// The rows of the tables under this heading, cell by cell, without their heads.
 fn rows(heading: &str) -> Vec<Vec<String>> {

@@ -6,6 +6,7 @@ use unoclp_core::isa::{Class, Kind, REGISTERS, TABLE};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::Random;
 use unoclp_host_sim::scenario::{Cell, Engine};
+use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 
 const CASES: u32 = 5_000;
@@ -130,13 +131,13 @@ fn number(random: &mut Random) -> i32 {
 }
 
 #[test]
-fn numbers_come_out_alike() {
+fn random_numbers_come_out_alike() {
     let random = &mut Random::new(0xA217);
     let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
     let mut host = HostEngine::default();
     let mut text = String::new();
     let mut now = 0_u32;
-    for case in 0..CASES {
+    for case in 0..rounds(CASES) {
         if case % 100 == 0 {
             text = program(random);
             let Ok(accepted) = host.load(text.as_bytes());

@@ -2,6 +2,7 @@
 
 use crate::common;
 use unoclp_card::image::{Fat, Image};
+use unoclp_testing::cases;
 use unoclp_uno_sim::Slot;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 use unoclp_uno_sim::sd::{Kind, SdCard};
@@ -57,44 +58,45 @@ fn every_card_and_volume() {
     let mut engine = UnoEngine::new(common::firmware(), Clock::Running).unwrap();
     let text = program(120);
     let mut booted = 0;
-    for fat in [Fat::Fat16, Fat::Fat32] {
-        for bare in [false, true] {
-            for (name, build) in CASES {
-                let image = build(Image::new(fat), &text);
-                let image = if bare { image.bare() } else { image }.build().unwrap();
-                for kind in [Kind::SdV1, Kind::SdscV2, Kind::Sdhc] {
-                    let case = format!("{fat:?}, bare {bare}, {kind:?}, {name}");
-                    let card = SdCard::new(kind, image.clone()).unwrap();
-                    let started = engine
-                        .start(Slot::Card(card))
-                        .unwrap_or_else(|e| panic!("{case}: {e}"));
-                    assert_eq!(started, Ok(()), "{case}");
-                    let uno = engine.uno().unwrap();
-                    assert!(
-                        uno.serial().contains("program: 122 codes, 121 bytes"),
-                        "{case}: {}",
-                        uno.serial()
-                    );
-                    uno.set_input(0, true);
-                    uno.run_ms(5).unwrap();
-                    assert_eq!(uno.outputs(), 0b0001, "{case}");
+    let kinds = [Kind::SdV1, Kind::SdscV2, Kind::Sdhc];
+    let volumes = [Fat::Fat16, Fat::Fat32].map(|fat| [false, true].map(|bare| (fat, bare)));
+    let all = volumes.into_iter().flatten().flat_map(|volume| {
+        CASES
+            .iter()
+            .flat_map(move |case| kinds.map(|kind| (volume, case, kind)))
+    });
+    for ((fat, bare), (name, build), kind) in cases(all) {
+        let image = build(Image::new(fat), &text);
+        let image = if bare { image.bare() } else { image }.build().unwrap();
+        let case = format!("{fat:?}, bare {bare}, {kind:?}, {name}");
+        let card = SdCard::new(kind, image.clone()).unwrap();
+        let started = engine
+            .start(Slot::Card(card))
+            .unwrap_or_else(|e| panic!("{case}: {e}"));
+        assert_eq!(started, Ok(()), "{case}");
+        let uno = engine.uno().unwrap();
+        assert!(
+            uno.serial().contains("program: 122 codes, 121 bytes"),
+            "{case}: {}",
+            uno.serial()
+        );
+        uno.set_input(0, true);
+        uno.run_ms(5).unwrap();
+        assert_eq!(uno.outputs(), 0b0001, "{case}");
 
-                    let card = uno.card().unwrap();
-                    assert!(
-                        card.image().starts_with(&image),
-                        "{case}: the card was changed"
-                    );
-                    let reading = [0, 8, 17, 41, 55, 58, 59];
-                    let other = card
-                        .log()
-                        .commands
-                        .iter()
-                        .find(|command| !reading.contains(&command.index));
-                    assert_eq!(other, None, "{case}");
-                    booted += 1;
-                }
-            }
-        }
+        let card = uno.card().unwrap();
+        assert!(
+            card.image().starts_with(&image),
+            "{case}: the card was changed"
+        );
+        let reading = [0, 8, 17, 41, 55, 58, 59];
+        let other = card
+            .log()
+            .commands
+            .iter()
+            .find(|command| !reading.contains(&command.index));
+        assert_eq!(other, None, "{case}");
+        booted += 1;
     }
     println!("{booted} cards booted, none written to");
 }

@@ -3,6 +3,7 @@
 use crate::common;
 use crate::common::modbus::{input, words};
 use crate::common::{card, to_run, to_run_or_fault, uno};
+use unoclp_testing::cases;
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Space, Uno};
 
 /// Outputs 01 to 04 are on.
@@ -62,27 +63,25 @@ fn a_program_that_changes_in_run_memory_is_a_fault() {
     };
     let (mut told, mut astray) = (0, 0);
     // Not the coils in front, whose change may turn the outputs off before the check sees it.
-    for place in 4..24 {
-        for bit in 0..8 {
-            let case = format!("byte {place}, bit {bit}");
-            let mut uno = uno(Slot::Card(card(EVERYTHING)));
-            to_run(&mut uno);
-            uno.run_ms(5).unwrap();
-            let byte = uno.read_ram(memory + place, 1).unwrap()[0];
-            uno.write_ram(memory + place, &[byte ^ 1 << bit]).unwrap();
-            let (said, fault) = fault_within(150, uno, &case);
-            if said.contains("restart 1") {
-                let hung = said.contains("by the watchdog") && said.contains("fault 61: a scan");
-                let began_anew = said.contains("without a reset") && said.contains("fault 62: ");
-                assert!(
-                    hung && fault == 61 || began_anew && fault == 62,
-                    "{case}: {said:?}"
-                );
-                astray += 1;
-            } else {
-                assert_eq!((said.as_str(), fault), ("", 62), "{case}");
-                told += 1;
-            }
+    for (place, bit) in cases((4..24).flat_map(|place| (0..8).map(move |bit| (place, bit)))) {
+        let case = format!("byte {place}, bit {bit}");
+        let mut uno = uno(Slot::Card(card(EVERYTHING)));
+        to_run(&mut uno);
+        uno.run_ms(5).unwrap();
+        let byte = uno.read_ram(memory + place, 1).unwrap()[0];
+        uno.write_ram(memory + place, &[byte ^ 1 << bit]).unwrap();
+        let (said, fault) = fault_within(150, uno, &case);
+        if said.contains("restart 1") {
+            let hung = said.contains("by the watchdog") && said.contains("fault 61: a scan");
+            let began_anew = said.contains("without a reset") && said.contains("fault 62: ");
+            assert!(
+                hung && fault == 61 || began_anew && fault == 62,
+                "{case}: {said:?}"
+            );
+            astray += 1;
+        } else {
+            assert_eq!((said.as_str(), fault), ("", 62), "{case}");
+            told += 1;
         }
     }
     println!(

@@ -2,6 +2,7 @@
 //! program or in a fault with the outputs off, never in anything else.
 
 use crate::common::{card, to_run, uno};
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, What};
 use unoclp_uno_sim::{CYCLES_PER_MS, EEPROM_WRITE_CYCLES, Pin, Slot};
 
@@ -28,39 +29,37 @@ fn every_fault_at_every_command_and_block() {
     let places = (0..commands)
         .map(At::Command)
         .chain((0..blocks).map(At::Block));
+    let all = (commands + blocks) * kinds.len();
     let (mut runs, mut faults, mut slowest) = (0, 0, 0);
-    for at in places {
-        for what in kinds {
-            let case = format!("{what:?} at {at:?}");
-            let mut uno = uno(Slot::Card(card(&text).with_fault(at, what)));
-            let mut ms = 0;
-            while !["\r\nfault ", "RUN\r\n"]
-                .iter()
-                .any(|end| uno.serial().contains(end))
-            {
-                uno.run_ms(1).unwrap();
-                let written = uno.eeprom_writes().len() as u64 * EEPROM_WRITE_CYCLES;
-                ms = (uno.cycles() - written) / CYCLES_PER_MS;
-                assert!(ms <= LONGEST, "{case}: {:?} after {ms} ms", uno.serial());
-            }
-            slowest = slowest.max(ms);
-            let moved = uno.edges().iter().any(|edge| edge.pin != Pin::Led);
-            assert!(!moved, "{case}: an output moved before the first scan");
-            uno.set_inputs(0b1111);
-            uno.run_ms(20).unwrap();
-            if uno.serial().contains("RUN\r\n") {
-                runs += 1;
-                assert_eq!(uno.outputs(), 0b0001, "{case}: {:?}", uno.serial());
-            } else {
-                faults += 1;
-                assert_eq!(uno.outputs(), 0, "{case}: {:?}", uno.serial());
-            }
+    for (at, what) in cases(places.flat_map(|at| kinds.map(|what| (at, what)))) {
+        let case = format!("{what:?} at {at:?}");
+        let mut uno = uno(Slot::Card(card(&text).with_fault(at, what)));
+        let mut ms = 0;
+        while !["\r\nfault ", "RUN\r\n"]
+            .iter()
+            .any(|end| uno.serial().contains(end))
+        {
+            uno.run_ms(1).unwrap();
+            let written = uno.eeprom_writes().len() as u64 * EEPROM_WRITE_CYCLES;
+            ms = (uno.cycles() - written) / CYCLES_PER_MS;
+            assert!(ms <= LONGEST, "{case}: {:?} after {ms} ms", uno.serial());
+        }
+        slowest = slowest.max(ms);
+        let moved = uno.edges().iter().any(|edge| edge.pin != Pin::Led);
+        assert!(!moved, "{case}: an output moved before the first scan");
+        uno.set_inputs(0b1111);
+        uno.run_ms(20).unwrap();
+        if uno.serial().contains("RUN\r\n") {
+            runs += 1;
+            assert_eq!(uno.outputs(), 0b0001, "{case}: {:?}", uno.serial());
+        } else {
+            faults += 1;
+            assert_eq!(uno.outputs(), 0, "{case}: {:?}", uno.serial());
         }
     }
     println!(
-        "{} of {} faults: {runs} ended in RUN of the right program, {faults} in a fault; the slowest after {slowest} ms",
-        runs + faults,
-        (commands + blocks) * kinds.len()
+        "{} of {all} faults: {runs} ended in RUN of the right program, {faults} in a fault; the slowest after {slowest} ms",
+        runs + faults
     );
     assert!(runs > 0 && faults > 0);
 }

@@ -6,9 +6,10 @@ use unoclp_core::{Image, Inputs};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::{Cell, Engine};
+use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 
-const PROGRAMS: u64 = 600;
+const PROGRAMS: u32 = 600;
 const SCANS: u32 = 120;
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 0x0C19;
@@ -18,8 +19,9 @@ fn random_programs_behave_alike() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults) = (0u64, 0u64, 0u64);
-    for n in 0..PROGRAMS {
-        let seed = seed.wrapping_add(n);
+    let programs = rounds(PROGRAMS);
+    for n in 0..programs {
+        let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
         let program = random_program(random);
         let mut host = HostEngine::default();
@@ -84,7 +86,7 @@ fn random_programs_behave_alike() {
         }
     }
     println!(
-        "{PROGRAMS} random programs, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
+        "{programs} random programs, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
     );
     assert!(
         changes > scans / 20,

@@ -3,6 +3,7 @@
 use crate::common;
 use crate::common::modbus::{ask, bits, input, long, with_crc, words, write};
 use crate::common::{card, ms_until, to_run, uno};
+use unoclp_testing::cases;
 use unoclp_uno_sim::{Slot, Uno};
 
 /// Output 01 follows input 01.
@@ -241,7 +242,7 @@ fn a_board_without_a_program_takes_one_in_fault() {
 fn a_power_cut_leaves_no_half_program() {
     let other = "0\n-827301\n-827302\n877903\n787600\n827303\n827304\n877904\n";
     let (mut old, mut new, mut none) = (0, 0, 0);
-    for cut in (0..100).step_by(2) {
+    for cut in cases((0..100).step_by(2)) {
         let mut uno = stopped();
         uno.swap_slot(Slot::Empty);
         write(&mut uno, 400, UPLOAD).unwrap();

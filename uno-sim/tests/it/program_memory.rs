@@ -2,6 +2,7 @@
 //! fails while it changes.
 
 use crate::common::{card, empty_card, to_run, to_run_or_fault, uno};
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, SdCard, What};
 use unoclp_uno_sim::{Halt, Slot, Uno};
 
@@ -170,20 +171,18 @@ fn a_turned_bit_never_runs() {
     let length = 8 + 10;
     let kept = uno.read_eeprom(0, length).unwrap();
     let mut turned = 0;
-    for place in 0..length {
-        for bit in 0..8 {
-            let byte = kept[place] ^ 1 << bit;
-            uno.write_eeprom(place as u16, &[byte]).unwrap();
-            let said = power_up(&mut uno, Slot::Empty);
-            assert!(
-                said.contains("fault 65"),
-                "byte {place}, bit {bit}: {said:?}"
-            );
-            assert_eq!(running(&mut uno), 0, "byte {place}, bit {bit}");
-            uno.write_eeprom(place as u16, &kept[place..=place])
-                .unwrap();
-            turned += 1;
-        }
+    for (place, bit) in cases((0..length).flat_map(|place| (0..8).map(move |bit| (place, bit)))) {
+        let byte = kept[place] ^ 1 << bit;
+        uno.write_eeprom(place as u16, &[byte]).unwrap();
+        let said = power_up(&mut uno, Slot::Empty);
+        assert!(
+            said.contains("fault 65"),
+            "byte {place}, bit {bit}: {said:?}"
+        );
+        assert_eq!(running(&mut uno), 0, "byte {place}, bit {bit}");
+        uno.write_eeprom(place as u16, &kept[place..=place])
+            .unwrap();
+        turned += 1;
     }
     power_up(&mut uno, Slot::Empty);
     assert_eq!(running(&mut uno), IS_OLD);

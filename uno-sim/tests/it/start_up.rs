@@ -1,6 +1,7 @@
 //! Times and signs of start-up: the slot, the serial port, LED L, the clock.
 
 use crate::common::{card, ms_until, to_run, uno};
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, What};
 use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin, Slot, Uno};
 
@@ -73,7 +74,7 @@ fn a_disturbance_is_overcome() {
     });
     let silent = [(At::Command(0), What::NoAnswer)];
     let mut runs = 0;
-    for (at, what) in damaged.chain(silent) {
+    for (at, what) in cases(damaged.chain(silent)) {
         let mut uno = uno(Slot::Card(card(&text).with_fault(at, what)));
         let said = to_run(&mut uno);
         assert!(

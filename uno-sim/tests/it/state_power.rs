@@ -6,6 +6,7 @@ use crate::common::state::{
 use crate::common::to_run;
 use std::collections::BTreeSet;
 use unoclp_card::image::{Fat, Image};
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{CardLog, Kind, SdCard, Timing};
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
@@ -81,7 +82,7 @@ fn cut_power(kind: Kind, image: &Image, step: usize) {
     assert_sound(&before, "before");
     let card = SdCard::new(kind, before.clone()).unwrap();
     let mut uno = running(card.with_write_time(2 * CYCLES_PER_MS));
-    let moments: Vec<u64> = moments(&mut uno).into_iter().step_by(step).collect();
+    let moments: Vec<u64> = cases(moments(&mut uno).into_iter().step_by(step)).collect();
     let place = log(&uno).writes[0].block * BLOCK;
     let block = |uno: &Uno| uno.card().unwrap().image()[place..][..BLOCK].to_vec();
     let (mut sound, mut cuts) = (BTreeSet::new(), [0; 3]);
@@ -149,7 +150,7 @@ fn a_reset_in_a_save_ends_in_run() {
             .unwrap()
             .with_timing(timing);
         let mut uno = running(card.with_write_time(busy_ms * CYCLES_PER_MS));
-        let moments: Vec<u64> = moments(&mut uno).into_iter().step_by(step).collect();
+        let moments: Vec<u64> = cases(moments(&mut uno).into_iter().step_by(step)).collect();
         let (mut slowest, mut usual) = (0, 0);
         for (n, &moment) in moments.iter().enumerate() {
             let case = format!("{name}, reset {moment} cycles after the first scan");

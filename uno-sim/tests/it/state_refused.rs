@@ -7,6 +7,7 @@ use fatfs::{FileSystem, FsOptions};
 use std::io::{Cursor, Write};
 use std::ops::Range;
 use unoclp_card::image::{Fat, Image};
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, Command, Kind, SdCard, What};
 use unoclp_uno_sim::{Slot, Uno};
 
@@ -174,9 +175,9 @@ fn a_card_without_a_fit_file_is_never_written_to() {
     for fat in [Fat::Fat16, Fat::Fat32] {
         let without = Image::new(fat).file("PROGRAM.TXT", FOLLOW);
         let with = without.clone().file("STATE.TXT", template());
-        let cases = ELSEWHERE.iter().map(|case| (&without, case));
+        let elsewhere = ELSEWHERE.iter().map(|case| (&without, case));
         for (image, (name, change, expected)) in
-            cases.chain(DAMAGED.iter().map(|case| (&with, case)))
+            cases(elsewhere.chain(DAMAGED.iter().map(|case| (&with, case))))
         {
             let case = format!("{fat:?}, {name}");
             let mut volume = Volume::new(image.clone(), fat);

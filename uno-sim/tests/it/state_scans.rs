@@ -6,6 +6,7 @@ use crate::common::state::{
 };
 use crate::common::{card, firmware, to_run};
 use std::sync::LazyLock;
+use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, CardLog, Kind, SdCard, What};
 use unoclp_uno_sim::{CYCLES_PER_MS, Edge, Pin, RAM_START, Slot, Uno};
 
@@ -166,7 +167,7 @@ fn a_fault_of_the_card_in_a_save_lengthens_no_scan() {
         ]
     };
     let (mut faults, mut longest) = (0, 0);
-    for (what, outcomes) in FAULTS {
+    for (what, outcomes) in cases(FAULTS) {
         for (at, then) in places.into_iter().zip(outcomes) {
             let case = format!("{what:?} at {at:?}");
             let mut uno = running(state_card(TOGGLE).with_fault(at, what));

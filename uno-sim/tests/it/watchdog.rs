@@ -4,6 +4,7 @@ use crate::common;
 use crate::common::modbus::input;
 use crate::common::{card, ms_until, to_run, uno};
 use std::collections::BTreeSet;
+use unoclp_testing::cases;
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// Outputs 01 and 02 are on in every scan; a timer and contacts make the scan go through all of
@@ -61,7 +62,7 @@ fn a_stalled_scan_turns_the_outputs_off_behind_a_boot_loader_too() {
 
 fn stall_everywhere(boot_loader: bool) {
     let (mut stalls, mut shown, mut slowest) = (0, 0, 0);
-    for place in places() {
+    for place in cases(places()) {
         let case = format!("stall at {place:#06x}, boot loader {boot_loader}");
         let mut uno = running(boot_loader);
         uno.patch_flash(place, &STALL).unwrap();

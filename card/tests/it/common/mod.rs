@@ -1,8 +1,7 @@
 //! A card in memory that counts what is done to it, the walk over it, and the reference.
 
-// Each test file is a program of its own and uses a part of this.
-
 pub mod raw;
+pub mod small;
 
 use std::cell::Cell;
 use std::fmt;

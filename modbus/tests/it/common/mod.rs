@@ -5,6 +5,8 @@ pub mod random;
 pub mod recorder;
 pub mod uno;
 
+use oracle::oracle;
+use recorder::Recorder;
 use unoclp_modbus::{Answer, Device, FRAME_BYTES, Frame, begin};
 
 /// What stands in the frame behind the request: nothing may depend on it.
@@ -76,4 +78,41 @@ pub fn write(server: u8, function: u8, first: u16, count: u16) -> Vec<u8> {
     request.push(needed as u8);
     request.extend((0..present).map(|n| (n as u8).wrapping_mul(37) ^ first as u8));
     request
+}
+
+/// A reply is at most 253 bytes behind the address, and as long as it says.
+fn is_well_formed(request: &[u8], reply: &[u8]) -> bool {
+    let [server, function, ref data @ ..] = *reply else {
+        return false;
+    };
+    let body = match (function, data) {
+        (0x80.., &[code]) => matches!(code, 1..=4 | 6),
+        (1..=4, &[count, ref values @ ..]) => values.len() == count.into(),
+        (5 | 6 | 15 | 16, fields) => *fields == request[2..6],
+        (43, &[14, _, 0x81, 0, 0, count, ref objects @ ..]) => {
+            let mut left = objects;
+            for _ in 0..count {
+                let [_, length, ref tail @ ..] = *left else {
+                    return false;
+                };
+                left = &tail[length.into()..];
+            }
+            left.is_empty()
+        }
+        _ => false,
+    };
+    body && reply.len() <= 254 && server == request[0] && function & 0x7F == request[1] & 0x7F
+}
+
+/// Holds the answer to a request against the oracle; says whether it is well-formed.
+pub fn compare(request: &[u8], most: u8) -> bool {
+    let mut device = Recorder::default();
+    let reply = answer_scanning(&mut device, request, most, |_| ());
+    let (expected, writes) = oracle(request);
+    assert_eq!(reply, expected, "{request:02x?}");
+    assert_eq!(device.writes(), writes, "{request:02x?}");
+    match reply {
+        None => request.len() < 2 || request[0] == 0,
+        Some(reply) => is_well_formed(request, &reply),
+    }
 }
