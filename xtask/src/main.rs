@@ -12,7 +12,9 @@ enum Task {
     /// Show a program at work on a simulated UNO: installs what is missing, builds, runs
     Demo,
     /// Pass every test: installs what is missing, checks, builds, tests
-    Test,
+    Test(test::TestArgs),
+    /// Make many times the rounds of the random tests
+    Soak(test::SoakArgs),
     /// Build the firmware: target/firmware/unoclp.elf and unoclp.hex
     Firmware,
     /// Measure the firmware on a simulated UNO, and write docs/benchmarks.md
@@ -30,7 +32,8 @@ enum Task {
 fn main() -> ExitCode {
     let done = match Task::parse() {
         Task::Demo => demo::run(),
-        Task::Test => test::run(),
+        Task::Test(args) => test::run(&args),
+        Task::Soak(args) => test::soak(&args),
         Task::Firmware => firmware::run(),
         Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),

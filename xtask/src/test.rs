@@ -1,87 +1,155 @@
-//! `cargo xtask test`: everything that must pass.
+//! `cargo xtask test`: everything that must pass; `cargo xtask soak`: more of the random tests.
 
 use std::io::{BufRead, BufReader};
 use std::ops::AddAssign;
 use std::process::{Command, Stdio};
-use std::time::Instant;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 
+use crate::programs::{self, Tally};
 use crate::shell::{self, cargo, say};
-use crate::{demo, firmware, setup, wasm};
+use crate::steps::{Steps, both};
+use crate::{firmware, setup, wasm};
+
+/// What runs on a PC.
+const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
+const DENY: [&str; 3] = ["--", "-D", "warnings"];
+/// Percent of the rounds of random tests that a quick run makes.
+const QUICK: u32 = 10;
+
+/// The words behind `cargo xtask test`.
+#[derive(clap::Args)]
+pub struct TestArgs {
+    /// Leave out clippy, the documentation and its examples, and nine of ten random rounds and cases
+    #[arg(long)]
+    quick: bool,
+}
+
+/// The words behind `cargo xtask soak`.
+#[derive(clap::Args)]
+pub struct SoakArgs {
+    /// How many times the rounds of `cargo xtask test` to make
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    times: u32,
+}
 
 /// Sets up, and takes one step after the other until one fails. The last line says how many tests
 /// have passed.
 ///
 /// # Errors
 /// If a step fails; the text names it.
-pub fn run() -> Result<()> {
+pub fn run(args: &TestArgs) -> Result<()> {
     let toolchain = setup::for_tests()?;
-    const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
-    const DENY: [&str; 3] = ["--", "-D", "warnings"];
-
-    step("format", || {
-        shell::run(cargo().args(["fmt", "--all", "--check"]))
+    let steps = Steps::default();
+    if args.quick {
+        say(
+            "quick: without clippy, documentation and its examples; one of ten random rounds and cases",
+        );
+        let programs = both(
+            || steps.take("compiling the tests", programs::compile),
+            || build_firmware(&steps),
+        )?;
+        let tests = || programs.run(QUICK, |_| true);
+        let tally = steps.take("tests", tests)?;
+        return report(&steps, &tally, Count::default());
+    }
+    steps.take("format", format)?;
+    // The AVR build has a folder of its own, and mostly one processor's worth of work.
+    let (programs, examples) = both(
+        || check_and_compile(&steps),
+        || {
+            let mut clippy = firmware::cargo(&toolchain, "clippy");
+            steps.run_aside("clippy on the firmware", clippy.args(DENY))?;
+            build_firmware(&steps)?;
+            let mut wasm = wasm::build(&toolchain);
+            steps.run_aside("libraries for WebAssembly", &mut wasm)
+        },
+    )?;
+    let tally = steps.take("tests on the PC and on the simulated UNO", || {
+        programs.run(100, |_| true)
     })?;
-    step("clippy on what runs on a PC", || {
+    report(&steps, &tally, examples)
+}
+
+/// Sets up, builds, and makes many times the rounds of the random tests.
+///
+/// # Errors
+/// If a step or a test fails.
+pub fn soak(args: &SoakArgs) -> Result<()> {
+    setup::for_tests()?;
+    let steps = Steps::default();
+    let programs = both(
+        || steps.take("compiling the tests", programs::compile),
+        || build_firmware(&steps),
+    )?;
+    let rounds = 100 * args.times;
+    let tests = || programs.run(rounds, is_random);
+    let tally = steps.take("random tests", tests)?;
+    report(&steps, &tally, Count::default())
+}
+
+/// Whether a test makes as many rounds as it is told to: its name says so.
+fn is_random(name: &str) -> bool {
+    ["random", "mutated", "a_long_run"]
+        .iter()
+        .any(|word| name.contains(word))
+}
+
+fn format() -> Result<()> {
+    shell::run(cargo().args(["fmt", "--all", "--check"]))
+}
+
+/// What waits for the one lock of `target/`: clippy, the documentation, its examples, and the tests' programs.
+fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
+    steps.take("clippy on what runs on a PC", || {
         let mut clippy = cargo();
         clippy.arg("clippy").args(HOST).arg("--all-targets");
         shell::run(clippy.args(["--features", "xtask/avr-tools"]).args(DENY))
     })?;
-    step("clippy on the firmware", || {
-        shell::run(firmware::cargo(&toolchain, "clippy").args(DENY))
-    })?;
-    step("documentation", || {
+    steps.take("documentation", || {
         let mut doc = cargo();
         doc.args(["doc", "--no-deps"]).args(HOST);
         shell::run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    step("libraries for WebAssembly", || wasm::check(&toolchain))?;
-    let mut sum = step("tests on the PC", || {
-        let mut test = cargo();
-        test.arg("test")
-            .args(HOST)
-            .args(["--exclude", "unoclp-uno-sim"]);
-        tests(&mut test)
+    let programs = steps.take("compiling the tests", programs::compile)?;
+    let examples = steps.take("examples in the documentation", || {
+        tests(cargo().args(["test", "--doc"]).args(HOST))
     })?;
-    step("firmware", || firmware::build(&toolchain))?;
-    sum += step("tests of what the compiler has made", || {
-        let options = [
-            "--package=xtask",
-            "--features=avr-tools",
-            "--test=equivalence",
-            "--test=miscompile",
-        ];
-        // Shown, because the tests print how much was compared.
-        tests(
-            cargo()
-                .arg("test")
-                .args(options)
-                .args(["--", "--nocapture"]),
-        )
-    })?;
-    sum += step("tests of the firmware on the simulated UNO", || {
-        // Shown, because the tests print what they measure: scenarios, times, stack.
-        tests(demo::simulator("test").args(["--", "--nocapture"]))
-    })?;
-    println!("{} passed, {} failed", sum.passed, sum.failed);
-    Ok(())
+    Ok((programs, examples))
 }
 
-/// Takes a step and says which, and how long it took.
-fn step<T>(name: &str, work: impl FnOnce() -> Result<T>) -> Result<T> {
-    say(name);
-    let start = Instant::now();
-    let done = work().with_context(|| format!("the step \"{name}\" failed"))?;
-    say(&format!("{name}: {:.1} s", start.elapsed().as_secs_f32()));
-    Ok(done)
+/// A process of its own, whose output does not mix with that of what is done meanwhile.
+fn build_firmware(steps: &Steps) -> Result<()> {
+    let xtask = std::env::current_exe().context("cannot find xtask itself")?;
+    steps.run_aside("firmware", Command::new(xtask).arg("firmware"))
+}
+
+/// Says how long steps and tests took, what has failed, and how many have passed.
+fn report(steps: &Steps, tally: &Tally, mut sum: Count) -> Result<()> {
+    say("the slowest tests");
+    print!("{}", tally.slowest(10));
+    say("the steps; some of them were taken at the same time");
+    print!("{}", steps.table());
+    let failed = tally.failed();
+    for name in &failed {
+        println!("FAILED {name}");
+    }
+    sum += Count {
+        passed: tally.passed(),
+        failed: failed.len(),
+    };
+    println!("{} passed, {} failed", sum.passed, sum.failed);
+    if sum.failed > 0 {
+        bail!("{} tests failed", sum.failed);
+    }
+    Ok(())
 }
 
 /// How many tests have passed and failed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Count {
-    passed: u32,
-    failed: u32,
+    passed: usize,
+    failed: usize,
 }
 
 impl AddAssign for Count {

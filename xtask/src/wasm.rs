@@ -3,9 +3,8 @@
 //! Where rustup has installed the target, with the active toolchain; else with Debian's, which builds the
 //! standard library from source. Libraries need no linker.
 
-use anyhow::Result;
+use std::process::Command;
 
-use crate::shell;
 use crate::toolchain::Toolchain;
 
 /// What a page needs: none of it knows a port, a thread, a terminal or a file.
@@ -21,14 +20,12 @@ const CRATES: &[&str] = &[
     "unoclp-source",
 ];
 
-/// Compiles them, into a folder of its own: another cargo may be at work in the usual one.
-///
-/// # Errors
-/// If one does not compile.
-pub fn check(toolchain: &Toolchain) -> Result<()> {
+/// The command that compiles them, into a folder of its own: another cargo may be at work in the usual one.
+pub fn build(toolchain: &Toolchain) -> Command {
     let mut build = toolchain.cargo_for_wasm("build");
     for package in CRATES {
         build.args(["--package", package]);
     }
-    shell::run(build.arg("--target-dir").arg("target/wasm"))
+    build.args(["--target-dir", "target/wasm"]);
+    build
 }
