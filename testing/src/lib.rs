@@ -1,6 +1,9 @@
-//! What the tests of several crates share: how many rounds they make.
+//! What the tests of several crates share: how many rounds they make, and the corpora of the fuzz targets.
 
 use std::env;
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::Path;
 
 /// Percent of the usual rounds: `cargo xtask test --quick` sets less than 100, `cargo xtask soak` more.
 const ROUNDS: &str = "UNOCLP_ROUNDS";
@@ -21,4 +24,20 @@ pub fn rounds(usual: u32) -> u32 {
 /// All cases of a test that goes through every one of them. In a quick run, one of each few, evenly spread.
 pub fn cases<T>(all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
     all.into_iter().step_by(100 / percent().min(100) as usize)
+}
+
+/// Takes every file of `fuzz/corpus/<target>`.
+///
+/// # Panics
+/// If `hold` does, which names the file; or if the corpus is not there.
+pub fn each_of_corpus(target: &str, hold: fn(&[u8])) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus");
+    let folder = folder.join(target);
+    let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{folder:?}: {error}"));
+    let paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    assert!(paths.len() > 20, "{} files in {folder:?}", paths.len());
+    for path in paths {
+        let data = fs::read(&path).unwrap();
+        assert!(catch_unwind(|| hold(&data)).is_ok(), "with {path:?}");
+    }
 }

@@ -8,6 +8,7 @@ pub mod card;
 pub mod demo;
 pub mod firmware;
 pub mod flash;
+pub mod fuzz;
 pub mod link;
 pub mod modules;
 pub mod mulcheck;

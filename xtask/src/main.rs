@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{bench, card, demo, firmware, flash, modules, setup, test};
+use xtask::{bench, card, demo, firmware, flash, fuzz, modules, setup, test};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -15,6 +15,8 @@ enum Task {
     Test(test::TestArgs),
     /// Make many times the rounds of the random tests
     Soak(test::SoakArgs),
+    /// Look for inputs that break a promise, guided by the code that they reach
+    Fuzz(fuzz::Args),
     /// Build the firmware: target/firmware/unoclp.elf and unoclp.hex
     Firmware,
     /// Measure the firmware on a simulated UNO, and write docs/benchmarks.md
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         Task::Demo => demo::run(),
         Task::Test(args) => test::run(&args),
         Task::Soak(args) => test::soak(&args),
+        Task::Fuzz(args) => fuzz::run(&args),
         Task::Firmware => firmware::run(),
         Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),

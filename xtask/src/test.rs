@@ -96,7 +96,9 @@ fn is_random(name: &str) -> bool {
 }
 
 fn format() -> Result<()> {
-    shell::run(cargo().args(["fmt", "--all", "--check"]))
+    shell::run(cargo().args(["fmt", "--all", "--check"]))?;
+    let fuzz = ["fmt", "--manifest-path=fuzz/Cargo.toml", "--check"];
+    shell::run(cargo().args(fuzz))
 }
 
 /// What waits for the one lock of `target/`: clippy, the documentation, its examples, and the tests' programs.

@@ -2,6 +2,7 @@
 
 mod common;
 mod damaged;
+mod fuzzed;
 mod image;
 mod in_place;
 mod mutation;

@@ -1,6 +1,7 @@
 //! The loader, the instructions and the documents, from outside.
 
 mod documents;
+mod fuzzed;
 mod isa;
 mod loader;
 mod stored;

@@ -5,6 +5,7 @@ mod blocks;
 mod common;
 mod documents;
 mod examples;
+mod fuzzed;
 mod places;
 mod random_programs;
 mod round_trip;

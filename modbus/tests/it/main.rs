@@ -5,6 +5,7 @@ mod client;
 mod common;
 mod crc;
 mod frames;
+mod fuzzed;
 mod identification;
 mod mutation;
 mod page;
