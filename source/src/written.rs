@@ -7,7 +7,7 @@ use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
 use unoclp_lang::{Diagnostic, Dialect, Options, compile};
 
-/// A program file of which nothing but the language is known.
+/// A program file. Its language is known, and nothing else.
 #[derive(Clone, Debug)]
 pub struct Written {
     /// What it is called.

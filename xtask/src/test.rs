@@ -14,13 +14,14 @@ use crate::{firmware, setup, wasm};
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
 const DENY: [&str; 3] = ["--", "-D", "warnings"];
-/// Percent of the rounds of random tests that a quick run makes.
-const QUICK: u32 = 10;
+/// Percent of the rounds of random tests that a quick run makes. Of all cases it takes one of eleven: no
+/// number of kinds is a multiple of that, so each kind has its turn.
+const QUICK: u32 = 9;
 
 /// The words behind `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
-    /// Leave out clippy, the documentation and its examples, and nine of ten random rounds and cases
+    /// Leave out clippy, the documentation and its examples, and ten of eleven random rounds and cases
     #[arg(long)]
     quick: bool,
 }
@@ -43,7 +44,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
     let steps = Steps::default();
     if args.quick {
         say(
-            "quick: without clippy, documentation and its examples; one of ten random rounds and cases",
+            "quick: without clippy, documentation and its examples; one of eleven random rounds and cases",
         );
         let programs = both(
             || steps.take("compiling the tests", programs::compile),
@@ -61,7 +62,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
             let mut clippy = firmware::cargo(&toolchain, "clippy");
             steps.run_aside("clippy on the firmware", clippy.args(DENY))?;
             build_firmware(&steps)?;
-            let mut wasm = wasm::build(&toolchain);
+            let mut wasm = wasm::check(&toolchain);
             steps.run_aside("libraries for WebAssembly", &mut wasm)
         },
     )?;

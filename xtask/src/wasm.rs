@@ -1,13 +1,13 @@
-//! Compiles for WebAssembly what a page in a browser is made of.
+//! Checks that what a page in a browser is made of compiles for WebAssembly.
 //!
 //! Where rustup has installed the target, with the active toolchain; else with Debian's, which builds the
-//! standard library from source. Libraries need no linker.
+//! standard library from source. Nothing is linked, and no code is made: that takes an eighth of the time.
 
 use std::process::Command;
 
 use crate::toolchain::Toolchain;
 
-/// What a page needs: none of it knows a port, a thread, a terminal or a file.
+/// What a page needs: none of it knows a port, a thread or a terminal.
 const CRATES: &[&str] = &[
     "unoclp-board",
     "unoclp-card",
@@ -20,12 +20,12 @@ const CRATES: &[&str] = &[
     "unoclp-source",
 ];
 
-/// The command that compiles them, into a folder of its own: another cargo may be at work in the usual one.
-pub fn build(toolchain: &Toolchain) -> Command {
-    let mut build = toolchain.cargo_for_wasm("build");
+/// The command that checks them, in a folder of its own: another cargo may be at work in the usual one.
+pub fn check(toolchain: &Toolchain) -> Command {
+    let mut check = toolchain.cargo_for_wasm("check");
     for package in CRATES {
-        build.args(["--package", package]);
+        check.args(["--package", package]);
     }
-    build.args(["--target-dir", "target/wasm"]);
-    build
+    check.args(["--target-dir", "target/wasm"]);
+    check
 }

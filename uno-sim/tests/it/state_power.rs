@@ -82,7 +82,7 @@ fn cut_power(kind: Kind, image: &Image, step: usize) {
     assert_sound(&before, "before");
     let card = SdCard::new(kind, before.clone()).unwrap();
     let mut uno = running(card.with_write_time(2 * CYCLES_PER_MS));
-    let moments: Vec<u64> = cases(moments(&mut uno).into_iter().step_by(step)).collect();
+    let moments: Vec<u64> = moments(&mut uno).into_iter().step_by(step).collect();
     let place = log(&uno).writes[0].block * BLOCK;
     let block = |uno: &Uno| uno.card().unwrap().image()[place..][..BLOCK].to_vec();
     let (mut sound, mut cuts) = (BTreeSet::new(), [0; 3]);
