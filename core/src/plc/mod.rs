@@ -140,7 +140,12 @@ impl<'m> Plc<'m> {
 
     /// Sets a marker from outside, between two scans.
     pub fn set_marker(&mut self, number: u8, state: bool) {
-        points::set_bit(&mut self.state.markers, number, state);
+        let bit = 1 << (number.wrapping_sub(1) & 63);
+        if state {
+            self.state.markers |= bit;
+        } else {
+            self.state.markers &= !bit;
+        }
     }
 
     /// The retentive markers, bit 0 M 57: what a board keeps over a power cut (NC-12).

@@ -1,9 +1,8 @@
 //! The points of a program by their numbers, as a scan reads and writes them.
 
-use super::scan::Pass;
 use super::Plc;
-use crate::Millis;
-use crate::Image;
+use super::scan::Pass;
+use crate::{Image, Millis};
 
 impl Plc<'_> {
     pub(super) fn input(&self, number: u8) -> bool {
@@ -52,14 +51,4 @@ impl Plc<'_> {
 /// The bit of an input or output.
 fn wide(number: u8) -> u16 {
     1 << (number.wrapping_sub(1) & 15)
-}
-
-/// Sets the bit of a marker.
-pub(super) fn set_bit(markers: &mut u64, number: u8, state: bool) {
-    let bit = 1 << (number.wrapping_sub(1) & 63);
-    if state {
-        *markers |= bit;
-    } else {
-        *markers &= !bit;
-    }
 }

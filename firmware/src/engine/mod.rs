@@ -36,7 +36,6 @@ use memory::Memory;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
-
 const _: () = {
     assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);
     assert!(Profile::UNO.inputs as usize <= POINTS as usize + 4);
