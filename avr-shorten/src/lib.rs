@@ -1,8 +1,8 @@
 #![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
 
 pub mod assembly;
 pub mod body;
-mod compare;
 mod copies;
 mod decide;
 pub mod effects;
@@ -58,9 +58,8 @@ pub fn shorten(text: &str) -> Shortened {
         let decide = apply("decisions", &mut unit, &mut |unit| {
             decide::drop_known(unit, &mut count)
         });
-        let compare = apply("comparisons", &mut unit, &mut compare::drop_superfluous);
         let copies = apply("copies", &mut unit, &mut copies::drop_superfluous);
-        if !(jumps || decide || compare || copies) {
+        if !(jumps || decide || copies) {
             break;
         }
     }

@@ -5,7 +5,7 @@ use super::assembly::{Code, Function, Item, Line, Unit, body_of};
 use super::equivalence::{Difference, Pair};
 use super::machine::Program;
 use super::saves::routine;
-use super::{compare, copies, decide, jumps, parts, reach, saves, tails};
+use super::{copies, decide, jumps, parts, reach, saves, tails};
 
 /// The functions of a text. A label that is not local begins the next one, but for that of the scan and the
 /// entries of the shared routines.
@@ -210,13 +210,6 @@ fn decisions_are_made_once() {
         jumps::shorten(unit);
         copies::drop_superfluous(unit);
         jumps::shorten(unit);
-    });
-}
-
-#[test]
-fn comparisons_with_what_the_flags_say_are_dropped() {
-    check(include_str!("cases/compare.s"), |unit| {
-        compare::drop_superfluous(unit);
     });
 }
 

@@ -11,6 +11,8 @@
 //!
 //! What the addresses stand for is [`map`]'s, which the firmware serves too.
 
+#![forbid(unsafe_code)]
+
 pub mod client;
 mod conversation;
 pub mod diagnostics;

@@ -8,6 +8,8 @@
 //! It owns what runs a program on a PC and compares it. It knows no command line, terminal, port or line.
 //! The PLC itself is `unoclp-core`; nothing here decides what a program means.
 
+#![forbid(unsafe_code)]
+
 pub mod engine;
 pub mod random;
 pub mod scenario;

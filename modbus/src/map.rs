@@ -104,7 +104,7 @@ spans! {
         ANALOGUE = 0, super::ANALOGUE, Word, Read, "analogue input A 00–04";
         /// A [`State`].
         STATE = 16, 1, Word, Read, "state";
-        /// Bits of [`flag`](super::flag), and the [`form`](super::form) of the stored program.
+        /// Bits of [`flag`], and the [`form`] of the stored program.
         FLAGS = 17, 1, Word, Read, "bits";
         /// The number of the fault; 0: none.
         FAULT = 18, 1, Word, Read, "number of the fault";
@@ -152,7 +152,7 @@ spans! {
         FORCED_OUTPUTS = 404, 1, Word, Write, "outputs forced";
         /// To what the outputs are forced.
         OUTPUTS_TO = 405, 1, Word, Write, "to what";
-        /// The settings: see [`setting`](super::setting).
+        /// The settings: see [`setting`].
         SETTINGS = 410, setting::ALL.len(), Word, Write, "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.
         UPLOAD = 1000, 123, Word, Window, "[upload](#upload)";

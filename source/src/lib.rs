@@ -9,6 +9,8 @@
 //! It owns the way from a file's bytes to a checked program, and what a person is shown of it. It knows
 //! no files, no terminal, and nothing of how a program runs.
 
+#![forbid(unsafe_code)]
+
 pub mod diagnosis;
 pub mod list;
 mod size;
