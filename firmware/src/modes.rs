@@ -40,13 +40,8 @@ pub fn serve(
     mut program: Result<Kept, Fault>,
 ) -> ! {
     let Running { frame, data } = page;
-    if let Err(fault) = program {
-        // At once: a reset may cut the report off.
-        board.watchdog.count_fault();
-        report::fault(&board.serial, fault);
-    } else {
+    if program.is_ok() {
         report::state_file(&board.serial, &file);
-        report::ready(&board.serial, board.pins.stop());
     }
     let work = &mut Work {
         board,
@@ -59,8 +54,12 @@ pub fn serve(
         retentive: Retentive::find(&board.eeprom, clock::now() as u16),
     };
     data.retain(work.retentive.markers());
+    // Last of all: whoever reads that the board is ready may ask it at once.
     if let Err(fault) = program {
-        work.enter_fault(fault);
+        work.fail(fault);
+        report::fault(&board.serial, fault);
+    } else {
+        report::ready(&board.serial, board.pins.stop());
     }
     work.server.start(board);
     loop {
@@ -94,16 +93,10 @@ pub fn check(board: &Board, memory: &mut [u8]) -> Result<Kept, Fault> {
 }
 
 impl Work<'_> {
-    /// FAULT begins, and is counted.
+    /// FAULT begins, and lasts until the next start.
     #[inline(never)]
     fn fail(&mut self, fault: Fault) {
         self.board.watchdog.count_fault();
-        self.enter_fault(fault);
-    }
-
-    /// FAULT, which lasts until the next start.
-    #[inline(never)]
-    fn enter_fault(&mut self, fault: Fault) {
         self.board.release_card();
         let operation = &mut self.scans.operation;
         operation.state = State::Fault;
