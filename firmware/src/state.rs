@@ -62,25 +62,14 @@ impl Keeper {
     /// the card.
     #[inline(never)]
     pub fn step(&mut self, board: &Board, operation: &mut Operation) {
-        // Outputs as their pins are.
-        let mut images = operation.images;
-        images.set_outputs(match operation.state {
-            State::Run => operation.outputs(),
-            State::Stop | State::Fault => Image::default(),
-        });
-        if self.advance(board, images, &operation.times).is_err() {
+        if self.advance(board, operation).is_err() {
             board.release_card();
             self.writer = None;
             operation.card_failed = true;
         }
     }
 
-    fn advance(
-        &mut self,
-        board: &Board,
-        images: Images,
-        times: &ScanTimes,
-    ) -> Result<(), CardFailed> {
+    fn advance(&mut self, board: &Board, operation: &Operation) -> Result<(), CardFailed> {
         let Some(writer) = &mut self.writer else {
             return Ok(());
         };
@@ -94,6 +83,12 @@ impl Keeper {
         if writer.step(board, now, |at| text.byte(at))? == Progress::Going {
             return Ok(());
         }
+        // Outputs as their pins are.
+        let mut images = operation.images;
+        images.set_outputs(match operation.state {
+            State::Run => operation.outputs(),
+            State::Stop | State::Fault => Image::default(),
+        });
         let due = match self.written {
             None => true,
             Some(written) => {
@@ -107,7 +102,7 @@ impl Keeper {
         };
         if due {
             self.written = Some(now);
-            text.begin(images, times, &self.uptime);
+            text.begin(images, &operation.times, &self.uptime);
             writer.begin(board)?;
         }
         Ok(())
