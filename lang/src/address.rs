@@ -14,7 +14,7 @@
 use crate::Dialect;
 
 /// What an address names; a number is yet to be checked.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Address {
     Input(u32),
     Output(u32),
@@ -103,6 +103,25 @@ pub(crate) fn parse(name: &str, dialect: Dialect) -> Option<Address> {
         "C" => Address::Counter(format!("{letters}{first}"), member.map(str::to_owned)),
         _ => return None,
     })
+}
+
+/// How an address is written: its letters, its number, and its bit. `I1`, `I.1`, `% IX01` are one spelling.
+pub(crate) type Spelling = (String, u32, Option<u32>);
+
+/// The spelling of an address, in upper case.
+pub(crate) fn spelling(name: &str) -> Spelling {
+    let text = name.strip_prefix('%').unwrap_or(name);
+    let letters = text.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+    let digits = text[letters.len()..].trim_start_matches('.');
+    let (first, bit) = match digits.split_once('.') {
+        Some((first, bit)) => (first, bit.parse().ok()),
+        None => (digits, None),
+    };
+    let letters = match letters {
+        "IX" | "QX" | "MX" => &letters[..1],
+        letters => letters,
+    };
+    (letters.to_owned(), first.parse().unwrap_or(0), bit)
 }
 
 fn octal(digits: &str, bit: Option<u32>) -> Option<u32> {

@@ -37,6 +37,8 @@ pub(crate) enum UnitKind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Section {
     Local,
+    /// New at each call.
+    Temp,
     Retain,
     Input,
     Output,
@@ -49,7 +51,15 @@ pub(crate) struct Var {
     pub name: Word,
     pub at: Option<Operand>,
     pub ty: Word,
-    pub init: Option<Operand>,
+    /// `TRUE`, or `(PT := T#5s)`.
+    pub init: Vec<Init>,
+}
+
+/// A first value, with the name of what it is for where it says so.
+#[derive(Clone, Debug)]
+pub(crate) struct Init {
+    pub name: Option<Word>,
+    pub value: Operand,
 }
 
 /// An operand: a constant, or a name that is yet to be looked up.
@@ -67,6 +77,8 @@ pub(crate) enum OperandKind {
     /// A number, or a time in ms.
     Number(i32),
     Bool(bool),
+    /// Something was wrong, and has been told.
+    Unknown,
 }
 
 /// `IN := %IX1`, or `Q => %QX1`, or an operand alone.
@@ -115,6 +127,11 @@ pub(crate) enum Stmt {
     Instr(Instr),
     /// `)`
     Close(Span),
+    /// A line that could not be read, and has been told; so many parentheses stay open behind it.
+    Wrong {
+        span: Span,
+        open: usize,
+    },
 }
 
 impl Operand {
@@ -126,12 +143,17 @@ impl Operand {
         }
     }
 
+    /// Whether something was wrong with it, which has been told.
+    pub(crate) fn is_wrong(&self) -> bool {
+        self.kind == OperandKind::Unknown
+    }
+
     /// The number; none of a name.
     pub(crate) fn number(&self) -> Option<i32> {
         match self.kind {
             OperandKind::Number(number) => Some(number),
             OperandKind::Bool(state) => Some(state.into()),
-            OperandKind::Name(_) => None,
+            OperandKind::Name(_) | OperandKind::Unknown => None,
         }
     }
 }

@@ -63,7 +63,7 @@ impl Comments {
 
 /// What a comment says, without what begins and ends it.
 fn words(comment: &str) -> &str {
-    if let Some(words) = comment.strip_prefix("//") {
+    if let Some(words) = comment.strip_prefix("//").or(comment.strip_prefix(';')) {
         return words;
     }
     let words = comment.strip_prefix("(*").unwrap_or(comment);

@@ -1,7 +1,9 @@
 //! What is wrong with a text, or worth a second look.
 
 pub use crate::messages::Code;
+use std::collections::HashSet;
 use std::fmt;
+use std::ops::Deref;
 use std::ops::Range;
 
 /// Whether a text can be compiled all the same.
@@ -57,7 +59,7 @@ impl From<(String, String)> for Word {
 }
 
 /// Bytes of the text, from the first to behind the last.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
     /// The first byte.
     pub start: u32,
@@ -174,16 +176,75 @@ impl Lines {
     }
 }
 
+/// More errors than this, and more warnings, are only counted: the first ones say what to mend.
+const MOST: usize = 100;
+
 /// The diagnostics of a run, as they are found.
-#[derive(Debug, Default)]
-pub(crate) struct Found(pub(crate) Vec<Diagnostic>);
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Found {
+    told: Vec<Diagnostic>,
+    errors: usize,
+    warnings: usize,
+    /// A function's body is compiled once for each call, and says the same each time.
+    seen: HashSet<(Code, Span)>,
+}
 
 impl Found {
     pub(crate) fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Word; N]) {
-        self.0.push(Diagnostic::new(code, span, words.into()));
+        if !self.seen.insert((code, span)) {
+            return;
+        }
+        let count = match code.severity() {
+            Severity::Error => &mut self.errors,
+            Severity::Warning => &mut self.warnings,
+        };
+        *count += 1;
+        if *count <= MOST {
+            self.told.push(Diagnostic::new(code, span, words.into()));
+        }
     }
 
     pub(crate) fn has_errors(&self) -> bool {
-        self.0.iter().any(|d| d.severity() == Severity::Error)
+        self.errors > 0
+    }
+
+    /// The first place where this was told.
+    pub(crate) fn place_of(&self, code: Code) -> Option<Span> {
+        let told = self.told.iter().filter(|d| d.code == code);
+        told.map(|d| d.span).min_by_key(|span| span.start)
+    }
+
+    /// Forgets all but what this holds of.
+    pub(crate) fn keep(&mut self, holds: impl Fn(&Diagnostic) -> bool) {
+        self.told.retain(holds);
+        let errors = self.told.iter();
+        self.errors = errors.filter(|d| d.severity() == Severity::Error).count();
+        self.warnings = self.told.len() - self.errors;
+    }
+
+    pub(crate) fn finish(mut self) -> Told {
+        self.told
+            .sort_by_key(|d| (d.span.start, d.span.end, d.code));
+        Told {
+            more: self.errors + self.warnings - self.told.len(),
+            listed: self.told,
+        }
+    }
+}
+
+/// What was found in a text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Told {
+    /// In the order of their places.
+    pub listed: Vec<Diagnostic>,
+    /// How many more were found than are listed.
+    pub more: usize,
+}
+
+impl Deref for Told {
+    type Target = [Diagnostic];
+
+    fn deref(&self) -> &[Diagnostic] {
+        &self.listed
     }
 }

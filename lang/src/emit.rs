@@ -34,7 +34,7 @@ pub(crate) struct Origin {
 pub(crate) fn emit(
     text: &str,
     lines: &Lines,
-    lowered: &mut Lowered,
+    lowered: &mut Lowered<'_>,
     found: &mut Found,
 ) -> (Vec<CodeLine>, Vec<Origin>) {
     let dialect = lowered.names.dialect;
@@ -132,7 +132,7 @@ fn letters(instruction: Instruction<'_>) -> String {
 }
 
 /// The number of each label that stands in the program: the one that its name asks for, or one that is free.
-fn number_labels(lowered: &Lowered, found: &mut Found) -> Vec<Option<u8>> {
+fn number_labels(lowered: &Lowered<'_>, found: &mut Found) -> Vec<Option<u8>> {
     let mut numbers: Vec<Option<u8>> = vec![None; lowered.labels.len()];
     let standing = || {
         lowered.steps.iter().filter_map(|step| match step.written {
@@ -207,6 +207,7 @@ pub(crate) fn file(lines: &[CodeLine]) -> String {
 
 /// Gives the program to the loader, as the board would, and each of its steps a place.
 pub(crate) fn check(
+    text: &str,
     lines: &[CodeLine],
     origins: &[Origin],
     board: Profile,
@@ -249,6 +250,10 @@ pub(crate) fn check(
                     board.linked_bytes.to_string().into(),
                 ];
                 found.tell(Code::DoesNotFit, span, most);
+            }
+            Cause::PinUsedTwice => {
+                let point = text.get(span.range()).unwrap_or_default();
+                found.tell(Code::PinTwice, span, [point.into()]);
             }
             cause => {
                 let words = [cause.number().to_string().into(), cause.text().into()];

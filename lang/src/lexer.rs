@@ -1,6 +1,7 @@
 //! From the bytes of a text to its words.
 //!
-//! Owns comments, numbers and names; must not know an operator from a name.
+//! Owns comments, numbers and names; must not know an operator from a name. Of `;` it knows that it ends a
+//! declaration between VAR and END_VAR, and begins a comment elsewhere.
 
 use crate::diagnostics::{Code, Found, Span};
 
@@ -9,7 +10,7 @@ use crate::diagnostics::{Code, Found, Span};
 pub(crate) enum Kind {
     /// A name or address: `LD`, `%IX1`, `I0.0`, `T1.Q`, `% IX1`.
     Name,
-    /// Digits, perhaps with a point: `20`, `0.00`.
+    /// Digits, perhaps with a point, and letters that stick to them: `20`, `0.00`, `5s`.
     Number,
     /// `T#20s`, `16#FF`.
     Literal,
@@ -40,12 +41,27 @@ pub(crate) struct Token {
     pub span: Span,
 }
 
-/// The words of a text.
+/// Words that begin declarations, by the norm; not all of them can be compiled.
+pub(crate) const SECTIONS: [&str; 9] = [
+    "VAR",
+    "VAR_TEMP",
+    "VAR_GLOBAL",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+    "VAR_IN_OUT",
+    "VAR_EXTERNAL",
+    "VAR_ACCESS",
+    "VAR_CONFIG",
+];
+
+/// What a text consists of.
 pub(crate) struct Words {
     /// A [`Kind::End`] is the last.
     pub tokens: Vec<Token>,
     /// The comments between them, with what begins and ends them.
     pub comments: Vec<Span>,
+    /// Of these the ones that `;` begins, without it.
+    pub remarks: Vec<Span>,
 }
 
 pub(crate) fn words(text: &str, found: &mut Found) -> Words {
@@ -55,6 +71,8 @@ pub(crate) fn words(text: &str, found: &mut Found) -> Words {
         at: 0,
         unclosed: 0,
         comments: Vec::new(),
+        declares: false,
+        remarks: Vec::new(),
         found,
     };
     let mut tokens = Vec::with_capacity(text.len() / 3 + 1);
@@ -72,8 +90,14 @@ pub(crate) fn words(text: &str, found: &mut Found) -> Words {
         kind: Kind::End,
         span: end,
     });
-    let comments = lexer.comments;
-    Words { tokens, comments }
+    let Lexer {
+        comments, remarks, ..
+    } = lexer;
+    Words {
+        tokens,
+        comments,
+        remarks,
+    }
 }
 
 struct Lexer<'t, 'f> {
@@ -83,6 +107,9 @@ struct Lexer<'t, 'f> {
     /// There is no `*)` from `at` to here.
     unclosed: usize,
     comments: Vec<Span>,
+    /// Between VAR and END_VAR.
+    declares: bool,
+    remarks: Vec<Span>,
     found: &'f mut Found,
 }
 
@@ -102,10 +129,15 @@ impl Lexer<'_, '_> {
                     continue;
                 }
                 b'/' if second == Some(b'/') => {
-                    while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
-                        self.at += 1;
-                    }
+                    self.skip_line();
                     self.comments.push(self.span(start));
+                    continue;
+                }
+                b';' if !self.declares => {
+                    self.skip_line();
+                    self.comments.push(self.span(start));
+                    let remark = self.span(start + 1);
+                    self.remarks.push(remark);
                     continue;
                 }
                 b'(' => Kind::Open,
@@ -145,12 +177,32 @@ impl Lexer<'_, '_> {
                         Kind::Literal
                     } else {
                         self.members();
+                        self.note_section(start);
                         Kind::Name
                     }
                 }
             };
             let span = self.span(start);
             return Some(Token { kind, span });
+        }
+    }
+
+    /// Words that begin and end declarations.
+    fn note_section(&mut self, start: usize) {
+        let word = self.text.get(start..self.at).unwrap_or_default();
+        if word.eq_ignore_ascii_case("END_VAR") {
+            self.declares = false;
+        } else if SECTIONS
+            .iter()
+            .any(|known| word.eq_ignore_ascii_case(known))
+        {
+            self.declares = true;
+        }
+    }
+
+    fn skip_line(&mut self) {
+        while self.bytes.get(self.at).is_some_and(|&byte| byte != b'\n') {
+            self.at += 1;
         }
     }
 
@@ -211,7 +263,21 @@ impl Lexer<'_, '_> {
             self.at += 1;
             self.digits();
         }
+        self.decimal_comma();
+        while matches!(self.bytes.get(self.at), Some(byte) if byte.is_ascii_alphanumeric()) {
+            self.at += 1;
+        }
         Kind::Number
+    }
+
+    /// A comma within a time, `1,5s`, belongs to its number: behind it stand digits and a unit.
+    fn decimal_comma(&mut self) {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let [b',', behind @ ..] = rest else { return };
+        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+        if digits > 0 && behind.get(digits).is_some_and(u8::is_ascii_alphabetic) {
+            self.at += 1 + digits;
+        }
     }
 
     /// What follows a `#`.
@@ -219,11 +285,18 @@ impl Lexer<'_, '_> {
         if self.bytes.get(self.at) == Some(&b'-') {
             self.at += 1;
         }
-        while matches!(
-            self.bytes.get(self.at),
-            Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
-        ) {
+        let part = |lexer: &Self| {
+            matches!(
+                lexer.bytes.get(lexer.at),
+                Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
+            )
+        };
+        while part(self) {
             self.at += 1;
+            let before = self.bytes.get(self.at - 1);
+            if before.is_some_and(u8::is_ascii_digit) {
+                self.decimal_comma();
+            }
         }
     }
 

@@ -30,10 +30,11 @@ mod show;
 mod spell;
 mod temps;
 mod tree;
+mod whole;
 mod words;
 
 pub use back::{instructions_to_il, to_il};
-pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Word};
+pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;
 pub use show::show;
@@ -72,8 +73,8 @@ pub struct Compiled {
     /// The program, as the board's own loader has checked it, and where its steps stand in the text; none
     /// where there are errors.
     pub program: Option<(Checked, SourceMap)>,
-    /// In the order of their places.
-    pub diagnostics: Vec<Diagnostic>,
+    /// What was found in the text.
+    pub diagnostics: Told,
 }
 
 impl Compiled {
@@ -100,24 +101,39 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
     let mut found = Found::default();
     let parsed = parser::parse(text, &mut found);
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
-    let names = names::Names::new(dialect, options.board, &parsed.units);
-    let mut lowered = lower::lower(&parsed.units, names, &mut found);
-    let starts = Lines::new(text);
-    let (lines, origins) = emit::emit(text, &starts, &mut lowered, &mut found);
+    let mut lines = Vec::new();
     let mut program = None;
-    if !found.has_errors() {
-        let comments = Comments::new(text, &starts, &parsed.comments);
-        let places = Places::new(text, &starts, &parsed.units, comments);
-        program = emit::check(&lines, &origins, options.board, places, &mut found);
+    if whole::is_readable(&mut found) {
+        (lines, program) = translate(text, dialect, options.board, &parsed, &mut found);
     }
-    let mut diagnostics = found.0;
-    // A function's body is compiled once for each call, and says the same each time.
-    diagnostics.sort_by_key(|d| (d.span.start, d.span.end, d.code));
-    diagnostics.dedup();
+    let diagnostics = found.finish();
     Compiled {
         dialect,
         lines,
         program,
         diagnostics,
     }
+}
+
+/// The lines of the program file, and the program where there are no errors.
+fn translate(
+    text: &str,
+    dialect: Dialect,
+    board: Profile,
+    parsed: &parser::Parsed,
+    found: &mut Found,
+) -> (Vec<CodeLine>, Option<(Checked, SourceMap)>) {
+    let units = &parsed.units;
+    let names = || names::Names::new(text, dialect, board, units);
+    let mut lowered = lower::lower(units, names, found);
+    let starts = Lines::new(text);
+    let (lines, origins) = emit::emit(text, &starts, &mut lowered, found);
+    whole::check(text, units, lowered.writes, found);
+    let mut program = None;
+    if !found.has_errors() {
+        let comments = Comments::new(text, &starts, &parsed.comments);
+        let places = Places::new(text, &starts, units, comments);
+        program = emit::check(text, &lines, &origins, board, places, found);
+    }
+    (lines, program)
 }

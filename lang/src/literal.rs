@@ -1,5 +1,7 @@
 //! Numbers and times as they are written.
 
+use crate::diagnostics::Code;
+
 /// The number or time, in ms, that a literal says: `20`, `2#1010`, `16#FF`, `T#1h2m3s4ms`, `TIME#2.5s`.
 pub(crate) fn value(text: &str) -> Option<i32> {
     let Some((prefix, rest)) = text.split_once('#') else {
@@ -15,6 +17,33 @@ pub(crate) fn value(text: &str) -> Option<i32> {
         "BOOL" => value(rest).filter(|number| (0..=1).contains(number)),
         _ => None,
     }
+}
+
+/// What is wrong with a literal that has no value, and how it may have been meant.
+pub(crate) fn fault(text: &str) -> (Code, String) {
+    let point = text.replace(',', ".");
+    let behind = text.split_once('#').map(|(_, rest)| rest);
+    let timed = text.get(..2).is_some_and(|t| t.eq_ignore_ascii_case("T#"))
+        || text
+            .get(..5)
+            .is_some_and(|t| t.eq_ignore_ascii_case("TIME#"));
+    let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '_');
+    match behind {
+        None if time(&point).is_some() => (Code::TimePrefix, format!("T#{point}")),
+        Some(_) if timed && text.contains(',') => (Code::DecimalComma, point),
+        Some(rest) if timed && !rest.is_empty() && rest.chars().all(digits) => {
+            (Code::TimeUnit, text.to_owned())
+        }
+        rest if is_fraction(rest.unwrap_or(text)) => (Code::Fraction, text.to_owned()),
+        _ => (Code::BadNumber, text.to_owned()),
+    }
+}
+
+/// Whether this is a number with a fraction or an exponent: `2.5`, `2,5`, `1E3`.
+pub(crate) fn is_fraction(text: &str) -> bool {
+    let number = text.strip_prefix('-').unwrap_or(text).replace(',', ".");
+    let begins = number.starts_with(|c: char| c.is_ascii_digit());
+    begins && number.contains(['.', 'e', 'E']) && number.parse::<f64>().is_ok()
 }
 
 fn whole(digits: &str, radix: u32) -> Option<i32> {
@@ -74,7 +103,8 @@ fn time(text: &str) -> Option<i32> {
 
 #[cfg(test)]
 mod tests {
-    use super::value;
+    use super::{fault, value};
+    use crate::diagnostics::Code;
 
     #[test]
     fn literals() {
@@ -97,6 +127,23 @@ mod tests {
         ];
         for (text, expected) in cases {
             assert_eq!(value(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn each_slip_has_its_own_words() {
+        for (text, code, meant) in [
+            ("5s", Code::TimePrefix, "T#5s"),
+            ("1,5s", Code::TimePrefix, "T#1.5s"),
+            ("T#5", Code::TimeUnit, "T#5"),
+            ("T#1,5s", Code::DecimalComma, "T#1.5s"),
+            ("2.5", Code::Fraction, "2.5"),
+            ("1E3", Code::Fraction, "1E3"),
+            ("REAL#2.5", Code::Fraction, "REAL#2.5"),
+            ("2#123", Code::BadNumber, "2#123"),
+            ("T#s", Code::BadNumber, "T#s"),
+        ] {
+            assert_eq!(fault(text), (code, meant.to_owned()), "{text}");
         }
     }
 }

@@ -67,6 +67,36 @@ messages! {
         "numbers are like 20, 2#1010 or 16#FF; times like T#20s or T#1h2m3s4ms"
         "`{0}` não é um número de até 32 bits nem um tempo"
         "números são como 20, 2#1010 ou 16#FF; tempos como T#20s ou T#1h2m3s4ms";
+    15 Fraction Error
+        "`{0}` has a fraction, and the board's numbers are whole"
+        "count in smaller parts, 25 tenths for 2.5; a point like 0.00 is OMRON's, whose words choose that dialect"
+        "`{0}` tem casas decimais, e os números da placa são inteiros"
+        "conte em partes menores, 25 décimos para 2,5; um ponto como 0.00 é da OMRON, cujas palavras escolhem esse dialeto";
+    16 TimePrefix Error
+        "`{0}` is a time, and a time begins with T#"
+        "write {1}"
+        "`{0}` é um tempo, e um tempo começa com T#"
+        "escreva {1}";
+    17 TimeUnit Error
+        "`{0}` does not say its unit"
+        "write {0}s for seconds, or {0}ms for milliseconds"
+        "`{0}` não diz a sua unidade"
+        "escreva {0}s para segundos ou {0}ms para milissegundos";
+    18 DecimalComma Error
+        "`{0}` has a comma where a point belongs"
+        "write {1}"
+        "`{0}` tem uma vírgula onde deve haver um ponto"
+        "escreva {1}";
+    19 Commented Warning
+        "`{0}` is not done: what stands behind ; is a comment"
+        "put it on a line of its own, or write (* before it and *) behind it if it is a comment"
+        "`{0}` não é executado: o que fica depois de ; é comentário"
+        "ponha-o em uma linha própria ou, se for comentário, escreva (* antes e *) depois";
+    20 OtherWord Error
+        "`{0}` is {1} in Instruction List"
+        "write {1}"
+        "`{0}` é {1} em Lista de Instruções"
+        "escreva {1}";
     21 UnknownOperator Error
         "there is no operator `{0}`"
         "{1}"
@@ -74,9 +104,9 @@ messages! {
         "{1}";
     22 OperandMissing Error
         "{0} needs to know what it works on"
-        "write an operand behind it, like I1, Q1 or M1"
+        "write an operand behind it, like {1}"
         "falta dizer com que {0} deve trabalhar"
-        "escreva um operando depois dele, como I1, Q1 ou M1";
+        "escreva um operando depois dele, como {1}";
     23 Unexpected Error
         "`{0}` was not expected here"
         "each instruction stands on a line of its own: operator, operand, comment"
@@ -99,9 +129,9 @@ messages! {
         "dê outro nome a um deles";
     27 NoSuchLabel Error
         "there is no label `{0}` here to jump to"
-        "write `{0}:` before the instruction to go on with"
+        "{1}"
         "não há aqui um rótulo `{0}` para onde desviar"
-        "escreva `{0}:` antes da instrução em que o programa deve continuar";
+        "{1}";
     28 LabelColon Warning
         "`{0}` was taken as a label, but a colon is missing"
         "write `{0}:`"
@@ -142,6 +172,16 @@ messages! {
         "begin with LD or LDN"
         "o acumulador não contém nada com que {0} possa trabalhar aqui"
         "comece com LD ou LDN";
+    36 ColonMissing Error
+        "a colon is missing before `{0}`"
+        "{1}"
+        "faltam os dois-pontos antes de `{0}`"
+        "{1}";
+    40 SamePoint Error
+        "`{0}` and `{1}` are the same {2}"
+        "write it in one way only, or count again which point is meant"
+        "`{0}` e `{1}` são o mesmo ponto: {2}"
+        "escreva-o de um só modo, ou conte de novo qual ponto se quer";
     41 NoSuchPoint Error
         "there is no {0} on this board"
         "{1}"
@@ -149,9 +189,9 @@ messages! {
         "{1}";
     42 Undeclared Warning
         "nothing says what `{0}` is; it was made a marker, {1}"
-        "declare it: VAR {0} AT %IX1 : BOOL; END_VAR"
+        "{2}"
         "nada diz o que é `{0}`; virou uma memória, {1}"
-        "declare-o: VAR {0} AT %IX1 : BOOL; END_VAR";
+        "{2}";
     43 NameTwice Error
         "`{0}` is declared twice"
         "give one of them another name"
@@ -169,9 +209,9 @@ messages! {
         "{2}";
     46 NotCallable Error
         "`{0}` cannot be called"
-        "CAL takes a timer, a counter, or a FUNCTION or FUNCTION_BLOCK of this file"
+        "{1}"
         "`{0}` não pode ser chamado"
-        "CAL aceita um temporizador, um contador, ou uma FUNCTION ou FUNCTION_BLOCK deste arquivo";
+        "{1}";
     47 NotWritable Error
         "nothing can be stored in {0}"
         "outputs, markers and registers can be written, like Q1, M1 or D1"
@@ -187,6 +227,11 @@ messages! {
         "the program uses all of them; do with fewer"
         "não sobrou {0} na placa para isto"
         "o programa já usa todos; use menos";
+    50 BadInitial Error
+        "`{0}` cannot begin with `{1}`: {2}"
+        "change the value, or store it in the program while S1 is 1, in the first scan"
+        "`{0}` não pode começar com `{1}`: {2}"
+        "mude o valor ou armazene-o no programa enquanto S1 for 1, na primeira varredura";
     51 WrongType Error
         "{0} is {1}, but {2} is needed here"
         "a comparison (GT, GE, EQ …) turns numbers into true or false"
@@ -232,16 +277,21 @@ messages! {
         "call fewer functions from one another"
         "as chamadas vão fundo demais aqui, ou são muitas: cada uma põe um corpo no programa"
         "chame menos funções umas das outras";
+    60 Stateless Error
+        "a function keeps nothing from one call to the next, so {0} cannot stand in it"
+        "make it a FUNCTION_BLOCK, and declare one instance for each place"
+        "uma função não guarda nada de uma chamada para a outra, por isso {0} não pode ficar nela"
+        "faça dela um FUNCTION_BLOCK e declare uma instância para cada lugar";
     61 WrittenTwice Warning
         "{0} is written again here; only the last store in a scan is seen at the output"
         "combine the conditions with OR and write it once, or use S and R"
         "{0} é escrito outra vez aqui; só o último armazenamento da varredura aparece na saída"
         "junte as condições com OR e escreva uma só vez, ou use S e R";
-    62 TimerTwice Warning
-        "{0} is called again here; each call is a timer of its own, and {0} means the latest above"
-        "use another timer here"
-        "{0} é chamado outra vez aqui; cada chamada é um temporizador próprio, e {0} é o último acima"
-        "use outro temporizador aqui";
+    62 TimerTwice Error
+        "{0} is called again here, and a timer has one place in the program"
+        "call it once, with its conditions joined by OR, or use another timer here"
+        "{0} é chamado outra vez aqui, e um temporizador tem um só lugar no programa"
+        "chame-o uma só vez, com as condições unidas por OR, ou use outro temporizador aqui";
     63 NeverRead Warning
         "the input `{0}` is declared, but the program never reads it"
         "read it with LD {0}, or delete the declaration"
@@ -263,8 +313,33 @@ messages! {
         "daqui em diante o programa não cabe na placa"
         "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo; temporizadores e contadores ocupam mais";
     72 Refused Error
-        "the board would refuse this: fault {0}, {1}"
-        "docs/faults.md says what to do about the fault"
-        "a placa recusaria isto: falha {0}, {1}"
-        "docs/faults.pt-BR.md diz o que fazer com a falha";
+        "a code that comes of this cannot stand here: fault {0}, {1}"
+        "mend the codes behind CODE; docs/faults.md explains the fault"
+        "um código que resulta disto não pode ficar aqui: falha {0}, {1}"
+        "corrija os códigos depois de CODE; docs/faults.pt-BR.md explica a falha";
+    73 PinTwice Error
+        "the pin of `{0}` is used in another way too"
+        "I5 to I8 are the pins of IW0 to IW3, Q1 and Q4 those of QW1 and QW4: use each pin in one way"
+        "o pino de `{0}` também é usado de outro modo"
+        "I5 a I8 são os pinos de IW0 a IW3, e Q1 e Q4 os de QW1 e QW4: use cada pino de um só modo";
+    81 NoProgram Error
+        "there is no program: {0}"
+        "write at least an LD and an ST: LD I1, and ST Q1 on the next line"
+        "não há programa: {0}"
+        "escreva pelo menos um LD e um ST: LD I1 e, na linha seguinte, ST Q1";
+    82 NothingWritten Warning
+        "the program writes nothing: no output, marker or register ever changes"
+        "store the result: ST Q1"
+        "o programa não escreve nada: nenhuma saída, memória ou registrador muda"
+        "armazene o resultado: ST Q1";
+    83 StructuredText Error
+        "`{0}` is Structured Text, and Instruction List is read here"
+        "write one operation on each line: LD I1, AND I2 and ST Q1 for Q1 := I1 AND I2"
+        "`{0}` é Texto Estruturado, e aqui se lê Lista de Instruções"
+        "escreva uma operação por linha: LD I1, AND I2 e ST Q1 para Q1 := I1 AND I2";
+    84 NumericCode Error
+        "`{0}` is numeric code, and Instruction List is read here"
+        "give the file a name that ends in .txt, or write CODE {0} for a code in a text"
+        "`{0}` é código numérico, e aqui se lê Lista de Instruções"
+        "dê ao arquivo um nome que termine em .txt, ou escreva CODE {0} para um código em um texto";
 }

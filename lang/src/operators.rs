@@ -63,6 +63,21 @@ impl Op {
         matches!(self, Op::Load | Op::Store | Op::And | Op::Or | Op::Xor)
     }
 
+    /// Whether it works on an operand, and not on the accumulator alone.
+    pub(crate) fn takes_operand(self) -> bool {
+        !matches!(
+            self,
+            Op::Not
+                | Op::Unary(_)
+                | Op::Edge(_)
+                | Op::Return
+                | Op::AndBlock
+                | Op::OrBlock
+                | Op::OutBlock
+                | Op::EndBlock
+        )
+    }
+
     /// Whether it may have more than one operand.
     pub(crate) fn may_have_more(self) -> bool {
         matches!(
@@ -191,6 +206,42 @@ pub(crate) fn nearest(word: &str) -> Option<&'static str> {
     let more = own_words().filter(|opcode| opcode.class() != Class::Logic);
     let mut spellings = SPELLINGS.iter().copied().chain(more.map(operator));
     spellings.find(|known| one_slip(known.as_bytes(), word.as_bytes()))
+}
+
+/// The operator that a word of another language means: Portuguese, Spanish, and German as Siemens has it.
+pub(crate) fn of_other_language(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "E" | "U" | "Y" | "UND" => "AND",
+        "EN" | "UN" => "ANDN",
+        "OU" | "ODER" => "OR",
+        "OUN" => "ORN",
+        "XOU" | "OUX" => "XOR",
+        "NAO" | "NÃO" => "NOT",
+        "L" => "LD",
+        "T" => "ST",
+        "SPB" => "JMPC",
+        "SPA" => "JMP",
+        _ => return None,
+    })
+}
+
+/// Whether a line of Structured Text begins with this word.
+pub(crate) fn is_structured_text(word: &str) -> bool {
+    matches!(
+        word,
+        "IF" | "ELSIF"
+            | "ELSE"
+            | "END_IF"
+            | "FOR"
+            | "END_FOR"
+            | "WHILE"
+            | "END_WHILE"
+            | "REPEAT"
+            | "UNTIL"
+            | "END_REPEAT"
+            | "CASE"
+            | "END_CASE"
+    )
 }
 
 fn one_slip(a: &[u8], b: &[u8]) -> bool {

@@ -1,25 +1,26 @@
 //! Diagnostics as text: the line, a caret under what is wrong, and help.
 
-use crate::{Diagnostic, Lang, Severity};
+use crate::{Diagnostic, Lang, Severity, Told};
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
 /// More diagnostics than this are only counted.
 const SHOWN: usize = 20;
 
-/// Shows the diagnostics of a text that goes by this name.
-pub fn show(
-    name: &str,
-    text: &str,
-    diagnostics: &[Diagnostic],
-    lang: Lang,
-    renderer: &Renderer,
-) -> String {
+/// Shows what has been told of a text that goes by this name, and how much more there is.
+pub fn show(name: &str, text: &str, told: &Told, lang: Lang, renderer: &Renderer) -> String {
     let mut shown = String::new();
-    for diagnostic in diagnostics.iter().take(SHOWN) {
+    // Where not all are shown, no warning takes the place of an error.
+    let (mut errors, warnings): (Vec<_>, Vec<_>) =
+        told.iter().partition(|d| d.severity() == Severity::Error);
+    let room = SHOWN.saturating_sub(errors.len());
+    errors.extend(warnings.into_iter().take(room));
+    errors.truncate(SHOWN);
+    errors.sort_by_key(|d| (d.span.start, d.span.end));
+    for diagnostic in &errors {
         shown.push_str(&show_one(name, text, diagnostic, lang, renderer));
         shown.push_str("\n\n");
     }
-    if let more @ 1.. = diagnostics.len().saturating_sub(SHOWN) {
+    if let more @ 1.. = told.len() - errors.len() + told.more {
         shown.push_str(&match lang {
             Lang::En => format!("… and {more} more\n"),
             Lang::Pt => format!("… e mais {more}\n"),

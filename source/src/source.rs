@@ -7,7 +7,7 @@ use crate::{BOARD, Size};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_ladder::{Ladder, Names};
-use unoclp_lang::{Diagnostic, Dialect};
+use unoclp_lang::{Dialect, Told};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub enum Language {
         /// Whose it was taken to be.
         dialect: Dialect,
         /// What is worth a second look.
-        warnings: Vec<Diagnostic>,
+        warnings: Told,
     },
 }
 

@@ -5,7 +5,7 @@
 use crate::{BOARD, Language, Size, Source, decode, is_il};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
-use unoclp_lang::{Diagnostic, Dialect, Options, compile};
+use unoclp_lang::{Dialect, Options, Told, compile};
 
 /// A program file. Its language is known, and nothing else.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub enum Refused {
         /// Its text.
         text: String,
         /// At least one error, in the order of their places.
-        diagnostics: Vec<Diagnostic>,
+        diagnostics: Told,
     },
 }
 

@@ -9,7 +9,7 @@ use std::path::Path;
 use unoclp_checked::Diagnosis;
 use unoclp_core::Fault;
 use unoclp_host_sim::scenario::ProgramFile;
-use unoclp_lang::{self as lang, Diagnostic, Dialect, Lang, Severity};
+use unoclp_lang::{self as lang, Dialect, Lang, Severity, Told};
 use unoclp_source::{Language, Refused, Source, Written, diagnosis};
 
 /// How to read Instruction List.
@@ -105,11 +105,13 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
     }
 }
 
-/// How many errors there are.
-fn count(diagnostics: &[Diagnostic], lang: Lang) -> String {
-    let errors = diagnostics.iter();
+/// How many errors there are; of a text with more than are listed nothing is counted.
+fn count(told: &Told, lang: Lang) -> String {
+    let errors = told.iter();
     let errors = errors.filter(|d| d.severity() == Severity::Error).count();
     match (errors, lang) {
+        (_, Lang::En) if told.more > 0 => "there is no program".to_owned(),
+        (_, Lang::Pt) if told.more > 0 => "não há programa".to_owned(),
         (1, Lang::En) => "1 error; there is no program".to_owned(),
         (_, Lang::En) => format!("{errors} errors; there is no program"),
         (1, Lang::Pt) => "1 erro; não há programa".to_owned(),

@@ -1,7 +1,8 @@
 //! What works on the accumulator: loads, operations, and their deferral.
 
+use super::again::Edge;
 use super::{ACCUMULATOR, Acc, Lower, OPERAND, numbered};
-use crate::ast::{Instr, Stmt};
+use crate::ast::{Instr, Stmt, UnitKind};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 use crate::rung::{Holds, Written};
@@ -9,12 +10,12 @@ use crate::tree::{Expr, Num, Number};
 use crate::words::operator;
 use unoclp_core::isa::{Class, Opcode, Row, TABLE};
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
         self.warn_unused();
         self.unused = Some(instr.whole);
         let inverted = std::mem::take(&mut self.invert_load) != instr.negated;
-        if self.frames.is_empty() && self.block.is_none() {
+        if self.frames.is_empty() && self.block.is_none() && self.waiting == 0 {
             self.rungs.temps.release();
         }
         self.links = 0;
@@ -42,7 +43,16 @@ impl Lower<'_> {
     }
 
     pub(super) fn missing(&mut self, what: &str, span: Span) {
-        self.found.tell(Code::OperandMissing, span, [what.into()]);
+        let example: (&str, &str) = match what {
+            "ST" | "S" | "R" => ("Q1 or M1", "Q1 ou M1"),
+            "JMP" => ("the name of a label", "o nome de um rótulo"),
+            "CAL" | "BLK" | "IN" | "TON" | "TOF" | "TP" | "TONR" => ("T1 or C1", "T1 ou C1"),
+            "CU" | "CD" | "CTU" | "CTD" | "CTUD" => ("C1", "C1"),
+            "CODE" => ("827301", "827301"),
+            _ => ("I1, Q1 or M1", "I1, Q1 ou M1"),
+        };
+        self.found
+            .tell(Code::OperandMissing, span, [what.into(), example.into()]);
     }
 
     /// An instruction takes so many operands, and no more.
@@ -188,15 +198,22 @@ impl Lower<'_> {
         let Some(expr) = self.take_bit(operator(opcode), instr.span) else {
             return;
         };
-        self.bring(expr, instr.span);
-        self.rungs.changes(Written::Plain(opcode), instr.span);
-        self.acc = Acc::Bit(Expr::Live);
+        let Some(scope) = self.scopes.last() else {
+            return;
+        };
+        if self.kind_of(scope.unit) == UnitKind::Function {
+            let name = self.names.written(instr.span);
+            self.found.tell(Code::Stateless, instr.span, [name.into()]);
+        }
+        let edge = Edge::Operator(scope.instance, instr.span.start);
+        self.rise_or_fall(edge, opcode, expr, instr.span);
     }
 
     /// Codes as they are: one instruction with its operand lines.
     pub(super) fn code(&mut self, instr: &Instr) {
         let span = instr.whole;
         self.unused = None;
+        self.writes = true;
         match std::mem::replace(&mut self.acc, Acc::Empty) {
             Acc::Bit(expr) => self.bring(expr, span),
             _ => self.freeze(span),

@@ -28,7 +28,7 @@ const TIMER_PRESET: i32 = 9999 * 60_000;
 /// Likewise of a counter.
 const COUNTER_PRESET: i32 = 9999;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     pub(super) fn begin_block(&mut self, instr: &Instr) {
         self.end_of_blocks();
         self.warn_unused();
@@ -40,8 +40,7 @@ impl Lower<'_> {
         let place = self.place(operand);
         let name = self.spelled(operand);
         if !matches!(place, Place::Timer(_) | Place::Counter(_) | Place::Unknown) {
-            self.found
-                .tell(Code::NotCallable, operand.span, [name.as_str().into()]);
+            self.not_callable(operand);
         }
         self.block = Some(Block {
             place,
@@ -162,11 +161,7 @@ impl Lower<'_> {
                 }
             }
             (Place::Unknown, _) => {}
-            _ => {
-                let name = self.spelled(operand);
-                self.found
-                    .tell(Code::NotCallable, operand.span, [name.into()]);
-            }
+            _ => self.not_callable(operand),
         }
         self.acc = Acc::Empty;
     }

@@ -1,15 +1,16 @@
 //! CAL and what it may call; functions as operators; first values.
 
+use super::again::Edge;
+use super::timers::lit;
 use super::{Acc, Lower};
 use crate::ast::{Instr, Operand, Param, Section};
 use crate::diagnostics::{Code, Span};
 use crate::names::Place;
-use crate::rung::Written;
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// CAL, CALC, CALCN.
     pub(super) fn call(&mut self, instr: &Instr) {
         let Some(operand) = instr.operands.first() else {
@@ -41,7 +42,8 @@ impl Lower<'_> {
             .and_then(|name| self.functions.get(name))
             .copied();
         if let Some(unit) = function {
-            return self.call_unit(unit, self.function_instances[&unit], params, span);
+            let instance = self.function_instance(unit);
+            return self.call_unit(unit, instance, params, span);
         }
         match self.callable(operand) {
             Place::Timer(timer) => self.call_timer(timer, params, span),
@@ -52,44 +54,64 @@ impl Lower<'_> {
                 return self.call_unit(unit, instance, params, span);
             }
             Place::Unknown => {}
-            _ => {
-                let name = self.spelled(operand);
-                self.found
-                    .tell(Code::NotCallable, operand.span, [name.into()]);
-            }
+            _ => self.not_callable(operand),
         }
         self.acc = Acc::Empty;
     }
 
     /// What is called. A name that nothing declares is no marker here.
     fn callable(&mut self, operand: &Operand) -> Place {
-        let known = self.found.0.len();
-        let place = self.place(operand);
-        if self
-            .found
-            .0
-            .get(known)
-            .is_some_and(|told| told.code == Code::Undeclared)
-        {
-            self.found.0.truncate(known);
+        match operand.name() {
+            Some(name) if !self.names.knows(name, self.instance()) && !name.contains('%') => {
+                self.not_callable(operand);
+                Place::Unknown
+            }
+            _ => self.place(operand),
         }
-        place
+    }
+
+    pub(super) fn not_callable(&mut self, operand: &Operand) {
+        let name = self.spelled(operand);
+        let help = self.names.callable_help(&name);
+        self.found
+            .tell(Code::NotCallable, operand.span, [name.into(), help]);
     }
 
     /// R_TRIG, F_TRIG: its Q is 1 for one scan.
     fn call_trigger(&mut self, opcode: Opcode, marker: u8, params: &[Param], span: Span) {
-        let Some(clock) = params.first().filter(|param| !param.out) else {
+        let block = match opcode {
+            Opcode::RisingEdge => "R_TRIG",
+            _ => "F_TRIG",
+        };
+        let has = ("it has CLK, and gives Q", "tem CLK, e dá Q");
+        let mut clock = None;
+        for (index, param) in params.iter().enumerate() {
+            match param.name.as_ref().map(|name| name.text.as_str()) {
+                Some("CLK") if !param.out => clock = Some(param),
+                None if index == 0 => clock = Some(param),
+                Some("Q") if param.out => {}
+                _ => self.no_parameter(block, param, has),
+            }
+        }
+        let Some(clock) = clock else {
             let needs = ("its input, CLK", "sua entrada, CLK");
             return self
                 .found
-                .tell(Code::ParameterMissing, span, ["TRIG".into(), needs.into()]);
+                .tell(Code::ParameterMissing, span, [block.into(), needs.into()]);
         };
         let Some(expr) = self.param_bit(clock) else {
             return;
         };
-        self.bring(expr, span);
-        self.rungs.changes(Written::Plain(opcode), span);
+        self.rise_or_fall(Edge::Trigger(marker), opcode, expr, span);
+        let Some(changed) = self.take_bit(block, span) else {
+            return;
+        };
+        self.rungs.logic(changed, span);
         self.rungs.coil(Target::Marker(marker), false, span);
+        for param in params.iter().filter(|param| param.out) {
+            let acc = lit(Bit::Marker(marker), span);
+            self.store_to(acc, &param.value, param.negated, param.value.span);
+        }
     }
 
     /// `LIMIT a, b`: a function as an operator. One operand less than it has inputs, and the accumulator is the
@@ -108,7 +130,7 @@ impl Lower<'_> {
             .count();
         let mut params = instr.params.clone();
         params.extend(instr.operands.iter().map(positional));
-        let instance = self.function_instances[&unit];
+        let instance = self.function_instance(unit);
         if params.len() + 1 == inputs {
             let acc = self.take_acc("CAL", name);
             let first = self.units[unit]
@@ -141,10 +163,11 @@ impl Lower<'_> {
             match initial.place {
                 Place::Bit(Bit::Output(n)) => self.write(Opcode::SetCoil, n, span),
                 Place::Bit(Bit::Marker(n)) => self.write(Opcode::SetMarker, n, span),
-                Place::Number(Num::Register(n)) => {
+                Place::Number(num) => {
                     let value = Number::Leaf(Num::Const(initial.value), span);
                     self.rungs.number(&value);
-                    self.write(Opcode::Store, n, span);
+                    let written = self.stored_in(num);
+                    self.rungs.write(written, span);
                 }
                 _ => {}
             }

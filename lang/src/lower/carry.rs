@@ -28,6 +28,7 @@ pub(super) fn needs(body: &[Stmt]) -> HashSet<String> {
                 }
             }
             Stmt::Close(_) => used = true,
+            Stmt::Wrong { .. } => used = false,
             Stmt::Instr(instr) => {
                 used = match instr.op {
                     _ if instr.conditional => true,
@@ -46,7 +47,7 @@ pub(super) fn needs(body: &[Stmt]) -> HashSet<String> {
     needs
 }
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// Leaves the accumulator where the way from the label on takes it from.
     pub(super) fn carry_to(&mut self, label: usize, name: &str, span: Span) {
         self.unused = None;

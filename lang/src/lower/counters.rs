@@ -24,7 +24,7 @@ pub(super) struct Inputs {
     pub preset: Option<Preset>,
 }
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// `CTU C2, 20` as the S7-200 has it, count and reset on its stack; `CTU C2, %IX2, 20` as the norm's
     /// prose has it: the counter, the contact of its reset, its preset. The accumulator is the count.
     pub(super) fn count_operator(&mut self, instr: &Instr) {
@@ -113,9 +113,7 @@ impl Lower<'_> {
             Place::Counter(counter) => Some(counter),
             Place::Unknown => None,
             _ => {
-                let name = self.spelled(operand);
-                self.found
-                    .tell(Code::NotCallable, operand.span, [name.into()]);
+                self.not_callable(operand);
                 None
             }
         }
@@ -131,7 +129,15 @@ impl Lower<'_> {
     /// Writes a counter: it counts, then it is loaded, then it is reset, as the norm has it.
     pub(super) fn count(&mut self, counter: usize, mut inputs: Inputs, span: Span) {
         let number = self.names.counters[counter].number;
+        self.writes = true;
         self.freeze(span);
+        if let Some(Preset::Constant(preset)) = inputs.preset {
+            self.note_preset(number, preset);
+            if self.again.presets(number) {
+                let preset = Number::Leaf(Num::Const(preset), span);
+                inputs.preset = Some(Preset::Number(preset));
+            }
+        }
         // What is asked of the counter itself is asked before it counts.
         let own = |bit: Bit| bit == Bit::Reached(number) || bit == Bit::Zero(number);
         let later = [&inputs.down, &inputs.load, &inputs.reset];

@@ -6,11 +6,11 @@ use crate::ast::{Instr, Open, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::tree::{Expr, Number};
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// `AND(`: the accumulator and the operation wait on the stack.
     pub(super) fn defer(&mut self, instr: &Instr, open: Open, next: Option<&Stmt>) {
-        if self.frames.len() >= MOST_FRAMES {
-            self.found.tell(Code::TooDeep, open.span, []);
+        if self.lost > 0 || self.frames.len() >= MOST_FRAMES {
+            return self.lose(instr, open);
         }
         let mut left = self.take_acc(name(instr.op), instr.span);
         self.only(instr, 1);
@@ -55,8 +55,24 @@ impl Lower<'_> {
         self.links = 0;
     }
 
+    /// A parenthesis too many is told once; what stands in it comes to nothing.
+    fn lose(&mut self, instr: &Instr, open: Open) {
+        if self.lost == 0 {
+            self.found.tell(Code::TooDeep, open.span, []);
+        }
+        self.take_acc(name(instr.op), instr.span);
+        self.acc = Acc::Unknown;
+        self.lost += 1;
+    }
+
     /// `)`: the operation that was deferred last is done.
     pub(super) fn close(&mut self, span: Span) {
+        if self.lost > 0 {
+            self.lost -= 1;
+            self.unused = None;
+            self.acc = Acc::Unknown;
+            return;
+        }
         // Results that an LD has pushed within the parentheses are lost.
         while self.popped().is_some() {}
         let Some(frame) = self.frames.pop() else {

@@ -4,7 +4,7 @@ use super::Lower;
 use crate::diagnostics::Code;
 use crate::rung::Written;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     pub(super) fn finish(&mut self) {
         self.timers_never_called();
         self.inputs_never_read();
@@ -14,7 +14,7 @@ impl Lower<'_> {
 
     fn timers_never_called(&mut self) {
         for timer in &self.names.timers {
-            if let (0, Some(span)) = (timer.calls, timer.read) {
+            if let (None, Some(span)) = (&timer.called, timer.read) {
                 self.found
                     .tell(Code::NeverCalled, span, [timer.name.as_str().into()]);
             }

@@ -2,15 +2,16 @@
 
 use super::carry::needs;
 use super::{Acc, Label, Lower, Scope, Waiting, forget};
-use crate::ast::{Instr, Stmt, Word};
+use crate::ast::{Instr, Operand, Stmt, Word};
 use crate::diagnostics::{Code, Span};
+use crate::names::near::nearest;
 use crate::operators::Op;
 use crate::rung::{Holds, Written};
 use crate::tree::Expr;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::Opcode;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// The labels of a unit, and those that its jumps lead to.
     pub(super) fn scope(&mut self, unit: usize, instance: usize, end: Option<usize>) -> Scope {
         let body = &self.units[unit].body;
@@ -28,8 +29,8 @@ impl Lower<'_> {
         for stmt in body {
             let Stmt::Label(word) = stmt else { continue };
             if !seen.insert(&word.text) {
-                self.found
-                    .tell(Code::LabelTwice, word.span, [word.text.as_str().into()]);
+                let name = self.names.written(word.span);
+                self.found.tell(Code::LabelTwice, word.span, [name.into()]);
             } else if wanted.contains(&word.text) {
                 let index = self.new_label(word.span, asked_number(&word.text));
                 labels.insert(word.text.clone(), index);
@@ -42,6 +43,7 @@ impl Lower<'_> {
             needs: needs(body),
             wanted,
             end,
+            call: None,
         }
     }
 
@@ -62,14 +64,15 @@ impl Lower<'_> {
             .and_then(|scope| scope.labels.get(&word.text))
             .copied();
         let Some(index) = index else { return };
-        self.not_deferred(&word.text, word.span);
+        let name = self.names.written(word.span);
+        self.not_deferred(&name, word.span);
         let falls_in = !std::mem::replace(&mut self.unreachable, false);
         if !self.is_needed(&word.text) {
             self.warn_unused();
             return self.place_label(index, word.span);
         }
         if falls_in {
-            self.carry_to(index, &word.text, word.span);
+            self.carry_to(index, &name, word.span);
         }
         self.place_label(index, word.span);
         self.acc = self.carried(index, word.span);
@@ -99,16 +102,14 @@ impl Lower<'_> {
             return self.missing("JMP", instr.span);
         };
         self.only(instr, 1);
-        let name = self.spelled(operand);
+        let name = operand.name().unwrap_or_default().to_owned();
         let index = self
             .scopes
             .last()
             .and_then(|scope| scope.labels.get(&name))
             .copied();
         if index.is_none() {
-            let name = name.as_str();
-            self.found
-                .tell(Code::NoSuchLabel, operand.span, [name.into()]);
+            self.no_label(operand);
         }
         if let Some(index) = index
             && self.is_needed(&name)
@@ -130,6 +131,24 @@ impl Lower<'_> {
         }
         self.acc = Acc::Empty;
         self.unreachable = true;
+    }
+
+    fn no_label(&mut self, operand: &Operand) {
+        let name = self.spelled(operand);
+        let unit = self.scopes.last().map_or(0, |scope| scope.unit);
+        let labels = self.units[unit].body.iter().filter_map(|stmt| match stmt {
+            Stmt::Label(word) => self.names.text.get(word.span.range()),
+            _ => None,
+        });
+        let help = match nearest(&name, labels) {
+            Some(near) => (format!("is it `{near}`?"), format!("seria `{near}`?")),
+            None => (
+                format!("write `{name}:` before the instruction to go on with"),
+                format!("escreva `{name}:` antes da instrução em que o programa deve continuar"),
+            ),
+        };
+        self.found
+            .tell(Code::NoSuchLabel, operand.span, [name.into(), help.into()]);
     }
 
     /// Goes on at a label where the expression is so.

@@ -5,7 +5,7 @@ use crate::diagnostics::Span;
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::Target;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// Brings an expression into the board's accumulator, where the text's stays on it.
     pub(super) fn bring(&mut self, expr: Expr, span: Span) {
         self.freeze(span);

@@ -2,8 +2,10 @@
 //!
 //! `values` tells what operands are worth; `bits`, `defer` and `stack` have what works on the accumulator,
 //! `stores` what writes, `jumps` and `carry` labels and the accumulator over them; `calls` leads to `timers`,
-//! `counters`, `blocks` and `units`, the text's own functions. `keep` says when an expression is written out.
+//! `counters`, `blocks` and `units`, the text's own functions: what is new at each call is in `fresh`, what is
+//! called more than once in `again`. `keep` says when an expression is written out.
 
+mod again;
 mod bits;
 mod blocks;
 mod calls;
@@ -11,6 +13,7 @@ mod carry;
 mod counters;
 mod defer;
 mod finish;
+mod fresh;
 mod jumps;
 mod keep;
 mod stack;
@@ -25,6 +28,7 @@ use crate::names::Names;
 use crate::operators::Op;
 use crate::rung::{Holds, Rungs, Step, Written};
 use crate::tree::{Expr, Number};
+use again::{Again, Calls};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::{DEEPEST, Opcode};
 
@@ -67,6 +71,8 @@ struct Scope {
     needs: HashSet<String>,
     /// Where RET leads; of the program it ends the scan.
     end: Option<usize>,
+    /// The call that it is compiled for.
+    call: Option<Span>,
 }
 
 /// A label of the board.
@@ -87,16 +93,20 @@ const MOST_SCOPES: usize = 16;
 /// Operations in one expression, before a part of it is written out.
 const MOST_LINKS: u32 = 40;
 
-pub(crate) struct Lower<'a> {
+pub(crate) struct Lower<'a, 'f> {
     units: &'a [Unit],
-    pub names: Names,
+    pub names: Names<'a>,
     pub rungs: Rungs,
-    pub found: &'a mut Found,
+    pub found: &'f mut Found,
     pub labels: Vec<Label>,
     acc: Acc,
     /// Operations in the accumulator's expression.
     links: u32,
     frames: Vec<Frame>,
+    /// Parentheses that are open, and whose operations are lost to an error.
+    lost: usize,
+    /// Operations that wait in the callers, whose intermediate results are still needed.
+    waiting: usize,
     scopes: Vec<Scope>,
     /// The block between BLK and END_BLK.
     block: Option<blocks::Block>,
@@ -112,18 +122,44 @@ pub(crate) struct Lower<'a> {
     functions: HashMap<String, usize>,
     function_instances: HashMap<usize, usize>,
     coils: HashMap<u8, Span>,
+    again: Again,
+    counted: Calls,
+    /// Something is stored.
+    writes: bool,
     /// That there are too many steps has been told.
     full: bool,
 }
 
 /// What has been compiled, before it is written as codes.
-pub(crate) struct Lowered {
+pub(crate) struct Lowered<'a> {
     pub steps: Vec<Step>,
     pub labels: Vec<Label>,
-    pub names: Names,
+    pub names: Names<'a>,
+    /// Whether the program stores anything.
+    pub writes: bool,
 }
 
-pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered {
+/// Runs through a text, and once more where it calls an edge or a counter again.
+pub(crate) fn lower<'a>(
+    units: &'a [Unit],
+    names: impl Fn() -> Names<'a>,
+    found: &mut Found,
+) -> Lowered<'a> {
+    let before = found.clone();
+    let (lowered, again) = run(units, names(), Again::default(), found);
+    if again.is_empty() {
+        return lowered;
+    }
+    *found = before;
+    run(units, names(), again, found).0
+}
+
+fn run<'a>(
+    units: &'a [Unit],
+    names: Names<'a>,
+    again: Again,
+    found: &mut Found,
+) -> (Lowered<'a>, Again) {
     let rungs = Rungs::new(names.temps);
     let mut lower = Lower {
         units,
@@ -134,6 +170,8 @@ pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered 
         acc: Acc::Empty,
         links: 0,
         frames: Vec::new(),
+        lost: 0,
+        waiting: 0,
         scopes: Vec::new(),
         block: None,
         unused: None,
@@ -144,29 +182,39 @@ pub(crate) fn lower(units: &[Unit], names: Names, found: &mut Found) -> Lowered 
         functions: HashMap::new(),
         function_instances: HashMap::new(),
         coils: HashMap::new(),
+        again,
+        counted: Calls::default(),
+        writes: false,
         full: false,
     };
     lower.declare_all();
     lower.initials();
-    lower.unit_body(0, 0, None);
+    lower.renew(0, 0, &[], Span::default());
+    lower.unit_body(0, 0, None, None);
+    let again = std::mem::take(&mut lower.counted).again();
     lower.check_uncalled();
     lower.finish();
-    Lowered {
+    let lowered = Lowered {
         steps: lower.rungs.steps,
         labels: lower.labels,
         names: lower.names,
-    }
+        writes: lower.writes,
+    };
+    (lowered, again)
 }
 
-impl<'a> Lower<'a> {
-    /// The body of a unit, in place.
-    fn unit_body(&mut self, unit: usize, instance: usize, end: Option<usize>) {
+impl<'a> Lower<'a, '_> {
+    /// The body of a unit, in place, for this call.
+    fn unit_body(&mut self, unit: usize, instance: usize, end: Option<usize>, call: Option<Span>) {
         let units = self.units;
         let body = &units[unit].body;
         let scope = self.scope(unit, instance, end);
-        self.scopes.push(scope);
+        self.scopes.push(Scope { call, ..scope });
         let frames = std::mem::take(&mut self.frames);
+        let lost = std::mem::take(&mut self.lost);
         let block = self.block.take();
+        let waits = frames.len() + usize::from(block.is_some());
+        self.waiting += waits;
         self.acc = Acc::Empty;
         self.unused = None;
         self.unreachable = false;
@@ -176,6 +224,12 @@ impl<'a> Lower<'a> {
             match stmt {
                 Stmt::Label(word) => self.label(word),
                 Stmt::Close(span) => self.close(*span),
+                Stmt::Wrong { open, .. } => {
+                    self.unused = None;
+                    self.unreachable = false;
+                    self.acc = Acc::Unknown;
+                    self.lost += open;
+                }
                 Stmt::Instr(instr) => {
                     self.reachable(instr);
                     if pushed.contains(&index) {
@@ -189,7 +243,9 @@ impl<'a> Lower<'a> {
         }
         self.end_of_body();
         self.frames = frames;
+        self.lost = lost;
         self.block = block;
+        self.waiting -= waits;
         self.scopes.pop();
         self.unreachable = false;
     }
@@ -197,7 +253,7 @@ impl<'a> Lower<'a> {
     fn none_left(&mut self, stmt: &Stmt) {
         let span = match stmt {
             Stmt::Label(word) => word.span,
-            Stmt::Close(span) => *span,
+            Stmt::Close(span) | Stmt::Wrong { span, .. } => *span,
             Stmt::Instr(instr) => instr.span,
         };
         let words = self.rungs.temps.none_left.take();

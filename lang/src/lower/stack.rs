@@ -48,7 +48,7 @@ pub(super) fn more_inputs(op: Op, instr: &Instr, dialect: Dialect) -> usize {
     }
 }
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// An LD whose result before it is still needed.
     pub(super) fn push_result(&mut self, span: Span) {
         self.unused = None;

@@ -10,7 +10,7 @@ use crate::tree::{Bit, Num, Number};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     pub(super) fn store(&mut self, instr: &Instr) {
         let acc = self.take_acc("ST", instr.span);
         if instr.operands.is_empty() {
@@ -31,7 +31,9 @@ impl Lower<'_> {
         negated: bool,
         span: Span,
     ) -> Acc {
-        match self.place(operand) {
+        let place = self.place(operand);
+        self.writes |= !matches!(place, Place::Bit(Bit::Input(_)));
+        match place {
             Place::Bit(Bit::Input(_)) => {
                 let name = self.spelled(operand);
                 self.found
@@ -128,15 +130,7 @@ impl Lower<'_> {
             self.rungs
                 .write(Written::Value(Opcode::XorWord, ones), span);
         }
-        let written = match num {
-            Num::Register(n) => Written::Numbered(Opcode::Store, n),
-            Num::Count(n) => Written::Numbered(Opcode::StoreCount, n),
-            Num::CountPreset(n) => Written::Numbered(Opcode::PresetCounter, n),
-            Num::Pwm(n) => Written::Numbered(Opcode::StorePwm, n),
-            Num::Group(n) => Written::Numbered(Opcode::StoreMarkers, n),
-            Num::TimerPreset(timer) => self.rungs.of_timer(Opcode::PresetTimer, timer),
-            _ => Written::Plain(Opcode::StoreOutputs),
-        };
+        let written = self.stored_in(num);
         self.rungs.write(written, operand.span);
         if negated && number == Number::Live {
             let ones = unoclp_core::isa::Value::Constant(-1);
@@ -156,6 +150,19 @@ impl Lower<'_> {
                 ))
             }
             _ => Acc::Number(number),
+        }
+    }
+
+    /// The code that stores the board's value.
+    pub(super) fn stored_in(&self, num: Num) -> Written {
+        match num {
+            Num::Register(n) => Written::Numbered(Opcode::Store, n),
+            Num::Count(n) => Written::Numbered(Opcode::StoreCount, n),
+            Num::CountPreset(n) => Written::Numbered(Opcode::PresetCounter, n),
+            Num::Pwm(n) => Written::Numbered(Opcode::StorePwm, n),
+            Num::Group(n) => Written::Numbered(Opcode::StoreMarkers, n),
+            Num::TimerPreset(timer) => self.rungs.of_timer(Opcode::PresetTimer, timer),
+            _ => Written::Plain(Opcode::StoreOutputs),
         }
     }
 
@@ -185,6 +192,7 @@ impl Lower<'_> {
             self.acc = Acc::Bit(expr);
             return;
         }
+        self.writes = true;
         self.bring(expr, instr.whole);
         let pick = |on, off| if set { on } else { off };
         match place {

@@ -17,7 +17,7 @@ pub(super) enum Preset {
     Number(Number),
 }
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     /// `TON T1, 100` on the accumulator.
     pub(super) fn timer_operator(&mut self, instr: &Instr, opcode: Opcode, next: Option<&Stmt>) {
         let word = operator(opcode);
@@ -61,9 +61,7 @@ impl Lower<'_> {
             Place::Timer(timer) => Some(timer),
             Place::Unknown => None,
             _ => {
-                let name = self.spelled(operand);
-                self.found
-                    .tell(Code::NotCallable, operand.span, [name.into()]);
+                self.not_callable(operand);
                 None
             }
         }
@@ -75,7 +73,10 @@ impl Lower<'_> {
             return 1;
         }
         let name = self.names.timers[timer].name.clone();
-        let Some(number) = name.strip_prefix('T').and_then(|n| n.parse::<u32>().ok()) else {
+        let Some(number) = name
+            .strip_prefix(['T', 't'])
+            .and_then(|n| n.parse::<u32>().ok())
+        else {
             return 1;
         };
         let retentive = number < 32 || (64..96).contains(&number);
@@ -140,12 +141,18 @@ impl Lower<'_> {
         preset: Preset,
         span: Span,
     ) {
+        let path = self.call_path(span);
         let entry = &mut self.names.timers[timer];
         entry.kind = Some(opcode);
-        entry.calls += 1;
-        if entry.calls > 1 {
-            let name = entry.name.clone();
-            self.found.tell(Code::TimerTwice, span, [name.into()]);
+        match &entry.called {
+            None => entry.called = Some(path),
+            Some(first) => {
+                // What is called again is the timer, or the block that it stands in.
+                let other = first.iter().zip(&path).find(|(one, other)| one != other);
+                let place = other.map_or(span, |(_, other)| *other);
+                let name = entry.name.clone();
+                self.found.tell(Code::TimerTwice, place, [name.into()]);
+            }
         }
         let first = self.names.timers[timer].preset.unwrap_or(0);
         self.freeze(span);
@@ -225,7 +232,7 @@ impl Lower<'_> {
 
     pub(super) fn no_parameter(&mut self, block: &str, param: &Param, has: super::Words) {
         let (text, span) = match &param.name {
-            Some(name) => (name.text.clone(), name.span),
+            Some(name) => (self.names.written(name.span), name.span),
             None => (self.spelled(&param.value), param.value.span),
         };
         self.found.tell(

@@ -1,53 +1,86 @@
 //! Functions and function blocks of the text's own. A call compiles the body in its place.
 
 use super::{Acc, Lower, MOST_CALLS, MOST_SCOPES, MOST_STEPS};
-use crate::ast::{Param, Section, UnitKind};
+use crate::ast::{Param, Section, Unit, UnitKind};
 use crate::diagnostics::{Code, Span};
 use crate::names::{Instance, Place};
 use crate::rung::{Rungs, Written};
 use crate::tree::{Bit, Num, Number};
-use std::collections::HashMap;
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 
-/// More instances than this no board holds; blocks that contain themselves would make them without end.
-const MOST_INSTANCES: usize = 256;
+/// More instances than this no board holds; blocks that contain several others would make them without end.
+const MOST_INSTANCES: usize = 4_000;
 
-impl Lower<'_> {
-    /// Gives all declared variables their places.
+impl Lower<'_, '_> {
+    /// Gives the variables of the program their places, and those of its blocks. A function gets its own
+    /// where it is called.
     pub(super) fn declare_all(&mut self) {
-        self.new_instance(0);
         for (index, unit) in self.units.iter().enumerate() {
-            if unit.kind == UnitKind::Function {
-                let instance = self.new_instance(index);
-                self.function_instances.insert(index, instance);
-                if let Some(name) = &unit.name {
-                    self.functions.insert(name.text.clone(), index);
-                }
+            if let (UnitKind::Function, Some(name)) = (unit.kind, &unit.name) {
+                self.functions.insert(name.text.clone(), index);
             }
         }
-        // Declaring the variables of one may make more.
-        let mut next = 0;
-        while next < self.names.instances.len() {
-            let unit = self.names.instances[next].unit;
-            if next > MOST_INSTANCES {
-                let (name, span) = self.unit_name(unit);
-                return self.found.tell(Code::Recursive, span, [name.into()]);
-            }
-            let vars = &self.units[unit].vars;
-            self.names.declare(vars, next, self.found);
-            self.declare_result(unit, next);
-            next += 1;
-        }
+        self.declare(0, Span::default());
+        self.again.reserve(&mut self.names);
         self.rungs.temps = self.names.temps;
     }
 
-    pub(super) fn new_instance(&mut self, unit: usize) -> usize {
-        self.names.instances.push(Instance {
-            unit,
-            names: HashMap::new(),
-        });
-        self.names.instances.len() - 1
+    /// A new instance of a unit. Declaring its variables may make more.
+    fn declare(&mut self, unit: usize, span: Span) -> usize {
+        let instance = self.names.new_instance(unit, span);
+        let mut next = instance;
+        while let Some(Instance { unit, span, .. }) = self.names.instances.get(next) {
+            let (unit, span) = (*unit, *span);
+            match self.nesting(next) {
+                Nesting::Good => {
+                    let Unit { vars, kind, .. } = &self.units[unit];
+                    self.names.declare(vars, *kind, next, self.found);
+                    self.declare_result(unit, next);
+                }
+                Nesting::InItself => {
+                    let (name, _) = self.unit_name(unit);
+                    self.found.tell(Code::Recursive, span, [name.into()]);
+                }
+                Nesting::TooDeep => {
+                    self.found.tell(Code::CallsTooDeep, span, []);
+                    self.names.instances.truncate(next + 1);
+                }
+            }
+            next += 1;
+        }
+        instance
+    }
+
+    /// How an instance stands in others.
+    fn nesting(&self, instance: usize) -> Nesting {
+        let instances = &self.names.instances;
+        let mut depth = 0;
+        let mut within = instances[instance].within;
+        while let Some(outer) = within {
+            if instances[outer].unit == instances[instance].unit {
+                return Nesting::InItself;
+            }
+            depth += 1;
+            within = instances[outer].within;
+        }
+        match depth > MOST_SCOPES || instances.len() > MOST_INSTANCES {
+            true => Nesting::TooDeep,
+            false => Nesting::Good,
+        }
+    }
+
+    /// The places of a function's variables.
+    pub(super) fn function_instance(&mut self, unit: usize) -> usize {
+        if let Some(&instance) = self.function_instances.get(&unit) {
+            return instance;
+        }
+        // Names get markers that no intermediate result has had.
+        self.names.temps = self.rungs.temps;
+        let instance = self.declare(unit, self.units[unit].span);
+        self.rungs.temps = self.names.temps;
+        self.function_instances.insert(unit, instance);
+        instance
     }
 
     /// The result of a function has the function's name.
@@ -63,12 +96,13 @@ impl Lower<'_> {
         self.names.instances[instance]
             .names
             .insert(name.text.clone(), place);
+        self.names.told_none_left(name.span, self.found);
     }
 
     fn unit_name(&self, unit: usize) -> (String, Span) {
         let unit = &self.units[unit];
         match &unit.name {
-            Some(name) => (name.text.clone(), name.span),
+            Some(name) => (self.names.written(name.span), name.span),
             None => ("PROGRAM".to_owned(), unit.span),
         }
     }
@@ -77,7 +111,8 @@ impl Lower<'_> {
         self.call_inputs(unit, instance, params, 0, span);
     }
 
-    /// Copies the inputs, of which so many have been, and compiles the body in place.
+    /// Copies the inputs but those that have been, renews what is new at each call, and compiles the body in
+    /// place.
     pub(super) fn call_inputs(
         &mut self,
         unit: usize,
@@ -107,6 +142,7 @@ impl Lower<'_> {
             .filter(|var| var.section == Section::Input)
             .map(|var| var.name.text.as_str())
             .collect();
+        let mut given: Vec<String> = inputs.iter().take(done).map(|&i| i.to_owned()).collect();
         for (index, param) in params.iter().enumerate().filter(|(_, param)| !param.out) {
             let named = param.name.as_ref().map(|name| name.text.as_str());
             let input = named.or_else(|| inputs.get(index + done).copied());
@@ -116,7 +152,7 @@ impl Lower<'_> {
                     format!("tem {}", inputs.join(", ")),
                 );
                 let (text, span) = match &param.name {
-                    Some(word) => (word.text.clone(), word.span),
+                    Some(word) => (self.names.written(word.span), word.span),
                     None => (self.spelled(&param.value), param.value.span),
                 };
                 self.found.tell(
@@ -126,6 +162,7 @@ impl Lower<'_> {
                 );
                 continue;
             };
+            given.push(input.to_owned());
             let place = self.names.instances[instance].names.get(input).copied();
             let mut acc = self.value(&param.value);
             if param.negated
@@ -136,9 +173,10 @@ impl Lower<'_> {
             self.assign(acc, place.unwrap_or(Place::Unknown), param.value.span);
         }
         self.freeze(span);
+        self.renew(unit, instance, &given, span);
         let end = self.new_label(span, None);
         let before = self.rungs.steps.len();
-        self.unit_body(unit, instance, Some(end));
+        self.unit_body(unit, instance, Some(end), Some(span));
         let wanted =
             |written: &Written| matches!(written, Written::Jump(_, label) if *label == end);
         if self.rungs.steps[before..]
@@ -157,7 +195,9 @@ impl Lower<'_> {
             let acc = self.held(place, span);
             self.store_to(acc, &param.value, param.negated, param.value.span);
         }
-        let result = self.names.instances[instance].names.get(&name).copied();
+        let result = self.units[unit].name.as_ref();
+        let result = result.and_then(|name| self.names.instances[instance].names.get(&name.text));
+        let result = result.copied();
         self.acc = match (self.kind_of(unit), result) {
             (UnitKind::Function, Some(place)) => self.held(place, span),
             _ => Acc::Empty,
@@ -196,27 +236,27 @@ impl Lower<'_> {
 
     /// What nothing calls is checked all the same, and not kept.
     pub(super) fn check_uncalled(&mut self) {
+        let (temps, writes) = (self.names.temps, self.writes);
         let mut steps = self.rungs.steps.len();
         for unit in 1..self.units.len() {
             if self.called.contains(&unit) || steps > MOST_STEPS {
                 continue;
             }
-            let instance = match self.function_instances.get(&unit) {
-                Some(&instance) => instance,
-                None => {
-                    let instance = self.new_instance(unit);
-                    self.names.temps = self.rungs.temps;
-                    self.names
-                        .declare(&self.units[unit].vars, instance, self.found);
-                    self.rungs.temps = self.names.temps;
-                    instance
-                }
-            };
-            let kept = std::mem::replace(&mut self.rungs, Rungs::new(self.names.temps));
+            let kept = std::mem::replace(&mut self.rungs, Rungs::new(temps));
             let labels = self.labels.len();
-            self.unit_body(unit, instance, Some(usize::MAX));
+            let instance = self.function_instance(unit);
+            self.unit_body(unit, instance, Some(usize::MAX), None);
             self.labels.truncate(labels);
             steps += std::mem::replace(&mut self.rungs, kept).steps.len();
         }
+        (self.names.temps, self.writes) = (temps, writes);
     }
+}
+
+/// See [`Lower::nesting`].
+enum Nesting {
+    Good,
+    /// A block that contains itself would never end.
+    InItself,
+    TooDeep,
 }

@@ -7,7 +7,7 @@ use crate::names::Place;
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::isa::Opcode;
 
-impl Lower<'_> {
+impl Lower<'_, '_> {
     pub(super) fn instance(&self) -> Option<usize> {
         self.scopes.last().map(|scope| scope.instance)
     }
@@ -90,10 +90,7 @@ impl Lower<'_> {
     }
 
     pub(super) fn spelled(&self, operand: &Operand) -> String {
-        match operand.name() {
-            Some(name) => name.to_owned(),
-            None => operand.number().unwrap_or(0).to_string(),
-        }
+        self.names.written(operand.span)
     }
 
     pub(super) fn wrong_type(&mut self, what: String, span: Span, is: Words, needed: Words) {

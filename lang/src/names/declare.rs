@@ -1,21 +1,27 @@
 //! Declared variables, and the places that they get.
 
-use super::{Counter, DeclaredInput, Initial, Instance, Names, Place, Timer};
+use super::{Counter, DeclaredInput, Instance, Names, Place, Timer};
 use crate::address::parse;
-use crate::ast::{Operand, Section, Var};
+use crate::ast::{Init, Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
 use unoclp_core::isa::{COUNTERS, Opcode};
 
-impl Names {
+impl Names<'_> {
     /// Declares the variables of a unit; the names are those of one instance of it.
-    pub(crate) fn declare(&mut self, vars: &[Var], instance: usize, found: &mut Found) {
+    pub(crate) fn declare(
+        &mut self,
+        vars: &[Var],
+        kind: UnitKind,
+        instance: usize,
+        found: &mut Found,
+    ) {
         for var in vars {
-            let place = self.declared(var, found);
+            let place = self.declared(var, kind, instance, found);
             let name = var.name.text.trim_start_matches('%').to_owned();
             if let Place::Bit(Bit::Input(input)) = place {
-                let (name, span) = (var.name.text.clone(), var.name.span);
+                let (name, span) = (self.written(var.name.span), var.name.span);
                 self.inputs.push(DeclaredInput { name, span, input });
             }
             // An address that is declared, such as %TM1, means the same in the whole file.
@@ -25,66 +31,86 @@ impl Names {
                 false => &mut self.instances[instance].names,
             };
             if names.insert(name, place).is_some() && !direct {
-                let text = var.name.text.clone();
+                let text = self.written(var.name.span);
                 found.tell(Code::NameTwice, var.name.span, [text.into()]);
             }
         }
     }
 
-    fn declared(&mut self, var: &Var, found: &mut Found) -> Place {
-        let init = var.init.as_ref().and_then(Operand::number);
+    fn declared(&mut self, var: &Var, kind: UnitKind, instance: usize, found: &mut Found) -> Place {
         let span = var.name.span;
         if let Some(at) = &var.at {
             let place = self.place(at, None, found);
-            self.initial(place, init, span);
+            match place {
+                Place::Timer(timer) => self.timers[timer].kind = timer_kind(&var.ty.text),
+                Place::Counter(counter) => self.counters[counter].kind = counter_kind(&var.ty.text),
+                _ => {}
+            }
+            self.first_value(place, var, &var.init, found);
             return place;
         }
-        let name = var.name.text.trim_start_matches('%').to_owned();
         let retained = var.section == Section::Retain;
-        let timer = |names: &mut Names, kind| names.new_timer(name.clone(), Some(kind), init);
-        let counter = |names: &mut Names, kind| names.new_counter(name.clone(), Some(kind), init);
-        match var.ty.text.as_str() {
-            "BOOL" => {
-                let place = Place::Bit(Bit::Marker(self.temps.named_marker(retained)));
-                self.initial(place, init, span);
-                self.told_none_left(span, found);
-                place
-            }
+        let place = match var.ty.text.as_str() {
+            "BOOL" => Place::Bit(Bit::Marker(self.temps.named_marker(retained))),
             "INT" | "DINT" | "SINT" | "UINT" | "UDINT" | "USINT" | "WORD" | "DWORD" | "BYTE"
-            | "TIME" => {
-                let place = Place::Number(Num::Register(self.temps.named_register()));
-                self.initial(place, init, span);
-                self.told_none_left(span, found);
-                place
-            }
-            "TON" => timer(self, Opcode::OnDelay),
-            "TOF" => timer(self, Opcode::OffDelay),
-            "TP" => timer(self, Opcode::Pulse),
-            "TONR" | "TOR" => timer(self, Opcode::RetentiveOnDelay),
-            "CTU" | "CTUD" => counter(self, Opcode::CountUp),
-            "CTD" => counter(self, Opcode::CountDown),
-            "R_TRIG" => Place::Trigger(Opcode::RisingEdge, self.temps.named_marker(false)),
-            "F_TRIG" => Place::Trigger(Opcode::FallingEdge, self.temps.named_marker(false)),
-            ty => match self.blocks.get(ty) {
-                Some(&unit) => {
-                    self.instances.push(Instance {
-                        unit,
-                        names: HashMap::new(),
-                    });
-                    Place::Instance(self.instances.len() - 1)
-                }
-                None => {
-                    found.tell(Code::UnknownType, var.ty.span, [ty.into()]);
-                    Place::Unknown
-                }
-            },
+            | "TIME" => Place::Number(Num::Register(self.temps.named_register())),
+            _ => return self.declared_block(var, kind, instance, found),
+        };
+        self.told_none_left(span, found);
+        // What is new at each call gets its first value there.
+        if !is_new(var, kind) {
+            let given = self.instances[instance].inits.iter();
+            let named = |init: &&Init| init.name.as_ref().is_some_and(|n| n.text == var.name.text);
+            let given: Vec<Init> = given.filter(named).cloned().collect();
+            let inits = if given.is_empty() { &var.init } else { &given };
+            self.first_value(place, var, inits, found);
         }
+        place
     }
 
-    fn initial(&mut self, place: Place, value: Option<i32>, span: Span) {
-        if let Some(value) = value.filter(|&value| value != 0) {
-            self.initials.push(Initial { place, value, span });
+    /// A timer, a counter, an edge, or an instance of a function block of the file.
+    fn declared_block(
+        &mut self,
+        var: &Var,
+        kind: UnitKind,
+        instance: usize,
+        found: &mut Found,
+    ) -> Place {
+        let name = self.written(var.name.span);
+        let name = name.trim_start_matches('%').to_owned();
+        let ty = var.ty.text.as_str();
+        let place = match (timer_kind(ty), counter_kind(ty)) {
+            (Some(kind), _) => self.new_timer(name.clone(), Some(kind), None),
+            (_, Some(kind)) => self.new_counter(name.clone(), Some(kind), None),
+            _ => match ty {
+                "R_TRIG" => Place::Trigger(Opcode::RisingEdge, self.temps.named_marker(false)),
+                "F_TRIG" => Place::Trigger(Opcode::FallingEdge, self.temps.named_marker(false)),
+                ty => match self.blocks.get(ty) {
+                    Some(&unit) => {
+                        self.instances.push(Instance {
+                            unit,
+                            names: HashMap::new(),
+                            within: Some(instance),
+                            span: var.name.span,
+                            inits: var.init.clone(),
+                        });
+                        Place::Instance(self.instances.len() - 1)
+                    }
+                    None => {
+                        let written = self.written(var.ty.span);
+                        found.tell(Code::UnknownType, var.ty.span, [written.into()]);
+                        return Place::Unknown;
+                    }
+                },
+            },
+        };
+        self.told_none_left(var.name.span, found);
+        if is_new(var, kind) {
+            found.tell(Code::Stateless, var.name.span, [name.into()]);
+            return Place::Unknown;
         }
+        self.first_value(place, var, &var.init, found);
+        place
     }
 
     pub(crate) fn new_timer(
@@ -97,7 +123,7 @@ impl Names {
             name,
             kind,
             preset,
-            calls: 0,
+            called: None,
             read: None,
         });
         Place::Timer(self.timers.len() - 1)
@@ -110,7 +136,8 @@ impl Names {
         kind: Option<Opcode>,
         preset: Option<i32>,
     ) -> Place {
-        let own = name.strip_prefix('C').and_then(|n| n.parse::<u8>().ok());
+        let own = name.strip_prefix(['C', 'c']);
+        let own = own.and_then(|n| n.parse::<u8>().ok());
         let own = own.filter(|n| (1..=COUNTERS).contains(n));
         let free = || (1..=COUNTERS).find(|n| self.counters_used >> (n - 1) & 1 == 0);
         let number = match own.or_else(free) {
@@ -129,4 +156,39 @@ impl Names {
         });
         Place::Counter(self.counters.len() - 1)
     }
+
+    /// The index of a new instance of this unit, which stands in no other.
+    pub(crate) fn new_instance(&mut self, unit: usize, span: Span) -> usize {
+        self.instances.push(Instance {
+            unit,
+            names: HashMap::new(),
+            within: None,
+            span,
+            inits: Vec::new(),
+        });
+        self.instances.len() - 1
+    }
+}
+
+fn timer_kind(ty: &str) -> Option<Opcode> {
+    Some(match ty {
+        "TON" => Opcode::OnDelay,
+        "TOF" => Opcode::OffDelay,
+        "TP" => Opcode::Pulse,
+        "TONR" | "TOR" => Opcode::RetentiveOnDelay,
+        _ => return None,
+    })
+}
+
+fn counter_kind(ty: &str) -> Option<Opcode> {
+    Some(match ty {
+        "CTU" | "CTUD" => Opcode::CountUp,
+        "CTD" => Opcode::CountDown,
+        _ => return None,
+    })
+}
+
+/// Whether a variable is new at each call: all of a function, VAR_TEMP of the others.
+pub(crate) fn is_new(var: &Var, kind: UnitKind) -> bool {
+    var.at.is_none() && (kind == UnitKind::Function || var.section == Section::Temp)
 }

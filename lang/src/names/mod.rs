@@ -1,16 +1,19 @@
 //! What the names of a text mean: declared variables, addresses, and names that nothing declares.
 
-mod declare;
+pub(crate) mod declare;
+mod first;
+pub(crate) mod near;
 mod points;
 
 use crate::Dialect;
-use crate::address::{Address, parse};
-use crate::ast::{Operand, OperandKind, Param, Stmt, Unit, UnitKind};
-use crate::diagnostics::{Code, Found, Span};
+use crate::address::{Address, Spelling, parse};
+use crate::ast::{Init, Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind};
+use crate::diagnostics::{Code, Found, Span, Word as Said};
+use crate::literal;
 use crate::operators::Op;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use unoclp_core::Profile;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, Row, TABLE};
 
@@ -38,7 +41,8 @@ pub(crate) struct Timer {
     pub name: String,
     pub kind: Option<Opcode>,
     pub preset: Option<i32>,
-    pub calls: u32,
+    /// The calls that led to its first call, the innermost first.
+    pub called: Option<Vec<Span>>,
     /// Where its Q or its time is first read.
     pub read: Option<Span>,
 }
@@ -59,6 +63,11 @@ pub(crate) struct Instance {
     /// The unit's index.
     pub unit: usize,
     pub names: HashMap<String, Place>,
+    /// The instance that it is declared in.
+    pub within: Option<usize>,
+    /// Where it is declared, and the first values that its declaration gives its inputs.
+    pub span: Span,
+    pub inits: Vec<Init>,
 }
 
 /// An input that has been declared.
@@ -77,7 +86,8 @@ pub(crate) struct Initial {
     pub span: Span,
 }
 
-pub(crate) struct Names {
+pub(crate) struct Names<'t> {
+    pub text: &'t str,
     pub dialect: Dialect,
     pub board: Profile,
     pub timers: Vec<Timer>,
@@ -90,15 +100,26 @@ pub(crate) struct Names {
     global: HashMap<String, Place>,
     /// Function blocks of the file.
     blocks: HashMap<String, usize>,
+    /// The inputs of each unit that may begin with a value of an instance's own.
+    inputs_of: HashSet<(usize, String)>,
     counters_used: u16,
     /// Bit 0 is input 01.
     pub inputs_read: u16,
+    /// How each point of the board is written where it is first named.
+    points: HashMap<Address, (Spelling, Span)>,
+    near: near::Near,
 }
 
-impl Names {
+impl<'t> Names<'t> {
     /// Looks through the whole text, so that no name gets what an address of the text means.
-    pub(crate) fn new(dialect: Dialect, board: Profile, units: &[Unit]) -> Names {
+    pub(crate) fn new(
+        text: &'t str,
+        dialect: Dialect,
+        board: Profile,
+        units: &[Unit],
+    ) -> Names<'t> {
         let mut names = Names {
+            text,
             dialect,
             board,
             timers: Vec::new(),
@@ -109,19 +130,32 @@ impl Names {
             temps: Temps::default(),
             global: HashMap::new(),
             blocks: HashMap::new(),
+            inputs_of: HashSet::new(),
             counters_used: 0,
             inputs_read: 0,
+            points: HashMap::new(),
+            near: near::Near::default(),
         };
         for (index, unit) in units.iter().enumerate() {
-            if let (UnitKind::FunctionBlock, Some(name)) = (unit.kind, &unit.name) {
-                names.blocks.insert(name.text.clone(), index);
+            if let Some(name) = &unit.name {
+                if unit.kind == UnitKind::FunctionBlock {
+                    names.blocks.insert(name.text.clone(), index);
+                }
+                let written = names.written(name.span);
+                names.near.declare(written);
             }
             for var in &unit.vars {
                 var.at.iter().for_each(|at| names.note(at));
                 names.note_name(&var.name.text);
+                if var.section == Section::Input {
+                    names.inputs_of.insert((index, var.name.text.clone()));
+                }
+                let written = names.written(var.name.span);
+                names.near.declare(written);
             }
             for stmt in &unit.body {
                 if let Stmt::Instr(instr) = stmt {
+                    names.near.note_stores(instr);
                     if instr.op == Op::Code {
                         names.note_code(&instr.operands);
                     }
@@ -137,6 +171,12 @@ impl Names {
             }
         }
         names
+    }
+
+    /// What stands here in the text, without blanks.
+    pub(crate) fn written(&self, span: Span) -> String {
+        let text = self.text.get(span.range()).unwrap_or_default();
+        text.split_whitespace().collect()
     }
 
     fn note(&mut self, operand: &Operand) {
@@ -213,29 +253,47 @@ impl Names {
             OperandKind::Name(name) => name,
             OperandKind::Number(number) => return Place::Number(Num::Const(*number)),
             OperandKind::Bool(state) => return Place::Always(*state),
+            OperandKind::Unknown => return Place::Unknown,
         };
         let span = operand.span;
         if let Some(place) = self.declared_place(name, span, instance, found) {
             return place;
         }
         let Some(address) = parse(name, self.dialect) else {
+            let written = self.written(span);
+            if literal::is_fraction(name) {
+                found.tell(Code::Fraction, span, [written.into()]);
+                return Place::Unknown;
+            }
             if name.contains(['%', '.']) {
-                let help = ADDRESS_HELP;
-                found.tell(Code::NoSuchPoint, span, [name.as_str().into(), help.into()]);
+                found.tell(
+                    Code::NoSuchPoint,
+                    span,
+                    [written.into(), ADDRESS_HELP.into()],
+                );
                 return Place::Unknown;
             }
             let marker = self.temps.named_marker(false);
-            found.tell(
-                Code::Undeclared,
-                span,
-                [name.as_str().into(), format!("M{marker}").into()],
-            );
+            let help = self.near.declaration(&written);
+            let words = [written.into(), format!("M{marker}").into(), help];
+            found.tell(Code::Undeclared, span, words);
             self.told_none_left(span, found);
             let place = Place::Bit(Bit::Marker(marker));
             self.global.insert(name.clone(), place);
             return place;
         };
         self.address(address, name, span, found)
+    }
+
+    /// Whether a name is declared, or an address.
+    pub(crate) fn knows(&self, name: &str, instance: Option<usize>) -> bool {
+        let local = instance.is_some_and(|at| self.instances[at].names.contains_key(name));
+        local || self.global.contains_key(name) || parse(name, self.dialect).is_some()
+    }
+
+    /// What to do about a name that cannot be called.
+    pub(crate) fn callable_help(&mut self, written: &str) -> Said {
+        self.near.callable(written)
     }
 
     fn declared_place(

@@ -1,12 +1,12 @@
 //! The points of the board that addresses name, and the parts of timers and counters.
 
 use super::{ADDRESS_HELP, Counter, Names, Place};
-use crate::address::Address;
-use crate::diagnostics::{Code, Found, Span};
+use crate::address::{Address, spelling};
+use crate::diagnostics::{Code, Found, Span, Word};
 use crate::tree::{Bit, Num};
 use unoclp_core::isa::{ANALOGUE, MARKERS, Opcode, REGISTERS, SYSTEM_MARKERS};
 
-impl Names {
+impl Names<'_> {
     pub(super) fn address(
         &mut self,
         address: Address,
@@ -18,7 +18,7 @@ impl Names {
             (first..=u32::from(last)).contains(&n).then_some(n as u8)
         };
         let board = self.board;
-        let place = match address {
+        let place = match address.clone() {
             Address::Input(n) => within(n, 1, board.inputs).map(|n| Place::Bit(Bit::Input(n))),
             Address::Output(n) => within(n, 1, board.outputs).map(|n| Place::Bit(Bit::Output(n))),
             Address::Marker(n) => within(n, 1, MARKERS).map(|n| Place::Bit(Bit::Marker(n))),
@@ -66,10 +66,49 @@ impl Names {
                 };
             }
         };
-        place.unwrap_or_else(|| {
-            found.tell(Code::NoSuchPoint, span, [name.into(), ADDRESS_HELP.into()]);
-            Place::Unknown
-        })
+        let Some(place) = place else {
+            let written = self.written(span);
+            found.tell(
+                Code::NoSuchPoint,
+                span,
+                [written.into(), ADDRESS_HELP.into()],
+            );
+            return Place::Unknown;
+        };
+        self.one_spelling(address, name, span, place, found);
+        place
+    }
+
+    /// One point that is written in two ways, such as `%I0.4` and `%I1.0`, was meant to be two.
+    fn one_spelling(
+        &mut self,
+        address: Address,
+        name: &str,
+        span: Span,
+        place: Place,
+        found: &mut Found,
+    ) {
+        let spelling = spelling(name);
+        let (first, at) = match self.points.get(&address) {
+            None => {
+                self.points.insert(address, (spelling, span));
+                return;
+            }
+            Some((first, at)) => (first, *at),
+        };
+        if *first == spelling {
+            return;
+        }
+        let (one, other) = match at.start <= span.start {
+            true => (at, span),
+            false => (span, at),
+        };
+        let words = [
+            self.written(one).into(),
+            self.written(other).into(),
+            point_words(place),
+        ];
+        found.tell(Code::SamePoint, other, words);
     }
 
     /// What a block keeps under this name: `T1.Q`, `C2.CV`.
@@ -125,12 +164,30 @@ impl Names {
                 ),
                 has => (format!("it has {has}"), format!("tem {has}")),
             };
+            let written = self.written(span);
+            let (block, member) = written.rsplit_once('.').unwrap_or((name, member));
             found.tell(
                 Code::NoSuchMember,
                 span,
-                [name.into(), member.into(), help.into()],
+                [block.into(), member.into(), help.into()],
             );
             Place::Unknown
         })
     }
+}
+
+/// What messages call a point of the board.
+fn point_words(place: Place) -> Word {
+    let (en, pt, n) = match place {
+        Place::Bit(Bit::Input(n)) => ("input", "entrada", n),
+        Place::Bit(Bit::Output(n)) => ("output", "saída", n),
+        Place::Bit(Bit::Marker(n)) => ("marker", "memória", n),
+        Place::Number(Num::Register(n)) => ("register", "registrador", n),
+        Place::Number(Num::Analogue(n)) => ("analogue input A", "entrada analógica A", n),
+        Place::Number(Num::Inputs) => return ("thing, all inputs", "todas as entradas").into(),
+        Place::Number(Num::Outputs) => return ("thing, all outputs", "todas as saídas").into(),
+        Place::Bit(Bit::System(n)) => ("system marker", "memória do sistema", n),
+        _ => return ("point", "ponto").into(),
+    };
+    Word::Both(format!("{en} {n:02}"), format!("{pt} {n:02}"))
 }

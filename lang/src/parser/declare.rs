@@ -1,17 +1,22 @@
 //! `VAR … END_VAR`.
 
 use super::Parser;
-use crate::ast::{Operand, Section, Unit, Var, Word};
+use crate::ast::{Init, Section, Unit, Var, Word};
 use crate::diagnostics::Code;
-use crate::lexer::{Kind, Token};
+use crate::lexer::{Kind, SECTIONS, Token};
 use crate::operators;
+
+/// Words that are types, so that what stands before them is a name.
+const TYPES: [&str; 10] = [
+    "BOOL", "SINT", "INT", "DINT", "USINT", "UINT", "UDINT", "BYTE", "WORD", "TIME",
+];
 
 impl Parser<'_, '_> {
     /// The section that this word opens.
     pub(super) fn section(&self, token: Token) -> Option<Section> {
         let words = [
             ("VAR", Section::Local),
-            ("VAR_TEMP", Section::Local),
+            ("VAR_TEMP", Section::Temp),
             ("VAR_GLOBAL", Section::Local),
             ("VAR_INPUT", Section::Input),
             ("VAR_OUTPUT", Section::Output),
@@ -20,6 +25,27 @@ impl Parser<'_, '_> {
         words
             .find(|(word, _)| self.is(token, word))
             .map(|(_, section)| section)
+    }
+
+    /// A section that this compiler does not have is told, and its declarations are read all the same.
+    pub(super) fn unknown_section(&mut self, token: Token, unit: &mut Unit) -> bool {
+        let word = self.text_of(token.span).to_owned();
+        let known = |section: &str| self.is(token, section);
+        let unknown = SECTIONS.iter().any(|section| known(section));
+        if unknown {
+            let help = (
+                "declarations begin with VAR, VAR_INPUT, VAR_OUTPUT, VAR_TEMP or VAR_GLOBAL",
+                "as declarações começam com VAR, VAR_INPUT, VAR_OUTPUT, VAR_TEMP ou VAR_GLOBAL",
+            );
+            self.tell(
+                Code::UnknownOperator,
+                token.span,
+                [word.into(), help.into()],
+            );
+            self.at += 1;
+            self.declarations(token, Section::Local, unit);
+        }
+        unknown
     }
 
     /// From behind the word that opens a section to END_VAR.
@@ -47,15 +73,35 @@ impl Parser<'_, '_> {
                     let word = self.text_of(opening.span).to_owned();
                     return self.tell(Code::Structure, opening.span, [word.into(), why.into()]);
                 }
-                _ => self.unexpected(),
+                _ => self.unexpected_declaration(),
             }
+        }
+    }
+
+    /// Tells that the next token was not expected, and passes over the rest of the declaration.
+    fn unexpected_declaration(&mut self) {
+        let token = self.peek();
+        if token.kind == Kind::NewLine {
+            return;
+        }
+        let text = self.text_of(token.span).to_owned();
+        self.tell(Code::Unexpected, token.span, [text.into()]);
+        loop {
+            let next = self.peek();
+            let ends = matches!(next.kind, Kind::NewLine | Kind::Semicolon | Kind::End);
+            if ends || self.is(next, "END_VAR") {
+                return;
+            }
+            self.at += 1;
         }
     }
 
     /// Whether an instruction comes, and not a declaration.
     fn is_instruction(&self) -> bool {
         let next = self.ahead(1);
-        let declares = matches!(next.kind, Kind::Colon | Kind::Comma) || self.is(next, "AT");
+        let declares = matches!(next.kind, Kind::Colon | Kind::Comma)
+            || self.is(next, "AT")
+            || TYPES.iter().any(|ty| self.is(next, ty));
         !declares && operators::find(&self.word(self.peek()).text).is_some()
     }
 
@@ -74,15 +120,30 @@ impl Parser<'_, '_> {
             at = self.operand();
         }
         if self.take(Kind::Colon).is_none() {
-            return self.unexpected();
+            let next = self.peek();
+            if next.kind != Kind::Name || self.is(next, "END_VAR") {
+                return self.unexpected_declaration();
+            }
+            self.colon_missing(
+                next,
+                (
+                    "a declaration is a name, a colon and a type: start AT %IX1 : BOOL;",
+                    "uma declaração é um nome, dois-pontos e um tipo: start AT %IX1 : BOOL;",
+                ),
+            );
         }
         let Some(ty) = self.take(Kind::Name) else {
-            return self.unexpected();
+            return self.unexpected_declaration();
         };
         let ty = self.word(ty);
+        if self.peek().kind == Kind::Equals {
+            self.equals_for_assign();
+            self.at += 1;
+            self.init();
+        }
         let init = match self.take(Kind::Assign) {
             Some(_) => self.init(),
-            None => None,
+            None => Vec::new(),
         };
         for name in names {
             unit.vars.push(Var {
@@ -93,22 +154,49 @@ impl Parser<'_, '_> {
                 init: init.clone(),
             });
         }
-        if self.take(Kind::Semicolon).is_none() && self.peek().kind != Kind::NewLine {
-            self.unexpected();
+        let next = self.peek();
+        let ends = matches!(next.kind, Kind::Semicolon | Kind::NewLine | Kind::End);
+        if !ends && !self.is(next, "END_VAR") {
+            self.unexpected_declaration();
         }
     }
 
+    pub(super) fn colon_missing(&mut self, before: Token, help: (&str, &str)) {
+        let text = self.text_of(before.span).to_owned();
+        self.tell(Code::ColonMissing, before.span, [text.into(), help.into()]);
+    }
+
+    /// `=` where `:=` is meant.
+    pub(super) fn equals_for_assign(&mut self) {
+        let help = (
+            "a value is given by :=, as in IN := I1",
+            "um valor é dado com :=, como em IN := I1",
+        );
+        self.colon_missing(self.peek(), help);
+    }
+
     /// `T#5s`, or `(PT := T#5s)`.
-    fn init(&mut self) -> Option<Operand> {
-        if self.take(Kind::Open).is_none() {
-            return self.operand();
+    fn init(&mut self) -> Vec<Init> {
+        let mut inits = Vec::new();
+        let listed = self.take(Kind::Open).is_some();
+        loop {
+            let mut name = None;
+            if listed && self.ahead(1).kind == Kind::Assign {
+                name = self.take(Kind::Name).map(|name| self.word(name));
+                self.at += 1;
+            }
+            let Some(value) = self.operand() else {
+                self.unexpected_declaration();
+                return inits;
+            };
+            inits.push(Init { name, value });
+            if !listed || self.take(Kind::Comma).is_none() {
+                break;
+            }
         }
-        self.take(Kind::Name);
-        self.take(Kind::Assign);
-        let operand = self.operand();
-        if self.take(Kind::Close).is_none() {
-            self.unexpected();
+        if listed && self.take(Kind::Close).is_none() {
+            self.unexpected_declaration();
         }
-        operand
+        inits
     }
 }

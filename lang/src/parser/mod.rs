@@ -8,6 +8,7 @@ use crate::ast::{Unit, UnitKind, Word};
 use crate::diagnostics::{Code, Found, Span, Word as Said};
 use crate::dialect::Signs;
 use crate::lexer::{Kind, Token, Words, words};
+use crate::operators;
 use std::collections::HashSet;
 
 /// What the parser has read.
@@ -20,7 +21,11 @@ pub(crate) struct Parsed {
 }
 
 pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
-    let Words { tokens, comments } = words(text, found);
+    let Words {
+        tokens,
+        comments,
+        remarks,
+    } = words(text, found);
     let mut parser = Parser {
         text,
         functions: HashSet::new(),
@@ -31,6 +36,7 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
     };
     parser.find_functions();
     let units = parser.units();
+    remarks.iter().for_each(|&remark| parser.remark(remark));
     Parsed {
         units,
         signs: parser.signs,
@@ -109,6 +115,27 @@ impl Parser<'_, '_> {
     fn skip_line(&mut self) {
         while !matches!(self.peek().kind, Kind::NewLine | Kind::End) {
             self.at += 1;
+        }
+    }
+
+    /// A comment behind `;` that reads as an instruction does: whoever ends lines with `;` is told that
+    /// nothing stands behind it.
+    fn remark(&mut self, span: Span) {
+        let text = self.text_of(span);
+        let trimmed = text.trim();
+        let words: Vec<&str> = trimmed.split_whitespace().take(3).collect();
+        let done = match words[..] {
+            [word] | [word, _] => {
+                let operator = operators::find(&word.to_uppercase());
+                operator.is_some_and(|spelling| spelling.op.takes_operand() == (words.len() == 2))
+            }
+            _ => false,
+        };
+        if done {
+            let start = span.start + (text.len() - text.trim_start().len()) as u32;
+            let end = start + trimmed.len() as u32;
+            let words = [trimmed.to_owned().into()];
+            self.tell(Code::Commented, Span { start, end }, words);
         }
     }
 

@@ -28,8 +28,9 @@ impl Parser<'_, '_> {
             Kind::Number | Kind::Literal => {
                 self.at += 1;
                 let text = self.text_of(token.span).to_owned();
+                let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | '_');
                 // A channel and bit, as OMRON writes points: 0.00.
-                if token.kind == Kind::Number && text.contains('.') {
+                if token.kind == Kind::Number && text.contains('.') && text.chars().all(digits) {
                     (OperandKind::Name(text), token.span)
                 } else {
                     match literal::value(&text) {
@@ -57,13 +58,18 @@ impl Parser<'_, '_> {
     }
 
     fn bad_number(&mut self, text: &str, span: crate::diagnostics::Span) -> OperandKind {
-        self.tell(Code::BadNumber, span, [text.into()]);
-        OperandKind::Number(0)
+        let (code, meant) = literal::fault(text);
+        let written = self.text_of(span).to_owned();
+        self.tell(code, span, [written.into(), meant.into()]);
+        OperandKind::Unknown
     }
 
     /// Operands with commas between them; with `more`, one that is missing is told.
     pub(super) fn operands(&mut self, more: bool) -> Vec<Operand> {
         let mut operands = Vec::new();
+        if !more && let Some(fraction) = self.fraction() {
+            return vec![fraction];
+        }
         while let Some(operand) = self.operand() {
             operands.push(operand);
             if self.take(Kind::Comma).is_none() && !(more && self.tell_comma()) {
@@ -71,6 +77,21 @@ impl Parser<'_, '_> {
             }
         }
         operands
+    }
+
+    /// `2,5`, where no second operand can stand.
+    fn fraction(&mut self) -> Option<Operand> {
+        let [whole, comma, parts] = [0, 1, 2].map(|more| self.ahead(more));
+        let kinds = [whole.kind, comma.kind, parts.kind];
+        let span = whole.span.to(parts.span);
+        let text = self.text_of(span);
+        if kinds != [Kind::Number, Kind::Comma, Kind::Number] || !literal::is_fraction(text) {
+            return None;
+        }
+        let text = text.to_owned();
+        self.at += 3;
+        let kind = self.bad_number(&text, span);
+        Some(Operand { kind, span })
     }
 
     /// Tells that a comma is missing, where an operand or parameter follows.
@@ -123,6 +144,12 @@ impl Parser<'_, '_> {
             self.at += 1;
             name = Some(self.word(token));
             out = self.advance().kind == Kind::Arrow;
+        }
+        if token.kind == Kind::Name && self.ahead(1).kind == Kind::Equals {
+            self.at += 1;
+            self.equals_for_assign();
+            self.at += 1;
+            name = Some(self.word(token));
         }
         let negated = self.is(self.peek(), "NOT");
         if negated {

@@ -6,6 +6,7 @@ use crate::ast::{Instr, Open, Stmt, Unit};
 use crate::diagnostics::{Code, Span};
 use crate::lexer::{Kind, Token};
 use crate::operators::{self, Op, Spelling};
+use unoclp_core::isa::{Row, TABLE};
 
 impl Parser<'_, '_> {
     /// A line, or what is left of it, or a section of declarations.
@@ -15,22 +16,62 @@ impl Parser<'_, '_> {
             self.at += 1;
             return self.declarations(token, section, unit);
         }
+        if self.unknown_section(token, unit) {
+            return;
+        }
         match token.kind {
             Kind::NewLine | Kind::Semicolon => self.at += 1,
             Kind::Close => {
                 self.at += 1;
                 unit.body.push(Stmt::Close(token.span));
             }
+            Kind::Number | Kind::Minus if self.begins_line() && self.is_numeric_code() => {
+                let sign = usize::from(token.kind == Kind::Minus);
+                let span = token.span.to(self.ahead(sign).span);
+                let text = self.text_of(span).to_owned();
+                self.tell(Code::NumericCode, span, [text.into()]);
+                self.skip_line();
+            }
             // The number of a line, as listings have it.
-            Kind::Number if self.begins_line() => self.at += 1,
+            Kind::Number if self.begins_line() && self.is_digits(token) => self.at += 1,
             Kind::Name if self.is(token, "NETWORK") => self.skip_line(),
             Kind::Name if self.ahead(1).kind == Kind::Colon => {
                 self.at += 2;
                 self.label(token, unit);
             }
+            Kind::Name if self.ahead(1).kind == Kind::Assign => {
+                let span = token.span.to(self.ahead(1).span);
+                self.structured_text(span);
+            }
             Kind::Name | Kind::And | Kind::Equals => self.instruction(unit),
             _ => self.unexpected(),
         }
+    }
+
+    fn is_digits(&self, token: Token) -> bool {
+        let mut digits = self.text_of(token.span).bytes();
+        digits.all(|byte| byte.is_ascii_digit())
+    }
+
+    /// Whether a line says nothing but a number that is a numeric code.
+    fn is_numeric_code(&self) -> bool {
+        let minus = usize::from(self.peek().kind == Kind::Minus);
+        let (number, next) = (self.ahead(minus), self.ahead(minus + 1));
+        let code = self.text_of(number.span).parse().unwrap_or(0);
+        // A comment of numeric code begins with /, which is no word here.
+        let between = Span {
+            start: number.span.end,
+            end: next.span.start,
+        };
+        let ends = matches!(next.kind, Kind::NewLine | Kind::End);
+        (ends || self.text_of(between).trim_start().starts_with('/')) && is_code(code)
+    }
+
+    /// Structured Text is told once: what else could be said of it helps nobody.
+    fn structured_text(&mut self, span: Span) {
+        let text = self.text_of(span).to_owned();
+        self.tell(Code::StructuredText, span, [text.into()]);
+        self.skip_line();
     }
 
     fn word_at(&self, span: Span) -> String {
@@ -56,8 +97,14 @@ impl Parser<'_, '_> {
     }
 
     fn instruction(&mut self, unit: &mut Unit) {
+        let first = self.at;
         let Some((spelling, mut span)) = self.operator(unit) else {
-            return self.skip_line();
+            self.skip_line();
+            let line = self.tokens.get(first..self.at).unwrap_or_default();
+            let count = |kind| line.iter().filter(|token| token.kind == kind).count();
+            let open = count(Kind::Open).saturating_sub(count(Kind::Close));
+            let span = line.first().map_or(Span::default(), |token| token.span);
+            return unit.body.push(Stmt::Wrong { span, open });
         };
         let op = spelling.op;
         let mut open = None;
@@ -147,11 +194,21 @@ impl Parser<'_, '_> {
             return Some((made(Op::Function, false), token.span));
         }
         let Some(mut spelling) = operators::find(&word) else {
+            if operators::is_structured_text(&word) {
+                self.structured_text(token.span);
+                return None;
+            }
+            if let Some(meant) = operators::of_other_language(&word) {
+                let text = self.text_of(token.span).to_owned();
+                self.tell(Code::OtherWord, token.span, [text.into(), meant.into()]);
+                return None;
+            }
             let word_follows = next.kind == Kind::Name
                 && operators::find(&self.word(next).text).is_some()
                 && !word.contains(['.', '%']);
             if word_follows && operators::nearest(&word).is_none() {
-                self.tell(Code::LabelColon, token.span, [word.into()]);
+                let text = self.text_of(token.span).to_owned();
+                self.tell(Code::LabelColon, token.span, [text.into()]);
                 self.label(token, unit);
                 return self.operator(unit);
             }
@@ -197,7 +254,12 @@ impl Parser<'_, '_> {
                 );
             }
         }
+        let calls = self.peek().kind == Kind::Open && self.ahead(2).kind == Kind::Assign;
         let help = match operators::nearest(word) {
+            _ if calls => (
+                format!("to call it, write CAL {written} (…)"),
+                format!("para chamá-lo, escreva CAL {written} (…)"),
+            ),
             Some(near) => (format!("is it {near}?"), format!("seria {near}?")),
             None => (
                 "each line begins with an operator, like LD, AND, OR or ST".to_owned(),
@@ -210,4 +272,13 @@ impl Parser<'_, '_> {
             [written.into(), help.into()],
         );
     }
+}
+
+/// Whether a number of this size is a code, and not the number of a line.
+fn is_code(number: i32) -> bool {
+    let of_row = |row: &Row| match row.kind.has_number() {
+        true => row.code / 100 == number / 100,
+        false => row.code == number,
+    };
+    number >= 10_000 && TABLE.iter().any(of_row)
 }

@@ -111,7 +111,7 @@ const BETWEEN: [&str; 17] = [
 
 fn hold(text: &str) {
     let compiled = compile(text, &Options::default());
-    for diagnostic in &compiled.diagnostics {
+    for diagnostic in compiled.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),
             "{text:?} {diagnostic:?}"

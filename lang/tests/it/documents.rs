@@ -127,7 +127,7 @@ fn addresses() {
             };
             let written = written.trim_matches('`');
             let number = code.starts_with("766");
-            let store = if number { "ST D9" } else { "ST M9" };
+            let store = if number { "ST D9" } else { "ST M20" };
             let options = Options {
                 dialect: unoclp_lang::Dialect::named(of),
                 ..Options::default()

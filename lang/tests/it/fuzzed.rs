@@ -8,7 +8,7 @@ use unoclp_lang::{Lang, Options, compile, show, to_il};
 pub fn hold(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let compiled = compile(&text, &Options::default());
-    for diagnostic in &compiled.diagnostics {
+    for diagnostic in compiled.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),
             "{diagnostic:?}"

@@ -1,0 +1,84 @@
+//! What may have been meant by a name that nothing declares.
+
+use crate::ast::{Instr, Param};
+use crate::diagnostics::Word;
+use crate::operators::Op;
+use std::collections::HashSet;
+
+/// For more names than this, no near one is looked for: the board has not so many markers.
+const MOST: u32 = 64;
+
+/// The names of a text.
+#[derive(Debug, Default)]
+pub(super) struct Near {
+    /// As they are written where they are declared.
+    declared: Vec<String>,
+    /// What the text stores to, in upper case.
+    stored: HashSet<String>,
+    asked: u32,
+}
+
+impl Near {
+    pub(super) fn declare(&mut self, name: String) {
+        self.declared.push(name);
+    }
+
+    pub(super) fn note_stores(&mut self, instr: &Instr) {
+        let stores = matches!(instr.op, Op::Store | Op::Set | Op::Reset);
+        let operands = instr.operands.iter().filter(|_| stores);
+        let outputs = instr.params.iter().filter(|param| param.out);
+        let stored = operands.chain(outputs.map(|Param { value, .. }| value));
+        let names = stored.filter_map(|operand| operand.name());
+        self.stored.extend(names.map(str::to_owned));
+    }
+
+    /// How a name may be declared, or which declared one was meant.
+    pub(super) fn declaration(&mut self, written: &str) -> Word {
+        let point = match self.stored.contains(&written.to_uppercase()) {
+            true => "%QX1",
+            false => "%IX1",
+        };
+        let declare = format!("VAR {written} AT {point} : BOOL; END_VAR");
+        match self.nearest(written) {
+            Some(near) => Word::Both(
+                format!("is it `{near}`? if not, declare it: {declare}"),
+                format!("seria `{near}`? se não, declare-o: {declare}"),
+            ),
+            None => Word::Both(
+                format!("declare it: {declare}"),
+                format!("declare-o: {declare}"),
+            ),
+        }
+    }
+
+    /// What can be called, or which declared name was meant.
+    pub(super) fn callable(&mut self, written: &str) -> Word {
+        match self.nearest(written) {
+            Some(near) => Word::Both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            None => (
+                "CAL takes a timer, a counter, or a FUNCTION or FUNCTION_BLOCK of this file",
+                "CAL aceita um temporizador, um contador, ou uma FUNCTION ou FUNCTION_BLOCK deste arquivo",
+            )
+                .into(),
+        }
+    }
+
+    fn nearest(&mut self, written: &str) -> Option<&str> {
+        self.asked += 1;
+        let names = self.declared.iter().map(String::as_str);
+        nearest(written, names.filter(|_| self.asked <= MOST))
+    }
+}
+
+/// The name that is a slip of the hand away, two in a long one.
+pub(crate) fn nearest<'n>(wrong: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let wrong = wrong.to_uppercase();
+    let length = wrong.chars().count();
+    let slips = (length / 3).min(2);
+    names
+        .filter(|name| name.len().abs_diff(wrong.len()) <= slips)
+        .map(|name| (strsim::osa_distance(&name.to_uppercase(), &wrong), name))
+        .filter(|(distance, _)| (1..=slips).contains(distance))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, name)| name)
+}
