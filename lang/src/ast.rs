@@ -124,7 +124,7 @@ pub(crate) struct Instr {
 #[derive(Debug)]
 pub(crate) enum Stmt {
     Label(Word),
-    Instr(Instr),
+    Instr(Box<Instr>),
     /// `)`
     Close(Span),
     /// A line that could not be read, and has been told; so many parentheses stay open behind it.

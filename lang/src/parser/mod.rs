@@ -29,12 +29,13 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
     let mut parser = Parser {
         text,
         functions: HashSet::new(),
+        declares_n: false,
         tokens,
         at: 0,
         signs: Signs::default(),
         found,
     };
-    parser.find_functions();
+    parser.find_names();
     let units = parser.units();
     remarks.iter().for_each(|&remark| parser.remark(remark));
     Parsed {
@@ -48,6 +49,8 @@ struct Parser<'t, 'f> {
     text: &'t str,
     /// The names of the file's functions, which are operators too.
     functions: HashSet<String>,
+    /// A variable is called N, as the modifier is.
+    declares_n: bool,
     tokens: Vec<Token>,
     at: usize,
     signs: Signs,
@@ -139,13 +142,15 @@ impl Parser<'_, '_> {
         }
     }
 
-    fn find_functions(&mut self) {
+    fn find_names(&mut self) {
         for at in 1..self.tokens.len() {
             let (before, name) = (self.tokens[at - 1], self.tokens[at]);
             if self.is(before, "FUNCTION") && name.kind == Kind::Name {
                 let name = self.word(name).text;
                 self.functions.insert(name);
             }
+            let declares = matches!(name.kind, Kind::Colon | Kind::Comma) || self.is(name, "AT");
+            self.declares_n |= declares && self.is(before, "N");
         }
     }
 

@@ -113,7 +113,9 @@ impl Parser<'_, '_> {
             span = span.to(paren.span);
             if op.may_defer() {
                 let n = self.peek();
-                let negated = self.is(n, "N");
+                let behind = self.ahead(1).kind;
+                let alone = matches!(behind, Kind::NewLine | Kind::End | Kind::Close);
+                let negated = self.is(n, "N") && !(alone && self.declares_n);
                 if negated {
                     self.at += 1;
                     span = span.to(n.span);
@@ -141,7 +143,7 @@ impl Parser<'_, '_> {
         }
         let before = self.at.saturating_sub(1);
         let end = self.tokens.get(before).map_or(span, |token| token.span);
-        unit.body.push(Stmt::Instr(Instr {
+        unit.body.push(Stmt::Instr(Box::new(Instr {
             op,
             function: (op == Op::Function).then(|| self.word_at(span)),
             negated: spelling.negated,
@@ -155,7 +157,7 @@ impl Parser<'_, '_> {
             } else {
                 span
             },
-        }));
+        })));
         match self.peek().kind {
             // It closes what was deferred, on the same line.
             Kind::Close | Kind::NewLine | Kind::End | Kind::Semicolon => {}
