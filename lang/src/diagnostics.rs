@@ -208,6 +208,13 @@ impl Found {
         self.errors > 0
     }
 
+    /// Where errors have been told.
+    pub(crate) fn errors(&self) -> impl Iterator<Item = Span> + '_ {
+        let errors = self.told.iter();
+        let errors = errors.filter(|d| d.severity() == Severity::Error);
+        errors.map(|d| d.span)
+    }
+
     /// The first place where this was told.
     pub(crate) fn place_of(&self, code: Code) -> Option<Span> {
         let told = self.told.iter().filter(|d| d.code == code);

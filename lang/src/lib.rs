@@ -103,7 +103,7 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
     let mut lines = Vec::new();
     let mut program = None;
-    if whole::is_readable(&mut found) {
+    if whole::is_readable(&mut found) && !parsed.wrong_declarations {
         (lines, program) = translate(text, dialect, options.board, &parsed, &mut found);
     }
     let diagnostics = found.finish();

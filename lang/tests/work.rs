@@ -14,8 +14,11 @@ fn work(text: &str) -> Stats {
     region.change()
 }
 
+/// Writes a text of this size.
+type Shape = fn(usize) -> String;
+
 /// Each shape as deep or as long as it is asked for; the first three are what a person would call nested.
-const SHAPES: [(&str, fn(usize) -> String); 7] = [
+const SHAPES: [(&str, Shape); 7] = [
     ("closed parentheses", |n| {
         format!("LD I1\n{}{}ST Q1\n", "AND( I2\n".repeat(n), ")\n".repeat(n))
     }),

@@ -12,7 +12,11 @@ impl Lower<'_, '_> {
         self.names.temps = self.rungs.temps;
     }
 
+    /// Where something else is wrong, the call may be what is wrong.
     fn timers_never_called(&mut self) {
+        if self.found.has_errors() {
+            return;
+        }
         for timer in &self.names.timers {
             if let (None, Some(span)) = (&timer.called, timer.read) {
                 self.found

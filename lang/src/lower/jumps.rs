@@ -204,7 +204,12 @@ impl Lower<'_, '_> {
     /// Jumps and labels do not stand between parentheses; what LD has pushed is lost there.
     fn not_deferred(&mut self, what: &str, span: Span) {
         let deferred = |waiting: &Waiting| matches!(waiting, Waiting::Deferred(..));
-        if self.frames.iter().any(|frame| deferred(&frame.waiting)) {
+        let mut frames = self.frames.iter();
+        let open = frames.find(|frame| deferred(&frame.waiting));
+        // Told once for each parenthesis.
+        if let Some(frame) = open
+            && self.told_open.replace(frame.span) != Some(frame.span)
+        {
             self.found.tell(Code::InParentheses, span, [what.into()]);
         }
     }

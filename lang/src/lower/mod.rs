@@ -126,6 +126,8 @@ pub(crate) struct Lower<'a, 'f> {
     counted: Calls,
     /// Something is stored.
     writes: bool,
+    /// The parenthesis of which it has been told that something cannot stand in it.
+    told_open: Option<Span>,
     /// That there are too many steps has been told.
     full: bool,
 }
@@ -185,6 +187,7 @@ fn run<'a>(
         again,
         counted: Calls::default(),
         writes: false,
+        told_open: None,
         full: false,
     };
     lower.declare_all();
@@ -268,7 +271,8 @@ impl<'a> Lower<'a, '_> {
     fn end_of_body(&mut self) {
         self.warn_unused();
         for frame in std::mem::take(&mut self.frames) {
-            if let Waiting::Deferred(..) = frame.waiting {
+            let told = self.told_open == Some(frame.span);
+            if matches!(frame.waiting, Waiting::Deferred(..)) && !told {
                 self.found.tell(Code::LeftOpen, frame.span, []);
             }
         }

@@ -7,8 +7,9 @@ use crate::lexer::{Kind, SECTIONS, Token};
 use crate::operators;
 
 /// Words that are types, so that what stands before them is a name.
-const TYPES: [&str; 10] = [
-    "BOOL", "SINT", "INT", "DINT", "USINT", "UINT", "UDINT", "BYTE", "WORD", "TIME",
+pub(super) const TYPES: [&str; 20] = [
+    "BOOL", "SINT", "INT", "DINT", "USINT", "UINT", "UDINT", "BYTE", "WORD", "DWORD", "TIME",
+    "TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD", "R_TRIG", "F_TRIG",
 ];
 
 impl Parser<'_, '_> {
@@ -49,7 +50,13 @@ impl Parser<'_, '_> {
     }
 
     /// From behind the word that opens a section to END_VAR.
-    pub(super) fn declarations(&mut self, opening: Token, mut section: Section, unit: &mut Unit) {
+    pub(super) fn declarations(&mut self, opening: Token, section: Section, unit: &mut Unit) {
+        self.declaring = true;
+        self.declare_all(opening, section, unit);
+        self.declaring = false;
+    }
+
+    fn declare_all(&mut self, opening: Token, mut section: Section, unit: &mut Unit) {
         if self.is(self.peek(), "RETAIN") {
             self.advance();
             section = Section::Retain;
@@ -64,13 +71,17 @@ impl Parser<'_, '_> {
                     self.at += 1;
                     return;
                 }
-                Kind::Name if !self.is_instruction() => self.declaration(section, unit),
+                Kind::Name if !self.is_instruction() => {
+                    self.wrong_declarations |= self.is_stray();
+                    self.declaration(section, unit);
+                }
                 Kind::Name | Kind::End => {
                     let why = (
                         "write END_VAR behind the declarations",
                         "escreva END_VAR depois das declarações",
                     );
                     let word = self.text_of(opening.span).to_owned();
+                    self.headless = true;
                     return self.tell(Code::Structure, opening.span, [word.into(), why.into()]);
                 }
                 _ => self.unexpected_declaration(),
@@ -81,11 +92,14 @@ impl Parser<'_, '_> {
     /// Tells that the next token was not expected, and passes over the rest of the declaration.
     fn unexpected_declaration(&mut self) {
         let token = self.peek();
-        if token.kind == Kind::NewLine {
-            return;
-        }
-        let text = self.text_of(token.span).to_owned();
-        self.tell(Code::Unexpected, token.span, [text.into()]);
+        // Where a line ends too early, it is its last word that was not expected.
+        let at = match token.kind {
+            Kind::NewLine | Kind::End => self.at.saturating_sub(1),
+            _ => self.at,
+        };
+        let span = self.tokens.get(at).map_or(token.span, |token| token.span);
+        let text = self.text_of(span).to_owned();
+        self.tell(Code::Unexpected, span, [text.into()]);
         loop {
             let next = self.peek();
             let ends = matches!(next.kind, Kind::NewLine | Kind::Semicolon | Kind::End);
@@ -99,6 +113,10 @@ impl Parser<'_, '_> {
     /// Whether an instruction comes, and not a declaration.
     fn is_instruction(&self) -> bool {
         let next = self.ahead(1);
+        let word = self.peek();
+        if SECTIONS.iter().any(|section| self.is(word, section)) {
+            return true;
+        }
         let declares = matches!(next.kind, Kind::Colon | Kind::Comma)
             || self.is(next, "AT")
             || TYPES.iter().any(|ty| self.is(next, ty));

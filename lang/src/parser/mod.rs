@@ -4,12 +4,17 @@ mod declare;
 mod operand;
 mod statement;
 
+use declare::TYPES;
+
 use crate::ast::{Unit, UnitKind, Word};
-use crate::diagnostics::{Code, Found, Span, Word as Said};
+use crate::diagnostics::{Code, Found, Lines, Severity, Span, Word as Said};
 use crate::dialect::Signs;
 use crate::lexer::{Kind, Token, Words, words};
 use crate::operators;
 use std::collections::HashSet;
+
+/// A declaration has no more words before its type than this.
+const MOST_WORDS: usize = 64;
 
 /// What the parser has read.
 pub(crate) struct Parsed {
@@ -18,6 +23,8 @@ pub(crate) struct Parsed {
     pub signs: Signs,
     /// Where comments stand.
     pub comments: Vec<Span>,
+    /// Something is wrong with the declarations or the units, so that what is said of names would mislead.
+    pub wrong_declarations: bool,
 }
 
 pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
@@ -26,6 +33,8 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
         comments,
         remarks,
     } = words(text, found);
+    let lines = Lines::new(text);
+    let stray_lines: HashSet<u32> = found.errors().map(|span| lines.line(span.start)).collect();
     let mut parser = Parser {
         text,
         functions: HashSet::new(),
@@ -33,6 +42,13 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
         tokens,
         at: 0,
         signs: Signs::default(),
+        wrong_lines: stray_lines.clone(),
+        stray_lines,
+        lines,
+        declaring: false,
+        wrong_declarations: false,
+        headless: false,
+        errors: 0,
         found,
     };
     parser.find_names();
@@ -42,6 +58,7 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
         units,
         signs: parser.signs,
         comments,
+        wrong_declarations: parser.wrong_declarations,
     }
 }
 
@@ -54,6 +71,17 @@ struct Parser<'t, 'f> {
     tokens: Vec<Token>,
     at: usize,
     signs: Signs,
+    lines: Lines,
+    /// Lines in which the lexer has told something, and all in which something has been told.
+    stray_lines: HashSet<u32>,
+    wrong_lines: HashSet<u32>,
+    /// Between VAR and END_VAR.
+    declaring: bool,
+    wrong_declarations: bool,
+    /// A declaration or the head of a unit has been told, so its END_… stands alone.
+    headless: bool,
+    /// Errors so far, also those that were not told.
+    errors: u32,
     found: &'f mut Found,
 }
 
@@ -101,8 +129,44 @@ impl Parser<'_, '_> {
         token.kind == Kind::Name && self.text_of(token.span).eq_ignore_ascii_case(word)
     }
 
+    /// Tells of at most one error in a line: what follows in it follows from that, most of the time. That a
+    /// text is in another language is told in any case.
     fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Said; N]) {
+        let whole = matches!(code, Code::StructuredText | Code::NumericCode);
+        if code.severity() == Severity::Error && !whole {
+            let of_units = self.declaring || code == Code::Structure || self.line_declares();
+            self.wrong_declarations |= of_units;
+            self.errors += 1;
+            if !self.wrong_lines.insert(self.lines.line(span.start)) {
+                return;
+            }
+        }
         self.found.tell(code, span, words);
+    }
+
+    /// Whether the lexer has told something of the line that comes.
+    fn is_stray(&self) -> bool {
+        let line = self.lines.line(self.peek().span.start);
+        self.stray_lines.contains(&line)
+    }
+
+    /// Whether the rest of this line declares a variable.
+    fn line_declares(&self) -> bool {
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let line = rest.iter().take_while(|token| token.kind != Kind::NewLine);
+        let mut line = line.take(MOST_WORDS).peekable();
+        while let Some(token) = line.next() {
+            let Some(&&ty) = line.peek().filter(|_| token.kind == Kind::Colon) else {
+                continue;
+            };
+            let known = TYPES.iter().any(|known| self.is(ty, known));
+            // Behind an operator with the name of a type, such as TON, stands its operand.
+            let mut behind = line.clone().skip(1);
+            if known && behind.next().is_none_or(|token| token.kind != Kind::Name) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Tells that the next token was not expected, and passes over the rest of the line.
@@ -210,6 +274,7 @@ impl Parser<'_, '_> {
             unit.end = end.unwrap_or(self.peek().span).start;
         }
         match (&unit, end) {
+            (None, Some(_)) if std::mem::take(&mut self.headless) => {}
             (None, Some(end)) => {
                 let text = self.text_of(end).to_owned();
                 let why = ("it ends nothing; delete it", "não termina nada; apague-o");

@@ -66,14 +66,18 @@ impl Parser<'_, '_> {
 
     /// Operands with commas between them; with `more`, one that is missing is told.
     pub(super) fn operands(&mut self, more: bool) -> Vec<Operand> {
-        let mut operands = Vec::new();
         if !more && let Some(fraction) = self.fraction() {
             return vec![fraction];
         }
-        while let Some(operand) = self.operand() {
-            operands.push(operand);
-            if self.take(Kind::Comma).is_none() && !(more && self.tell_comma()) {
-                break;
+        let Some(first) = self.operand() else {
+            return Vec::new();
+        };
+        // Most instructions have one, and take room for no more.
+        let mut operands = vec![first];
+        while self.take(Kind::Comma).is_some() || more && self.tell_comma() {
+            match self.operand() {
+                Some(operand) => operands.push(operand),
+                None => break,
             }
         }
         operands
@@ -120,6 +124,12 @@ impl Parser<'_, '_> {
             if self.take(Kind::Close).is_some() {
                 return params;
             }
+            if self.begins_instruction() {
+                let span = self.peek().span;
+                let text = self.text_of(span).to_owned();
+                self.tell(Code::Unexpected, span, [text.into()]);
+                return params;
+            }
             let Some(param) = self.param() else {
                 self.unexpected();
                 return params;
@@ -134,6 +144,14 @@ impl Parser<'_, '_> {
                 return params;
             }
         }
+    }
+
+    /// Whether a line begins here that is no parameter: a label, or an operator with its operand.
+    fn begins_instruction(&self) -> bool {
+        let (word, next) = (self.peek(), self.ahead(1));
+        let operator = operators::find(&self.word(word).text).is_some();
+        let acts = next.kind == Kind::Colon || operator && next.kind == Kind::Name;
+        word.kind == Kind::Name && self.begins_line() && acts
     }
 
     /// `IN := %IX1`, `Q => %QX1`, `%IX1`; each value may be behind NOT.

@@ -35,6 +35,33 @@ impl Parser<'_, '_> {
             // The number of a line, as listings have it.
             Kind::Number if self.begins_line() && self.is_digits(token) => self.at += 1,
             Kind::Name if self.is(token, "NETWORK") => self.skip_line(),
+            Kind::Name if self.is(token, "END_VAR") && self.headless => {
+                self.headless = false;
+                self.at += 1;
+            }
+            Kind::Name if self.is(token, "END_VAR") => {
+                let why = (
+                    "write VAR before the declarations",
+                    "escreva VAR antes das declarações",
+                );
+                let word = self.text_of(token.span).to_owned();
+                self.tell(Code::Structure, token.span, [word.into(), why.into()]);
+                self.at += 1;
+            }
+            // A declaration that no VAR has announced.
+            Kind::Name if self.declares_alone() => {
+                if !self.headless {
+                    let why = (
+                        "write VAR before the declarations",
+                        "escreva VAR antes das declarações",
+                    );
+                    let word = self.text_of(token.span).to_owned();
+                    self.tell(Code::Structure, token.span, [word.into(), why.into()]);
+                }
+                self.headless = true;
+                self.wrong_declarations = true;
+                self.skip_line();
+            }
             Kind::Name if self.ahead(1).kind == Kind::Colon => {
                 self.at += 2;
                 self.label(token, unit);
@@ -44,8 +71,32 @@ impl Parser<'_, '_> {
                 self.structured_text(span);
             }
             Kind::Name | Kind::And | Kind::Equals => self.instruction(unit),
-            _ => self.unexpected(),
+            _ => {
+                let first = self.at;
+                self.unexpected();
+                self.wrong(first, unit);
+            }
         }
+    }
+
+    /// Whether this line declares a variable: a name, and a type behind its colon.
+    fn declares_alone(&self) -> bool {
+        let next = self.ahead(1);
+        let named = matches!(next.kind, Kind::Colon | Kind::Comma) || self.is(next, "AT");
+        let of_a_block = || {
+            let ty = self.ahead(2);
+            ty.kind == Kind::Name && operators::find(&self.word(ty).text).is_none()
+        };
+        named && (self.line_declares() || self.headless && of_a_block())
+    }
+
+    /// The line from this token on comes to nothing.
+    fn wrong(&self, first: usize, unit: &mut Unit) {
+        let line = self.tokens.get(first..self.at).unwrap_or_default();
+        let count = |kind| line.iter().filter(|token| token.kind == kind).count();
+        let open = count(Kind::Open).saturating_sub(count(Kind::Close));
+        let span = line.first().map_or(Span::default(), |token| token.span);
+        unit.body.push(Stmt::Wrong { span, open });
     }
 
     fn is_digits(&self, token: Token) -> bool {
@@ -78,7 +129,7 @@ impl Parser<'_, '_> {
         self.text_of(span).to_uppercase()
     }
 
-    fn begins_line(&self) -> bool {
+    pub(super) fn begins_line(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
         before.is_none_or(|before| before.kind == Kind::NewLine)
     }
@@ -98,13 +149,17 @@ impl Parser<'_, '_> {
 
     fn instruction(&mut self, unit: &mut Unit) {
         let first = self.at;
-        let Some((spelling, mut span)) = self.operator(unit) else {
+        let errors = self.errors;
+        let stray = self.is_stray();
+        let operator = if stray { None } else { self.operator(unit) };
+        let Some((spelling, mut span)) = operator else {
+            self.at = first;
+            if self.line_declares() {
+                self.headless = true;
+                self.wrong_declarations = true;
+            }
             self.skip_line();
-            let line = self.tokens.get(first..self.at).unwrap_or_default();
-            let count = |kind| line.iter().filter(|token| token.kind == kind).count();
-            let open = count(Kind::Open).saturating_sub(count(Kind::Close));
-            let span = line.first().map_or(Span::default(), |token| token.span);
-            return unit.body.push(Stmt::Wrong { span, open });
+            return self.wrong(first, unit);
         };
         let op = spelling.op;
         let mut open = None;
@@ -162,6 +217,10 @@ impl Parser<'_, '_> {
             // It closes what was deferred, on the same line.
             Kind::Close | Kind::NewLine | Kind::End | Kind::Semicolon => {}
             _ => self.unexpected(),
+        }
+        if self.errors > errors {
+            unit.body.pop();
+            self.wrong(first, unit);
         }
     }
 

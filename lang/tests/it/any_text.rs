@@ -121,6 +121,11 @@ fn hold(text: &str) {
         }
     }
     assert_eq!(compiled.file().is_none(), compiled.has_errors());
+    // Program start, at least.
+    assert!(
+        compiled.has_errors() || !compiled.lines.is_empty(),
+        "{text:?}"
+    );
 }
 
 #[test]
