@@ -35,3 +35,14 @@ fn wrong_lines(bencher: Bencher, lines: usize) {
     let text = "AND( Z9.9 x\n".repeat(lines);
     bencher.bench(|| compile(black_box(&text), &Options::default()));
 }
+
+/// Parentheses in one another, far deeper than the board can have them.
+#[divan::bench(args = [1_000, 10_000, 100_000])]
+fn nested(bencher: Bencher, deep: usize) {
+    let text = format!(
+        "LD I1\n{}{}ST Q1\n",
+        "AND( I2\n".repeat(deep),
+        ")\n".repeat(deep)
+    );
+    bencher.bench(|| compile(black_box(&text), &Options::default()));
+}

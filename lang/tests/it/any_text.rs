@@ -3,7 +3,7 @@
 use crate::common::Random;
 use std::fs;
 use std::path::Path;
-use unoclp_lang::{Lang, Options, Severity, compile, show};
+use unoclp_lang::{Code, Lang, Options, Severity, compile, show};
 use unoclp_testing::rounds;
 
 /// Words that the parser looks out for, and what stands between them.
@@ -121,6 +121,11 @@ fn hold(text: &str) {
         }
     }
     assert_eq!(compiled.file().is_none(), compiled.has_errors());
+    // Only codes of the text's own can break a rule of the numeric code.
+    if !text.to_uppercase().contains("CODE") {
+        let refused = |d: &unoclp_lang::Diagnostic| d.code == Code::Refused;
+        assert!(!compiled.diagnostics.iter().any(refused), "{text:?}");
+    }
     // Program start, at least.
     assert!(
         compiled.has_errors() || !compiled.lines.is_empty(),
