@@ -1,6 +1,7 @@
 //! From words to the syntax tree. It never gives up: what it cannot read is told and passed over.
 
 mod declare;
+mod foreign;
 mod operand;
 mod statement;
 
@@ -10,7 +11,6 @@ use crate::ast::{Unit, UnitKind, Word};
 use crate::diagnostics::{Code, Found, Lines, Severity, Span, Word as Said};
 use crate::dialect::Signs;
 use crate::lexer::{Kind, Token, Words, words};
-use crate::operators;
 use std::collections::HashSet;
 
 /// A declaration has no more words before its type than this.
@@ -182,27 +182,6 @@ impl Parser<'_, '_> {
     fn skip_line(&mut self) {
         while !matches!(self.peek().kind, Kind::NewLine | Kind::End) {
             self.at += 1;
-        }
-    }
-
-    /// A comment behind `;` that reads as an instruction does: whoever ends lines with `;` is told that
-    /// nothing stands behind it.
-    fn remark(&mut self, span: Span) {
-        let text = self.text_of(span);
-        let trimmed = text.trim();
-        let words: Vec<&str> = trimmed.split_whitespace().take(3).collect();
-        let done = match words[..] {
-            [word] | [word, _] => {
-                let operator = operators::find(&word.to_uppercase());
-                operator.is_some_and(|spelling| spelling.op.takes_operand() == (words.len() == 2))
-            }
-            _ => false,
-        };
-        if done {
-            let start = span.start + (text.len() - text.trim_start().len()) as u32;
-            let end = start + trimmed.len() as u32;
-            let words = [trimmed.to_owned().into()];
-            self.tell(Code::Commented, Span { start, end }, words);
         }
     }
 

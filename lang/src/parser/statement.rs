@@ -6,7 +6,6 @@ use crate::ast::{Instr, Open, Stmt, Unit};
 use crate::diagnostics::{Code, Span};
 use crate::lexer::{Kind, Token};
 use crate::operators::{self, Op, Spelling};
-use unoclp_core::isa::{Row, TABLE};
 
 impl Parser<'_, '_> {
     /// A line, or what is left of it, or a section of declarations.
@@ -97,32 +96,6 @@ impl Parser<'_, '_> {
         let open = count(Kind::Open).saturating_sub(count(Kind::Close));
         let span = line.first().map_or(Span::default(), |token| token.span);
         unit.body.push(Stmt::Wrong { span, open });
-    }
-
-    fn is_digits(&self, token: Token) -> bool {
-        let mut digits = self.text_of(token.span).bytes();
-        digits.all(|byte| byte.is_ascii_digit())
-    }
-
-    /// Whether a line says nothing but a number that is a numeric code.
-    fn is_numeric_code(&self) -> bool {
-        let minus = usize::from(self.peek().kind == Kind::Minus);
-        let (number, next) = (self.ahead(minus), self.ahead(minus + 1));
-        let code = self.text_of(number.span).parse().unwrap_or(0);
-        // A comment of numeric code begins with /, which is no word here.
-        let between = Span {
-            start: number.span.end,
-            end: next.span.start,
-        };
-        let ends = matches!(next.kind, Kind::NewLine | Kind::End);
-        (ends || self.text_of(between).trim_start().starts_with('/')) && is_code(code)
-    }
-
-    /// Structured Text is told once: what else could be said of it helps nobody.
-    fn structured_text(&mut self, span: Span) {
-        let text = self.text_of(span).to_owned();
-        self.tell(Code::StructuredText, span, [text.into()]);
-        self.skip_line();
     }
 
     fn word_at(&self, span: Span) -> String {
@@ -333,13 +306,4 @@ impl Parser<'_, '_> {
             [written.into(), help.into()],
         );
     }
-}
-
-/// Whether a number of this size is a code, and not the number of a line.
-fn is_code(number: i32) -> bool {
-    let of_row = |row: &Row| match row.kind.has_number() {
-        true => row.code / 100 == number / 100,
-        false => row.code == number,
-    };
-    number >= 10_000 && TABLE.iter().any(of_row)
 }
