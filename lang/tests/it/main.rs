@@ -2,10 +2,12 @@
 
 mod any_text;
 mod blocks;
+mod cases;
 mod common;
 mod documents;
 mod examples;
 mod fuzzed;
+mod limits;
 mod places;
 mod random_programs;
 mod round_trip;

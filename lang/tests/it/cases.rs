@@ -2,9 +2,7 @@
 //!
 //! A case is data, so that a text in another language can stand beside the one in Instruction List.
 
-mod common;
-
-use common::{LARGE, large, plc};
+use crate::common::{LARGE, large, plc};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
