@@ -104,6 +104,17 @@ impl Program {
         }
     }
 
+    /// The same program with this in the EEPROM, in place of what the file has there.
+    ///
+    /// # Errors
+    /// If that is not all of the EEPROM.
+    pub fn with_eeprom(self, eeprom: Vec<u8>) -> Result<Program, usize> {
+        match eeprom.len() {
+            EEPROM_LEN => Ok(Program { eeprom, ..self }),
+            other => Err(other),
+        }
+    }
+
     /// Reads an ELF file.
     ///
     /// # Errors

@@ -1,11 +1,16 @@
 //! The firmware on a simulated UNO: `unoclp-uno-sim demo`, with a script pressing its buttons, and `unoclp-uno-sim serve`,
 //! with its serial port on a pseudo-terminal.
 
-use anyhow::{Context, Result, bail};
+use annotate_snippets::Renderer;
+use anyhow::{Context, Result, anyhow, bail};
 use clap::{Parser, Subcommand, ValueEnum};
-use std::io::{Read, Write};
+use signal_hook::consts::SIGPIPE;
+use signal_hook::flag::register_conditional_default;
+use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
@@ -13,11 +18,12 @@ use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::scenario::{
     self, Cell, Engine, Outcome, ProgramFile, Refusal, Scenario, Verdict,
 };
-use unoclp_source::Written;
+use unoclp_lang::{Lang, show};
+use unoclp_source::{Refused, Written};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{Line, Parity, Program, Slot, Uno, firmware_elf};
+use unoclp_uno_sim::{EEPROM_LEN, Line, Parity, Program, Slot, Uno, firmware_elf};
 
 #[derive(Parser)]
 #[command(version, about = "The unoclp firmware on a simulated Arduino UNO")]
@@ -43,12 +49,15 @@ enum Command {
     /// Run the firmware with its serial port on a pseudo-terminal, whose path is the first line of the output; until the
     /// input ends
     Serve {
-        /// The program, for a card of its own
-        #[arg(required_unless_present = "card", conflicts_with = "card")]
+        /// The program, numeric code or Instruction List, for a card of its own; without it and --card the slot is empty
+        #[arg(conflicts_with = "card")]
         program: Option<PathBuf>,
         /// The image of the card in the slot
         #[arg(long)]
         card: Option<PathBuf>,
+        /// The file in which the EEPROM is kept: 1024 bytes, made where there is none
+        #[arg(long)]
+        eeprom: Option<PathBuf>,
         /// The firmware, where it is not the one that `cargo xtask firmware` has left
         #[arg(long)]
         elf: Option<PathBuf>,
@@ -86,6 +95,8 @@ impl From<ParityName> for Parity {
 }
 
 fn main() -> Result<ExitCode> {
+    // Whoever reads no more of the output wants no more of it.
+    register_conditional_default(SIGPIPE, Arc::new(AtomicBool::new(true)))?;
     match Arguments::parse().command {
         Command::Demo {
             elf,
@@ -95,6 +106,7 @@ fn main() -> Result<ExitCode> {
         Command::Serve {
             program,
             card,
+            eeprom,
             elf,
             baud,
             parity,
@@ -103,10 +115,17 @@ fn main() -> Result<ExitCode> {
         } => {
             let elf = elf.map_or_else(firmware_elf, Ok)?;
             let image = match (program, card) {
-                (Some(program), _) => CardImage::new(Fat::Fat16)
-                    .file("PROGRAM.TXT", file("program", &program)?)
-                    .build()?,
-                (None, card) => file("card image", &card.context("no card")?)?,
+                (Some(program), _) => Some(
+                    CardImage::new(Fat::Fat16)
+                        .file("PROGRAM.TXT", numeric(&program)?)
+                        .build()?,
+                ),
+                (None, Some(card)) => Some(file("card image", &card)?),
+                (None, None) => None,
+            };
+            let slot = match image {
+                Some(image) => Slot::Card(SdCard::new(Kind::Sdhc, image)?),
+                None => Slot::Empty,
             };
             let parity = parity.into();
             let options = Options {
@@ -116,7 +135,8 @@ fn main() -> Result<ExitCode> {
                 },
                 reset_on_open: reset,
             };
-            serve(&elf, image, Line { baud, parity }, options)
+            let kept = eeprom.map(Kept::open).transpose()?;
+            serve(&elf, slot, kept, Line { baud, parity }, options)
         }
     }
 }
@@ -125,12 +145,86 @@ fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
     std::fs::read(path).with_context(|| format!("the {what} {} cannot be read", path.display()))
 }
 
+/// A program as numeric code: what is written in Instruction List is compiled.
+fn numeric(path: &Path) -> Result<Vec<u8>> {
+    let written = Written::new(path.display().to_string(), file("program", path)?);
+    if !written.is_il {
+        // With its faults, if it has any: the board tells them.
+        return Ok(written.bytes);
+    }
+    match written.check(None) {
+        Ok(source) => Ok(source.code),
+        Err(Refused::Il {
+            name,
+            text,
+            diagnostics,
+        }) => {
+            let shown = show(&name, &text, &diagnostics, Lang::En, &Renderer::plain());
+            bail!("{name} has errors\n{}", shown.trim_end())
+        }
+        Err(Refused::Numeric { written, .. }) => bail!("{} is no program", written.name),
+    }
+}
+
+/// The file in which an EEPROM is kept.
+struct Kept {
+    path: PathBuf,
+    /// What stands there.
+    bytes: Option<Vec<u8>>,
+}
+
+impl Kept {
+    /// That of an earlier board, or one to be made.
+    fn open(path: PathBuf) -> Result<Kept> {
+        let bytes = match std::fs::read(&path) {
+            Ok(bytes) => Some(bytes),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => {
+                return Err(error)
+                    .with_context(|| format!("the EEPROM {} cannot be read", path.display()));
+            }
+        };
+        Ok(Kept { path, bytes })
+    }
+
+    /// The program of a board that has this EEPROM.
+    fn put_into(&self, program: Program) -> Result<Program> {
+        let Some(bytes) = &self.bytes else {
+            return Ok(program);
+        };
+        program.with_eeprom(bytes.clone()).map_err(|length| {
+            let path = self.path.display();
+            anyhow!("{path} has {length} bytes and is no EEPROM, which has {EEPROM_LEN}; it is left as it is")
+        })
+    }
+
+    /// Keeps what the board has, where it differs from what stands there.
+    fn keep(&mut self, port: &Port) -> Result<()> {
+        let now = port.with(|uno| uno.read_eeprom(0, EEPROM_LEN))??;
+        if self.bytes.as_ref() != Some(&now) {
+            std::fs::write(&self.path, &now)
+                .with_context(|| format!("the EEPROM {} cannot be written", self.path.display()))?;
+            self.bytes = Some(now);
+        }
+        Ok(())
+    }
+}
+
 /// How often the board is looked after.
 const LOOK: Duration = Duration::from_millis(100);
 
-fn serve(elf: &Path, image: Vec<u8>, line: Line, options: Options) -> Result<ExitCode> {
-    let card = SdCard::new(Kind::Sdhc, image)?;
-    let port = Port::open(Program::read(elf)?, Slot::Card(card), options)?;
+fn serve(
+    elf: &Path,
+    slot: Slot,
+    mut kept: Option<Kept>,
+    line: Line,
+    options: Options,
+) -> Result<ExitCode> {
+    let mut program = Program::read(elf)?;
+    if let Some(kept) = &kept {
+        program = kept.put_into(program)?;
+    }
+    let port = Port::open(program, slot, options)?;
     port.with(move |uno| uno.set_serial_line(line))?;
     let mut out = std::io::stdout();
     writeln!(out, "{}", port.path().display())?;
@@ -142,7 +236,16 @@ fn serve(elf: &Path, image: Vec<u8>, line: Line, options: Options) -> Result<Exi
         while matches!(input.read(&mut [0; 64]), Ok(1..)) {}
         drop(ends);
     });
-    while port.is_running() && ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {}
+    while port.is_running() && ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+        if let Some(kept) = &mut kept {
+            kept.keep(&port)?;
+        }
+    }
+    if let Some(kept) = &mut kept
+        && port.is_running()
+    {
+        kept.keep(&port)?;
+    }
     port.close()?;
     Ok(ExitCode::SUCCESS)
 }

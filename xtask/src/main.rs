@@ -31,7 +31,19 @@ enum Task {
     Setup,
 }
 
+/// Ends this quietly once nobody reads its output any more.
+fn end_with_the_pipe() {
+    #[cfg(unix)]
+    if let Err(error) = signal_hook::flag::register_conditional_default(
+        signal_hook::consts::SIGPIPE,
+        std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)),
+    ) {
+        eprintln!("warning: {error}");
+    }
+}
+
 fn main() -> ExitCode {
+    end_with_the_pipe();
     let done = match Task::parse() {
         Task::Demo => demo::run(),
         Task::Test(args) => test::run(&args),

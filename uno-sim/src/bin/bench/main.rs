@@ -19,7 +19,11 @@ mod yardsticks;
 use anyhow::{Context, Result};
 use clap::Parser;
 use report::Figures;
+use signal_hook::consts::SIGPIPE;
+use signal_hook::flag::register_conditional_default;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use unoclp_uno_sim::Program;
 use yardsticks::Workshop;
 
@@ -35,6 +39,8 @@ struct Arguments {
 }
 
 fn main() -> Result<()> {
+    // Whoever reads no more of the output wants no more of it.
+    register_conditional_default(SIGPIPE, Arc::new(AtomicBool::new(true)))?;
     let Arguments { elf, page } = Arguments::parse();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = root.parent().context("this crate has no folder above it")?;
