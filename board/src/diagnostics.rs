@@ -43,6 +43,11 @@ pub struct Trouble {
 }
 
 impl Trouble {
+    /// Whether it comes of the kept program as it runs; others that name a line are those of a file that was refused.
+    pub fn is_of_the_run(self) -> bool {
+        self.number == Cause::TooManyJumps.number().into()
+    }
+
     /// The fault, where this version knows its number.
     pub fn fault(self) -> Option<Fault> {
         let cause = Cause::ALL

@@ -6,6 +6,7 @@ use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
 use std::fmt;
+use std::time::Duration;
 use unoclp_modbus::Exception;
 
 /// How far an upload is.
@@ -170,6 +171,20 @@ async fn send(client: &mut Client, number: u8, text: &[u8], last: bool) -> Resul
     sent.await
 }
 
+/// Ends an upload that is under way, if there is one; gives how the board stands then.
+///
+/// # Errors
+/// [`Failure`].
+pub async fn end(client: &mut Client) -> Result<Diagnostics, Failure> {
+    let board = Diagnostics::read(client).await?;
+    if !board.has(flag::UPLOAD) {
+        return Ok(board);
+    }
+    let ended = client.set_word(holding::COMMAND, Command::Stop as u16);
+    ended.await?;
+    Diagnostics::read(client).await
+}
+
 /// Why a block was refused.
 fn explain(board: &Diagnostics, last: bool, sent: Kept) -> Result<Kept, Broken> {
     let under_way = board.has(flag::UPLOAD);
@@ -209,7 +224,13 @@ pub enum Behind {
     Card,
     /// It was restarted, and has a fault.
     Trouble(Trouble),
+    /// It ran the program, and is in FAULT within [`FIRST_SCANS`]; with what the fault is.
+    Failing(Option<Trouble>),
 }
+
+/// How long a board is given to run a program before it is asked how it does: most of what goes wrong at all does so at
+/// once.
+pub const FIRST_SCANS: Duration = Duration::from_secs(1);
 
 /// Lets a board run the program that it keeps since an upload, unless it `stays`. One that was in FAULT is restarted.
 ///
@@ -229,9 +250,12 @@ pub async fn go_on(
         restarted.await?;
         let after = await_start(client).await?;
         return Ok(match (after.trouble, after.state) {
+            (Some(trouble), Some(State::Fault)) if trouble.is_of_the_run() => {
+                Behind::Failing(Some(trouble))
+            }
             (Some(trouble), Some(State::Fault)) => Behind::Trouble(trouble),
             _ if after.program != kept => Behind::Card,
-            (_, Some(State::Run)) => Behind::Run,
+            (_, Some(State::Run)) => runs(client).await?,
             _ => Behind::Switch,
         });
     }
@@ -240,7 +264,7 @@ pub async fn go_on(
     }
     let run = client.set_word(holding::COMMAND, Command::Run as u16);
     match run.await {
-        Ok(()) => Ok(Behind::Run),
+        Ok(()) => runs(client).await,
         Err(Failure::Refused(Exception::ServerDeviceFailure))
             if Diagnostics::read(client).await?.is_switched_off() =>
         {
@@ -248,6 +272,16 @@ pub async fn go_on(
         }
         Err(failure) => Err(failure),
     }
+}
+
+/// How a board does that has begun to run a program. Its watchdog may restart it meanwhile.
+async fn runs(client: &mut Client) -> Result<Behind, Failure> {
+    client.pause(FIRST_SCANS, || false).await?;
+    let after = await_start(client).await?;
+    Ok(match after.state {
+        Some(State::Fault) => Behind::Failing(after.trouble),
+        _ => Behind::Run,
+    })
 }
 
 /// Waits for a board that was restarted.

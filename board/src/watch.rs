@@ -5,6 +5,7 @@ use crate::diagnostics::Diagnostics;
 use crate::map::{Command, Span, coil, discrete, holding, input, long};
 use std::cell::RefCell;
 use std::collections::VecDeque;
+use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
 use unoclp_modbus::Exception;
@@ -40,6 +41,49 @@ impl Forces {
                 self.to |= bit;
             }
         }
+    }
+}
+
+/// All that is forced of a board.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Forced {
+    /// Of the inputs.
+    pub inputs: Forces,
+    /// Of the outputs.
+    pub outputs: Forces,
+}
+
+impl Forced {
+    /// Reads it.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub async fn read(client: &mut Client) -> Result<Forced, Failure> {
+        Ok(Forced {
+            inputs: forces(client, Side::Inputs).await?,
+            outputs: forces(client, Side::Outputs).await?,
+        })
+    }
+
+    /// Whether anything is.
+    pub const fn any(self) -> bool {
+        self.inputs.points | self.outputs.points != 0
+    }
+}
+
+impl fmt::Display for Forced {
+    /// `I1=1 Q2=0`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = |letter: char, forces: Forces| {
+            (0..16).filter_map(move |index| {
+                let to = u8::from(forces.get(index)?);
+                Some(format!("{letter}{}={to}", index + 1))
+            })
+        };
+        let points: Vec<String> = side('I', self.inputs)
+            .chain(side('Q', self.outputs))
+            .collect();
+        f.write_str(&points.join(" "))
     }
 }
 
@@ -131,18 +175,29 @@ impl Reading {
         } = input::ANALOGUE;
         let analogue = if_there(client.words(table, first, values).await)?;
         let registers = holding::REGISTERS;
+        let forced = Forced::read(client).await?;
         Ok(Reading {
             diagnostics,
             inputs: pack(&inputs) as u16,
             outputs: pack(&outputs) as u16,
-            forced_inputs: forces(client, Side::Inputs).await?,
-            forced_outputs: forces(client, Side::Outputs).await?,
+            forced_inputs: forced.inputs,
+            forced_outputs: forced.outputs,
             markers: markers.map(|markers| pack(&markers)),
             analogue: analogue.unwrap_or_default(),
             registers: longs(client, registers, registers.values).await?,
             timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers).await?,
             counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters).await?,
         })
+    }
+}
+
+impl Reading {
+    /// All that is forced.
+    pub const fn forced(&self) -> Forced {
+        Forced {
+            inputs: self.forced_inputs,
+            outputs: self.forced_outputs,
+        }
     }
 }
 
@@ -304,6 +359,16 @@ fn pack(bits: &[bool]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_forced_is_told_by_its_points() {
+        let mut forced = Forced::default();
+        assert!(!forced.any());
+        forced.inputs.set(2, Some(true));
+        forced.outputs.set(0, Some(false));
+        assert!(forced.any());
+        assert_eq!(forced.to_string(), "I3=1 Q1=0");
+    }
 
     #[test]
     fn a_point_is_forced_and_let_go() {

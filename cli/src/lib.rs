@@ -3,7 +3,11 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
+//! - [`screen`]: what holds for every screen
+//! - [`messages`]: what all of them say, in two languages
 
+pub mod messages;
 pub mod monitor;
 pub mod panel;
 pub mod port;
+pub mod screen;

@@ -10,18 +10,23 @@ use annotate_snippets::Renderer;
 use anstream::{eprintln, print, println};
 use anyhow::{Context, anyhow, bail};
 use clap::{Parser, Subcommand};
-use commands::{At, Changes, Form, Il, Shown, check_written, open};
+use commands::{
+    At, Changes, Form, Il, Kind, Leave, Shown, check_written, create, language, open, running,
+};
 use ratatui::crossterm::terminal;
+use std::env;
 use std::fs::File;
-use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
+use std::io::{BufWriter, IsTerminal, Read, Write, stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use unoclp_cli::messages;
 use unoclp_cli::panel::{self, App};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
+use unoclp_host_sim::scenario::{ProgramFile, Scenario, Verdict, check};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_ladder::NARROWEST;
-use unoclp_source::{Source, Written, list};
+use unoclp_lang::Lang;
+use unoclp_source::{Written, is_il, list, point_names};
 
 /// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
 #[derive(Parser)]
@@ -100,9 +105,8 @@ enum Command {
         il: Il,
         #[command(flatten)]
         at: At,
-        /// Leave the board in STOP
-        #[arg(long)]
-        stop: bool,
+        #[command(flatten)]
+        leave: Leave,
     },
     /// Watch a board, force its inputs and outputs, and let it run and stop
     Monitor {
@@ -122,11 +126,56 @@ enum Command {
     },
 }
 
+/// The language that the arguments ask for, by --lang: it must be known before anything is said of them.
+fn asked() -> Option<Lang> {
+    let arguments: Vec<String> = env::args_os()
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect();
+    let behind = arguments.windows(2).filter(|pair| pair[0] == "--lang");
+    let names = behind.map(|pair| pair[1].as_str());
+    let joined = arguments
+        .iter()
+        .filter_map(|argument| argument.strip_prefix("--lang="));
+    names.chain(joined).find_map(language)
+}
+
+/// That of the environment.
+fn environment() -> Lang {
+    let value = |name: &str| env::var(name).ok().filter(|value| !value.is_empty());
+    let value = ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .into_iter()
+        .find_map(value);
+    value.as_deref().and_then(language).unwrap_or_default()
+}
+
+impl Command {
+    /// Whether it must not end before a board is as it is to be.
+    fn changes_a_board(&self) -> bool {
+        matches!(self, Command::Upload { .. } | Command::Settings { .. })
+    }
+}
+
+/// Ends this quietly once nobody reads its output any more.
+fn end_with_the_pipe() {
+    #[cfg(unix)]
+    if let Err(error) = signal_hook::flag::register_conditional_default(
+        signal_hook::consts::SIGPIPE,
+        std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)),
+    ) {
+        eprintln!("warning: {error}");
+    }
+}
+
 /// Whether what the command was asked about is well.
 type Outcome = anyhow::Result<bool>;
 
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    messages::speak(asked().unwrap_or_else(environment));
+    let command = Arguments::parse().command;
+    if !command.changes_a_board() {
+        end_with_the_pipe();
+    }
+    let outcome = match command {
         Command::Check { file, il } => commands::check(&file, &il),
         Command::Compile { file, output, il } => commands::compile(&file, output.as_deref(), &il),
         Command::List {
@@ -154,7 +203,12 @@ fn main() -> ExitCode {
             state,
             il,
         } => commands::card(&card, &file, state, &il),
-        Command::Upload { file, il, at, stop } => commands::upload(&file, &at.place(), stop, &il),
+        Command::Upload {
+            file,
+            il,
+            at,
+            leave,
+        } => commands::upload(&file, &at.place(), &leave, &il),
         Command::Monitor { file, il, at } => commands::monitor(file.as_deref(), at.place(), &il),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
@@ -162,7 +216,7 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            eprintln!("{}: {error:#}", messages::either("error", "erro"));
             ExitCode::from(2)
         }
     }
@@ -180,7 +234,7 @@ fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize)
         return Ok(true);
     };
     let drawing = list::svg(&program, width);
-    create(svg)?
+    create(svg, Kind::Drawing, &[path])?
         .write_all(drawing.as_bytes())
         .with_context(|| cannot_write(svg))?;
     println!("{}: drawn", svg.display());
@@ -194,41 +248,73 @@ fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
     if !(stdin().is_terminal() && stdout().is_terminal()) {
         bail!("the simulator needs a terminal; without one, run a scenario: --scenario S.toml");
     }
+    let names = point_names(&program);
     let mut app = App::new(program);
     if let Some(vcd) = vcd {
-        app.record_to(Recorder::new(create(vcd)?));
+        app.record_to(Recorder::new(trace(vcd, &[path])?).with_names(names));
     }
     panel::run(app)?;
     Ok(true)
 }
 
 fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il) -> Outcome {
-    let mut scenario = Scenario::load(path)?;
-    if let Some(program) = program {
-        let ProgramFile { name, bytes } = read(program)?;
-        let written = Written::new(name, bytes);
-        // Numeric code is run as it is: a scenario may expect a fault of it.
-        let (name, bytes) = match written.is_il {
-            false => (written.name, written.bytes),
-            true => match check_written(written, il, Shown::Here) {
-                Some(Source { name, code, .. }) => (name, code),
-                None => return Ok(false),
-            },
-        };
-        let file = ProgramFile { name, bytes };
-        scenario = scenario.with_program(file);
-    }
+    let named = Scenario::program_of(path)?;
+    let program = match (program, &named) {
+        (Some(program), _) => Some(program),
+        // Its errors are shown as `check` shows them.
+        (None, Some(named)) if is_il(named, &[]) => Some(named.as_path()),
+        (None, _) => None,
+    };
+    let mut source = None;
+    let scenario = match program {
+        None => Scenario::load(path)?,
+        Some(program) => {
+            let ProgramFile { name, bytes } = read(program)?;
+            let written = Written::new(name.clone(), bytes.clone());
+            // Numeric code is run as it is: a scenario may expect a fault of it.
+            let bytes = match written.is_il {
+                false => bytes,
+                true => match check_written(written, il, Shown::Here) {
+                    Some(checked) => source.insert(checked).code.clone(),
+                    None => return Ok(false),
+                },
+            };
+            Scenario::load_for(path, ProgramFile { name, bytes })?
+        }
+    };
     let report = match vcd {
         None => check(&scenario, &mut HostEngine::default()),
         Some(vcd) => {
-            let mut engine = RecordedEngine::new(Recorder::new(create(vcd)?));
+            let inputs = [Some(path), program, named.as_deref()];
+            let inputs: Vec<&Path> = inputs.into_iter().flatten().collect();
+            let names = source.as_ref().map(point_names).unwrap_or_default();
+            let recorder = Recorder::new(trace(vcd, &inputs)?).with_names(names);
+            let mut engine = RecordedEngine::new(recorder);
             let report = check(&scenario, &mut engine);
             engine.finish().with_context(|| cannot_write(vcd))?;
             report
         }
     };
     println!("{report}");
+    if let Verdict::WrongStop {
+        came: Some((_, refusal)),
+        ..
+    } = report.verdict
+        && let Some(fault) = refusal.fault()
+    {
+        let program = scenario.program();
+        let read = || Written::new(program.name.clone(), program.bytes.clone());
+        if let Some(source) = source.or_else(|| read().check(None).ok()) {
+            println!("  {}", running(&source, fault).replace('\n', "\n  "));
+        }
+    }
     Ok(report.passed())
+}
+
+/// Opens a file for the trace of a run; the command reads `inputs`.
+fn trace(path: &Path, inputs: &[&Path]) -> anyhow::Result<Box<dyn Write>> {
+    let file = create(path, Kind::Trace, inputs)?;
+    Ok(Box::new(BufWriter::new(file)))
 }
 
 /// How excerpts of a program are shown.
@@ -242,19 +328,20 @@ fn renderer() -> Renderer {
     renderer
 }
 
+/// The longest file that is read as a program, bytes: far more than any program has, comments included.
+const LONGEST: u64 = 1 << 20;
+
 fn read(path: &Path) -> anyhow::Result<ProgramFile> {
     let name = path.display().to_string();
-    match std::fs::read(path) {
-        Ok(bytes) => Ok(ProgramFile { name, bytes }),
-        Err(error) => bail!("{name} cannot be read ({error}); check its name and folder"),
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes));
+    match read {
+        Ok(_) if bytes.len() as u64 > LONGEST => bail!(messages::too_large(name, LONGEST)),
+        Ok(_) => Ok(ProgramFile { name, bytes }),
+        Err(error) => bail!(messages::cannot_read(name, error)),
     }
 }
 
-fn create(path: &Path) -> anyhow::Result<Box<dyn Write>> {
-    let file = File::create(path).with_context(|| cannot_write(path))?;
-    Ok(Box::new(BufWriter::new(file)))
-}
-
 fn cannot_write(path: &Path) -> String {
-    format!("{} cannot be written", path.display())
+    messages::cannot_write(path.display())
 }

@@ -2,6 +2,7 @@
 
 use crate::engine::{HostEngine, Machine};
 use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
 use unoclp_source::used::Quantity;
@@ -58,6 +59,8 @@ pub struct Recorder<W: Write> {
     /// The signals with the values they have, once the first sample has come.
     signals: Vec<(Signal, u32)>,
     last: Option<u64>,
+    /// What the points are called.
+    names: BTreeMap<String, String>,
 }
 
 #[derive(Clone, Copy)]
@@ -74,7 +77,13 @@ impl<W: Write> Recorder<W> {
             writer: vcd::Writer::new(writer),
             signals: Vec::new(),
             last: None,
+            names: BTreeMap::new(),
         }
+    }
+
+    /// The same, with what the program calls its points: `lamp` for `Q1` makes the signal `Q1_lamp`.
+    pub fn with_names(self, names: BTreeMap<String, String>) -> Recorder<W> {
+        Recorder { names, ..self }
     }
 
     /// Takes the sample of a scan at this time, in ms after the first. Times rise from call to
@@ -82,7 +91,7 @@ impl<W: Write> Recorder<W> {
     pub fn record(&mut self, at: u64, sample: &Sample) -> io::Result<()> {
         let values = sample.values();
         if self.last.is_none() {
-            let signals = declare(&mut self.writer, sample)?;
+            let signals = declare(&mut self.writer, sample, &self.names)?;
             self.signals = signals.into_iter().zip(values).collect();
             self.writer.timestamp(at)?;
             self.writer.begin(SimulationCommand::Dumpvars)?;
@@ -118,7 +127,19 @@ impl<W: Write> Recorder<W> {
 }
 
 /// Writes the head of the file: the time step and the signals.
-fn declare<W: Write>(writer: &mut vcd::Writer<W>, sample: &Sample) -> io::Result<Vec<Signal>> {
+fn declare<W: Write>(
+    writer: &mut vcd::Writer<W>,
+    sample: &Sample,
+    names: &BTreeMap<String, String>,
+) -> io::Result<Vec<Signal>> {
+    let called = |point: String| match names.get(&point) {
+        // What is no letter, digit or underscore would end the name.
+        Some(name) => {
+            let name = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
+            format!("{point}_{name}")
+        }
+        None => point,
+    };
     let mut signals = Vec::new();
     writer.version(concat!("unoclp ", env!("CARGO_PKG_VERSION")))?;
     writer.timescale(1, TimescaleUnit::MS)?;
@@ -126,10 +147,10 @@ fn declare<W: Write>(writer: &mut vcd::Writer<W>, sample: &Sample) -> io::Result
     let inputs = inputs().map(|point| format!("I{}", point.number()));
     let outputs = outputs().map(|point| format!("Q{}", point.number()));
     for name in inputs.chain(outputs) {
-        signals.push(Signal::Bit(writer.add_wire(1, &name)?));
+        signals.push(Signal::Bit(writer.add_wire(1, &called(name))?));
     }
     for number in 1..=sample.timers.len() {
-        writer.add_module(&format!("T{number}"))?;
+        writer.add_module(&called(format!("T{number}")))?;
         signals.push(Signal::Bit(writer.add_wire(1, "Q")?));
         signals.push(Signal::Word(
             writer.add_wire(u32::BITS, "elapsed_ms")?,
@@ -138,7 +159,7 @@ fn declare<W: Write>(writer: &mut vcd::Writer<W>, sample: &Sample) -> io::Result
         writer.upscope()?;
     }
     for Quantity { name, bits, .. } in &sample.quantities {
-        let id = writer.add_wire(*bits, name)?;
+        let id = writer.add_wire(*bits, &called(name.clone()))?;
         signals.push(match bits {
             1 => Signal::Bit(id),
             _ => Signal::Word(id, *bits),

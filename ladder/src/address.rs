@@ -33,7 +33,7 @@ pub type Names = BTreeMap<Address, String>;
 
 impl Address {
     /// The point that an instruction names; none where it names none, or several at once.
-    pub(crate) fn of(instruction: Instruction<'_>) -> Option<Address> {
+    pub fn of(instruction: Instruction<'_>) -> Option<Address> {
         let point = match instruction.opcode.row().kind {
             Kind::Input => Address::Input,
             Kind::Output | Kind::Pwm => Address::Output,

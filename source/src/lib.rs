@@ -20,8 +20,8 @@ pub mod used;
 mod written;
 
 pub use size::Size;
-pub use source::{Language, Source, load, names};
-pub use text::{decode, is_il};
+pub use source::{Language, Source, load, names, point_names};
+pub use text::{decode, is_il, is_numeric};
 pub use written::{Refused, Written};
 
 use unoclp_core::Profile;

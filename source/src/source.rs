@@ -4,6 +4,7 @@
 //! Must not know how the program was checked, nor how it runs.
 
 use crate::{BOARD, Size};
+use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_ladder::{Ladder, Names};
@@ -49,6 +50,14 @@ impl Source {
         self.checked.program()
     }
 
+    /// Where a line of numeric code stands in the text, which the faults of a running program name: the line of the text,
+    /// counted from 1, and what it says.
+    pub fn line_of(&self, code: u32) -> Option<(usize, &str)> {
+        let line = self.map.of_code(code)?.line;
+        let text = self.text.lines().nth(line.checked_sub(1)?)?;
+        Some((line, text.trim()))
+    }
+
     /// Whether it was written as Instruction List.
     pub fn is_il(&self) -> bool {
         matches!(self.language, Language::Il { .. })
@@ -66,6 +75,15 @@ pub fn names(map: &SourceMap, ladder: &Ladder) -> Names {
         }
     }
     names
+}
+
+/// What the text of a program calls its points: `lamp` behind `Q1`.
+pub fn point_names(source: &Source) -> BTreeMap<String, String> {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder).into_iter();
+    names
+        .map(|(point, name)| (point.to_string(), name))
+        .collect()
 }
 
 /// The program of a file in numeric code, for what shows neither its text nor all of its faults.

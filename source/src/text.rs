@@ -24,6 +24,16 @@ pub fn is_il(path: &Path, file: &[u8]) -> bool {
     words > numbers
 }
 
+/// Whether a file holds numeric code, right or wrong: its first code is program start, and more of its lines are numbers
+/// than words.
+pub fn is_numeric(file: &[u8]) -> bool {
+    let text = decode(file);
+    let mut codes = text
+        .lines()
+        .map(|line| line.split('/').next().unwrap_or_default().trim());
+    codes.find(|code| !code.is_empty()) == Some("0") && !is_il(Path::new(""), file)
+}
+
 /// The text of a file, without its byte-order mark: UTF-8; UTF-16, where the mark says so; else Latin-1.
 pub fn decode(file: &[u8]) -> String {
     let wide = |unit: fn([u8; 2]) -> u16, bytes: &[u8]| {
@@ -57,6 +67,22 @@ mod tests {
         assert!(!il("a.txt", "O\n827301\n877901\n"));
         assert!(!il("a.txt", ""));
         assert!(!is_il(Path::new("a.txt"), b"\xFF\xFE0\0\n\0"));
+    }
+
+    #[test]
+    fn numeric_code_begins_with_program_start() {
+        assert!(is_numeric(b"/ lamp\r\n\r\n 0 / start\r\n827301\r\n877901"));
+        assert!(is_numeric(b"0\n8273O1\n877901\n"), "with a fault");
+        for other in [
+            "",
+            "/ notes\n",
+            "1\n2\n",
+            "0\nLD I1\nST Q1\n",
+            "about = \"\"\n",
+            "# Read me\n",
+        ] {
+            assert!(!is_numeric(other.as_bytes()), "{other}");
+        }
     }
 
     #[test]

@@ -74,6 +74,8 @@ pub struct Board {
     pub second_differs: bool,
     /// A fault that it finds when it restarts.
     pub fault_at_restart: u16,
+    /// The fault and its line in which each program ends soon after it has begun to run.
+    pub fault_in_run: Option<(u16, u32)>,
     pub inputs: u16,
     pub outputs: u16,
     pub markers: u64,
@@ -111,6 +113,7 @@ impl Default for Board {
             card: None,
             second_differs: false,
             fault_at_restart: 0,
+            fault_in_run: None,
             inputs: 0,
             outputs: 0,
             markers: 0,
@@ -166,7 +169,10 @@ impl Board {
 
     fn command(&mut self, command: Command) {
         match command {
-            Command::Run => (self.state, self.stopped) = (RUN, false),
+            Command::Run => {
+                (self.state, self.stopped) = (RUN, false);
+                self.begin_to_run();
+            }
             Command::Stop if self.is_uploading() => self.upload = None,
             Command::Stop => (self.state, self.stopped) = (STOP, true),
             Command::SingleScan => self.single_scans += 1,
@@ -197,6 +203,15 @@ impl Board {
             (0, true) => STOP,
             _ => FAULT,
         };
+        if self.state == RUN {
+            self.begin_to_run();
+        }
+    }
+
+    fn begin_to_run(&mut self) {
+        if let Some((fault, line)) = self.fault_in_run {
+            (self.state, self.fault, self.line) = (FAULT, fault, line);
+        }
     }
 
     fn block(&mut self, data: &[u8]) -> Result<(), Exception> {

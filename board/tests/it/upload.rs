@@ -4,7 +4,8 @@ use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::Wire;
 use unoclp_board::diagnostics::Kept;
 use unoclp_board::map::{self, BLOCK_BYTES, Command, State, holding};
-use unoclp_board::upload::{Behind, Broken, Pass, Progress, go_on, stop, upload};
+use unoclp_board::upload::{Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload};
+use unoclp_board::watch::Wish;
 use unoclp_modbus::Device;
 
 const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
@@ -304,4 +305,42 @@ fn a_board_that_restarts_is_waited_for() {
     });
     let stored = send(&mut wire, FOLLOW).unwrap();
     assert_eq!(then(&mut wire, State::Fault, stored, false), Behind::Run);
+}
+
+#[test]
+fn a_board_that_fails_in_its_first_second_does_not_run() {
+    for state in [RUN, STOP, FAULT] {
+        let mut wire = Wire::new(Board {
+            fault_in_run: Some((75, 6)),
+            ..Board::in_state(state)
+        });
+        let before = wire.talk(stop).unwrap().state.unwrap();
+        let stored = send(&mut wire, FOLLOW).unwrap();
+        let begun = wire.now;
+        let behind = then(&mut wire, before, stored, false);
+        let Behind::Failing(Some(trouble)) = behind else {
+            panic!("{behind:?}");
+        };
+        assert_eq!((trouble.number, trouble.line), (75, Some(6)));
+        // One that was in FAULT is restarted, and says so before it is in RUN at all.
+        assert!(state == FAULT || wire.now - begun >= FIRST_SCANS);
+    }
+}
+
+#[test]
+fn an_upload_that_is_broken_off_ends_in_order() {
+    let mut wire = Wire::new(Board::in_state(STOP));
+    let begin = Wish::Command(Command::Upload);
+    wire.talk(async |client| begin.fulfil(client).await)
+        .unwrap();
+    assert!(wire.board.is_uploading());
+    let board = wire.talk(end).unwrap();
+    assert_eq!(
+        (board.state, wire.board.is_uploading()),
+        (Some(State::Stop), false)
+    );
+    // Without one nothing is asked of the board.
+    let mut wire = Wire::new(Board::in_state(RUN));
+    assert_eq!(wire.talk(end).unwrap().state, Some(State::Run));
+    assert_eq!(wire.board.state, RUN);
 }

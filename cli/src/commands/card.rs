@@ -1,6 +1,7 @@
 //! `unoclp card`.
 
 use super::open::{Il, Shown, open};
+use super::output::is_same;
 use crate::{Outcome, cannot_write};
 use anstream::println;
 use anyhow::{Context, bail};
@@ -8,6 +9,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 use unoclp_card::image::{Fat, Image};
+use unoclp_cli::messages;
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../programs/STATE.TXT");
@@ -39,6 +41,9 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
              in .img"
         ),
     };
+    if is_same(file, &target.join("PROGRAM.TXT")) {
+        bail!(messages::is_read(file.display()));
+    }
     let Some(program) = open(file, il, Shown::Here)? else {
         return Ok(false);
     };

@@ -1,11 +1,13 @@
 //! `unoclp compile`.
 
 use super::open::{Il, Shown, open};
+use super::output::{Kind, create, is_same};
 use crate::{Outcome, cannot_write};
 use anstream::{eprintln, print};
 use anyhow::{Context, bail};
-use std::fs;
+use std::io::Write;
 use std::path::Path;
+use unoclp_cli::messages;
 use unoclp_lang::Lang;
 use unoclp_source::Language;
 
@@ -24,13 +26,10 @@ pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
     };
     match output.filter(|output| *output != Path::new("-")) {
         None => print!("{}", String::from_utf8_lossy(&program.code)),
-        Some(output) if same(path, output) => match lang {
-            Lang::En => bail!("{name} is what is compiled; name another file with -o"),
-            Lang::Pt => bail!("{name} é o que se compila; indique outro arquivo com -o"),
-        },
-        Some(output) => {
-            fs::write(output, &program.code).with_context(|| cannot_write(output))?;
-        }
+        Some(output) if is_same(path, output) => bail!(messages::is_compiled(name)),
+        Some(output) => create(output, Kind::Program, &[])?
+            .write_all(&program.code)
+            .with_context(|| cannot_write(output))?,
     }
     let (dialect, warnings) = (il.dialect(*dialect), warnings.len());
     let codes = program.size.codes;
@@ -42,12 +41,4 @@ pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
         }
     );
     Ok(true)
-}
-
-/// Whether two names are those of one file.
-fn same(one: &Path, other: &Path) -> bool {
-    match (fs::canonicalize(one), fs::canonicalize(other)) {
-        (Ok(one), Ok(other)) => one == other,
-        _ => false,
-    }
 }

@@ -1,13 +1,25 @@
 //! What the commands do that are more than a few lines.
 //!
 //! - `open`: reading a program in either language, and `unoclp check`
+//! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from Instruction List to numeric code, and onto a card
+//! - `interrupt`: Ctrl-C
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
+
+/// Says a line, if anybody reads it: a board is not left half done because nobody does.
+macro_rules! say {
+    ($($part:tt)*) => {{
+        use std::io::Write;
+        let _ = writeln!(anstream::stdout(), $($part)*);
+    }};
+}
 
 mod card;
 mod compile;
+mod interrupt;
 mod monitor;
 mod open;
+mod output;
 mod settings;
 mod upload;
 mod words;
@@ -15,12 +27,12 @@ mod words;
 pub use card::card;
 pub use compile::compile;
 pub use monitor::monitor;
-pub use open::{Il, Shown, check, check_written, open};
+pub use open::{Il, Shown, check, check_written, language, open, running};
+pub use output::{Kind, create};
 pub use settings::{Changes, settings};
-pub use upload::upload;
+pub use upload::{Leave, upload};
 pub use words::Form;
 
-use anstream::println;
 use clap::Args;
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::{Line, Patience};
@@ -68,11 +80,11 @@ fn meet(place: &Place) -> anyhow::Result<Port> {
         may_be_reset,
     } = find(place, patience)?;
     let Place { port: name, line } = place;
-    println!("{identity} at {name}, address {}", line.address);
+    say!("{identity} at {name}, address {}", line.address);
     if may_be_reset {
         let uptime = port.talk(Diagnostics::read)?.uptime;
         if u128::from(uptime) < patience.start.as_millis() {
-            println!("opening the port has reset the board; the next time it will not");
+            say!("opening the port has reset the board; the next time it will not");
         }
     }
     Ok(port)

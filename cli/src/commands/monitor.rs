@@ -2,10 +2,12 @@
 
 use super::open::{Il, Shown, open};
 use crate::Outcome;
+use anstream::println;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
 use unoclp_board::Patience;
+use unoclp_cli::messages;
 use unoclp_cli::monitor::{App, Program, run, watch};
 use unoclp_cli::port::Place;
 
@@ -24,6 +26,9 @@ pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
     let app = App::new(place.to_string(), program);
     let (wish, news) = watch(place, Patience::default(), scope);
-    run(app, &wish, &news)?;
+    let forced = run(app, &wish, &news)?;
+    if forced.any() {
+        println!("{}", messages::stays_forced(forced));
+    }
     Ok(true)
 }

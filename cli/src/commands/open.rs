@@ -3,10 +3,10 @@
 use crate::{Outcome, read, renderer};
 use anstream::{eprint, eprintln, println};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use std::env;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::Path;
 use unoclp_checked::Diagnosis;
+use unoclp_cli::messages;
 use unoclp_core::Fault;
 use unoclp_host_sim::scenario::ProgramFile;
 use unoclp_lang::{self as lang, Dialect, Lang, Severity, Told};
@@ -29,22 +29,26 @@ fn dialects() -> impl TypedValueParser<Value = Dialect> {
 }
 
 fn langs() -> impl TypedValueParser<Value = Lang> {
-    PossibleValuesParser::new(["en", "pt-BR"]).map(|name| match name.as_str() {
-        "en" => Lang::En,
-        _ => Lang::Pt,
-    })
+    PossibleValuesParser::new([
+        PossibleValue::new("en"),
+        PossibleValue::new("pt-BR").aliases(["pt", "pt_BR", "pt-br", "pt_br"]),
+    ])
+    .map(|name| language(&name).unwrap_or_default())
+}
+
+/// The language of this name, as --lang and environments have it: `en`, `pt`, `pt-BR`, `pt_BR.UTF-8`.
+pub fn language(name: &str) -> Option<Lang> {
+    match name.to_lowercase().split(['-', '_', '.']).next() {
+        Some("pt") => Some(Lang::Pt),
+        Some("en") => Some(Lang::En),
+        _ => None,
+    }
 }
 
 impl Il {
     /// The language to speak: what was asked for, else what the environment says.
     pub fn lang(&self) -> Lang {
-        let says = |name: &&str| env::var(name).is_ok_and(|value| !value.is_empty());
-        let variable = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find(says);
-        let from_environment = || match variable.and_then(|name| env::var(name).ok()) {
-            Some(value) if value.to_lowercase().starts_with("pt") => Lang::Pt,
-            _ => Lang::En,
-        };
-        self.lang.unwrap_or_else(from_environment)
+        self.lang.unwrap_or_else(messages::spoken)
     }
 
     /// Whose Instruction List a text was taken to be, and why.
@@ -86,7 +90,10 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
         }
         Err(Refused::Numeric { written, faults }) => {
             let Written { name, bytes, .. } = &written;
-            println!("{}", diagnosis::show(name, bytes, &faults, &renderer()));
+            say!(
+                "{}",
+                diagnosis::show(name, bytes, &faults, il.lang(), &renderer())
+            );
             None
         }
         Err(Refused::Il {
@@ -97,7 +104,7 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
             let all = lang::show(&name, &text, &diagnostics, il.lang(), &renderer());
             let count = count(&diagnostics, il.lang());
             match shown {
-                Shown::Here => println!("{all}{name}: {count}"),
+                Shown::Here => say!("{all}{name}: {count}"),
                 Shown::Beside => eprintln!("{all}{name}: {count}"),
             }
             None
@@ -124,12 +131,19 @@ pub fn faulty(source: &Source, fault: Fault) -> String {
     let Source { name, code, .. } = source;
     if !source.is_il() {
         let told_at = None;
-        return diagnosis::show(name, code, &[Diagnosis { fault, told_at }], &renderer());
+        let faults = [Diagnosis { fault, told_at }];
+        return diagnosis::show(name, code, &faults, messages::spoken(), &renderer());
     }
-    let place = fault.line.and_then(|line| source.map.of_code(line));
-    let place = place.map_or_else(String::new, |place| format!(":{}", place.line));
-    let (number, text) = (fault.cause.number(), fault.cause.text());
-    format!("{name}{place}: fault {number}: {text}")
+    running(source, fault)
+}
+
+/// A fault of a program that runs, where it stands in its text: `lamp.il:12: fault 75: …`, and that line below.
+pub fn running(source: &Source, fault: Fault) -> String {
+    let cause = messages::fault(fault.cause);
+    match fault.line.and_then(|line| source.line_of(line)) {
+        Some((line, text)) => format!("{}:{line}: {cause}\n  {text}", source.name),
+        None => format!("{}: {cause}", source.name),
+    }
 }
 
 /// `unoclp check`.

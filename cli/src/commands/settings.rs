@@ -3,7 +3,6 @@
 use super::meet;
 use super::words::Parity;
 use crate::Outcome;
-use anstream::println;
 use anyhow::{Context, bail};
 use clap::{Args, ValueEnum};
 use unoclp_board::map::Command;
@@ -59,7 +58,7 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
     }
     let mut port = meet(place)?;
     let old = port.talk(Settings::read)?;
-    println!("{old}");
+    say!("{old}");
     let new = changes.apply(old);
     if new == old {
         return Ok(true);
@@ -70,7 +69,7 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
     if port.talk(Settings::read)? != new {
         bail!("the board does not keep the settings: its EEPROM fails");
     }
-    println!("{new}; restarting");
+    say!("{new}; restarting");
     let restart = Wish::Command(Command::Restart);
     port.talk(async |client| restart.fulfil(client).await)?;
     drop(port);
@@ -91,6 +90,6 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
         },
     )
     .context("the settings are kept, but the board does not answer with them")?;
-    println!("it answers from {line}");
+    say!("it answers from {line}");
     Ok(true)
 }

@@ -1,75 +1,187 @@
 //! `unoclp upload`.
 
+use super::interrupt::{Interrupt, Interrupted};
 use super::meet;
-use super::open::faulty;
-use super::open::{Il, Shown, open};
+use super::open::{Il, Shown, faulty, open, running};
 use crate::Outcome;
-use anstream::{eprint, println};
-use anyhow::{Context, bail};
+use anstream::eprint;
+use anyhow::{Context, anyhow, bail};
+use clap::Args;
+use std::cell::Cell;
 use std::io::{IsTerminal, stderr};
+use std::ops::ControlFlow;
 use std::path::Path;
+use unoclp_board::Client;
 use unoclp_board::diagnostics::Kept;
 use unoclp_board::map::{State, flag};
-use unoclp_board::upload::{Behind, Broken, Progress, go_on, stop, upload as send};
-use unoclp_cli::port::Place;
+use unoclp_board::upload::{
+    Behind, Broken, FIRST_SCANS, Progress, end, go_on, stop, upload as send,
+};
+use unoclp_board::watch::{Forced, Wish};
+use unoclp_cli::messages;
+use unoclp_cli::port::{Place, Port};
+use unoclp_source::Source;
+
+/// How the board is left.
+#[derive(Args)]
+pub struct Leave {
+    /// Leave the board in STOP
+    #[arg(long)]
+    stop: bool,
+    /// Leave forced what is forced; else it is let go once the program is stored
+    #[arg(long)]
+    keep_forces: bool,
+}
 
 /// Checks a program, and puts it on a board.
-pub fn upload(path: &Path, place: &Place, stays: bool, il: &Il) -> Outcome {
+pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
     let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    println!("{}: {}: OK", program.name, program.size);
-    let sent = Kept::of(program.program());
-
-    let mut port = meet(place)?;
-    let before = port.talk(stop).context("the board cannot be stopped")?;
-    let state = match before.state {
-        Some(state) => state,
-        None => bail!("the board is in a state that this version of unoclp does not know"),
+    say!("{}: {}: OK", program.name, program.size);
+    let mut upload = Upload {
+        port: meet(place)?,
+        interrupt: Interrupt::new()?,
+        program,
+        stored: None,
     };
-    match state {
-        State::Run => println!("STOP"),
-        State::Stop if before.has(flag::STOP_SWITCH) => println!("A5 is closed: in STOP"),
-        State::Stop => println!("in STOP"),
-        State::Fault => match before.trouble {
-            Some(trouble) => println!("in FAULT, {trouble}"),
-            None => println!("in FAULT"),
-        },
-    }
-
-    let code = &program.code;
-    let uploaded = port.talk(async |client| send(client, code, sent, &mut show).await);
+    let outcome = upload.run(leave);
     hide();
-    let kept = match uploaded {
-        Ok(kept) => kept,
-        Err(Broken::Fault(trouble)) => {
-            let Some(fault) = trouble.fault() else {
-                bail!("the board says {trouble}");
-            };
-            println!("the board refuses the program, and keeps the one that it had:");
-            println!("{}", faulty(&program, fault));
-            return Ok(false);
-        }
-        Err(broken) => return Err(broken.into()),
+    let outcome = match outcome {
+        Err(error) if error.is::<Interrupted>() => Err(anyhow!(upload.left())),
+        other => other,
     };
-    println!("stored: {} bytes, check sum {:04X}", kept.bytes, kept.sum);
+    // Whatever has happened, a machine may move by what is forced.
+    if let Ok(forced) = upload.port.talk(Forced::read)
+        && forced.any()
+    {
+        say!("{}", messages::stays_forced(forced));
+    }
+    outcome
+}
 
-    let behind = port.talk(async |client| go_on(client, state, kept, stays).await);
-    let behind = behind.context("the program is stored, but the board does not start it")?;
-    match behind {
-        Behind::Run => println!("RUN"),
-        Behind::Stop => println!("in STOP"),
-        Behind::Switch => println!("A5 is closed: in STOP, until A5 is opened"),
-        Behind::Faulty => println!("in FAULT: it runs the program from its next restart on"),
-        Behind::Card => bail!(
-            "the program was stored, but the board's card has another PROGRAM.TXT, which it took at \
-             its restart; take the card out, or put the program on it"
-        ),
-        Behind::Trouble(trouble) => {
-            bail!("the program is stored; restarted, the board says {trouble}")
+/// An upload, as far as it has come.
+struct Upload {
+    port: Port,
+    interrupt: Interrupt,
+    program: Source,
+    /// What the board has stored of it.
+    stored: Option<Kept>,
+}
+
+impl Upload {
+    fn run(&mut self, leave: &Leave) -> Outcome {
+        let forced = self.talk(Forced::read)??;
+        let before = self.talk(stop)?.context("the board cannot be stopped")?;
+        let state = match before.state {
+            Some(state) => state,
+            None => bail!("the board is in a state that this version of unoclp does not know"),
+        };
+        match state {
+            State::Run => say!("STOP"),
+            State::Stop if before.has(flag::STOP_SWITCH) => say!("A5 is closed: in STOP"),
+            State::Stop => say!("in STOP"),
+            State::Fault => match before.trouble {
+                Some(trouble) => say!("in FAULT, {trouble}"),
+                None => say!("in FAULT"),
+            },
+        }
+        if forced.any() {
+            say!("{}", messages::forced(forced));
+        }
+
+        let kept = match self.send()? {
+            Ok(kept) => kept,
+            Err(Broken::Fault(trouble)) => {
+                let Some(fault) = trouble.fault() else {
+                    bail!("the board says {trouble}");
+                };
+                say!("the board refuses the program, and keeps the one that it had:");
+                say!("{}", faulty(&self.program, fault));
+                return Ok(false);
+            }
+            Err(broken) => return Err(broken.into()),
+        };
+        self.stored = Some(kept);
+        say!("stored: {} bytes, check sum {:04X}", kept.bytes, kept.sum);
+        if forced.any() && !leave.keep_forces {
+            self.talk(async |client| Wish::Release.fulfil(client).await)??;
+            say!("{}", messages::let_go(forced));
+        }
+
+        let stays = leave.stop;
+        let behind = self.talk(async |client| go_on(client, state, kept, stays).await)?;
+        let behind = behind.context("the program is stored, but the board does not start it")?;
+        match behind {
+            Behind::Run => say!("RUN"),
+            Behind::Stop => say!("in STOP"),
+            Behind::Switch => say!("A5 is closed: in STOP, until A5 is opened"),
+            Behind::Faulty => say!("in FAULT: it runs the program from its next restart on"),
+            Behind::Card => bail!(
+                "the program was stored, but the board's card has another PROGRAM.TXT, which it took at \
+                 its restart; take the card out, or put the program on it"
+            ),
+            Behind::Trouble(trouble) => {
+                bail!("the program is stored; restarted, the board says {trouble}")
+            }
+            Behind::Failing(trouble) => {
+                say!("{}", messages::in_fault_later(FIRST_SCANS.as_millis()));
+                match trouble.map(|trouble| (trouble, trouble.fault())) {
+                    Some((_, Some(fault))) => say!("{}", running(&self.program, fault)),
+                    Some((trouble, None)) => say!("{trouble}"),
+                    None => {}
+                }
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Sends the program. Once the board stores it, that is waited for.
+    fn send(&mut self) -> Result<Result<Kept, Broken>, Interrupted> {
+        let sent = Kept::of(self.program.program());
+        let code = &self.program.code;
+        let storing = Cell::new(false);
+        let mut show = |progress| {
+            storing.set(progress == Progress::Storing);
+            show(progress);
+        };
+        let attend = || match storing.get() {
+            true => ControlFlow::Continue(()),
+            false => self.interrupt.attend(),
+        };
+        let talk = async |client: &mut _| send(client, code, sent, &mut show).await;
+        let sent = whole(self.port.attended(talk, attend))?;
+        hide();
+        Ok(sent)
+    }
+
+    /// A conversation that Ctrl-C ends.
+    fn talk<T>(&mut self, talk: impl AsyncFnOnce(&mut Client) -> T) -> Result<T, Interrupted> {
+        let attend = || self.interrupt.attend();
+        whole(self.port.attended(talk, attend))
+    }
+
+    /// How the board was left by Ctrl-C.
+    fn left(&mut self) -> String {
+        match self.port.talk(end) {
+            Ok(board) => {
+                let state = board.state.map_or("?", State::name);
+                match self.stored {
+                    Some(_) => messages::interrupted_with_new(state),
+                    None => messages::interrupted_with_old(state),
+                }
+            }
+            Err(failure) => messages::interrupted_unknown(failure),
         }
     }
-    Ok(true)
+}
+
+fn whole<T>(talked: ControlFlow<Interrupted, T>) -> Result<T, Interrupted> {
+    match talked {
+        ControlFlow::Continue(outcome) => Ok(outcome),
+        ControlFlow::Break(interrupted) => Err(interrupted),
+    }
 }
 
 /// Shows the progress in a line that changes, where somebody sees it.

@@ -3,10 +3,11 @@
 
 use super::program::Program;
 use super::watcher::News;
+use crate::messages;
 use crate::panel::Flow;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_board::map::{Command, State};
-use unoclp_board::watch::{Reading, Side, Wish};
+use unoclp_board::watch::{Forced, Reading, Side, Wish};
 use unoclp_source::BOARD;
 
 /// A board, as far as it is known, and what a person does to it.
@@ -24,6 +25,10 @@ pub struct App {
     pub(super) lost: Option<String>,
     /// What the person should know, until the next key.
     pub(super) said: Option<String>,
+    /// Outputs that are lit since they were let go, and that no rung is known to write; bit 0 is output 01.
+    pub(super) lingering: u16,
+    /// Outputs that were let go here since the last reading.
+    let_go: u16,
     /// What the digits force.
     pub(super) side: Side,
     /// The first line of the rungs that is shown.
@@ -45,6 +50,8 @@ impl App {
             flow: Flow::default(),
             lost: None,
             said: None,
+            lingering: 0,
+            let_go: 0,
             side: Side::Inputs,
             page: 1,
             quit: false,
@@ -87,10 +94,37 @@ impl App {
                         _ => program.flow(&reading),
                     };
                 }
+                self.note_forces(&reading);
                 self.reading = Some(*reading);
             }
             News::Refused(why) => self.said = Some(why),
             News::Lost(why) => self.lost = Some(why),
+        }
+    }
+
+    /// What is forced at last, as far as this monitor knows.
+    pub fn forced(&self) -> Forced {
+        let reading = self.reading.as_ref();
+        reading.map(Reading::forced).unwrap_or_default()
+    }
+
+    /// Sees what this reading's forces have in store for a person.
+    fn note_forces(&mut self, now: &Reading) {
+        let Some(before) = &self.reading else {
+            if now.forced().any() {
+                self.said = Some(messages::forced_before(now.forced()));
+            }
+            return;
+        };
+        let let_go = before.forced_outputs.points | std::mem::take(&mut self.let_go);
+        let unwritten = match &self.program {
+            Some(program) if !self.differs() => !program.written,
+            _ => u16::MAX,
+        };
+        let free = !now.forced_outputs.points;
+        self.lingering = (self.lingering | let_go) & unwritten & free & now.outputs;
+        if now.diagnostics.state != Some(State::Run) {
+            self.lingering = 0;
         }
     }
 
@@ -130,10 +164,13 @@ impl App {
         None
     }
 
-    fn wish(&self, code: KeyCode) -> Option<Wish> {
+    fn wish(&mut self, code: KeyCode) -> Option<Wish> {
         match code {
             KeyCode::Char(digit @ '1'..='9') => self.force(digit as u8 - b'1'),
-            KeyCode::Char('x') => Some(Wish::Release),
+            KeyCode::Char('x') => {
+                self.expect(Wish::Release);
+                Some(Wish::Release)
+            }
             KeyCode::Char('s') => Some(Wish::Command(Command::SingleScan)),
             KeyCode::Char('r') => Some(Wish::Command(Command::Restart)),
             KeyCode::Char(' ') => {
@@ -148,8 +185,25 @@ impl App {
         }
     }
 
+    /// Takes a force for done until the next reading tells: whoever leaves before that is to know of it.
+    fn expect(&mut self, wish: Wish) {
+        let Some(reading) = &mut self.reading else {
+            return;
+        };
+        let before = reading.forced_outputs.points;
+        match wish {
+            Wish::Force(Side::Inputs, index, to) => reading.forced_inputs.set(index, to),
+            Wish::Force(Side::Outputs, index, to) => reading.forced_outputs.set(index, to),
+            Wish::Release => {
+                (reading.forced_inputs, reading.forced_outputs) = Default::default();
+            }
+            Wish::Command(_) => {}
+        }
+        self.let_go |= before & !reading.forced_outputs.points;
+    }
+
     /// A point that is free is forced to 1, then to 0, and then let go.
-    fn force(&self, index: u8) -> Option<Wish> {
+    fn force(&mut self, index: u8) -> Option<Wish> {
         let reading = self.reading.as_ref()?;
         let (count, forces) = match self.side {
             Side::Inputs => (BOARD.inputs, reading.forced_inputs),
@@ -163,6 +217,8 @@ impl App {
             Some(true) => Some(false),
             Some(false) => None,
         };
-        Some(Wish::Force(self.side, index, to))
+        let wish = Wish::Force(self.side, index, to);
+        self.expect(wish);
+        Some(wish)
     }
 }

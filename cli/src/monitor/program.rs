@@ -1,12 +1,14 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
 use crate::panel::{Drawn, Flow};
+use std::collections::BTreeMap;
 use unoclp_board::diagnostics::{Kept, Trouble};
 use unoclp_board::watch::{Meter, Reading, Scope};
 use unoclp_checked::SourceMap;
-use unoclp_core::{Cause, Delay, Image, Inputs, Snapshot};
+use unoclp_core::{Delay, Image, Inputs, Snapshot};
 use unoclp_host_sim::engine::Machine;
-use unoclp_source::Source;
+use unoclp_source::used::Used;
+use unoclp_source::{Source, point_names};
 
 /// A program, to show a board's timers, counters and rungs by.
 pub struct Program {
@@ -22,6 +24,14 @@ pub struct Program {
     counters: u16,
     /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
     twin: Machine,
+    /// The outputs that it writes, bit 0 output 01.
+    pub(super) written: u16,
+    /// What it uses of the board.
+    pub(super) used: Used,
+    /// What it calls its points.
+    pub(super) names: BTreeMap<String, String>,
+    /// Its text, line by line.
+    text: Vec<String>,
     /// How many instructions it has.
     steps: usize,
 }
@@ -31,9 +41,17 @@ impl Program {
     pub fn new(program: Source) -> Program {
         let kept = Kept::of(program.program());
         let drawn = Drawn::new(&program);
+        let names = point_names(&program);
         let machine = Machine::new(program.checked);
         let plc = machine.plc();
+        let used = machine.used().clone();
+        let outputs = used.outputs.iter().chain(&used.pwm);
+        let written = outputs.fold(0, |bits, output| bits | 1 << (output - 1));
         Program {
+            written,
+            used,
+            names,
+            text: program.text.lines().map(str::to_owned).collect(),
             kept,
             drawn,
             map: program.map,
@@ -85,12 +103,19 @@ impl Program {
     /// A fault of this program as it runs, in the line of its text in place of that of its code. Other faults
     /// are those of a file that the board has refused.
     pub(super) fn in_text(&self, trouble: Trouble) -> Trouble {
-        if trouble.number != Cause::TooManyJumps.number().into() {
+        if !trouble.is_of_the_run() {
             return trouble;
         }
         let place = trouble.line.and_then(|line| self.map.of_code(line));
         let line = place.map_or(trouble.line, |place| Some(place.line as u32));
         Trouble { line, ..trouble }
+    }
+
+    /// Where a fault of this program stands, if [`in_text`](Program::in_text) has given it a line: `lamp.il:12: JMPC loop`.
+    pub(super) fn stands(&self, trouble: Trouble) -> Option<String> {
+        let line = trouble.line.filter(|_| trouble.is_of_the_run())?;
+        let text = self.text.get((line as usize).checked_sub(1)?)?;
+        Some(format!("{}:{line}: {}", self.name, text.trim()))
     }
 
     /// How much of a board there is to read for it.

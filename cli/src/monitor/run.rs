@@ -3,23 +3,25 @@
 use super::app::App;
 use super::view;
 use super::watcher::News;
+use crate::screen;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event};
 use std::io;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::Duration;
-use unoclp_board::watch::Wish;
+use unoclp_board::watch::{Forced, Wish};
 
 /// Time from frame to frame.
 const FRAME: Duration = Duration::from_millis(33);
 
-/// Runs the monitor in this terminal until the person leaves. The board goes on as it is.
+/// Runs the monitor in this terminal until the person leaves; gives what is forced then. The board goes on as it is.
 ///
 /// The terminal is put back as it was, after a panic too. An error comes from the terminal.
-pub fn run(mut app: App, wish: &Sender<Wish>, news: &Receiver<News>) -> io::Result<()> {
+pub fn run(mut app: App, wish: &Sender<Wish>, news: &Receiver<News>) -> io::Result<Forced> {
     let mut terminal = ratatui::try_init()?;
     let outcome = frames(&mut app, &mut terminal, wish, news);
-    outcome.and(ratatui::try_restore())
+    outcome.and(ratatui::try_restore())?;
+    Ok(app.forced())
 }
 
 fn frames(
@@ -28,9 +30,15 @@ fn frames(
     wish: &Sender<Wish>,
     news: &Receiver<News>,
 ) -> io::Result<()> {
+    let is_ascii = screen::is_ascii();
     while !app.quit() {
         news.try_iter().for_each(|news| app.hear(news));
-        terminal.draw(|frame| view::draw(app, frame))?;
+        terminal.draw(|frame| {
+            view::draw(app, frame);
+            if is_ascii {
+                screen::to_ascii(frame.buffer_mut());
+            }
+        })?;
         if event::poll(FRAME)?
             && let Event::Key(key) = event::read()?
             && let Some(wished) = app.key(key)

@@ -107,9 +107,7 @@ fn the_screen_shows_the_board() {
  scan 214 µs (180 to over 32766)  supply 5.01 V  stack 120 bytes free
  last start: power  since power-up: restarts 2, faults 0
 ─ Memory ───────────────────────────────────────────────────────────────────────
- M1   ●○○○○○○○ M9   ○○○○○○○○ M17  ○○○○○○○○ M25  ○○○○○○○○ M33  ○○○○○○○○
- M41  ○○○○○○○○ M49  ○○○○○○○○ M57  ○○○○○○○●
- A0 512  A1 0  A2 0  A3 0  A4 0  D2 -7
+ M1 ●  M64 ●  A0 512  D2 -7
 ─ Timers (ms) and counters ─────────────────────────────────────────────────────
  T1 TON    ███████████████░░░░░ 15/20  C1        ██████████████████████ 3/3
 ─ Rungs ────────────────────────────────────────────────────────────────────────
@@ -117,7 +115,7 @@ fn the_screen_shows_the_board() {
   2 ┣━━┤ I2 ├──[ CTU C1 3/3 ]━━━━━━━━━━━━━━━━━━━━━━━( Q2 )━┤
 
  q quit  space stop  1-8 force  o outputs  x free  s scan  r restart  v text  ↑↓";
-    assert_eq!(screen(&mut showing(reading()), 80, 17), expected);
+    assert_eq!(screen(&mut showing(reading()), 80, 15), expected);
 }
 
 #[test]
@@ -482,4 +480,99 @@ fn a_fault_of_the_running_program_names_the_line_of_the_text() {
     assert!(refused.contains(&code_line), "{refused}");
     let other = shown(Kept::default(), 75);
     assert!(other.contains(&code_line), "{other}");
+}
+
+#[test]
+fn what_is_forced_is_said_at_the_start_and_at_the_end() {
+    let mut forced = reading();
+    forced.forced_outputs = Forces {
+        points: 0b100,
+        to: 0b100,
+    };
+    let mut app = showing(forced);
+    let screen = screen(&mut app, 80, 24);
+    assert!(
+        screen.contains("forced since before: Q3=1; x lets all go"),
+        "{screen}"
+    );
+    press(&mut app, KeyCode::Char('1'));
+    // Whoever leaves before the next reading is to know of it.
+    press(&mut app, KeyCode::Char('q'));
+    assert_eq!(app.forced().to_string(), "I1=1 Q3=1");
+}
+
+#[test]
+fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
+    for (program, says) in [
+        (Some(program()), "Q3 stays on: no rung writes it"),
+        (None, "Q1 Q3 is on, and stays so unless"),
+    ] {
+        let mut app = app(program);
+        let mut now = reading();
+        (now.forced_outputs.points, now.forced_outputs.to) = (0b101, 0b101);
+        now.outputs = 0b101;
+        app.hear(News::Read(Box::new(now.clone())));
+        assert_eq!(press(&mut app, KeyCode::Char('x')), Some(Wish::Release));
+        now.forced_outputs = Forces::default();
+        app.hear(News::Read(Box::new(now.clone())));
+        let lit = screen(&mut app, 80, 30);
+        assert!(lit.contains(says), "{lit}");
+        now.outputs = 0;
+        app.hear(News::Read(Box::new(now)));
+        let off = screen(&mut app, 80, 30);
+        assert!(!off.contains("stays"), "{off}");
+    }
+}
+
+#[test]
+fn a_fault_shows_the_line_of_the_text() {
+    let source = source("loops.il", "again:\nLD I1\nST Q1\nJMP again\n");
+    let jump = source.map.steps.last().unwrap().codes.clone();
+    let program = Program::new(source);
+    let mut faulty = reading();
+    faulty.diagnostics.program = program.kept;
+    faulty.diagnostics.state = Some(State::Fault);
+    faulty.diagnostics.trouble = Some(Trouble {
+        number: 75,
+        line: Some(*jump.start()),
+    });
+    let mut app = app(Some(program));
+    app.hear(News::Read(Box::new(faulty)));
+    let screen = screen(&mut app, 80, 24);
+    assert!(screen.contains("loops.il:4: JMP again"), "{screen}");
+}
+
+/// 35 lines, of which those that do something are on the screen, and what they hold.
+#[test]
+fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
+    let head = "VAR\n level AT %MW1 : INT;\n alarm AT %QX1 : BOOL;\nEND_VAR\n";
+    let rung = "LD level\nADD 1\nST level\nLD level\nGT 500\nST alarm\n";
+    let source = source("tank.il", &format!("{head}{}", rung.repeat(5)));
+    let register = unoclp_source::point_names(&source)
+        .into_iter()
+        .find_map(|(point, name)| (name == "level").then_some(point))
+        .unwrap();
+    let index: usize = register[1..].parse().unwrap();
+    let program = Program::new(source);
+    let mut now = reading();
+    now.diagnostics.program = program.kept;
+    now.registers[index - 1] = 420;
+    (now.timers, now.counters, now.markers) = (Vec::new(), Vec::new(), Some(0));
+    let mut app = app(Some(program));
+    app.hear(News::Read(Box::new(now)));
+    let screen = screen(&mut app, 80, 24);
+    assert!(screen.contains(" level 420"), "{screen}");
+    // A number shows its value in place of a lamp: that of the scan that the monitor makes after it.
+    assert!(screen.contains("   5   LD level  = 42"), "{screen}");
+    let lines = screen
+        .lines()
+        .filter(|line| line.contains("LD level") || line.contains("ST alarm"));
+    assert!(lines.count() >= 6, "{screen}");
+}
+
+#[test]
+fn a_screen_that_is_too_small_says_so_and_how_to_leave() {
+    let small = screen(&mut showing(reading()), 40, 10);
+    let says = "this screen is too small: 40 x 10\nat least 41 x 11 is needed\nq quits\n";
+    assert!(small.starts_with(says), "{small}");
 }

@@ -1,6 +1,8 @@
 //! From the app to the screen. Whatever colour says, a symbol says too: `●` is 1, `!` is forced.
 
 use super::app::App;
+use super::program::Program;
+use crate::{messages, screen};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
@@ -24,6 +26,9 @@ const SIDE_BY_SIDE: u16 = 76;
 
 /// Draws the app, and tells it how many lines of the rungs fit.
 pub(super) fn draw(app: &mut App, frame: &mut Frame) {
+    if screen::is_too_small(frame) {
+        return;
+    }
     let width = frame.area().width;
     let mut panels = Vec::new();
     if let Some(reading) = &app.reading {
@@ -35,7 +40,10 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
             panels.extend([vec![inputs], vec![outputs]]);
         }
         panels.push(vec![("Board".to_owned(), board(app, reading, width))]);
-        let memory = memory(reading, width);
+        let memory = match app.program.as_ref().filter(|_| !app.differs()) {
+            Some(program) => memory_of(program, reading, width),
+            None => memory(reading, width),
+        };
         if !memory.is_empty() {
             panels.push(vec![("Memory".to_owned(), memory)]);
         }
@@ -207,6 +215,9 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
             _ => ("last upload: ", trouble),
         };
         warn(format!("{of}{trouble}"));
+        if let Some(stands) = own.and_then(|program| program.stands(trouble)) {
+            warn(stands);
+        }
     }
     for (flag, text) in [
         (flag::STOP_SWITCH, "A5 is closed: STOP until it is opened"),
@@ -229,6 +240,16 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
             program.kept.bytes,
             program.kept.sum
         ));
+    }
+    if app.lingering != 0 {
+        let outputs = (0..BOARD.outputs).filter(|index| app.lingering >> index & 1 != 0);
+        let outputs: Vec<String> = outputs.map(|index| format!("Q{}", index + 1)).collect();
+        let outputs = outputs.join(" ");
+        let is_known = app.program.is_some() && !app.differs();
+        warn(match is_known {
+            true => messages::stays_on(outputs),
+            false => messages::may_stay_on(outputs),
+        });
     }
     if let Some(said) = &app.said {
         warn(said.clone());
@@ -267,6 +288,26 @@ fn memory(reading: &Reading, width: u16) -> Vec<Line<'static>> {
     }
     lines.extend(wrap(values.iter().map(String::as_str), "  ", width));
     lines
+}
+
+/// What this program uses, by the names that it gives, and what else is not 0.
+fn memory_of(program: &Program, reading: &Reading, width: u16) -> Vec<Line<'static>> {
+    let used = &program.used;
+    let called = |point: String| program.names.get(&point).unwrap_or(&point).clone();
+    let bit = |number: u8| reading.markers.unwrap_or_default() >> (number - 1) & 1 != 0;
+    let markers = (1..=64).filter(|number| used.markers.contains(number) || bit(*number));
+    let markers = markers.filter(|_| reading.markers.is_some()).map(|number| {
+        let lamp = if bit(number) { '●' } else { '○' };
+        format!("{} {lamp}", called(format!("M{number}")))
+    });
+    let analogue = (0..).zip(&reading.analogue);
+    let analogue = analogue.filter(|(n, value)| used.analogue.contains(n) || **value != 0);
+    let analogue = analogue.map(|(n, value)| format!("{} {value}", called(format!("A{n}"))));
+    let registers = (1..).zip(&reading.registers);
+    let registers = registers.filter(|(n, value)| used.registers.contains(n) || **value != 0);
+    let registers = registers.map(|(n, value)| format!("{} {value}", called(format!("D{n}"))));
+    let all: Vec<String> = markers.chain(analogue).chain(registers).collect();
+    wrap(all.iter().map(String::as_str), "  ", width)
 }
 
 /// ` M1  ○○○○●○○○`

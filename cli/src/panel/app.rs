@@ -5,7 +5,9 @@ use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
 use super::ladder::Flow;
+use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::time::Duration;
 use unoclp_checked::SourceMap;
@@ -13,7 +15,7 @@ use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_source::used::Quantity;
-use unoclp_source::{BOARD, Source};
+use unoclp_source::{BOARD, Source, point_names};
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
@@ -35,6 +37,10 @@ pub struct App {
     pub(super) fault_line: Option<usize>,
     /// Where its steps stand in its text.
     map: SourceMap,
+    /// Its text, line by line.
+    text: Vec<String>,
+    /// What it calls its points.
+    pub(super) names: BTreeMap<String, String>,
     /// What the last scan did.
     pub(super) flow: Flow,
     pub(super) buttons: Buttons,
@@ -63,13 +69,16 @@ impl App {
     /// A simulator that runs this program from now on.
     pub fn new(program: Source) -> App {
         let drawn = Drawn::new(&program);
+        let names = point_names(&program);
         let machine = Machine::new(program.checked);
         App {
             name: program.name,
             knobs: Knobs::new(machine.used().analogue.iter().copied()),
             fault: None,
             fault_line: None,
+            names,
             map: program.map,
+            text: program.text.lines().map(str::to_owned).collect(),
             machine,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
@@ -105,6 +114,20 @@ impl App {
     /// Whether the person wants to leave.
     pub(super) fn quit(&self) -> bool {
         self.quit
+    }
+
+    /// What the fault is and where it stands: `lamp.il:12: too many jumps back in one scan (NC-19)`, and that line.
+    pub(super) fn faulty(&self) -> Option<[String; 2]> {
+        let cause = messages::fault(self.fault?.cause);
+        let line = self.fault_line.unwrap_or_default();
+        let text = line.checked_sub(1).and_then(|index| self.text.get(index));
+        Some(match text {
+            Some(text) => [
+                format!("{}:{line}: {cause}", self.name),
+                text.trim().to_owned(),
+            ],
+            None => [format!("{}: {cause}", self.name), String::new()],
+        })
     }
 
     /// The outputs as the last scan left them.

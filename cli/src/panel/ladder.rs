@@ -5,7 +5,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unoclp_core::isa::Operand;
 use unoclp_core::{CounterState, Delay, Instruction, Plc, TimerState};
-use unoclp_ladder::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
+use unoclp_ladder::{Address, Cell, Ladder, Names, Picture, Power, Style as Drawn};
 use unoclp_source::{Source, names};
 
 /// The columns before the left rail, for the number of the rung.
@@ -37,6 +37,8 @@ pub struct Flow {
     timers: Vec<TimerState>,
     /// The counters as they stand.
     counters: Vec<CounterState>,
+    /// The registers as they stand, D 01 first.
+    registers: Vec<i32>,
 }
 
 impl Flow {
@@ -44,6 +46,19 @@ impl Flow {
     pub fn look(&mut self, plc: &Plc<'_>, now: u32) {
         self.timers = plc.timers(now).collect();
         self.counters = plc.counters().collect();
+        self.registers = plc.registers().to_vec();
+    }
+}
+
+impl Flow {
+    /// What this point holds, if it is a register or a counter.
+    pub fn number(&self, point: Address) -> Option<i32> {
+        let index = |number: u8| usize::from(number).checked_sub(1);
+        match point {
+            Address::Register(number) => self.registers.get(index(number)?).copied(),
+            Address::Counter(number) => Some(self.counters.get(index(number)?)?.value),
+            _ => None,
+        }
     }
 }
 

@@ -4,12 +4,17 @@ use super::ON;
 use super::ladder::Flow;
 use ratatui::style::Style;
 use ratatui::text::Line;
+use std::collections::BTreeMap;
 use unoclp_core::Delay;
-use unoclp_core::isa::Opcode;
+use unoclp_core::isa::{Class, Opcode};
+use unoclp_ladder::Address;
 use unoclp_source::Source;
 
 /// The lines of a text, with the steps that tell how each stands.
-pub struct Listing(Vec<(String, Vec<usize>)>);
+pub struct Listing(Vec<(String, Vec<usize>)>, BTreeMap<usize, Number>);
+
+/// What a line is about that works on a number: the point that holds it, if it is one.
+type Number = Option<Address>;
 
 impl Listing {
     /// The lines of the text of this program.
@@ -50,7 +55,7 @@ impl Listing {
             .map(|step| Delay::of(step.opcode).is_some())
             .collect();
         tell_behind_timers(&mut lines, &timers);
-        Listing(lines)
+        Listing(lines, numbers(program))
     }
 
     /// The first line of which there is something to tell, counted from 0.
@@ -59,7 +64,7 @@ impl Listing {
         first.unwrap_or_default()
     }
 
-    /// The lines as they stand: `●` where acc is 1 behind what the line has become, `○` where it is 0, neither
+    /// The lines as they stand, those that work on a number with what its point holds; else `●` where acc is 1 behind what the line has become, `○` where it is 0, neither
     /// where the scan has not come there.
     pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
         let line = |(number, (text, steps)): (usize, &(String, Vec<usize>))| {
@@ -69,7 +74,13 @@ impl Listing {
                 Some(false) => ('○', Style::new()),
                 None => (' ', Style::new()),
             };
-            Line::styled(format!("{number:>4} {lamp} {text}"), style)
+            let Some(point) = self.1.get(&number) else {
+                return Line::styled(format!("{number:>4} {lamp} {text}"), style);
+            };
+            match point.and_then(|point| flow.number(point)) {
+                Some(value) => Line::raw(format!("{number:>4}   {text}  = {value}")),
+                None => Line::raw(format!("{number:>4}   {text}")),
+            }
         };
         (1..).zip(&self.0).map(line).collect()
     }
@@ -89,6 +100,25 @@ fn tell_behind_timers(lines: &mut [(String, Vec<usize>)], timers: &[bool]) {
             timer = None;
         }
     }
+}
+
+/// The lines, from 1, whose last step works on a number.
+fn numbers(program: &Source) -> BTreeMap<usize, Number> {
+    let places = &program.map.steps;
+    let steps = program.program().steps().zip(places);
+    let mut numbers = BTreeMap::new();
+    for (step, place) in steps {
+        match step.opcode.row().class {
+            Class::Load | Class::Operation | Class::Store => {
+                let point = Address::of(step);
+                let found = numbers.entry(place.line).or_default();
+                *found = point.or(*found);
+            }
+            Class::Rung | Class::Close => {}
+            _ => drop(numbers.remove(&place.line)),
+        }
+    }
+    numbers
 }
 
 /// A step of the program.

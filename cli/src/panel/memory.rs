@@ -4,6 +4,7 @@ use crate::panel::ON;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
+use std::collections::BTreeMap;
 use unoclp_source::used::Quantity;
 
 /// The analogue input that keys turn.
@@ -20,6 +21,7 @@ impl MemoryPage {
     pub(super) fn new(
         quantities: &[Quantity],
         selected: Option<u8>,
+        names: &BTreeMap<String, String>,
         page: usize,
         screen: Rect,
     ) -> MemoryPage {
@@ -27,7 +29,9 @@ impl MemoryPage {
         let selected = selected.map(|input| format!("A{input}"));
         let mut lines: Vec<Line<'static>> = Vec::new();
         for quantity in quantities {
-            let spans = spans(quantity, selected.as_ref() == Some(&quantity.name));
+            let is_selected = selected.as_ref() == Some(&quantity.name);
+            let name = names.get(&quantity.name).unwrap_or(&quantity.name);
+            let spans = spans(name, quantity, is_selected);
             let wide: usize = spans.iter().map(Span::width).sum();
             let room = |line: &Line| line.width() + wide <= width;
             if !lines.last().is_some_and(room) {
@@ -60,10 +64,13 @@ impl MemoryPage {
     }
 }
 
-/// ` D1 -45  `, ` C2 3/5  `, ` M7 ●  `
-fn spans(quantity: &Quantity, selected: bool) -> Vec<Span<'static>> {
-    let Quantity { name, value, .. } = quantity;
-    let name = Span::styled(name.clone(), if selected { SELECTED } else { Style::new() });
+/// With the name that the program gives it, else its own: ` D1 -45  `, ` C2 3/5  `, ` M7 ●  `
+fn spans(name: &str, quantity: &Quantity, selected: bool) -> Vec<Span<'static>> {
+    let value = &quantity.value;
+    let name = Span::styled(
+        name.to_owned(),
+        if selected { SELECTED } else { Style::new() },
+    );
     let value = match (quantity.bits, quantity.of) {
         (1, _) if *value != 0 => Span::styled("●", ON),
         (1, _) => Span::raw("○"),

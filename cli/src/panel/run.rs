@@ -3,6 +3,7 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
+use crate::screen;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{
     self, Event, KeyboardEnhancementFlags, PopKeyboardEnhancementFlags,
@@ -32,8 +33,14 @@ pub fn run(mut app: App) -> io::Result<()> {
 
 fn frames(app: &mut App, terminal: &mut DefaultTerminal) -> io::Result<()> {
     let mut advanced = Instant::now();
+    let is_ascii = screen::is_ascii();
     while !app.quit() {
-        terminal.draw(|frame| view::draw(app, frame))?;
+        terminal.draw(|frame| {
+            view::draw(app, frame);
+            if is_ascii {
+                screen::to_ascii(frame.buffer_mut());
+            }
+        })?;
         let frame = Instant::now();
         loop {
             let event = event::poll(FRAME.saturating_sub(frame.elapsed()))?;

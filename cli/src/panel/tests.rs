@@ -322,7 +322,7 @@ fn every_program_fits_every_screen() {
         for _ in 0..10 {
             let (width, height) = (random.below(130) as u16, random.below(50) as u16);
             let lines = screen(&mut app, width, height);
-            if height > 0 && width > 40 {
+            if height > 10 && width > 40 {
                 let runs = lines[0].ends_with("RUN  10 ms  11 scans");
                 assert!(runs || lines[0].contains("FAULT 75, line "), "{}", lines[0]);
             }
@@ -550,4 +550,32 @@ fn a_fault_names_the_line_of_the_text() {
     advance(&mut app, 10);
     let shown = screen(&mut app, 80, 20).join("\n");
     assert!(shown.contains("FAULT 75, line 5"), "{shown}");
+    let says = " loop.il:5: fault 75: too many jumps back in one scan (NC-19)\n   JMP begin\n";
+    assert!(shown.contains(says), "{shown}");
+}
+
+#[test]
+fn a_screen_that_is_too_small_says_so_and_how_to_leave() {
+    let mut app = app("0\n827301\n877901\n");
+    let lines = screen(&mut app, 40, 10);
+    assert_eq!(lines[0].trim_end(), "this screen is too small: 40 x 10");
+    assert_eq!(lines[2].trim_end(), "q quits");
+}
+
+#[test]
+fn variables_show_their_names_and_numbers_their_values() {
+    let text = "VAR\n speed AT %MW1 : INT;\n fast AT %MX1 : BOOL;\nEND_VAR\nLD speed\nADD 3\nST speed\nGT 10\nST fast\n";
+    let mut app = App::new(source("names.il", text));
+    advance(&mut app, 3);
+    let shown = screen(&mut app, 80, 24).join("\n");
+    assert!(
+        shown.contains(" speed 12 ") && shown.contains(" fast ●"),
+        "{shown}"
+    );
+    assert!(shown.contains("   7   ST speed  = 12"), "{shown}");
+    assert!(
+        shown.contains("   6   ADD 3\n") || shown.contains("   6   ADD 3 "),
+        "{shown}"
+    );
+    assert!(shown.contains("   9 ● ST fast"), "{shown}");
 }

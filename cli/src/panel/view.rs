@@ -3,9 +3,10 @@
 use super::ON;
 use super::app::App;
 use super::memory::MemoryPage;
+use crate::screen;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
-use ratatui::style::{Modifier, Style};
+use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
 use unoclp_core::{Target, TimerState};
@@ -13,6 +14,9 @@ use unoclp_host_sim::scenario::{inputs, outputs};
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
+
+/// What has ended the program.
+const FAULT: Style = Style::new().fg(Color::Red).add_modifier(Modifier::BOLD);
 
 /// The fewest columns in which a timer can be read.
 const TIMER_WIDTH: u16 = 38;
@@ -22,17 +26,36 @@ const LAMP_WIDTH: u16 = 8;
 
 /// Draws the app, and tells its scrolling what fits.
 pub(super) fn draw(app: &mut App, frame: &mut Frame) {
+    if screen::is_too_small(frame) {
+        return;
+    }
     let timers: Vec<TimerState> = app.timers().collect();
     let page = TimerPage::new(&timers, app.timer_page, frame.area());
     let quantities = app.quantities();
     let selected = app.knobs.selected();
-    let memory = MemoryPage::new(&quantities, selected, app.memory_page, frame.area());
+    let memory = MemoryPage::new(
+        &quantities,
+        selected,
+        &app.names,
+        app.memory_page,
+        frame.area(),
+    );
     let pages = (page.pages, memory.pages);
     // Inputs and outputs stand side by side where they fit in halves.
     let side_by_side = frame.area().width >= 2 * LAMP_WIDTH * u16::from(app.inputs());
-    let [header, buttons, timer_area, memory_area, rungs, footer] = Layout::vertical([
+    let faulty = app.faulty();
+    let [
+        header,
+        buttons,
+        fault_area,
+        timer_area,
+        memory_area,
+        rungs,
+        footer,
+    ] = Layout::vertical([
         Constraint::Length(1),
         Constraint::Length(if side_by_side { 2 } else { 4 }),
+        Constraint::Length(if faulty.is_some() { 2 } else { 0 }),
         Constraint::Length(page.height()),
         Constraint::Length(memory.height()),
         Constraint::Fill(1),
@@ -46,6 +69,11 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     };
 
     draw_header(app, frame, header);
+    if let Some([fault, text]) = faulty {
+        let lines = [format!(" {fault}"), format!("   {text}")];
+        let lines = lines.map(|line| Line::raw(line).style(FAULT));
+        frame.render_widget(Paragraph::new(lines.to_vec()), fault_area);
+    }
     let title = match app.buttons.momentary() {
         true => format!("Inputs: closed while 1 to {} is held", app.inputs()),
         false => format!("Inputs: 1 to {} toggle", app.inputs()),

@@ -1,9 +1,11 @@
 //! The commands that speak to a board: exit codes, messages and what the board gets.
 
-use crate::pty::{Board, FAULT, Fake, RUN, STOP, kept};
+use crate::pty::{Board, FAULT, Fake, Fate, RUN, STOP, kept};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 const FOLLOW: &str = "0\n787600\n827301\n877901\n";
 
@@ -201,4 +203,91 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         assert_eq!(code, 2, "{arguments:?}");
         assert!(err.starts_with(message), "{arguments:?}: {err}");
     }
+}
+
+#[test]
+fn a_board_that_fails_in_its_first_second_is_not_said_to_run() {
+    let program = file("fails.il", "(* waits *)\nagain:\nLD I1\nST Q1\nJMP again\n");
+    let (_, code, _) = unoclp(&["compile", &program]);
+    let jump = code.lines().position(|line| line.contains("JMP")).unwrap();
+    let fake = Fake::new(Board {
+        fault_in_run: Some((75, jump as u32 + 1)),
+        ..Board::default()
+    });
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    assert_eq!((code, err.as_str()), (1, ""), "{out}");
+    let says = format!(
+        "in FAULT, within the first 1000 ms of its scans:\n\
+         {program}:5: fault 75: too many jumps back in one scan (NC-19)\n  JMP again\n"
+    );
+    assert!(out.ends_with(&says), "{out}");
+    assert!(!out.contains("\nRUN\n"), "{out}");
+}
+
+#[test]
+fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
+    let program = file("forced.txt", FOLLOW);
+    let forced = || Board {
+        forces: [0b1, 0b1, 0b10, 0],
+        ..Board::default()
+    };
+    let fake = Fake::new(forced());
+    let (code, out, _) = on(&fake, &["upload", &program]);
+    assert_eq!(code, 0, "{out}");
+    assert!(out.contains("\nforced: I1=1 Q2=0\n"), "{out}");
+    assert!(
+        out.ends_with("\nno longer forced: I1=1 Q2=0\nRUN\n"),
+        "{out}"
+    );
+    assert_eq!(fake.board().forces, [0; 4]);
+
+    let fake = Fake::new(forced());
+    let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
+    assert!(out.contains("RUN\nstill forced: I1=1 Q2=0; "), "{out}");
+    assert_eq!(fake.board().forces, forced().forces);
+
+    // What is refused changes nothing, and says so.
+    let fake = Fake::new(Board {
+        second_differs: true,
+        ..forced()
+    });
+    let (_, out, _) = on(&fake, &["upload", &program]);
+    assert!(out.contains("\nstill forced: I1=1 Q2=0; "), "{out}");
+}
+
+#[test]
+fn an_upload_that_is_interrupted_ends_in_order() {
+    let program = file(
+        "interrupted.txt",
+        &format!("{FOLLOW}/{}\n", "x".repeat(4_000)),
+    );
+    let begun = Arc::new(AtomicBool::new(false));
+    let seen = begun.clone();
+    // The board holds the second block until Ctrl-C has come.
+    let fake = Fake::with(Board::default(), move |board, _| {
+        match board.is_uploading() && !seen.swap(true, Ordering::SeqCst) {
+            true => Fate::Lost,
+            false => Fate::Answered,
+        }
+    });
+    let child = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+        .args(["upload", &program, "--port", fake.path()])
+        .env("LC_ALL", "C")
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while !begun.load(Ordering::SeqCst) {
+        std::thread::yield_now();
+    }
+    let pid = rustix::process::Pid::from_child(&child);
+    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let err = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{err}");
+    let says = "error: interrupted; the board is in STOP, and keeps the program that it had\n";
+    assert_eq!(err, says);
+    let board = fake.board();
+    assert!(!board.is_uploading() && board.state == STOP);
 }

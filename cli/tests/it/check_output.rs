@@ -7,6 +7,7 @@ use annotate_snippets::Renderer;
 use std::fs;
 use std::path::Path;
 use unoclp_checked::numeric;
+use unoclp_lang::Lang;
 use unoclp_source::BOARD;
 use unoclp_source::diagnosis::show;
 
@@ -23,7 +24,7 @@ fn faults_are_shown_as_expected() {
         let name = path.file_name().unwrap().to_str().unwrap();
         let file = fs::read(&path).unwrap();
         let faults = numeric(&file, BOARD).expect_err(name);
-        let shown = show(name, &file, &faults, &Renderer::plain());
+        let shown = show(name, &file, &faults, Lang::En, &Renderer::plain());
         let expected = fs::read_to_string(path.with_extension("expected")).unwrap();
         let expected = expected.replace("\r\n", "\n");
         assert_eq!(shown, expected.trim_end_matches('\n'), "{name}:\n{shown}");
@@ -43,7 +44,7 @@ fn any_bytes_can_be_shown() {
         let file: Vec<u8> = (0..length).filter_map(|_| random.pick(&alphabet)).collect();
         if let Err(faults) = numeric(&file, BOARD) {
             assert!(!faults.is_empty());
-            let text = show("noise", &file, &faults, &Renderer::plain());
+            let text = show("noise", &file, &faults, Lang::En, &Renderer::plain());
             assert!(!text.contains('\0') && !text.contains('\r'), "{file:?}");
             shown += 1;
         }

@@ -1,6 +1,6 @@
 //! The program `unoclp` itself: exit codes, messages and files.
 
-use crate::common::{file, outcome};
+use crate::common::{file, outcome, outcome_in};
 use std::fs;
 
 const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
@@ -148,4 +148,125 @@ Rung 1, lines 3 to 4
         drawing.contains("<svg ") && drawing.contains("Lamp"),
         "{drawing}"
     );
+}
+
+#[test]
+fn a_scenario_tests_the_file_that_one_names() {
+    let steps = "[[step]]\nat = 0\nset = { I1 = 1 }\nexpect = { Q1 = 1 }\n";
+    file("tested.il", "LD I1\nST Q1\n");
+    let names_il = file(
+        "tested.toml",
+        &format!("about = \"\"\nprogram = \"tested.il\"\n{steps}"),
+    );
+    assert_eq!(outcome(&["sim", "--scenario", &names_il]).0, 0);
+    // The text changes, and its numeric code beside it does not.
+    file("tested.txt", "0\n827301\n877901\n");
+    file("tested.il", "LDN I1\nST Q1\n");
+    let (code, out, _) = outcome(&["sim", "--scenario", &names_il]);
+    assert_eq!(code, 1, "{out}");
+    file("tested.il", "LD I1\nST Q9\n");
+    let (code, out, _) = outcome(&["sim", "--scenario", &names_il]);
+    assert!(
+        code == 1 && out.contains("error[IL-") && out.contains("tested.il:2:"),
+        "{out}"
+    );
+
+    let names_none = file("untied.toml", &format!("about = \"\"\n{steps}"));
+    let (code, _, err) = outcome(&["sim", "--scenario", &names_none]);
+    assert_eq!(code, 2);
+    assert!(err.contains("it names no program; give a file"), "{err}");
+    let mine = file("untied.il", "LD I1\nST Q1\n");
+    assert_eq!(outcome(&["sim", &mine, "--scenario", &names_none]).0, 0);
+}
+
+#[test]
+fn a_fault_while_it_runs_names_the_line_of_the_text() {
+    let loops = file("loops.il", "(* waits *)\nagain:\nLD M1\nJMP again\n");
+    let steps = "about = \"\"\n[[step]]\nat = 0\nexpect = { Q1 = 0 }\n";
+    let scenario = file("loops.toml", steps);
+    let (code, out, _) = outcome(&["sim", &loops, "--scenario", &scenario]);
+    assert_eq!(code, 1, "{out}");
+    let says =
+        format!("  {loops}:4: fault 75: too many jumps back in one scan (NC-19)\n    JMP again\n");
+    assert!(out.ends_with(&says), "{out}");
+}
+
+#[test]
+fn a_huge_text_is_refused_at_once() {
+    let huge = file("huge.il", "");
+    // A hole: nothing is written.
+    fs::File::options()
+        .write(true)
+        .open(&huge)
+        .unwrap()
+        .set_len(50_000_000)
+        .unwrap();
+    for command in ["check", "list", "sim", "compile"] {
+        let (code, out, err) = outcome(&[command, &huge]);
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(
+            err.ends_with("has more than 1048576 bytes; no program is as long\n"),
+            "{err}"
+        );
+    }
+}
+
+#[test]
+fn a_trace_has_the_names_of_the_program() {
+    let lamp = file(
+        "traced.il",
+        "VAR\n button AT %IX1 : BOOL;\n lamp AT %QX1 : BOOL;\nEND_VAR\nLD button\nST lamp\n",
+    );
+    let scenario = file(
+        "traced.toml",
+        "about = \"\"\n[[step]]\nat = 0\nexpect = { Q1 = 0 }\n",
+    );
+    let trace = file("traced.vcd", "");
+    let (code, out, err) = outcome(&["sim", &lamp, "--scenario", &scenario, "--vcd", &trace]);
+    assert_eq!(code, 0, "{out}{err}");
+    let trace = fs::read_to_string(trace).unwrap();
+    assert!(
+        trace.contains(" I1_button $end") && trace.contains(" Q1_lamp $end"),
+        "{trace}"
+    );
+}
+
+#[test]
+fn every_way_to_write_a_language_is_understood() {
+    let faulty = file("languages.txt", "0\n827309\n");
+    for lang in ["pt", "pt-BR", "pt_BR", "pt-br"] {
+        let (code, out, _) = outcome(&["check", &faulty, "--lang", lang]);
+        assert_eq!(code, 1);
+        assert!(
+            out.starts_with("erro[25]: esta placa não tem essa entrada\n"),
+            "{out}"
+        );
+        assert!(
+            out.contains("ajuda: o UNO tem as entradas 01 a 08"),
+            "{out}"
+        );
+    }
+    let (_, _, err) = outcome_in(&["check", "no-such.txt"], "pt_BR.UTF-8");
+    assert!(
+        err.starts_with("erro: não foi possível ler no-such.txt"),
+        "{err}"
+    );
+}
+
+/// The texts of the faults are those of the page that explains them.
+#[test]
+fn each_fault_has_the_portuguese_of_its_page() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/faults.pt-BR.md");
+    let page = fs::read_to_string(page)
+        .unwrap()
+        .replace('\n', " ")
+        .to_lowercase();
+    for &cause in unoclp_core::Cause::ALL {
+        let text = unoclp_source::diagnosis::portuguese(cause);
+        assert!(
+            page.contains(&format!("*{}", text.to_lowercase())),
+            "{text}"
+        );
+        assert_ne!(text, cause.text());
+    }
 }

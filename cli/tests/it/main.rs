@@ -9,6 +9,7 @@ mod command_line;
 mod common;
 mod instruction_list;
 mod list;
+mod outputs;
 #[cfg(unix)]
 mod pty;
 mod source_map;

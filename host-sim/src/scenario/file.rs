@@ -8,12 +8,12 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{fmt, fs};
 use toml::Spanned;
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
 use unoclp_core::{Cause, Millis, Point};
-use unoclp_source::BOARD;
+use unoclp_source::{BOARD, Source, Written};
 
 /// Why a scenario could not be read: the file, the line where there is one, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,23 +37,46 @@ impl fmt::Display for LoadError {
 impl std::error::Error for LoadError {}
 
 impl Scenario {
-    /// Reads a scenario file, and the program file that it names.
+    /// Reads a scenario file, and the program file that it names; one in Instruction List is compiled.
     pub fn load(path: &Path) -> Result<Scenario, LoadError> {
-        let name = path.display().to_string();
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let (source, result) = match fs::read_to_string(path) {
-            Ok(source) => {
-                let result = read(&name, &source, folder);
-                (source, result)
-            }
-            Err(error) => (String::new(), Err(wrong(None, unreadable(&error)))),
-        };
-        result.map_err(|Wrong { place, what }| LoadError {
-            file: name,
-            line: place.map(|place| line_of(&source, place.start)),
-            what,
+        with_keys(path, |name, keys, folder| {
+            let program = named_program(name, &keys, folder)?;
+            scenario(name, keys, program)
         })
     }
+
+    /// Reads a scenario file to run it with this program, whichever it names, or none.
+    pub fn load_for(path: &Path, program: ProgramFile) -> Result<Scenario, LoadError> {
+        with_keys(path, |name, keys, _| scenario(name, keys, program))
+    }
+
+    /// The program file that a scenario file names, if it names one.
+    pub fn program_of(path: &Path) -> Result<Option<PathBuf>, LoadError> {
+        with_keys(path, |_, keys, folder| {
+            Ok(keys.program.map(|name| folder.join(name.get_ref())))
+        })
+    }
+}
+
+/// Reads the keys of a scenario file; `make` makes something of them, its name and its folder.
+fn with_keys<T>(
+    path: &Path,
+    make: impl FnOnce(&str, FileKeys, &Path) -> Result<T, Wrong>,
+) -> Result<T, LoadError> {
+    let name = path.display().to_string();
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let (source, result) = match fs::read_to_string(path) {
+        Ok(source) => {
+            let result = keys(&source).and_then(|keys| make(&name, keys, folder));
+            (source, result)
+        }
+        Err(error) => (String::new(), Err(wrong(None, unreadable(&error)))),
+    };
+    result.map_err(|Wrong { place, what }| LoadError {
+        file: name,
+        line: place.map(|place| line_of(&source, place.start)),
+        what,
+    })
 }
 
 /// What is wrong, and the bytes of the file that say it.
@@ -149,8 +172,8 @@ struct StepKeys {
     expect: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
 }
 
-fn read(name: &str, source: &str, folder: &Path) -> Result<Scenario, Wrong> {
-    let keys: FileKeys = toml::from_str(source).map_err(|error| {
+fn keys(source: &str) -> Result<FileKeys, Wrong> {
+    toml::from_str(source).map_err(|error| {
         let message = error.message();
         let hint = if message.starts_with("unknown field `until`")
             || message.starts_with("unknown field `fault`")
@@ -161,22 +184,29 @@ fn read(name: &str, source: &str, folder: &Path) -> Result<Scenario, Wrong> {
             ""
         };
         wrong(error.span(), format!("{message}{hint}"))
-    })?;
-    let program = match (&keys.program, &keys.text) {
-        (Some(path), None) => program_file(path, folder)?,
-        (None, Some(text)) => ProgramFile {
+    })
+}
+
+/// The program that a scenario file of this name gives.
+fn named_program(name: &str, keys: &FileKeys, folder: &Path) -> Result<ProgramFile, Wrong> {
+    match (&keys.program, &keys.text) {
+        (Some(path), None) => program_file(path, keys, folder),
+        (None, Some(text)) => Ok(ProgramFile {
             name: format!("the text in {name}"),
             bytes: program_text(text)?,
-        },
+        }),
         (Some(_), Some(text)) => {
             let what = "`program` and `text` both give a program; keep one of them";
-            return Err(wrong(Some(text.span()), what));
+            Err(wrong(Some(text.span()), what))
         }
         (None, None) => {
-            let what = "no program; name its file with `program`, or write it as `text`";
-            return Err(wrong(None, what));
+            let what = "it names no program; give a file: `sim FILE --scenario S.toml`";
+            Err(wrong(None, what))
         }
-    };
+    }
+}
+
+fn scenario(name: &str, keys: FileKeys, program: ProgramFile) -> Result<Scenario, Wrong> {
     let goal = match &keys.fault {
         Some(fault) => Goal::Refusal(refusal(fault, &keys)?),
         None => Goal::Run(timeline(&keys)?),
@@ -215,15 +245,24 @@ fn program_text(key: &Spanned<TextKey>) -> Result<Vec<u8>, Wrong> {
     Ok(bytes)
 }
 
-fn program_file(path: &Spanned<String>, folder: &Path) -> Result<ProgramFile, Wrong> {
+fn program_file(
+    path: &Spanned<String>,
+    keys: &FileKeys,
+    folder: &Path,
+) -> Result<ProgramFile, Wrong> {
     let file = folder.join(path.get_ref());
     let name = file.display().to_string();
-    match fs::read(&file) {
-        Ok(bytes) => Ok(ProgramFile { name, bytes }),
-        Err(error) => Err(wrong(
-            Some(path.span()),
-            format!("the program {name} cannot be read: {error}"),
-        )),
+    let said = |what: String| wrong(Some(path.span()), format!("the program {name} {what}"));
+    let bytes = fs::read(&file).map_err(|error| said(format!("cannot be read: {error}")))?;
+    let written = Written::new(name.clone(), bytes);
+    // A file that must be refused is numeric code, whatever it looks like.
+    if !written.is_il || keys.fault.is_some() {
+        let Written { name, bytes, .. } = written;
+        return Ok(ProgramFile { name, bytes });
+    }
+    match written.check(None) {
+        Ok(Source { name, code, .. }) => Ok(ProgramFile { name, bytes: code }),
+        Err(_) => Err(said("has errors; `unoclp check` shows them".to_owned())),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scenarios: a program, inputs over time, and what is expected over time of outputs and memory, or
 //! the fault expected.
 //!
-//! A scenario is a TOML file, read by [`Scenario::load`]. [`check`] runs it on any [`Engine`] and
+//! A scenario is a TOML file, read by [`Scenario::load`], or for another program by [`Scenario::load_for`]. [`check`] runs it on any [`Engine`] and
 //! gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
 
 mod check;
@@ -16,7 +16,7 @@ pub use report::{Change, Columns, Report, Unmet, Verdict};
 
 use std::fmt;
 use std::num::NonZeroU32;
-use unoclp_core::{Fault, Millis, Point};
+use unoclp_core::{Cause, Fault, Millis, Point};
 use unoclp_source::BOARD;
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
@@ -129,11 +129,6 @@ impl Scenario {
         &self.program
     }
 
-    /// The same scenario about another program.
-    pub fn with_program(self, program: ProgramFile) -> Scenario {
-        Scenario { program, ..self }
-    }
-
     /// How long the run takes from the first scan to the last, in ms; 0 where nothing runs.
     pub fn duration(&self) -> Millis {
         match &self.goal {
@@ -157,6 +152,19 @@ impl Scenario {
             Goal::Refusal(refusal) => Some(refusal),
             Goal::Run(_) => None,
         }
+    }
+}
+
+impl Refusal {
+    /// The fault, where there is one of this number.
+    pub fn fault(self) -> Option<Fault> {
+        let cause = Cause::ALL
+            .iter()
+            .find(|cause| cause.number() == self.number)?;
+        Some(Fault {
+            cause: *cause,
+            line: self.line,
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Refusal, Scenario, Verdict, check};
+use unoclp_host_sim::scenario::{ProgramFile, Refusal, Scenario, Verdict, check};
 
 /// Writes a scenario file for one test.
 fn file(name: &str, source: &str) -> PathBuf {
@@ -82,7 +82,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
 fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
     #[rustfmt::skip]
     let cases = [
-        ("about = \"\"\n[[step]]\nat = 0", "no program; name its file with `program`, or write it as `text`"),
+        ("about = \"\"\n[[step]]\nat = 0", "it names no program; give a file: `sim FILE --scenario S.toml`"),
         (HEAD, "nothing happens; write a [[step]], or the `fault` that is expected"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
@@ -266,4 +266,55 @@ fn a_text_may_be_given_by_its_parts() {
         let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
         assert_eq!(told, format!("{}:2: {message}", path.display()), "{text}");
     }
+}
+
+/// A step that expects Q1 to follow I1.
+const FOLLOWS: &str = "[[step]]\nat = 0\nset = { I1 = 1 }\nexpect = { Q1 = 1 }\n[[step]]\nat = 5\nset = { I1 = 0 }\nexpect = { Q1 = 0 }\n";
+
+#[test]
+fn a_scenario_names_instruction_list_which_is_compiled() {
+    file("lamp.il", "LD I1\nST Q1\n");
+    let source = format!("about = \"\"\nprogram = \"lamp.il\"\n{FOLLOWS}");
+    let scenario = load("names-il.toml", &source);
+    assert!(scenario.program().name.ends_with("lamp.il"));
+    let report = check(&scenario, &mut HostEngine::default());
+    assert!(report.passed(), "{report}");
+
+    file("lamp-wrong.il", "LDN I1\nST Q1\n");
+    let scenario = load(
+        "names-wrong-il.toml",
+        &source.replace("lamp.il", "lamp-wrong.il"),
+    );
+    let report = check(&scenario, &mut HostEngine::default());
+    assert!(!report.passed(), "{report}");
+
+    file("lamp-faulty.il", "LD I9\nST Q1\n");
+    let path = file(
+        "names-faulty-il.toml",
+        &source.replace("lamp.il", "lamp-faulty.il"),
+    );
+    let error = Scenario::load(&path).unwrap_err().to_string();
+    assert!(
+        error.contains(":2: the program ")
+            && error.ends_with("has errors; `unoclp check` shows them"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_scenario_may_name_no_program_and_then_needs_one() {
+    let path = file("names-none.toml", &format!("about = \"\"\n{FOLLOWS}"));
+    let error = Scenario::load(&path).unwrap_err().to_string();
+    assert!(
+        error.contains("it names no program; give a file"),
+        "{error}"
+    );
+    assert_eq!(Scenario::program_of(&path).unwrap(), None);
+    let program = ProgramFile {
+        name: "mine".to_owned(),
+        bytes: b"0\n827301\n877901\n".to_vec(),
+    };
+    let scenario = Scenario::load_for(&path, program).unwrap();
+    let report = check(&scenario, &mut HostEngine::default());
+    assert!(report.passed(), "{report}");
 }

@@ -3,45 +3,69 @@
 use crate::BOARD;
 use unoclp_core::Cause;
 use unoclp_core::isa::{Row, TABLE};
+use unoclp_lang::Lang;
 
 /// Help for a fault at this text of the file, if there is any.
-pub(super) fn help(cause: Cause, text: &str) -> Option<String> {
-    match cause {
-        Cause::UnknownCode => unknown_code(text.parse().ok()?),
-        Cause::NoSuchInput => Some(format!("the UNO has inputs 01 to {:02}", BOARD.inputs)),
-        Cause::NoSuchOutput => Some(format!("the UNO has outputs 01 to {:02}", BOARD.outputs)),
-        Cause::NoStart => Some("write a line with 0 above this one".to_owned()),
-        Cause::StrayCharacter if text.starts_with(|c: char| c.is_ascii_digit()) => {
-            Some("one code stands on a line; put this one on a line of its own".to_owned())
+pub(super) fn help(cause: Cause, text: &str, lang: Lang) -> Option<String> {
+    let (inputs, outputs) = (BOARD.inputs, BOARD.outputs);
+    let (stored, linked) = (BOARD.stored_bytes, BOARD.linked_bytes);
+    Some(match (cause, lang) {
+        (Cause::UnknownCode, _) => return unknown_code(text.parse().ok()?, lang),
+        (Cause::NoSuchInput, Lang::En) => format!("the UNO has inputs 01 to {inputs:02}"),
+        (Cause::NoSuchInput, Lang::Pt) => format!("o UNO tem as entradas 01 a {inputs:02}"),
+        (Cause::NoSuchOutput, Lang::En) => format!("the UNO has outputs 01 to {outputs:02}"),
+        (Cause::NoSuchOutput, Lang::Pt) => format!("o UNO tem as saídas 01 a {outputs:02}"),
+        (Cause::NoStart, Lang::En) => "write a line with 0 above this one".to_owned(),
+        (Cause::NoStart, Lang::Pt) => "escreva uma linha com 0 acima desta".to_owned(),
+        (Cause::StrayCharacter, _) if !text.starts_with(|c: char| c.is_ascii_digit()) => {
+            return None;
         }
-        Cause::ProgramFull | Cause::RunMemoryFull => Some(format!(
-            "the UNO holds {} bytes of program and has {} bytes to run it; timers, markers and \
-             numbers take more there than stored",
-            BOARD.stored_bytes, BOARD.linked_bytes
-        )),
-        _ => None,
-    }
+        (Cause::StrayCharacter, Lang::En) => {
+            "one code stands on a line; put this one on a line of its own".to_owned()
+        }
+        (Cause::StrayCharacter, Lang::Pt) => {
+            "cada código tem a sua linha; ponha este em uma linha própria".to_owned()
+        }
+        (Cause::ProgramFull | Cause::RunMemoryFull, Lang::En) => format!(
+            "the UNO holds {stored} bytes of program and has {linked} bytes to run it; timers, markers and \
+             numbers take more there than stored"
+        ),
+        (Cause::ProgramFull | Cause::RunMemoryFull, Lang::Pt) => format!(
+            "o UNO guarda {stored} bytes de programa e tem {linked} bytes para executá-lo; temporizadores, \
+             memórias e números ocupam ali mais do que guardados"
+        ),
+        _ => return None,
+    })
 }
 
 /// The instruction that was probably meant.
-fn unknown_code(code: i32) -> Option<String> {
+fn unknown_code(code: i32, lang: Lang) -> Option<String> {
     let forgotten_point = |row: &&Row| row.kind.has_number() && row.code / 100 == code;
     if let Some(row) = TABLE.iter().find(forgotten_point) {
-        return Some(format!(
-            "two digits for the point are missing: {} is {} 01",
-            example(row),
-            row.letters
-        ));
+        let (example, letters) = (example(row), row.letters);
+        return Some(match lang {
+            Lang::En => {
+                format!("two digits for the point are missing: {example} is {letters} 01")
+            }
+            Lang::Pt => format!("faltam os dois dígitos do ponto: {example} é {letters} 01"),
+        });
     }
     let negated = |row: &&Row| pattern(row, code.wrapping_neg()) == row.code;
     if code < 0 && TABLE.iter().any(|row| negated(&row)) {
-        return Some("this code has no negated form; leave out the -".to_owned());
+        return Some(match lang {
+            Lang::En => "this code has no negated form; leave out the -".to_owned(),
+            Lang::Pt => "este código não tem forma negada; tire o -".to_owned(),
+        });
     }
     let row = TABLE
         .iter()
         .find(|row| one_slip(&pattern(row, code).to_string(), &row.code.to_string()))?;
     let what = row.effect.split(':').next().unwrap_or_default();
-    Some(format!("is it {}, {} ({what})?", example(row), row.letters))
+    let (example, letters) = (example(row), row.letters);
+    Some(match lang {
+        Lang::En => format!("is it {example}, {letters} ({what})?"),
+        Lang::Pt => format!("seria {example}, {letters}?"),
+    })
 }
 
 /// A code as it would stand in the table if it were of the kind of this row: where the row takes
@@ -99,13 +123,13 @@ mod tests {
             ("42", "is it 40, ( (open an OR branch)?"),
         ];
         for (code, expected) in cases {
-            let help = help(Cause::UnknownCode, code);
+            let help = help(Cause::UnknownCode, code, Lang::En);
             let starts = help
                 .as_deref()
                 .is_some_and(|help| help.starts_with(expected));
             assert!(starts, "{code}: {help:?}");
         }
-        assert_eq!(help(Cause::UnknownCode, "123456"), None);
-        assert_eq!(help(Cause::UnknownCode, "-2147483648"), None);
+        assert_eq!(help(Cause::UnknownCode, "123456", Lang::En), None);
+        assert_eq!(help(Cause::UnknownCode, "-2147483648", Lang::En), None);
     }
 }

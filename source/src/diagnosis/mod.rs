@@ -1,6 +1,8 @@
 //! The faults of a program file, each shown in its source line.
 
 mod help;
+mod portuguese;
 mod show;
 
-pub use show::show;
+pub use portuguese::portuguese;
+pub use show::{cause, show};

@@ -1,10 +1,12 @@
 //! Faults as text: the line of the file, a caret under what is wrong, and help.
 
 use super::help::help;
+use super::portuguese::portuguese;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 use unoclp_checked::Diagnosis;
 use unoclp_core::Cause;
+use unoclp_lang::Lang;
 
 /// More faults than this are only counted: a file that is no program at all has one in each line.
 const SHOWN: usize = 20;
@@ -13,37 +15,68 @@ const SHOWN: usize = 20;
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// Shows the faults of a file that goes by this name. The bytes of the file may be anything.
-pub fn show(name: &str, file: &[u8], faults: &[Diagnosis], renderer: &Renderer) -> String {
+pub fn show(
+    name: &str,
+    file: &[u8],
+    faults: &[Diagnosis],
+    lang: Lang,
+    renderer: &Renderer,
+) -> String {
     let mut text = String::new();
     for diagnosis in faults.iter().take(SHOWN) {
-        text.push_str(&show_one(name, file, diagnosis, renderer));
+        text.push_str(&show_one(name, file, diagnosis, lang, renderer));
         text.push_str("\n\n");
     }
     if let more @ 1.. = faults.len().saturating_sub(SHOWN) {
-        text.push_str(&format!("… and {more} more\n\n"));
+        text.push_str(&match lang {
+            Lang::En => format!("… and {more} more\n\n"),
+            Lang::Pt => format!("… e mais {more}\n\n"),
+        });
     }
-    let count = match faults.len() {
-        1 => "1 fault".to_owned(),
-        count => format!("{count} faults"),
-    };
-    text.push_str(&format!("{name}: {count}; the UNO will not run any of it"));
+    text.push_str(&match (faults.len(), lang) {
+        (1, Lang::En) => format!("{name}: 1 fault; the UNO will not run any of it"),
+        (count, Lang::En) => format!("{name}: {count} faults; the UNO will not run any of it"),
+        (1, Lang::Pt) => format!("{name}: 1 falha; o UNO não executa nada dele"),
+        (count, Lang::Pt) => format!("{name}: {count} falhas; o UNO não executa nada dele"),
+    });
     text
 }
 
-fn show_one(name: &str, file: &[u8], diagnosis: &Diagnosis, renderer: &Renderer) -> String {
+/// What is wrong, in this language.
+pub const fn cause(cause: Cause, lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => cause.text(),
+        Lang::Pt => portuguese(cause),
+    }
+}
+
+fn show_one(
+    name: &str,
+    file: &[u8],
+    diagnosis: &Diagnosis,
+    lang: Lang,
+    renderer: &Renderer,
+) -> String {
     let fault = diagnosis.fault;
-    let title = Level::ERROR
-        .primary_title(fault.cause.text())
+    let (level, help_level) = match lang {
+        Lang::En => (Level::ERROR, Level::HELP),
+        Lang::Pt => (
+            Level::ERROR.with_name("erro"),
+            Level::HELP.with_name("ajuda"),
+        ),
+    };
+    let title = level
+        .primary_title(cause(fault.cause, lang))
         .id(fault.cause.number().to_string());
     let group = match Excerpt::new(file, diagnosis) {
         Some(excerpt) => {
-            let help = help(fault.cause, &excerpt.text[excerpt.mark.clone()]);
+            let help = help(fault.cause, &excerpt.text[excerpt.mark.clone()], lang);
             let mark = AnnotationKind::Primary.span(excerpt.mark);
             let snippet = Snippet::source(excerpt.text)
                 .line_start(excerpt.line as usize)
                 .path(name)
                 .annotation(mark);
-            let help = help.map(|help| Level::HELP.message(help));
+            let help = help.map(|help| help_level.message(help));
             title.element(snippet).elements(help)
         }
         None => title.element(Origin::path(name)),
