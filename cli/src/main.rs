@@ -9,9 +9,10 @@ mod commands;
 use annotate_snippets::Renderer;
 use anstream::{eprintln, print, println};
 use anyhow::{Context, anyhow, bail};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Form, Il, Kind, Leave, Shown, check_written, create, language, open, running,
+    At, Changes, Form, Il, Kind, Leave, Shown, check_written, create, in_portuguese, language,
+    open, refuse, running,
 };
 use ratatui::crossterm::terminal;
 use std::env;
@@ -126,6 +127,17 @@ enum Command {
     },
 }
 
+/// The arguments; without right ones this ends here, with what is wrong.
+fn arguments() -> Arguments {
+    match messages::spoken() {
+        Lang::En => Arguments::parse(),
+        Lang::Pt => in_portuguese(Arguments::command())
+            .try_get_matches()
+            .and_then(|matches| Arguments::from_arg_matches(&matches))
+            .unwrap_or_else(|error| refuse(&error)),
+    }
+}
+
 /// The language that the arguments ask for, by --lang: it must be known before anything is said of them.
 fn asked() -> Option<Lang> {
     let arguments: Vec<String> = env::args_os()
@@ -171,7 +183,7 @@ type Outcome = anyhow::Result<bool>;
 
 fn main() -> ExitCode {
     messages::speak(asked().unwrap_or_else(environment));
-    let command = Arguments::parse().command;
+    let command = arguments().command;
     if !command.changes_a_board() {
         end_with_the_pipe();
     }
@@ -193,9 +205,7 @@ fn main() -> ExitCode {
         } => match (file, scenario) {
             (file, Some(scenario)) => run_scenario(&scenario, file.as_deref(), vcd.as_deref(), &il),
             (Some(file), None) => simulate(&file, vcd.as_deref(), &il),
-            (None, None) => Err(anyhow!(
-                "nothing to simulate; name a program or a --scenario"
-            )),
+            (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
         Command::Card {
             card,
@@ -224,7 +234,7 @@ fn main() -> ExitCode {
 
 fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize) -> Outcome {
     if svg.is_some() && form != Form::Ladder {
-        bail!("--svg draws a ladder diagram; leave out --as, or --svg");
+        bail!(messages::svg_is_a_ladder());
     }
     let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
@@ -237,7 +247,7 @@ fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize)
     create(svg, Kind::Drawing, &[path])?
         .write_all(drawing.as_bytes())
         .with_context(|| cannot_write(svg))?;
-    println!("{}: drawn", svg.display());
+    println!("{}", messages::drawn(svg.display()));
     Ok(true)
 }
 
@@ -246,7 +256,7 @@ fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
         return Ok(false);
     };
     if !(stdin().is_terminal() && stdout().is_terminal()) {
-        bail!("the simulator needs a terminal; without one, run a scenario: --scenario S.toml");
+        bail!(messages::sim_needs_terminal());
     }
     let names = point_names(&program);
     let mut app = App::new(program);

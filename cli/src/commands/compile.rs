@@ -19,10 +19,7 @@ pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
     let lang = il.lang();
     let name = &program.name;
     let Language::Il { dialect, warnings } = &program.language else {
-        match lang {
-            Lang::En => bail!("{name} is numeric code; there is nothing to compile"),
-            Lang::Pt => bail!("{name} já é código numérico; não há o que compilar"),
-        }
+        bail!(messages::is_numeric(name))
     };
     match output.filter(|output| *output != Path::new("-")) {
         None => print!("{}", String::from_utf8_lossy(&program.code)),

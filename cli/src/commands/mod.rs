@@ -3,6 +3,7 @@
 //! - `open`: reading a program in either language, and `unoclp check`
 //! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from Instruction List to numeric code, and onto a card
+//! - `help`: the help in Portuguese
 //! - `interrupt`: Ctrl-C
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 
@@ -16,6 +17,7 @@ macro_rules! say {
 
 mod card;
 mod compile;
+mod help;
 mod interrupt;
 mod monitor;
 mod open;
@@ -26,6 +28,7 @@ mod words;
 
 pub use card::card;
 pub use compile::compile;
+pub use help::{in_portuguese, refuse};
 pub use monitor::monitor;
 pub use open::{Il, Shown, check, check_written, language, open, running};
 pub use output::{Kind, create};
@@ -36,6 +39,7 @@ pub use words::Form;
 use clap::Args;
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::{Line, Patience};
+use unoclp_cli::messages;
 use unoclp_cli::port::{Found, Place, Port, find};
 use words::Parity;
 
@@ -84,7 +88,7 @@ fn meet(place: &Place) -> anyhow::Result<Port> {
     if may_be_reset {
         let uptime = port.talk(Diagnostics::read)?.uptime;
         if u128::from(uptime) < patience.start.as_millis() {
-            say!("opening the port has reset the board; the next time it will not");
+            say!("{}", messages::was_reset());
         }
     }
     Ok(port)

@@ -21,7 +21,7 @@ pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
         },
     };
     if !(stdin().is_terminal() && stdout().is_terminal()) {
-        bail!("the monitor needs a terminal");
+        bail!(messages::needs_terminal());
     }
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
     let app = App::new(place.to_string(), program);

@@ -18,7 +18,7 @@ pub struct Il {
     /// Whose Instruction List it is; else what its words look like
     #[arg(long, value_parser = dialects())]
     dialect: Option<Dialect>,
-    /// The language in which errors of Instruction List are told; else that of the environment
+    /// The language in which everything is told; else that of the environment
     #[arg(long, value_parser = langs())]
     lang: Option<Lang>,
 }

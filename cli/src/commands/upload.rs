@@ -79,11 +79,13 @@ impl Upload {
         };
         match state {
             State::Run => say!("STOP"),
-            State::Stop if before.has(flag::STOP_SWITCH) => say!("A5 is closed: in STOP"),
-            State::Stop => say!("in STOP"),
+            State::Stop if before.has(flag::STOP_SWITCH) => {
+                say!("{}", messages::in_stop_by_switch())
+            }
+            State::Stop => say!("{}", messages::in_stop()),
             State::Fault => match before.trouble {
-                Some(trouble) => say!("in FAULT, {trouble}"),
-                None => say!("in FAULT"),
+                Some(trouble) => say!("{}, {trouble}", messages::in_fault()),
+                None => say!("{}", messages::in_fault()),
             },
         }
         if forced.any() {
@@ -96,14 +98,17 @@ impl Upload {
                 let Some(fault) = trouble.fault() else {
                     bail!("the board says {trouble}");
                 };
-                say!("the board refuses the program, and keeps the one that it had:");
+                say!("{}", messages::refused_program());
                 say!("{}", faulty(&self.program, fault));
                 return Ok(false);
             }
             Err(broken) => return Err(broken.into()),
         };
         self.stored = Some(kept);
-        say!("stored: {} bytes, check sum {:04X}", kept.bytes, kept.sum);
+        say!(
+            "{}",
+            messages::stored(kept.bytes, format!("{:04X}", kept.sum))
+        );
         if forced.any() && !leave.keep_forces {
             self.talk(async |client| Wish::Release.fulfil(client).await)??;
             say!("{}", messages::let_go(forced));
@@ -114,13 +119,10 @@ impl Upload {
         let behind = behind.context("the program is stored, but the board does not start it")?;
         match behind {
             Behind::Run => say!("RUN"),
-            Behind::Stop => say!("in STOP"),
-            Behind::Switch => say!("A5 is closed: in STOP, until A5 is opened"),
-            Behind::Faulty => say!("in FAULT: it runs the program from its next restart on"),
-            Behind::Card => bail!(
-                "the program was stored, but the board's card has another PROGRAM.TXT, which it took at \
-                 its restart; take the card out, or put the program on it"
-            ),
+            Behind::Stop => say!("{}", messages::in_stop()),
+            Behind::Switch => say!("{}", messages::in_stop_until()),
+            Behind::Faulty => say!("{}", messages::in_fault_until()),
+            Behind::Card => bail!(messages::card_wins()),
             Behind::Trouble(trouble) => {
                 bail!("the program is stored; restarted, the board says {trouble}")
             }

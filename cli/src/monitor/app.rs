@@ -80,10 +80,7 @@ impl App {
             } => {
                 self.identity = identity.to_string();
                 if may_be_reset {
-                    self.said = Some(
-                        "opening the port has probably reset the board; the next time it will not"
-                            .to_owned(),
-                    );
+                    self.said = Some(messages::said_reset());
                 }
             }
             News::Read(reading) => {

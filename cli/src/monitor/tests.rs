@@ -4,6 +4,7 @@ use super::app::App;
 use super::program::Program;
 use super::view;
 use super::watcher::News;
+use crate::messages::tests::SPOKEN_HERE;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
@@ -575,4 +576,27 @@ fn a_screen_that_is_too_small_says_so_and_how_to_leave() {
     let small = screen(&mut showing(reading()), 40, 10);
     let says = "this screen is too small: 40 x 10\nat least 41 x 11 is needed\nq quits\n";
     assert!(small.starts_with(says), "{small}");
+}
+
+#[test]
+fn the_screen_speaks_portuguese() {
+    SPOKEN_HERE.set(Some(unoclp_lang::Lang::Pt));
+    let mut now = reading();
+    now.forced_outputs = Forces { points: 1, to: 1 };
+    now.diagnostics.flags = flag::STOP_SWITCH | flag::UPLOAD | flag::CARD_FAILED;
+    let shown = screen(&mut showing(now), 80, 24);
+    for part in [
+        "Entradas: 1 a 8 forçam",
+        "já estavam forçados: Q1=1",
+        "varredura 214",
+        "há um envio em andamento",
+        " q sai ",
+    ] {
+        assert!(shown.contains(part), "{part} is missing in\n{shown}");
+    }
+    for part in [
+        "Inputs", "Outputs", "Timers", "quit", "supply", "the ", "since",
+    ] {
+        assert!(!shown.contains(part), "{part} in\n{shown}");
+    }
 }

@@ -39,24 +39,21 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         } else {
             panels.extend([vec![inputs], vec![outputs]]);
         }
-        panels.push(vec![("Board".to_owned(), board(app, reading, width))]);
+        panels.push(vec![(messages::board(), board(app, reading, width))]);
         let memory = match app.program.as_ref().filter(|_| !app.differs()) {
             Some(program) => memory_of(program, reading, width),
             None => memory(reading, width),
         };
         if !memory.is_empty() {
-            panels.push(vec![("Memory".to_owned(), memory)]);
+            panels.push(vec![(messages::memory(), memory)]);
         }
         let meters = meters(app, reading, width);
         if !meters.is_empty() {
-            panels.push(vec![("Timers (ms) and counters".to_owned(), meters)]);
+            panels.push(vec![(messages::timers_and_counters(), meters)]);
         }
     } else {
-        let text = app.lost.as_deref().unwrap_or("waiting for the board");
-        panels.push(vec![(
-            "Board".to_owned(),
-            wrap(text.split(' '), " ", width),
-        )]);
+        let text = app.lost.clone().unwrap_or_else(messages::waiting);
+        panels.push(vec![(messages::board(), wrap(text.split(' '), " ", width))]);
     }
     let heights = panels.iter().map(|row| {
         let lines = row.iter().map(|(_, lines)| lines.len()).max();
@@ -82,7 +79,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
 
 fn header(app: &App, frame: &mut Frame, area: Rect) {
     let state = match (&app.lost, &app.reading) {
-        (Some(_), _) => "NO BOARD".to_owned(),
+        (Some(_), _) => messages::no_board(),
         (None, None) => "…".to_owned(),
         (None, Some(reading)) => {
             let board = &reading.diagnostics;
@@ -113,21 +110,19 @@ fn header(app: &App, frame: &mut Frame, area: Rect) {
 /// The keys, the most important first: a narrow screen cuts the others off.
 fn footer(app: &App, frame: &mut Frame, area: Rect) {
     let state = app.reading.as_ref().and_then(|r| r.diagnostics.state);
-    let run = if state == Some(State::Run) {
-        "stop"
-    } else {
-        "run"
+    let run = match state {
+        Some(State::Run) => messages::stop(),
+        _ => messages::run(),
     };
     let other = match app.side {
-        Side::Inputs => "outputs",
-        Side::Outputs => "inputs",
+        Side::Inputs => messages::to_outputs(),
+        Side::Outputs => messages::to_inputs(),
     };
     let view = match &app.program {
         Some(program) => format!("  v {}", program.drawn.other()),
         None => String::new(),
     };
-    let keys =
-        format!(" q quit  space {run}  1-8 force  o {other}  x free  s scan  r restart{view}  ↑↓");
+    let keys = messages::monitor_keys(run, other, view);
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
@@ -142,21 +137,21 @@ fn panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area: Rect
 type Panel = (String, Vec<Line<'static>>);
 
 fn inputs(side: Side, reading: &Reading) -> Panel {
-    let keys = match side {
-        Side::Inputs => format!(": 1 to {} force", BOARD.inputs),
-        Side::Outputs => String::new(),
+    let title = match side {
+        Side::Inputs => messages::inputs_force(BOARD.inputs),
+        Side::Outputs => messages::inputs(),
     };
     let lamps = lamps('I', BOARD.inputs, reading.inputs, reading.forced_inputs);
-    (format!("Inputs{keys}"), vec![lamps])
+    (title, vec![lamps])
 }
 
 fn outputs(side: Side, reading: &Reading) -> Panel {
-    let keys = match side {
-        Side::Outputs => format!(": 1 to {} force", BOARD.outputs),
-        Side::Inputs => String::new(),
+    let title = match side {
+        Side::Outputs => messages::outputs_force(BOARD.outputs),
+        Side::Inputs => messages::outputs(),
     };
     let lamps = lamps('Q', BOARD.outputs, reading.outputs, reading.forced_outputs);
-    (format!("Outputs{keys}"), vec![lamps])
+    (title, vec![lamps])
 }
 
 /// ` I1 ● I2 ○!`
@@ -189,56 +184,44 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let board = &reading.diagnostics;
     let [last, least, most] = board.scan_times.map(micros);
     let volts = f64::from(board.supply) / 1000.0;
-    let figures = format!(
-        " scan {last} µs ({least} to {most})  supply {volts:.2} V  stack {} bytes free",
-        board.free_stack
-    );
-    let history = format!(
-        " last start: {}  since power-up: restarts {}, faults {}",
-        map::cause(board.cause),
-        board.restarts,
-        board.faults
-    );
+    let figures = messages::figures(last, least, most, format!("{volts:.2}"), board.free_stack);
+    let history = messages::history(messages::start(board.cause), board.restarts, board.faults);
     let mut lines = vec![Line::raw(figures), Line::raw(history)];
     let mut warn = |text: String| {
         let wrapped = wrap(text.split(' '), " ", width);
         lines.extend(wrapped.into_iter().map(|line| line.style(WARNING)));
     };
     if let Some(why) = &app.lost {
-        warn(format!("lost, trying again: {why}"));
+        warn(messages::lost(why));
     }
     if let Some(trouble) = board.trouble {
         let own = app.program.as_ref().filter(|_| !app.differs());
         let (of, trouble) = match (board.state, own) {
-            (Some(State::Fault), Some(program)) => ("", program.in_text(trouble)),
-            (Some(State::Fault), None) => ("", trouble),
-            _ => ("last upload: ", trouble),
+            (Some(State::Fault), Some(program)) => (String::new(), program.in_text(trouble)),
+            (Some(State::Fault), None) => (String::new(), trouble),
+            _ => (messages::last_upload(), trouble),
         };
-        warn(format!("{of}{trouble}"));
+        warn(format!("{of}{}", messages::trouble(trouble)));
         if let Some(stands) = own.and_then(|program| program.stands(trouble)) {
             warn(stands);
         }
     }
     for (flag, text) in [
-        (flag::STOP_SWITCH, "A5 is closed: STOP until it is opened"),
-        (flag::UPLOAD, "an upload is under way"),
-        (
-            flag::CARD_FAILED,
-            "the card failed: STATE.TXT is no longer kept",
-        ),
+        (flag::STOP_SWITCH, messages::switch_closed()),
+        (flag::UPLOAD, messages::upload_under_way()),
+        (flag::CARD_FAILED, messages::card_failed()),
     ] {
         if board.has(flag) {
-            warn(text.to_owned());
+            warn(text);
         }
     }
     if let Some(program) = app.program.as_ref().filter(|_| app.differs()) {
-        warn(format!(
-            "the board runs another program than {}: {} bytes {:04X}, not {} bytes {:04X}",
-            program.name,
+        warn(messages::another_program(
+            &program.name,
             board.program.bytes,
-            board.program.sum,
+            format!("{:04X}", board.program.sum),
             program.kept.bytes,
-            program.kept.sum
+            format!("{:04X}", program.kept.sum),
         ));
     }
     if app.lingering != 0 {
@@ -260,7 +243,7 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
 /// A scan time; more than the board can tell is told so.
 fn micros(time: u16) -> String {
     if time >= 0x7FFF {
-        "over 32766".to_owned()
+        messages::over(32766)
     } else {
         time.to_string()
     }
@@ -365,13 +348,9 @@ fn rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     app.top = app.top.min(lines.len().saturating_sub(height));
     let count = lines.len();
     let title = if count > height && height > 0 {
-        format!(
-            "{what}: lines {} to {} of {count}",
-            app.top + 1,
-            app.top + height
-        )
+        messages::lines_of(what, app.top + 1, app.top + height, count)
     } else {
-        what.to_owned()
+        what
     };
     let shown = lines.into_iter().skip(app.top).take(height).collect();
     panel(title, shown, frame, area);

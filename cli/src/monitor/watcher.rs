@@ -1,5 +1,6 @@
 //! The thread that reads the board. It says all that it finds, and takes wishes in between.
 
+use crate::messages;
 use crate::port::{Place, Port, find};
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -78,7 +79,7 @@ impl Watcher {
                 Err(not_found) => self.say(News::Lost(not_found.to_string()))?,
             }
             while self.wish(AGAIN)?.is_some() {
-                self.say(News::Refused("there is no board to do it".to_owned()))?;
+                self.say(News::Refused(messages::no_board_to_do_it()))?;
             }
         }
     }
@@ -121,25 +122,25 @@ fn news(seen: Seen) -> News {
     match seen {
         Seen::Reading(reading) => News::Read(reading),
         Seen::Refused(wish, Exception::ServerDeviceFailure, board) => {
-            News::Refused(refusal(wish, &board).to_owned())
+            News::Refused(refusal(wish, &board))
         }
         Seen::Refused(_, exception, _) => News::Refused(Failure::Refused(exception).to_string()),
     }
 }
 
 /// Why a board does not do something now.
-fn refusal(wish: Wish, board: &Diagnostics) -> &'static str {
+fn refusal(wish: Wish, board: &Diagnostics) -> String {
     let scan = wish == Wish::Command(Command::SingleScan);
     if board.state == Some(State::Fault) {
-        "the board is in FAULT: r restarts it"
+        messages::refused_in_fault()
     } else if board.has(flag::STOP_SWITCH) {
-        "A5 is closed, which holds the board in STOP"
+        messages::refused_by_switch()
     } else if board.has(flag::UPLOAD) {
-        "an upload is under way: r restarts the board without it"
+        messages::refused_in_upload()
     } else if scan {
-        "single scans are for STOP: space stops the board"
+        messages::refused_scan()
     } else {
-        "the board does not do that now"
+        messages::refused()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::ladder::{Flow, Rungs};
 use super::listing::Listing;
+use crate::messages;
 use ratatui::text::Line;
 use unoclp_source::Source;
 
@@ -37,13 +38,19 @@ impl Drawn {
     }
 
     /// What is shown.
-    pub fn title(&self) -> &'static str {
-        if self.as_text { "Text" } else { "Rungs" }
+    pub fn title(&self) -> String {
+        match self.as_text {
+            true => messages::text(),
+            false => messages::rungs(),
+        }
     }
 
     /// What would be shown by [`Drawn::turn`], for the line of keys.
-    pub fn other(&self) -> &'static str {
-        if self.as_text { "ladder" } else { "text" }
+    pub fn other(&self) -> String {
+        match self.as_text {
+            true => "ladder".to_owned(),
+            false => messages::to_text(),
+        }
     }
 
     /// What is shown as lines of text, of this width where that is enough.

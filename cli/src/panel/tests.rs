@@ -3,6 +3,7 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
+use crate::messages::tests::SPOKEN_HERE;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -578,4 +579,23 @@ fn variables_show_their_names_and_numbers_their_values() {
         "{shown}"
     );
     assert!(shown.contains("   9 ● ST fast"), "{shown}");
+}
+
+#[test]
+fn the_screen_speaks_portuguese() {
+    SPOKEN_HERE.set(Some(unoclp_lang::Lang::Pt));
+    let mut app = app("0\n827301\n847978\n20\n7901\n");
+    let shown = screen(&mut app, 80, 24).join("\n");
+    for part in [
+        "Entradas: 1 a 4 alternam",
+        "Saídas",
+        "Temporizadores (ms)",
+        "Degraus",
+        " q sai  espaço pausa",
+    ] {
+        assert!(shown.contains(part), "{part} is missing in\n{shown}");
+    }
+    for part in ["Inputs", "Outputs", "Timers", "Rungs", "quit", "scans"] {
+        assert!(!shown.contains(part), "{part} in\n{shown}");
+    }
 }

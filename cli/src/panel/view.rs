@@ -3,7 +3,7 @@
 use super::ON;
 use super::app::App;
 use super::memory::MemoryPage;
-use crate::screen;
+use crate::{messages, screen};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
@@ -75,8 +75,8 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         frame.render_widget(Paragraph::new(lines.to_vec()), fault_area);
     }
     let title = match app.buttons.momentary() {
-        true => format!("Inputs: closed while 1 to {} is held", app.inputs()),
-        false => format!("Inputs: 1 to {} toggle", app.inputs()),
+        true => messages::inputs_held(app.inputs()),
+        false => messages::inputs_toggle(app.inputs()),
     };
     let closed = app.buttons.closed();
     let lamps = inputs().filter(|input| input.number() <= app.inputs());
@@ -85,14 +85,14 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     let on = app.outputs();
     let lamps = outputs().map(|output| ('Q', output.number(), on.get(output)));
     draw_panel(
-        "Outputs".to_owned(),
+        messages::outputs(),
         vec![lamp_line(lamps)],
         frame,
         output_area,
     );
     page.draw(&timers, frame, timer_area);
     if memory.height() > 0 {
-        draw_panel("Memory".to_owned(), memory.lines(), frame, memory_area);
+        draw_panel(messages::memory(), memory.lines(), frame, memory_area);
     }
     draw_rungs(app, frame, rungs);
     draw_footer(app, pages, frame, footer);
@@ -100,37 +100,40 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
 
 /// The keys, the most important first: a narrow screen cuts the others off.
 fn draw_footer(app: &App, pages: (usize, usize), frame: &mut Frame, area: Rect) {
-    let run = if app.running { "pause" } else { "run" };
-    let mode = if app.buttons.momentary() {
-        "toggle"
-    } else {
-        "momentary"
+    let run = match app.running {
+        true => messages::pause(),
+        false => messages::run(),
     };
-    let timers = if pages.0 > 1 { "  t timers" } else { "" };
-    let memory = if pages.1 > 1 { "  d memory" } else { "" };
+    let mode = match app.buttons.momentary() {
+        true => messages::toggle(),
+        false => messages::momentary(),
+    };
+    let timers = (pages.0 > 1).then(messages::t_timers).unwrap_or_default();
+    let memory = (pages.1 > 1).then(messages::d_memory).unwrap_or_default();
     let knobs = match app.knobs.selected() {
-        Some(input) => format!("  a A{input}  +-<> turn"),
+        Some(input) => messages::turn(input),
         None => String::new(),
     };
     let view = app.drawn.other();
-    let keys = format!(
-        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{knobs}{timers}{memory}  ↑↓ scroll"
-    );
+    let keys = messages::sim_keys(run, view, mode, format!("{knobs}{timers}{memory}"));
     frame.render_widget(Line::raw(keys).style(BAR), area);
 }
 
 fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
     let state = match (&app.fault, app.running) {
         (Some(fault), _) => match app.fault_line {
-            Some(line) => format!("FAULT {}, line {line}", fault.cause.number()),
+            Some(line) => messages::fault_in_line(fault.cause.number(), line),
             None => format!("FAULT {}", fault.cause.number()),
         },
         (None, true) => "RUN".to_owned(),
-        (None, false) => "PAUSED".to_owned(),
+        (None, false) => messages::paused(),
     };
     let recording = if app.recording() { "REC  " } else { "" };
     let (uptime, scans) = (app.scans.saturating_sub(1), app.scans);
-    let right = Line::raw(format!("{recording}{state}  {uptime} ms  {scans} scans "));
+    let right = Line::raw(format!(
+        "{recording}{state}  {}",
+        messages::ran(uptime, scans)
+    ));
     let width = u16::try_from(right.width()).unwrap_or(u16::MAX);
     let [left, right_area] =
         Layout::horizontal([Constraint::Fill(1), Constraint::Length(width)]).areas(area);
@@ -205,13 +208,8 @@ impl TimerPage {
             .take(per_page)
             .collect();
         let title = match self.pages {
-            1 => "Timers (ms)".to_owned(),
-            _ => format!(
-                "Timers (ms): {} to {} of {}",
-                first + 1,
-                first + shown.len(),
-                timers.len()
-            ),
+            1 => messages::timers(),
+            _ => messages::timers_of(first + 1, first + shown.len(), timers.len()),
         };
         let digits = shown
             .iter()
@@ -266,13 +264,9 @@ fn draw_rungs(app: &mut App, frame: &mut Frame, area: Rect) {
     let (count, top) = (lines.len(), app.scroll.fit(lines.len(), height));
     let shown: Vec<Line> = lines.into_iter().skip(top).take(height).collect();
     let title = if count > height && height > 0 {
-        format!(
-            "{what}: lines {} to {} of {count}",
-            top + 1,
-            top + shown.len()
-        )
+        messages::lines_of(what, top + 1, top + shown.len(), count)
     } else {
-        what.to_owned()
+        what
     };
     draw_panel(title, shown, frame, area);
 }

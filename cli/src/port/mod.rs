@@ -9,6 +9,7 @@ mod place;
 pub use open::NotOpened;
 pub use place::Place;
 
+use crate::messages;
 use serialport::{ClearBuffer, SerialPort};
 use std::convert::Infallible;
 use std::io::{self, ErrorKind, Read, Write};
@@ -117,11 +118,7 @@ pub enum NotFound {
     #[error(transparent)]
     Port(#[from] NotOpened),
     /// Nobody answers.
-    #[error(
-        "no answer from {line}, on {port}; is the board powered and wired, and are these its settings? \
-         Another address or rate is given by --address and --rate; A5 and 01 to 04 closed at reset \
-         bring the defaults back"
-    )]
+    #[error("{}", messages::no_answer(line, port))]
     Silent {
         /// Where it was sought.
         port: String,
@@ -129,10 +126,7 @@ pub enum NotFound {
         line: Line,
     },
     /// Something else comes than answers.
-    #[error(
-        "what comes from {port} is no Modbus at {} baud, {}; is that the board's rate (--rate, --parity)?",
-        line.rate, line.parity
-    )]
+    #[error("{}", messages::no_modbus(port, line.rate, line.parity))]
     Garbled {
         /// Where it was sought.
         port: String,
@@ -140,7 +134,7 @@ pub enum NotFound {
         line: Line,
     },
     /// Something else answers.
-    #[error("what answers at {port} is no unoclp{foreign}")]
+    #[error("{}", messages::no_unoclp(port, foreign))]
     Foreign {
         /// Where it was sought.
         port: String,

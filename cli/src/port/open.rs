@@ -6,6 +6,7 @@
 //! Windows DTR stays off.
 
 use super::place::Place;
+use crate::messages;
 use serialport::{ErrorKind, SerialPort};
 use std::io;
 use std::time::Duration;
@@ -15,7 +16,7 @@ use unoclp_board::Parity;
 #[derive(Debug, thiserror::Error)]
 pub enum NotOpened {
     /// There is none of that name.
-    #[error("there is no port {port}; {}", ports(available))]
+    #[error("{}", messages::no_port(port, ports(available)))]
     Missing {
         /// The name.
         port: String,
@@ -23,25 +24,25 @@ pub enum NotOpened {
         available: Vec<String>,
     },
     /// It is somebody else's.
-    #[error("{port} may not be used by this user; {}", permission())]
+    #[error("{}", messages::port_denied(port, permission()))]
     Denied {
         /// The name.
         port: String,
     },
     /// Another program has it.
-    #[error("{port} is in use by another program; close its serial monitor")]
+    #[error("{}", messages::port_busy(port))]
     Busy {
         /// The name.
         port: String,
     },
     /// It is something else.
-    #[error("{port} is no serial port")]
+    #[error("{}", messages::no_serial_port(port))]
     NoPort {
         /// The name.
         port: String,
     },
     /// Something else.
-    #[error("{port} cannot be opened: {reason}")]
+    #[error("{}", messages::port_not_opened(port, reason))]
     Other {
         /// The name.
         port: String,
@@ -116,17 +117,16 @@ fn is_available(port: &str) -> bool {
 
 fn ports(available: &[String]) -> String {
     if available.is_empty() {
-        return "this PC has none, so the board is not plugged in, or its cable only charges"
-            .to_owned();
+        return messages::no_ports();
     }
-    format!("this PC has {}", available.join(", "))
+    messages::ports(available.join(", "))
 }
 
-fn permission() -> &'static str {
+fn permission() -> String {
     if cfg!(target_os = "linux") {
-        "join the group that it belongs to, mostly by `sudo usermod -aG dialout $USER`, and log in anew"
+        messages::join_group()
     } else {
-        "check who may"
+        messages::check_who()
     }
 }
 

@@ -270,3 +270,34 @@ fn each_fault_has_the_portuguese_of_its_page() {
         assert_ne!(text, cause.text());
     }
 }
+
+#[test]
+fn help_and_wrong_arguments_are_told_in_portuguese() {
+    let (code, out, _) = outcome_in(&["sim", "--help"], "pt_BR.UTF-8");
+    assert_eq!(code, 0);
+    assert!(
+        out.starts_with("Simula um programa") && out.contains("\nUso: unoclp sim"),
+        "{out}"
+    );
+    for (arguments, says) in [
+        (&["fly"][..], "erro: não existe o comando 'fly'\n"),
+        (&["list"], "erro: falta indicar: <FILE>\n"),
+        (
+            &["list", "a.txt", "--width", "x"],
+            "erro: valor inválido 'x' para '--width <N>'",
+        ),
+        (
+            &["sim"],
+            "erro: nada a simular; indique um programa ou um --scenario\n",
+        ),
+    ] {
+        let (code, out, err) = outcome_in(arguments, "pt_BR.UTF-8");
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(err.starts_with(says), "{err}");
+    }
+    assert!(
+        outcome(&["list", "--help", "--lang", "pt"])
+            .1
+            .contains("Uso:")
+    );
+}

@@ -7,6 +7,9 @@ const LAMP: &str = "0\n827301\n877901\n";
 const SCENARIO: &str =
     "about = \"\"\nprogram = \"lamp.txt\"\n[[step]]\nat = 0\nexpect = { Q1 = 0 }\n";
 
+/// The arguments of a command that writes this file.
+type Writes<'a> = &'a dyn Fn(&str) -> Vec<String>;
+
 #[test]
 fn nothing_of_another_kind_is_overwritten() {
     let folder = empty_folder("outputs");
@@ -38,8 +41,7 @@ fn nothing_of_another_kind_is_overwritten() {
             .to_vec()
     };
     let compile = |out: &str| ["compile", &il, "-o", out].map(str::to_owned).to_vec();
-    let commands: [(&dyn Fn(&str) -> Vec<String>, &str); 3] =
-        [(&list, &drawing), (&sim, &trace), (&compile, &lamp)];
+    let commands: [(Writes<'_>, &str); 3] = [(&list, &drawing), (&sim, &trace), (&compile, &lamp)];
     for (command, own) in commands {
         for other in texts.iter().filter(|path| is(path, own)) {
             let before = fs::read_to_string(other).unwrap();

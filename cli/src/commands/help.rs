@@ -1,0 +1,301 @@
+//! The help and the errors of the command line in Portuguese, held against the English ones by a test.
+
+use anstream::eprint;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, Error};
+
+/// What a command does: its name, and the words.
+const COMMANDS: &[(&str, &str)] = &[
+    (
+        "unoclp",
+        "O CLP unoclp: confere e simula programas neste PC, envia-os a uma placa e a acompanha",
+    ),
+    (
+        "check",
+        "Confere um programa: o seu tamanho, ou cada falha com a sua linha",
+    ),
+    (
+        "compile",
+        "Compila um programa em Lista de Instruções para código numérico",
+    ),
+    (
+        "list",
+        "Mostra um programa como diagrama ladder, Lista de Instruções ou código numérico com significado",
+    ),
+    (
+        "sim",
+        "Simula um programa, à mão neste terminal ou com um cenário",
+    ),
+    (
+        "card",
+        "Grava um programa em um cartão de memória, ou em uma nova imagem de um",
+    ),
+    (
+        "upload",
+        "Envia um programa a uma placa pela porta serial, em vez de um cartão",
+    ),
+    (
+        "monitor",
+        "Acompanha uma placa, força entradas e saídas, e a põe em RUN ou STOP",
+    ),
+    (
+        "settings",
+        "Mostra e muda o endereço, a taxa, a paridade e o pino de direção de uma placa",
+    ),
+];
+
+/// What an argument means: its command, where others have one of the same name; its name; and the words.
+const ARGUMENTS: &[(&str, &str, &str)] = &[
+    ("compile", "file", "O programa em Lista de Instruções"),
+    (
+        "sim",
+        "file",
+        "O programa, em código numérico ou Lista de Instruções (.il); com um cenário, no lugar do que ele indica",
+    ),
+    (
+        "monitor",
+        "file",
+        "O programa que ela executa, para mostrar degraus, temporizadores e contadores",
+    ),
+    (
+        "",
+        "file",
+        "O programa, em código numérico ou Lista de Instruções (.il)",
+    ),
+    (
+        "",
+        "output",
+        "Onde gravar o código numérico; sem isto, ou com -, na saída padrão",
+    ),
+    (
+        "",
+        "dialect",
+        "De que fabricante é a Lista de Instruções; sem isto, o que as palavras indicam",
+    ),
+    (
+        "",
+        "lang",
+        "O idioma das mensagens; sem isto, o do ambiente",
+    ),
+    (
+        "",
+        "form",
+        "Como listar: ladder, il ou numeric [padrão: ladder]",
+    ),
+    (
+        "",
+        "svg",
+        "Desenha o diagrama ladder neste arquivo, como gráfico vetorial",
+    ),
+    (
+        "",
+        "width",
+        "As colunas que um diagrama ladder pode ocupar [padrão: 80]",
+    ),
+    (
+        "",
+        "scenario",
+        "Executa este cenário sem terminal: mostra o que muda e compara com o esperado",
+    ),
+    (
+        "",
+        "vcd",
+        "Grava o registro de entradas, saídas e temporizadores para um visualizador de ondas",
+    ),
+    (
+        "",
+        "card",
+        "A pasta de um cartão montado, ou um novo arquivo de imagem (.img)",
+    ),
+    (
+        "",
+        "state",
+        "Com STATE.TXT, em que a placa então guarda entradas e saídas",
+    ),
+    ("", "stop", "Deixa a placa em STOP"),
+    (
+        "",
+        "keep_forces",
+        "Deixa forçado o que está forçado; sem isto, é liberado depois da gravação",
+    ),
+    (
+        "",
+        "port",
+        "A porta serial: /dev/ttyACM0, /dev/ttyUSB0, COM3 …",
+    ),
+    ("", "address", "O endereço da placa [padrão: 1]"),
+    ("", "rate", "A taxa da placa, em baud [padrão: 115200]"),
+    (
+        "",
+        "parity",
+        "A paridade da placa: none (nenhuma), even (par) ou odd (ímpar) [padrão: none]",
+    ),
+    ("", "set_address", "O endereço a partir da próxima partida"),
+    (
+        "",
+        "set_rate",
+        "A taxa, em baud, a partir da próxima partida",
+    ),
+    (
+        "",
+        "set_parity",
+        "A paridade a partir da próxima partida: none, even ou odd",
+    ),
+    (
+        "",
+        "set_direction",
+        "Se A4 é o pino de direção de um driver RS-485: on ou off",
+    ),
+    ("", "help", "Mostra a ajuda"),
+    ("", "version", "Mostra a versão"),
+];
+
+/// The layout of a help page.
+const PAGE: &str = "{about-with-newline}\nUso: {usage}\n\n{all-args}";
+
+/// The same command line, explained in Portuguese.
+pub fn in_portuguese(command: Command) -> Command {
+    let name = command.get_name().to_owned();
+    let mut command = command
+        .help_template(PAGE)
+        .subcommand_help_heading("Comandos")
+        .subcommand_value_name("COMANDO")
+        .disable_help_subcommand(true)
+        .disable_help_flag(true)
+        .arg(
+            Arg::new("help")
+                .short('h')
+                .long("help")
+                .action(clap::ArgAction::Help),
+        );
+    if name == "unoclp" {
+        let version = Arg::new("version").short('V').long("version");
+        command = command
+            .disable_version_flag(true)
+            .arg(version.action(clap::ArgAction::Version));
+    }
+    if let Some((_, about)) = COMMANDS.iter().find(|(command, _)| *command == name) {
+        command = command.about(*about);
+    }
+    let command = command.mut_args(|argument| {
+        let heading = match argument.is_positional() {
+            true => "Argumentos",
+            false => "Opções",
+        };
+        let words = words(&name, argument.get_id().as_str()).unwrap_or_default();
+        let argument = argument.help(words).help_heading(heading);
+        match argument.get_action().takes_values() {
+            true => argument.hide_possible_values(true).hide_default_value(true),
+            false => argument,
+        }
+    });
+    command.mut_subcommands(in_portuguese)
+}
+
+/// What this argument of this command means.
+fn words(command: &str, argument: &str) -> Option<&'static str> {
+    let is =
+        |row: &&(&str, &str, &str)| row.1 == argument && (row.0 == command || row.0.is_empty());
+    ARGUMENTS.iter().find(is).map(|row| row.2)
+}
+
+/// Ends with what is wrong with the arguments, in Portuguese.
+pub fn refuse(error: &Error) -> ! {
+    let value = |kind: ContextKind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        _ => String::new(),
+    };
+    let argument = value(ContextKind::InvalidArg);
+    let what = match error.kind() {
+        // Help and version are no errors.
+        ErrorKind::DisplayHelp
+        | ErrorKind::DisplayVersion
+        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
+        ErrorKind::MissingRequiredArgument => format!("falta indicar: {argument}"),
+        ErrorKind::InvalidSubcommand => {
+            format!(
+                "não existe o comando '{}'",
+                value(ContextKind::InvalidSubcommand)
+            )
+        }
+        ErrorKind::UnknownArgument => format!("argumento inesperado: '{argument}'"),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            let valid = value(ContextKind::ValidValue);
+            let valid = match valid.is_empty() {
+                true => String::new(),
+                false => format!("; valem: {valid}"),
+            };
+            let given = value(ContextKind::InvalidValue);
+            format!("valor inválido '{given}' para '{argument}'{valid}")
+        }
+        ErrorKind::ArgumentConflict => {
+            let other = value(ContextKind::PriorArg);
+            format!("'{argument}' não pode ser usado com '{other}'")
+        }
+        _ => format!("argumentos inválidos ({argument})"),
+    };
+    eprint!("erro: {what}\n\nMais com '--help'.\n");
+    std::process::exit(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    fn arguments(command: &Command) -> Vec<String> {
+        let arguments = command.get_arguments();
+        arguments
+            .map(|argument| argument.get_id().to_string())
+            .collect()
+    }
+
+    #[test]
+    fn everything_is_explained_in_portuguese() {
+        let english = crate::Arguments::command();
+        let portuguese = in_portuguese(english.clone());
+        let all = |command: &Command| {
+            let subcommands = command.get_subcommands().cloned();
+            [command.clone()]
+                .into_iter()
+                .chain(subcommands)
+                .collect::<Vec<_>>()
+        };
+        for (english, portuguese) in all(&english).iter().zip(all(&portuguese)) {
+            let name = english.get_name();
+            assert!(
+                COMMANDS.iter().any(|(command, _)| *command == name),
+                "{name}"
+            );
+            let about = |command: &Command| command.get_about().map(ToString::to_string);
+            assert_ne!(about(english), about(&portuguese), "{name}");
+            for argument in arguments(english) {
+                assert!(words(name, &argument).is_some(), "{name}: {argument}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_page_of_help_has_no_english_left() {
+        let mut command = in_portuguese(crate::Arguments::command());
+        let mut pages = vec![command.render_long_help().to_string()];
+        for subcommand in command.get_subcommands_mut() {
+            pages.push(subcommand.render_long_help().to_string());
+        }
+        for page in pages {
+            for word in [
+                "Usage",
+                "Options",
+                "Arguments",
+                "Commands",
+                "default",
+                "possible",
+                " the ",
+                "Print",
+            ] {
+                assert!(!page.contains(word), "{word} in\n{page}");
+            }
+        }
+    }
+}
