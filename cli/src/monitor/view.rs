@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
-use unoclp_board::map::{self, State, flag};
+use unoclp_board::map::{State, flag};
 use unoclp_board::watch::{Forces, Meter, Reading, Side};
 use unoclp_source::BOARD;
 

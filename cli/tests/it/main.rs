@@ -12,5 +12,6 @@ mod list;
 mod outputs;
 #[cfg(unix)]
 mod pty;
+mod readme;
 mod source_map;
 mod tutorial;
