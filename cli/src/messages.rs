@@ -8,7 +8,7 @@ use unoclp_board::diagnostics::Trouble;
 use unoclp_board::map;
 use unoclp_core::Cause;
 use unoclp_lang::Lang;
-use unoclp_source::diagnosis;
+use unoclp_source::{Size, diagnosis};
 
 static SPOKEN: OnceLock<Lang> = OnceLock::new();
 
@@ -56,6 +56,14 @@ pub fn trouble(trouble: Trouble) -> String {
             diagnosis::portuguese(fault.cause)
         ),
         None => format!("falha {number}{line}: desconhecida por esta versão do unoclp"),
+    }
+}
+
+/// How much of the board a program takes.
+pub fn size(size: &Size) -> String {
+    match spoken() {
+        Lang::En => size.to_string(),
+        Lang::Pt => size.in_portuguese(),
     }
 }
 

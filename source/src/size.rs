@@ -35,6 +35,38 @@ impl Size {
     }
 }
 
+impl Size {
+    /// The same in Portuguese.
+    pub fn in_portuguese(&self) -> String {
+        let one_or_more = |count: usize, one: &str, more: &str| match count {
+            1 => format!("1 {one}"),
+            _ => format!("{count} {more}"),
+        };
+        let used = &self.used;
+        let room = usize::from(BOARD.stored_bytes);
+        let free = room.saturating_sub(self.stored_bytes);
+        let mut parts = vec![
+            one_or_more(self.codes.into(), "código", "códigos"),
+            format!("{} de {room} bytes ({free} livres)", self.stored_bytes),
+            one_or_more(self.timers, "temporizador", "temporizadores"),
+        ];
+        for (numbers, one, more) in [
+            (&used.counters, "contador", "contadores"),
+            (&used.registers, "registrador", "registradores"),
+            (&used.markers, "memória", "memórias"),
+        ] {
+            if !numbers.is_empty() {
+                parts.push(one_or_more(numbers.len(), one, more));
+            }
+        }
+        let (linked, room) = (self.linked_bytes, BOARD.linked_bytes);
+        format!(
+            "{}\n  {linked} de {room} bytes de memória de execução; pinos: {used}",
+            parts.join(", ")
+        )
+    }
+}
+
 impl fmt::Display for Size {
     /// `12 codes, 15 of 900 bytes (885 free), 0 timers, 2 counters`, and on a line below what it takes
     /// while it runs and the pins that it uses

@@ -151,7 +151,7 @@ pub fn check(path: &Path, il: &Il) -> Outcome {
     let Some(source) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    println!("{}: OK: {}", source.name, source.size);
+    println!("{}: OK: {}", source.name, messages::size(&source.size));
     if let Language::Il { dialect, .. } = source.language {
         println!("  {}", il.dialect(dialect));
     }

@@ -38,7 +38,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
     let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    say!("{}: {}: OK", program.name, program.size);
+    say!("{}: {}: OK", program.name, messages::size(&program.size));
     let mut upload = Upload {
         port: meet(place)?,
         interrupt: Interrupt::new()?,

@@ -301,3 +301,19 @@ fn help_and_wrong_arguments_are_told_in_portuguese() {
             .contains("Uso:")
     );
 }
+
+#[test]
+fn the_size_of_a_program_is_told_in_portuguese() {
+    let program = file("tamanho.txt", "0\n827305\n67848501\n7\n877701\n");
+    let (code, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
+    assert_eq!(code, 0);
+    assert!(
+        out.contains(": OK: 4 códigos, ")
+            && out.contains(" livres), 0 temporizadores, 1 contador, 1 memória\n"),
+        "{out}"
+    );
+    assert!(
+        out.ends_with("; pinos: I5 \n") || out.ends_with("; pinos: I5\n"),
+        "{out}"
+    );
+}
