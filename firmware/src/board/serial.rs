@@ -161,9 +161,10 @@ impl Serial {
     }
 
     /// Sends so many bytes of the frame, and the check sum, and listens again. Nobody may change the frame
-    /// until then. 0: listens at once.
-    pub fn send(&self, length: u8) {
-        if length == 0 {
+    /// until then. Listens at once where there are none, and where the request was a broadcast, which nobody
+    /// answers.
+    pub fn send(&self, frame: &Frame, length: u8) {
+        if length == 0 || frame[0] == 0 {
             return self.listen();
         }
         AT.set(0);

@@ -57,7 +57,8 @@ impl Server {
     /// Answers the request that is being done by an exception.
     fn refuse(&mut self, board: &Board, exception: Exception) {
         self.exchange = None;
-        board.serial.send(refuse(self.frame, exception));
+        let length = refuse(self.frame, exception);
+        board.serial.send(self.frame, length);
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. `most`
@@ -102,7 +103,7 @@ impl Server {
                 }
             }
         };
-        board.serial.send(length);
+        board.serial.send(self.frame, length);
         if operation.command == Some(Command::Restart) {
             board.restart();
         }

@@ -200,6 +200,32 @@ fn a_block_says_how_long_it_is() {
     assert!(outcome(&mut uno).0);
 }
 
+/// Not its refusal either, which comes later than that of other requests.
+#[test]
+fn nobody_answers_a_broadcast_during_an_upload() {
+    let mut uno = stopped();
+    let wrong: [&[u8]; 8] = [
+        &[0, 16, 3, 0xE8, 0, 2, 4, 0, 1, b'x', 0],
+        &[0, 16, 3, 0xE8, 0, 2, 4, 9, 1, b'x', 0],
+        &[0, 16, 3, 0xE8, 0, 1, 2, 0, 0],
+        &[0, 6, 1, 0x90, 0, 9],
+        &[0, 6, 1, 0x9A, 0, 0],
+        &[0, 3, 0, 0, 0, 1],
+        &[0, 0x2B, 14, 1, 0],
+        &[0, 0x64],
+    ];
+    for uploads in [false, true] {
+        for frame in wrong {
+            if uploads && !outcome(&mut uno).0 {
+                write(&mut uno, 400, UPLOAD).unwrap();
+            }
+            let reply = common::modbus::exchange(&mut uno, &with_crc(frame), 60);
+            assert_eq!(reply, None, "{frame:02x?}, {uploads}");
+            assert_eq!(input(&mut uno, 16), STOP);
+        }
+    }
+}
+
 #[test]
 fn stop_ends_an_upload_and_a_new_one_begins_anew() {
     let mut uno = stopped();
