@@ -1,9 +1,11 @@
 ; The interrupts of the serial port while it serves Modbus: a byte has come, the next may go, the last
-; has gone. The check sum is built with each byte, both ways. Each takes about 100 cycles, the last 15.
+; has gone. The check sum is built with each byte, both ways. Each takes about 100 cycles, the last 15, and
+; the first byte of a frame 30 more.
 ;
 ; PORT_FRAME is where the frame stands, PORT_AT how many bytes of it have come or gone, PORT_END how many
 ; are to go, before the check sum. Timer 2 runs since the last byte that has come; its flag OCF2A says
-; that a frame has ended.
+; that a frame has ended: the next byte begins another, unless that frame is for this server and waits
+; for a scan to end.
 
         .text
 
@@ -21,6 +23,11 @@ __vector_18:
         lds     r25, 0xC6       ; UDR0
         sbis    0x17, 1         ; OCF2A: there was silence, a frame begins
         rjmp    1f
+        push    r24
+        rcall   port_is_ours
+        tst     r24
+        pop     r24
+        brne    port_done       ; it waits to be taken
         ldi     r30, 0
         sts     PORT_AT, r30
         sts     PORT_BROKEN, r30
@@ -104,6 +111,32 @@ __vector_20:
         sts     0xC1, r24
         pop     r24
         reti
+
+; Whether the frame that has ended is sound and for this server: r24. Called by `Serial::received` too.
+; Uses Z.
+        .global port_is_ours
+port_is_ours:
+        lds     r24, PORT_AT
+        cpi     r24, 4          ; address, function and check sum
+        brlo    1f
+        lds     r24, PORT_BROKEN
+        lds     r30, PORT_CRC
+        or      r24, r30
+        lds     r30, PORT_CRC+1
+        or      r24, r30
+        brne    1f
+        lds     r30, PORT_FRAME
+        lds     r31, PORT_FRAME+1
+        ld      r24, Z
+        tst     r24
+        breq    2f              ; a broadcast
+        lds     r30, PORT_ADDRESS
+        cp      r24, r30
+        breq    2f
+1:      ldi     r24, 0
+        ret
+2:      ldi     r24, 1
+        ret
 
 ; Z := where byte r24 of the frame stands.
 port_place:

@@ -25,8 +25,11 @@ const SILENCE: u8 = 1 << 1;
 const DIRECTION: u8 = 1 << 4;
 /// Counts of timer 2, of 64 µs, in 3.5 characters of 11 bits: so many 256ths of the divider.
 const SILENCE_PER_DIVIDER: u16 = 77;
-/// Above 19200 baud silence is 1.75 ms, as with this divider.
-const SHORTEST_SILENCE: u16 = 91;
+/// Up to this divider, which is that above 19200 baud, silence is 1.75 ms whatever the rate.
+const FAST: u8 = 91;
+/// That in such counts, since the last stop bit's middle; the first is shorter. A frame that follows at once has
+/// come to its first stop bit 1.837 ms behind that, at 115200 baud.
+const SHORTEST_SILENCE: u8 = 27;
 
 // The words are touched only while no interrupt of the port is enabled.
 
@@ -44,6 +47,16 @@ static END: Shared<u8> = Shared::new(0);
 static BROKEN: Shared<u8> = Shared::new(0);
 #[unsafe(export_name = "PORT_CRC")]
 static CRC: Shared<u16> = Shared::new(0);
+/// The server's address.
+#[unsafe(export_name = "PORT_ADDRESS")]
+static ADDRESS: Shared<u8> = Shared::new(0);
+
+// SAFETY: `port.s` defines it. It changes nothing, and leaves the registers of a call as a call does.
+unsafe extern "C" {
+    /// Whether the frame that has ended is sound and for this server; to be asked while no interrupt of the
+    /// port is enabled.
+    safe fn port_is_ours() -> u8;
+}
 
 /// What the line is like.
 pub struct Line {
@@ -62,30 +75,20 @@ pub struct Serial {
     usart: USART0,
     timer: TC2,
     pins: PORTC,
-    /// See [`Line::address`].
-    address: u8,
 }
 
 impl Serial {
     /// The port, with its line still closed.
     pub fn new(usart: USART0, timer: TC2, pins: PORTC) -> Serial {
-        Serial {
-            usart,
-            timer,
-            pins,
-            address: 0,
-        }
+        Serial { usart, timer, pins }
     }
 
     /// Sets the line up and switches the transmitter on. The direction pin, where there is one, stays low, so
     /// that text does not reach the bus.
     #[inline(always)]
     pub fn open(&mut self, line: &Line) {
-        let Serial {
-            usart, timer, pins, ..
-        } = self;
+        let Serial { usart, timer, pins } = self;
         let divider = line.divider;
-        let silence = ((divider.max(SHORTEST_SILENCE) * SILENCE_PER_DIVIDER) >> 8) as u8 + 2;
         usart.ubrr0().write(|w| w.set(divider - 1));
         // SAFETY: any value may be written to these; the reserved bits are 0.
         unsafe {
@@ -98,9 +101,14 @@ impl Serial {
                 pins.ddrc().write(|w| w.bits(DIRECTION));
             }
         }
+        let silence = if divider <= FAST.into() {
+            SHORTEST_SILENCE
+        } else {
+            ((divider * SILENCE_PER_DIVIDER) >> 8) as u8 + 2
+        };
         timer.ocr2a().write(|w| w.set(silence));
         timer.tccr2b().write(|w| w.cs2().prescale_1024());
-        self.address = line.address;
+        ADDRESS.set(line.address);
     }
 
     /// Sends a text that stands in program memory.
@@ -139,24 +147,27 @@ impl Serial {
         AT.get() == 0
     }
 
-    /// The length of a frame for this server that has just ended, without its check sum: it stands in the
-    /// frame, and the port is deaf until [`send`](Serial::send). Anything else is dropped.
-    pub fn received(&self, frame: &Frame) -> Option<u8> {
+    /// The length of a frame for this server that has ended, without its check sum: it stands in the
+    /// frame, and the port is deaf until [`send`](Serial::send). Any other frame that has ended is dropped.
+    ///
+    /// The receiver goes on meanwhile, so a frame that has just begun behind another station's loses
+    /// nothing: it holds two bytes while its interrupt waits.
+    pub fn received(&self) -> Option<u8> {
+        let has_ended = || self.timer.tifr2().read().bits() & SILENCE != 0;
         let listens = self.usart.ucsr0b().read().bits() & RECEIVING != 0;
-        if self.is_quiet() || !listens || self.timer.tifr2().read().bits() & SILENCE == 0 {
+        if self.is_quiet() || !listens || !has_ended() {
             return None;
         }
-        self.control(ONLY_SEND);
-        let length = AT.get();
-        let [address, ..] = *frame;
-        if length > 3
-            && BROKEN.get() == 0
-            && CRC.get() == 0
-            && (address == 0 || address == self.address)
-        {
-            return Some(length - 2);
+        self.control(LISTEN & !RECEIVING);
+        // Unless another has begun at the last moment.
+        if has_ended() {
+            if port_is_ours() != 0 {
+                self.control(ONLY_SEND);
+                return Some(AT.get() - 2);
+            }
+            AT.set(0);
         }
-        self.listen();
+        self.control(LISTEN);
         None
     }
 

@@ -89,7 +89,7 @@ impl Server {
                 length
             }
             None => {
-                let Some(length) = board.serial.received(self.frame) else {
+                let Some(length) = board.serial.received() else {
                     return;
                 };
                 self.came = clock::now();

@@ -89,6 +89,82 @@ fn a_frame_ends_with_silence_and_goes_on_without() {
     assert!(exchange(&mut uno, &[], 8).is_some());
 }
 
+/// A program that fills run memory with divisions: its scan takes many ms.
+pub fn long_scans() -> String {
+    format!("0\n766801\n{}838403\n", "68738602\n".repeat(230))
+}
+
+/// Cycles of silence that a frame may follow another by, at least.
+fn least_gap(line: Line) -> u64 {
+    match line.baud {
+        ..=19_200 => line.cycles(1) * 7 / 2,
+        _ => CYCLES_PER_MS * 7 / 4,
+    }
+}
+
+/// Behind a frame for another station, its reply, noise, or what is too long for a frame: the next request is
+/// answered after every legal gap, wherever in a scan that ends.
+#[test]
+fn every_legal_gap_behind_a_foreign_frame_will_do() {
+    const GAPS: u64 = 24;
+    let whole = with_crc(&GOOD);
+    let before = [
+        vec![0x02, 0x03, 0x00, 0x00, 0x00, 0x01, 0x84, 0x39],
+        with_crc(&[2, 3, 4, 0, 1, 0, 2]),
+        vec![0x00],
+        vec![0xFF, 0x01, 0x03],
+        vec![0x5A; 300],
+    ];
+    let rates = [24, 48, 96, 192, 288, 384, 576, 1152];
+    let programs = [TEXT.to_owned(), long_scans()];
+    let all = programs
+        .iter()
+        .flat_map(|program| rates.map(|rate| (program, rate)));
+    for (program, rate) in cases(all) {
+        let mut uno = serving(program);
+        write_words(&mut uno, 0, &[0x7FFF, 0xFFFF, 0, 3]).unwrap();
+        set(&mut uno, [1, rate, 0, 0]);
+        let (scan, least) = (longest(&mut uno, 4), least_gap(uno.serial_line()));
+        // Over a scan and a ms, from the shortest on.
+        let step = (scan + CYCLES_PER_MS) / GAPS;
+        for n in 0..GAPS {
+            let foreign = &before[n as usize % before.len()];
+            // Of the long one only a few, which takes long at a low rate.
+            if foreign.len() > 256 && (n > 5 || rate < 96) {
+                continue;
+            }
+            let end = uno.send_serial(foreign);
+            let at = end + least + n * step;
+            uno.send_serial_at(at, &whole);
+            uno.run_cycles(at - uno.cycles()).unwrap();
+            let reply = exchange(&mut uno, &[], 80);
+            let gap = (at - end) as f64 / CYCLES_PER_MS as f64;
+            assert_eq!(
+                reply,
+                Some(vec![1, 4, 2, 0, 1]),
+                "{rate}00 baud, a scan of {scan} cycles, {foreign:02x?}, {gap:.3} ms"
+            );
+        }
+    }
+}
+
+/// Noise behind a request, before a scan has ended, does not spoil it.
+#[test]
+fn a_request_that_waits_for_a_scan_to_end_is_not_spoilt() {
+    let mut uno = serving(&long_scans());
+    write_words(&mut uno, 0, &[0x7FFF, 0xFFFF, 0, 3]).unwrap();
+    for gap_us in (2_000..12_000).step_by(700) {
+        let end = uno.send_serial(&with_crc(&GOOD));
+        let noise = [0xFF, 0x02];
+        uno.send_serial_at(end + gap_us * CYCLES_PER_MS / 1000, &noise);
+        uno.run_ms(60).unwrap();
+        let reply: Vec<u8> = uno.take_serial_log().iter().map(|sent| sent.byte).collect();
+        assert_eq!(reply, with_crc(&[1, 4, 2, 0, 1]), "{gap_us} us");
+        uno.run_ms(3).unwrap();
+        assert_answers(&mut uno, "after noise");
+    }
+}
+
 #[test]
 fn a_frame_of_the_longest_length_is_answered() {
     let mut uno = running();
