@@ -56,20 +56,21 @@ fn main() -> ! {
     // SAFETY: once.
     let page = unsafe { page::take() };
     let mut board = Board::take();
-    let settings = open_line(&mut board);
+    let defaults = open_line(&mut board);
     report::banner(&board);
     let mut file = StateFile::Missing;
     let program = start(&board, page, MEMORY, &mut file);
     board.release_card();
-    modes::serve(&board, page::running(page), MEMORY, settings, file, program)
+    modes::serve(&board, page::running(page), MEMORY, defaults, file, program)
 }
 
-/// The serial line, as the settings have it.
+/// The serial line, as the settings have it; says whether the pins ask for the defaults.
 #[inline(never)]
-fn open_line(board: &mut Board) -> Settings {
-    let settings = Settings::load(&board.eeprom, board.pins.ask_for_defaults());
+fn open_line(board: &mut Board) -> bool {
+    let defaults = board.pins.ask_for_defaults();
+    let settings = Settings::load(&board.eeprom, defaults);
     board.serial.open(&settings.line());
-    settings
+    defaults
 }
 
 /// Takes the program into program memory: what the card holds is kept there, and what is kept there is what

@@ -35,11 +35,16 @@ pub fn serve(
     board: &Board,
     page: &'static mut Running,
     memory: &mut [u8],
-    settings: Settings,
+    defaults: bool,
     file: StateFile,
     mut program: Result<Kept, Fault>,
 ) -> ! {
-    let Running { frame, data } = page;
+    let Running {
+        frame,
+        data,
+        settings,
+    } = page;
+    *settings = Settings::load(&board.eeprom, defaults);
     if program.is_ok() {
         report::state_file(&board.serial, &file);
     }

@@ -1,7 +1,8 @@
 //! The page: 512 bytes of RAM with two lives. While a card is read they hold a block of it; from then on
-//! the data of the running program and the frame of the Modbus server.
+//! the data of the running program, the frame of the Modbus server, and the settings.
 
 use crate::engine::Data;
+use crate::settings::Settings;
 use unoclp_card::Block;
 use unoclp_modbus::Frame;
 
@@ -27,6 +28,8 @@ pub struct Running {
     pub frame: Frame,
     /// The data of the program; the engine's assembly knows it as `ENGINE`.
     pub data: Data,
+    /// What is set.
+    pub settings: Settings,
 }
 
 const _: () = {

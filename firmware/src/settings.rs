@@ -5,7 +5,7 @@ use crate::board::eeprom::Eeprom;
 use crate::board::serial::Line;
 use crate::store;
 use unoclp_core::Crc16;
-use unoclp_modbus::eeprom::settings::{BYTES, FIRST};
+use unoclp_modbus::eeprom::settings::{BYTES, FIRST, INVALID, OLD, OLD_BYTES, SECOND, VALID};
 use unoclp_modbus::map::{Parity, Setting, setting};
 
 // The numbers of the settings.
@@ -22,37 +22,91 @@ const EIGHTHS: u16 = (CLOCK_HZ / 8 / 100) as u16;
 
 /// The server's address; the rate in 100 baud; parity, 0 none, 1 even, 2 odd; whether A4 is the direction of
 /// an RS-485 driver.
-#[derive(Clone, Copy)]
-pub struct Settings([u8; BYTES]);
+#[repr(C)]
+pub struct Settings {
+    /// A word each, low byte first, and the check sum.
+    bytes: [u8; BYTES],
+    /// Whether they are as they are kept.
+    kept: Kept,
+}
+
+/// Whether settings are as they are kept. As a byte any bits are a value.
+type Kept = u8;
+const AS_KEPT: Kept = 0;
+/// The defaults took the place of what is kept: whichever is set, all of them are to be kept.
+const DEFAULTS: Kept = 1;
+const CHANGED: Kept = 2;
 
 impl Settings {
     /// What is kept, or the defaults.
     #[inline(never)]
     pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
-        let mut settings = Settings([0; BYTES]);
-        for (address, byte) in (FIRST..).zip(&mut settings.0) {
-            *byte = eeprom.read(address);
+        let mut settings = Settings {
+            bytes: [0; BYTES],
+            kept: AS_KEPT,
+        };
+        if !defaults
+            && (settings.read_slot(eeprom, FIRST)
+                || settings.read_slot(eeprom, SECOND)
+                || settings.read(eeprom, OLD, OLD_BYTES))
+        {
+            return settings;
         }
-        if defaults || Crc16::of(&settings.0).value() != 0 || settings.address() == 0 {
-            settings.0.fill(0);
-            settings.set(ADDRESS, setting::ADDRESS.default);
-            settings.set(RATE, setting::RATE.default);
-        }
+        settings.bytes.fill(0);
+        settings.set(ADDRESS, setting::ADDRESS.default);
+        settings.set(RATE, setting::RATE.default);
+        settings.kept = DEFAULTS;
         settings
     }
 
-    /// Keeps them. Takes 34 ms at most.
+    fn read_slot(&mut self, eeprom: &Eeprom, slot: u16) -> bool {
+        eeprom.read(slot) == VALID && self.read(eeprom, slot + 1, BYTES)
+    }
+
+    /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings behind it
+    /// are 0.
+    #[inline(never)]
+    fn read(&mut self, eeprom: &Eeprom, mut address: u16, bytes: usize) -> bool {
+        let mut sum = Crc16::default();
+        for (index, byte) in self.bytes.iter_mut().enumerate() {
+            *byte = 0;
+            if index < bytes {
+                let kept = eeprom.read(address);
+                sum.push(kept);
+                address += 1;
+                if index + 2 < bytes {
+                    *byte = kept;
+                }
+            }
+        }
+        sum.value() == 0 && self.address() != 0
+    }
+
+    /// Keeps them, where they have changed. Takes 55 ms at most.
     #[inline(never)]
     pub fn save(&mut self, eeprom: &Eeprom) {
-        let [values @ .., high, low] = &mut self.0;
+        if self.kept != CHANGED {
+            return;
+        }
+        self.kept = AS_KEPT;
+        let [values @ .., high, low] = &mut self.bytes;
         [*high, *low] = Crc16::of(values).value().to_be_bytes();
-        store::write(eeprom, FIRST, &self.0);
+        let (slot, other) = if eeprom.read(FIRST) == VALID {
+            (SECOND, FIRST)
+        } else {
+            (FIRST, SECOND)
+        };
+        eeprom.write(slot, INVALID);
+        store::write(eeprom, slot + 1, &self.bytes);
+        eeprom.write(slot, VALID);
+        eeprom.write(other, INVALID);
+        eeprom.write(OLD, 0);
     }
 
     /// A setting, by its number.
     #[inline(never)]
     pub fn get(&self, number: u8) -> u16 {
-        match self.0.get(usize::from(number) * 2..) {
+        match self.bytes.get(usize::from(number) * 2..) {
             Some([low, high, ..]) => u16::from_le_bytes([*low, *high]),
             _ => 0,
         }
@@ -61,8 +115,12 @@ impl Settings {
     /// Sets one.
     #[inline(never)]
     pub fn set(&mut self, number: u8, value: u16) {
-        if let Some([low, high, ..]) = self.0.get_mut(usize::from(number) * 2..) {
-            [*low, *high] = value.to_le_bytes();
+        if let Some([low, high, ..]) = self.bytes.get_mut(usize::from(number) * 2..) {
+            let old = u16::from_le_bytes([*low, *high]);
+            if old != value || self.kept == DEFAULTS {
+                [*low, *high] = value.to_le_bytes();
+                self.kept = CHANGED;
+            }
         }
     }
 
@@ -85,7 +143,7 @@ impl Settings {
     /// The low byte of a setting.
     #[inline(always)]
     fn low(&self, number: u8) -> u8 {
-        self.0[2 * usize::from(number)]
+        self.bytes[2 * usize::from(number)]
     }
 
     /// The divider of the rate with U2X, rounded: at 115200 baud 17, which is 117647 baud, 2.1 % fast, as the

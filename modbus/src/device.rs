@@ -88,6 +88,9 @@ pub trait Device {
     /// Writes a holding register with a value that [`check_word`](Device::check_word) has accepted.
     fn set_word(&mut self, address: u16, value: u16);
 
+    /// All words of a request have been written.
+    fn words_are_set(&mut self) {}
+
     /// Takes a block that function 16 writes from `first` on, 2 to 246 bytes, as it was sent: each word's
     /// high byte first. `None`: no window for blocks begins there, so these are registers, and
     /// [`has`](Device::has) is asked about them.

@@ -4,7 +4,8 @@
 //! | bytes | |
 //! | --- | --- |
 //! | 0 … 907 | [`program`] |
-//! | 908 … 917 | [`settings`] |
+//! | 908 … 917 | [`settings`] of 0.1.0 |
+//! | 918 … | [`settings`] |
 //! | 960 … 1023 | [`markers`] |
 
 use crate::map::setting;
@@ -62,25 +63,43 @@ pub mod program {
     }
 }
 
-/// The settings of the serial line.
+/// The settings: two slots, only one of which counts.
 ///
-/// | byte | |
+/// | byte of a slot | |
 /// | --- | --- |
-/// | 908 … 915 | address, rate, parity, direction: a word each, low byte first |
-/// | 916, 917 | CRC-16 of these, high byte first |
+/// | 0 | mark: [`VALID`](settings::VALID), or anything else |
+/// | 1 … | the settings in the order of their registers: a word each, low byte first |
+/// | last two | CRC-16 of these, high byte first |
 ///
-/// What is damaged or was written in part counts as the defaults.
+/// New settings go to the slot that does not count. Its mark goes valid when all of it stands there, and then the
+/// mark of the other goes invalid. So wherever the supply fails, the old ones count or the new ones; where both
+/// marks are valid, the first slot does. Without a sound slot the form of 0.1.0 counts, which had one place, four
+/// settings, and no mark; and without that the defaults.
 pub mod settings {
     use super::*;
 
-    /// Where they stand.
-    pub const FIRST: u16 = program::END;
+    /// Where those of 0.1.0 stand. A 0 in place of the address says that they count no more.
+    pub const OLD: u16 = program::END;
+    /// How many there were.
+    const OLD_SETTINGS: usize = 4;
+    /// Bytes of theirs, with the check sum.
+    pub const OLD_BYTES: usize = 2 * OLD_SETTINGS + 2;
     /// Bytes of the values.
     pub const VALUES: usize = 2 * setting::ALL.len();
-    /// Bytes with the check sum.
+    /// Bytes of the values and the check sum.
     pub const BYTES: usize = VALUES + 2;
-    /// The first byte behind them.
-    pub const END: u16 = FIRST + BYTES as u16;
+    /// Bytes of a slot.
+    pub const SLOT_BYTES: u16 = 1 + BYTES as u16;
+    /// Where the first slot begins: at its mark.
+    pub const FIRST: u16 = OLD + OLD_BYTES as u16;
+    /// Where the second does.
+    pub const SECOND: u16 = FIRST + SLOT_BYTES;
+    /// The first byte behind it.
+    pub const END: u16 = SECOND + SLOT_BYTES;
+    /// The mark of the slot that counts.
+    pub const VALID: u8 = 0x5A;
+    /// The mark of the other: as the chip comes, and as a writing that is cut off leaves it.
+    pub const INVALID: u8 = 0xFF;
 }
 
 /// The retentive markers M 57 to M 64 (NC-12): a ring of places of two bytes, the markers, inverted, and a number

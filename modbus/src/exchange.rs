@@ -48,7 +48,11 @@ impl Exchange {
                     Task::ReadBits(_) | Task::ReadWords(_) => break self.at,
                     Task::CheckWords => self.check_is_done(frame),
                     // The reply to a write is what it began with: function, first address, quantity.
-                    Task::WriteBits | Task::WriteWords => break FIXED,
+                    Task::WriteBits => break FIXED,
+                    Task::WriteWords => {
+                        device.words_are_set();
+                        break FIXED;
+                    }
                 }
                 units = self.slice(most);
             }

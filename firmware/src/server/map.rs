@@ -362,8 +362,11 @@ impl Device for Map<'_, '_> {
             }
         } else {
             self.settings.set((address - SETTINGS) as u8, value);
-            self.settings.save(&self.board.eeprom);
         }
+    }
+
+    fn words_are_set(&mut self) {
+        self.settings.save(&self.board.eeprom);
     }
 
     fn take(&mut self, first: u16, data: &[u8]) -> Option<Result<(), Exception>> {

@@ -33,14 +33,14 @@ pub struct Server {
     /// When it came, ms since start: two words of one time belong together.
     came: Millis,
     /// The settings that are kept.
-    settings: Settings,
+    settings: &'static mut Settings,
 }
 
 impl Server {
     /// A server with this memory for its frames, before the first scan.
     // Apart from who makes it, whose frame is large.
     #[inline(never)]
-    pub fn new(frame: &'static mut Frame, settings: Settings) -> Server {
+    pub fn new(frame: &'static mut Frame, settings: &'static mut Settings) -> Server {
         Server {
             frame,
             exchange: None,
@@ -75,7 +75,7 @@ impl Server {
         let mut map = Map {
             board,
             operation,
-            settings: &mut self.settings,
+            settings: self.settings,
             came: self.came,
             memory,
             upload,

@@ -3,6 +3,7 @@
 use crate::common::oracle::oracle;
 use crate::common::recorder::{Call, Recorder};
 use crate::common::{answer_scanning, request, write};
+use unoclp_modbus::{Access, Device, Exception, Table};
 
 /// Reads and writes of many lengths, from even and from odd addresses.
 fn requests() -> Vec<Vec<u8>> {
@@ -121,4 +122,64 @@ fn all_words_are_checked_before_the_first_is_written() {
         .position(|call| matches!(call, Call::SetWord(..)));
     assert_eq!(first_write, Some(123));
     assert_eq!(calls.len(), 2 * 123);
+}
+
+/// Has every address; counts the words that are set, and is told once when all of them are.
+#[derive(Default)]
+struct Told {
+    set: u16,
+    told: Vec<u16>,
+}
+
+impl Device for Told {
+    fn has(&self, _: Table, _: u16, _: u16, _: Access) -> bool {
+        true
+    }
+    fn bit(&self, _: Table, _: u16) -> bool {
+        false
+    }
+    fn word(&self, _: Table, _: u16) -> u16 {
+        0
+    }
+    fn set_bit(&mut self, _: u16, _: bool) {}
+    fn check_word(&self, _: u16, value: u16) -> Result<(), Exception> {
+        match value {
+            0xFFFF => Err(Exception::IllegalDataValue),
+            _ => Ok(()),
+        }
+    }
+    fn set_word(&mut self, _: u16, _: u16) {
+        self.set += 1;
+    }
+    fn words_are_set(&mut self) {
+        self.told.push(self.set);
+    }
+    fn identification(&self, _: u8, _: u8) -> Option<u8> {
+        None
+    }
+}
+
+#[test]
+fn the_end_of_a_write_of_words_is_told_once() {
+    for most in [0, 3, 255] {
+        let told = |request: &[u8]| {
+            let mut device = Told::default();
+            answer_scanning(&mut device, request, most, |_| ());
+            device.told
+        };
+        for count in [1, 2, 50, 123] {
+            assert_eq!(told(&write(1, 16, 0, count)), [count]);
+            assert_eq!(told(&write(0, 16, 0, count)), [count]);
+        }
+        assert_eq!(told(&request(1, 6, [3, 4])), [1]);
+        // A refusal, a write of bits, a reading.
+        for none in [
+            request(1, 6, [3, 0xFFFF]),
+            write(1, 15, 0, 9),
+            request(1, 5, [3, 0xFF00]),
+            request(1, 3, [3, 4]),
+        ] {
+            assert_eq!(told(&none), [0; 0], "{none:02x?}");
+        }
+    }
 }

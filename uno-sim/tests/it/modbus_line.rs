@@ -274,17 +274,18 @@ fn settings_are_checked_and_not_written_in_run() {
     assert!(
         uno.eeprom_writes()
             .iter()
-            .all(|write| write.address < settings::FIRST)
+            .all(|write| write.address < settings::OLD)
     );
 }
 
-/// Whichever byte is turned over, and wherever the power fails.
+/// Whichever byte is turned over.
 #[test]
 fn damaged_settings_are_the_defaults() {
     let mut uno = running();
     set(&mut uno, [7, 96, 1, 0]);
-    let kept = uno.read_eeprom(settings::FIRST, settings::BYTES).unwrap();
-    for byte in 0..10 {
+    let bytes = settings::SLOT_BYTES;
+    let kept = uno.read_eeprom(settings::FIRST, bytes.into()).unwrap();
+    for byte in 0..bytes {
         let mut uno = running();
         uno.write_eeprom(settings::FIRST, &kept).unwrap();
         uno.write_eeprom(settings::FIRST + byte, &[kept[usize::from(byte)] ^ 1])
@@ -294,17 +295,125 @@ fn damaged_settings_are_the_defaults() {
         assert_answers(&mut uno, &format!("byte {byte}"));
         assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
     }
+}
+
+/// Settings as 0.1.0 kept them.
+fn old_form(settings: [u16; 4]) -> Vec<u8> {
+    let mut bytes: Vec<u8> = settings.into_iter().flat_map(u16::to_le_bytes).collect();
+    let sum = unoclp_core::Crc16::of(&bytes).to_be_bytes();
+    bytes.extend(sum);
+    bytes
+}
+
+/// A board in STOP that was powered with these settings of 0.1.0, and what its other end is like then.
+fn with_old_settings(settings: [u16; 4]) -> Uno {
+    let mut uno = common::uno(Slot::Card(card(TEXT)));
+    uno.write_eeprom(settings::OLD, &old_form(settings))
+        .unwrap();
+    speak(&mut uno, settings);
+    to_serving(&mut uno);
+    uno
+}
+
+/// The other end has the line of these settings.
+fn speak(uno: &mut Uno, settings: [u16; 4]) {
+    uno.set_serial_line(Line {
+        baud: u32::from(settings[1]) * 100,
+        parity: [Parity::None, Parity::Even, Parity::Odd][usize::from(settings[2])],
+    });
+}
+
+#[test]
+fn settings_that_0_1_0_kept_are_read() {
+    let old = [1, 96, 1, 0];
+    let mut uno = with_old_settings(old);
+    assert_eq!(words(&mut uno, 3, 410, 4), old);
+    let new = [1, 192, 2, 1];
+    set(&mut uno, new);
+    assert_eq!(words(&mut uno, 3, 410, 4), new);
+    // What they took the place of never comes back.
+    uno.write_eeprom(settings::FIRST, &[settings::INVALID])
+        .unwrap();
+    speak(&mut uno, [1, 1152, 0, 0]);
+    uno.power_up();
+    to_serving(&mut uno);
+    assert_eq!(words(&mut uno, 3, 410, 4), [1, 1152, 0, 0]);
+}
+
+/// Every byte is written once at most, and a request that changes nothing writes nothing.
+#[test]
+fn a_request_keeps_the_settings_once() {
+    let mut uno = running();
+    write(&mut uno, 400, STOP).unwrap();
+    for settings in [[7, 96, 1, 1], [8, 192, 2, 0], [9, 24, 1, 1]] {
+        let before = uno.eeprom_wear();
+        write_words(&mut uno, 410, &settings).unwrap();
+        uno.run_ms(5).unwrap();
+        let wear = uno.eeprom_wear();
+        let most = before.iter().zip(&wear).map(|(before, after)| after - before);
+        assert_eq!(most.max(), Some(1), "{settings:?}");
+        write_words(&mut uno, 410, &settings).unwrap();
+        write(&mut uno, 412, settings[2]).unwrap();
+        uno.run_ms(5).unwrap();
+        assert_eq!(uno.eeprom_wear(), wear, "{settings:?}");
+    }
+}
+
+/// Wherever the supply fails while settings are written, in a byte or behind it.
+#[test]
+fn settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones() {
+    let (old, new) = ([1, 96, 1, 0], [1, 192, 2, 1]);
+    let request = {
+        let mut frame = vec![1, 16, 1, 0x9A, 0, 4, 8];
+        frame.extend(new.iter().flat_map(|word: &u16| word.to_be_bytes()));
+        with_crc(&frame)
+    };
     let firmware = common::firmware();
-    for ms in 0..12 {
-        let mut uno = Uno::with_program(firmware.clone(), Slot::Card(card(TEXT))).unwrap();
-        to_serving(&mut uno);
-        write(&mut uno, 400, STOP).unwrap();
-        uno.send_serial(&with_crc(&[1, 6, 1, 0x9C, 0, 1]));
-        uno.run_ms(3 + ms).unwrap();
-        uno.power_up();
-        to_serving(&mut uno);
-        let parity = words(&mut uno, 3, 412, 1)[0];
-        assert!(parity <= 1, "{ms} {parity}");
+    let other = [1, 288, 0, 0];
+    // Into the first slot, over settings of 0.1.0; into the second; and back into the first.
+    for saves in 0..3 {
+        let mut uno = with_old_settings(if saves % 2 == 0 { old } else { other });
+        for left in (0..saves).rev() {
+            set(&mut uno, if left % 2 == 0 { old } else { other });
+        }
+        let eeprom = uno.read_eeprom(0, 1024).unwrap();
+        let (mut kept_old, mut kept_new) = (0, 0);
+        let cuts = (1..40).flat_map(|nth| [(nth, false), (nth, true)]);
+        for (nth, during) in cuts {
+            let case = format!("after {saves} saves, write {nth}, during {during}");
+            let mut uno = Uno::with_program(firmware.clone(), Slot::Card(card(TEXT))).unwrap();
+            uno.write_eeprom(0, &eeprom).unwrap();
+            speak(&mut uno, old);
+            uno.set_stop(true);
+            ms_until(&mut uno, &["STOP\r\n"]);
+            uno.run_ms(20).unwrap();
+            if during {
+                uno.cut_power_during_eeprom_write(nth);
+            } else {
+                uno.cut_power_after_eeprom_write(nth);
+            }
+            uno.send_serial(&request);
+            let is_over = uno.run_ms(150).is_ok();
+            let found = [old, new].into_iter().find(|settings| {
+                speak(&mut uno, *settings);
+                uno.power_up();
+                ms_until(&mut uno, &["STOP"]);
+                uno.run_ms(20).unwrap();
+                exchange(&mut uno, &with_crc(&GOOD), 8).is_some()
+            });
+            let found = found.unwrap_or_else(|| panic!("{case}: neither"));
+            assert_eq!(words(&mut uno, 3, 410, 4), found, "{case}");
+            if found == old {
+                assert!(!is_over, "{case}");
+                kept_old += 1;
+            } else {
+                kept_new += 1;
+            }
+            if is_over {
+                break;
+            }
+        }
+        assert!(kept_old > 10 && kept_new > 1, "{kept_old} {kept_new}");
     }
 }
 
