@@ -163,7 +163,7 @@ impl Board {
             Command::Stop => self.state != FAULT || uploading,
             Command::SingleScan => stop && !self.switch && !uploading,
             Command::Restart => true,
-            Command::Upload => self.state != RUN,
+            Command::Upload => self.state != RUN && !uploading,
         }
     }
 

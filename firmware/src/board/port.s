@@ -2,8 +2,8 @@
 ; has gone. The check sum is built with each byte, both ways. Each takes about 100 cycles, the last 15, and
 ; the first byte of a frame 30 more.
 ;
-; PORT_FRAME is where the frame stands, PORT_AT how many bytes of it have come or gone, PORT_END how many
-; are to go, before the check sum. Timer 2 runs since the last byte that has come; its flag OCF2A says
+; PORT_FRAME is where the frame stands, PORT_AT how many bytes of it have come or gone, 255 at most, PORT_OVER
+; how many came behind these, PORT_END how many are to go, before the check sum. Timer 2 runs since the last byte that has come; its flag OCF2A says
 ; that a frame has ended: the next byte begins another, unless that frame is for this server and waits
 ; for a scan to end.
 
@@ -30,7 +30,7 @@ __vector_18:
         brne    port_done       ; it waits to be taken
         ldi     r30, 0
         sts     PORT_AT, r30
-        sts     PORT_BROKEN, r30
+        sts     PORT_OVER, r30
         ldi     r30, 0xFF
         sts     PORT_CRC, r30
         sts     PORT_CRC+1, r30
@@ -42,16 +42,23 @@ __vector_18:
         brne    port_broken
         lds     r24, PORT_AT
         inc     r24
-        breq    port_broken          ; too long
+        breq    port_full
         sts     PORT_AT, r24
         dec     r24
         rcall   port_place
         st      Z, r25
+port_take:
         rcall   port_check
         rjmp    port_done
+port_full:                      ; byte 256 is the last of the check sum, and needs no place
+        lds     r24, PORT_OVER
+        inc     r24
+        sts     PORT_OVER, r24
+        cpi     r24, 1
+        breq    port_take       ; another one is too many
 port_broken:
-       ldi     r24, 1
-        sts     PORT_BROKEN, r24
+        ldi     r24, 2
+        sts     PORT_OVER, r24
         rjmp    port_done
 
 ; The next byte may go.
@@ -119,7 +126,8 @@ port_is_ours:
         lds     r24, PORT_AT
         cpi     r24, 4          ; address, function and check sum
         brlo    1f
-        lds     r24, PORT_BROKEN
+        lds     r24, PORT_OVER
+        lsr     r24             ; one byte over is sound
         lds     r30, PORT_CRC
         or      r24, r30
         lds     r30, PORT_CRC+1

@@ -36,15 +36,15 @@ const SHORTEST_SILENCE: u8 = 27;
 /// Where the frame stands.
 #[unsafe(export_name = "PORT_FRAME")]
 static FRAME: Shared<usize> = Shared::new(0);
-/// How many bytes of it have come or gone; 0 while nothing goes on.
+/// How many bytes of it have come or gone, 255 at most; 0 while nothing goes on.
 #[unsafe(export_name = "PORT_AT")]
 static AT: Shared<u8> = Shared::new(0);
 /// How many are to go, without the check sum.
 #[unsafe(export_name = "PORT_END")]
 static END: Shared<u8> = Shared::new(0);
-/// Whether a byte of the frame was damaged, or one too many.
-#[unsafe(export_name = "PORT_BROKEN")]
-static BROKEN: Shared<u8> = Shared::new(0);
+/// 1 where byte 256 has come; 2 where a byte was damaged, or one too many.
+#[unsafe(export_name = "PORT_OVER")]
+static OVER: Shared<u8> = Shared::new(0);
 #[unsafe(export_name = "PORT_CRC")]
 static CRC: Shared<u16> = Shared::new(0);
 /// The server's address.
@@ -163,7 +163,7 @@ impl Serial {
         if has_ended() {
             if port_is_ours() != 0 {
                 self.control(ONLY_SEND);
-                return Some(AT.get() - 2);
+                return Some(AT.get() - 2 + OVER.get());
             }
             AT.set(0);
         }

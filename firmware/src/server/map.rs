@@ -70,6 +70,8 @@ pub struct Map<'a, 'm> {
     pub came: Millis,
     pub memory: Memory<'a>,
     pub upload: Option<&'a mut Upload<'m>>,
+    /// The number of the block that ended the last upload, where its program was stored.
+    pub ended: Option<u8>,
 }
 
 impl Map<'_, '_> {
@@ -155,7 +157,7 @@ impl Map<'_, '_> {
             Command::Stop => !fault || uploading,
             Command::SingleScan => !held && state == State::Stop,
             Command::Restart => true,
-            Command::Upload => state != State::Run,
+            Command::Upload => state != State::Run && !uploading,
         };
         if now {
             Ok(command)
@@ -374,7 +376,9 @@ impl Device for Map<'_, '_> {
             return None;
         }
         Some(match &mut self.upload {
-            Some(upload) => upload.take(data),
+            Some(upload) => upload.take(data, self.operation),
+            // That end again: its answer was lost.
+            None if matches!(*data, [number, 0] if self.ended == Some(number)) => Ok(()),
             None => Err(Exception::ServerDeviceFailure),
         })
     }

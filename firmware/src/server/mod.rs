@@ -34,6 +34,8 @@ pub struct Server {
     came: Millis,
     /// The settings that are kept.
     settings: &'static mut Settings,
+    /// See [`Map::ended`].
+    ended: Option<u8>,
 }
 
 impl Server {
@@ -46,6 +48,7 @@ impl Server {
             exchange: None,
             came: 0,
             settings,
+            ended: None,
         }
     }
 
@@ -79,6 +82,7 @@ impl Server {
             came: self.came,
             memory,
             upload,
+            ended: self.ended,
         };
         let length = match &mut self.exchange {
             Some(exchange) => {
@@ -119,22 +123,25 @@ impl Server {
         memory: &mut [u8],
         data: &mut Data,
     ) {
-        while operation.takes(Command::Upload) {
-            operation.uploading = true;
-            operation.fault = None;
-            let mut upload = Upload::new(memory);
-            while operation.uploading && operation.command.is_none() {
-                let idle = Memory::idle(data);
-                self.step(board, operation, idle, Some(&mut upload), AT_ONCE);
-                // Here and not in the step: the loader goes deep, and the stack has no room for both.
-                if let Some(count) = upload.comes() {
-                    let text = self.frame.get(TEXT..TEXT + usize::from(count));
-                    if !upload.load(board, operation, text.unwrap_or_default()) {
-                        self.refuse(board, Exception::ServerDeviceFailure);
-                    }
+        if !operation.takes(Command::Upload) {
+            return;
+        }
+        operation.uploading = true;
+        operation.fault = None;
+        let mut upload = Upload::new(memory);
+        while operation.uploading && operation.command.is_none() && !upload.is_forsaken() {
+            let idle = Memory::idle(data);
+            self.step(board, operation, idle, Some(&mut upload), AT_ONCE);
+            // Here and not in the step: the loader goes deep, and the stack has no room for both.
+            if let Some(count) = upload.comes() {
+                let text = self.frame.get(TEXT..TEXT + usize::from(count));
+                if !upload.load(board, operation, text.unwrap_or_default()) {
+                    self.refuse(board, Exception::ServerDeviceFailure);
                 }
             }
-            operation.uploading = false;
         }
+        let is_stored = !operation.uploading && operation.fault.is_none();
+        self.ended = upload.last().filter(|_| is_stored);
+        operation.uploading = false;
     }
 }

@@ -1,6 +1,7 @@
 //! A program that comes over Modbus, through the loader that reads the card: twice, as from there.
 
 use crate::board::Board;
+use crate::board::clock::Deadline;
 use crate::board::eeprom::Eeprom;
 use crate::instructions;
 use crate::operation::Operation;
@@ -9,11 +10,18 @@ use core::mem;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
 use unoclp_modbus::Exception;
 
+/// ms without a block that end an upload.
+const PATIENCE: u16 = 10_000;
+
 /// An upload that is under way.
 pub struct Upload<'m> {
     loader: Loader<'m>,
     /// The number of the last block, before the first none.
     last: Option<u8>,
+    /// The check sum of its text.
+    last_sum: Crc16,
+    /// When the client is taken to have left.
+    until: Deadline,
     /// The check sum of the text so far, and of all of it when it came for the first time.
     sum: Crc16,
     first: Option<Crc16>,
@@ -27,10 +35,22 @@ impl<'m> Upload<'m> {
         Upload {
             loader: Loader::with_table(memory, Profile::UNO, instructions::read),
             last: None,
+            last_sum: Crc16::default(),
+            until: Deadline::after(PATIENCE),
             sum: Crc16::default(),
             first: None,
             block: None,
         }
+    }
+
+    /// Whether no block has come for a long time.
+    pub fn is_forsaken(&self) -> bool {
+        self.until.has_passed()
+    }
+
+    /// The number of the last block.
+    pub fn last(&self) -> Option<u8> {
+        self.last
     }
 
     /// How many bytes of text there are to be [loaded](Upload::load), if a block has come.
@@ -39,8 +59,11 @@ impl<'m> Upload<'m> {
     }
 
     /// Takes a block: its number, how many bytes of text it holds, the text. It is loaded later.
+    ///
+    /// The last one again is taken for a repetition whose answer was lost. With another text it is another
+    /// client's, and the upload is over.
     #[inline(never)]
-    pub fn take(&mut self, block: &[u8]) -> Result<(), Exception> {
+    pub fn take(&mut self, block: &[u8], operation: &mut Operation) -> Result<(), Exception> {
         let [number, count, rest @ ..] = block else {
             return Err(Exception::IllegalDataValue);
         };
@@ -48,14 +71,21 @@ impl<'m> Upload<'m> {
         if padding > 1 {
             return Err(Exception::IllegalDataValue);
         }
+        let sum = Crc16::of(rest.get(..usize::from(*count)).unwrap_or_default());
         if self.last == Some(*number) {
-            // The last one again: its answer was lost.
-            return Ok(());
+            if sum == self.last_sum {
+                return Ok(());
+            }
+            operation.uploading = false;
+            operation.fault = Some(Fault::without_line(Cause::FileChanged));
+            return Err(Exception::ServerDeviceFailure);
         }
         if *number != self.last.map_or(0, |last| last.wrapping_add(1)) {
             return Err(Exception::IllegalDataValue);
         }
+        self.until = Deadline::after(PATIENCE);
         self.last = Some(*number);
+        self.last_sum = sum;
         self.block = Some(*count);
         Ok(())
     }

@@ -93,7 +93,7 @@ fn diagnostics() {
     assert_eq!(told[15..], [0, 0]);
 
     uno.reset();
-    to_run(&mut uno);
+    to_serving(&mut uno);
     let told = words(&mut uno, 4, 16, 17);
     assert_eq!((told[3], told[15]), (2, 1));
 

@@ -159,16 +159,140 @@ fn blocks_are_repeated_and_in_order() {
         for part in [&b"0\n8779"[..], b"02\n", b""] {
             assert_eq!(send(&mut uno, number + 1, part), Err(3));
             for _ in 0..3 {
-                // The last end is over at once, and there is no upload any more.
-                if outcome(&mut uno).0 {
-                    send(&mut uno, number, part).unwrap();
-                }
+                send(&mut uno, number, part).unwrap();
             }
             number += 1;
         }
     }
     assert_eq!(outcome(&mut uno), (false, 0, 0));
     assert_eq!(input(&mut uno, 28), 1);
+}
+
+/// The same answer, and nothing is stored again; until another upload begins.
+#[test]
+fn the_second_end_may_be_repeated() {
+    let mut uno = stopped();
+    upload(&mut uno, [NEW; 2], 100).unwrap();
+    let (sum, wear) = (input(&mut uno, 29), uno.eeprom_wear());
+    for _ in 0..3 {
+        send(&mut uno, 3, b"").unwrap();
+        assert_eq!(outcome(&mut uno), (false, 0, 0));
+    }
+    // No other block, nor another end.
+    assert_eq!(send(&mut uno, 3, b"0\n"), Err(4));
+    assert_eq!(send(&mut uno, 2, b""), Err(4));
+    assert_eq!(send(&mut uno, 4, b""), Err(4));
+    assert_eq!((input(&mut uno, 29), uno.eeprom_wear()), (sum, wear));
+    write(&mut uno, 400, RUN).unwrap();
+    send(&mut uno, 3, b"").unwrap();
+    assert_eq!(input(&mut uno, 16), RUN);
+    write(&mut uno, 400, STOP).unwrap();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    write(&mut uno, 400, STOP).unwrap();
+    uno.run_ms(5).unwrap();
+    assert_eq!(send(&mut uno, 3, b""), Err(4));
+
+    // One that was refused is refused again.
+    let mut uno = stopped();
+    assert_eq!(upload(&mut uno, [NEW, OLD], 100), Err(4));
+    assert_eq!(send(&mut uno, 3, b""), Err(4));
+    assert_old(&mut uno, "refused");
+}
+
+/// The client is gone; others may go on reading.
+#[test]
+fn ten_seconds_without_a_block_end_an_upload() {
+    let mut uno = stopped();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    uno.run_ms(9_800).unwrap();
+    send(&mut uno, 0, b"0\n8779").unwrap();
+    for _ in 0..9 {
+        uno.run_ms(1_050).unwrap();
+        assert_eq!(outcome(&mut uno), (true, 0, 0));
+    }
+    uno.run_ms(600).unwrap();
+    assert_eq!(outcome(&mut uno), (false, 0, 0));
+    assert_eq!(send(&mut uno, 1, b"02\n"), Err(4));
+    assert_old(&mut uno, "forsaken");
+}
+
+#[test]
+fn two_clients_cannot_mix_their_uploads() {
+    // Of the same length, so that both count alike.
+    let other = "0\n877904\n";
+    assert_eq!(other.len(), NEW.len());
+    let parts = |text: &'static str| [&text.as_bytes()[..4], &text.as_bytes()[4..], b""];
+    // Each block of the first is followed by the same one of the second, from some block on.
+    for from in 0..6 {
+        let mut uno = stopped();
+        write(&mut uno, 400, UPLOAD).unwrap();
+        assert_eq!(write(&mut uno, 400, UPLOAD), Err(4), "{from}");
+        let mut refused = false;
+        for number in 0..6 {
+            let part = usize::from(number) % 3;
+            refused |= send(&mut uno, number, parts(NEW)[part]).is_err();
+            if number >= from && parts(NEW)[part] != parts(other)[part] {
+                assert_eq!(send(&mut uno, number, parts(other)[part]), Err(4), "{from}");
+                assert_eq!(outcome(&mut uno), (false, 57, 0), "{from}");
+                refused = true;
+                break;
+            }
+        }
+        assert_eq!(refused, from < 5, "{from}");
+        if refused {
+            assert_old(&mut uno, "mixed");
+        }
+    }
+    // They take turns in the second text.
+    let mut uno = stopped();
+    write(&mut uno, 400, UPLOAD).unwrap();
+    let mixed = [parts(NEW), [parts(NEW)[0], parts(other)[1], b""]].concat();
+    let sent: Vec<_> = (0..)
+        .zip(mixed)
+        .map(|(n, part)| send(&mut uno, n, part))
+        .collect();
+    assert_eq!(sent.last(), Some(&Err(4)));
+    assert_eq!(outcome(&mut uno), (false, 57, 0));
+    assert_old(&mut uno, "in turns");
+}
+
+/// A5 is closed and opened while the text comes: the board is then in what A5 and the commands say.
+#[test]
+fn the_switch_during_an_upload() {
+    for (by_command, at_the_end) in [(true, false), (true, true), (false, false), (false, true)] {
+        let mut uno = uno(Slot::Card(card(OLD)));
+        to_run(&mut uno);
+        uno.run_ms(5).unwrap();
+        if by_command {
+            write(&mut uno, 400, STOP).unwrap();
+        } else {
+            uno.set_stop(true);
+            uno.run_ms(5).unwrap();
+        }
+        write(&mut uno, 400, UPLOAD).unwrap();
+        for (number, part) in (0..).zip([&b"0\n87"[..], b"7902\n", b"", b"0\n87", b"7902\n"]) {
+            send(&mut uno, number, part).unwrap();
+            uno.set_stop(number % 2 == 0);
+            uno.run_ms(7).unwrap();
+            assert_eq!(uno.outputs(), 0);
+            assert_eq!(input(&mut uno, 17) & 1, u16::from(number % 2 == 0));
+        }
+        uno.set_stop(at_the_end);
+        send(&mut uno, 5, b"").unwrap();
+        uno.run_ms(5).unwrap();
+        let case = format!("by command {by_command}, closed {at_the_end}");
+        let runs = !by_command && !at_the_end;
+        let bits = u16::from(at_the_end) | u16::from(by_command) << 1;
+        let state = if runs { RUN } else { STOP };
+        assert_eq!(words(&mut uno, 4, 16, 3), [state, bits, 0], "{case}");
+        assert_eq!(words(&mut uno, 3, 400, 1), [state], "{case}");
+        assert_eq!(uno.outputs(), if runs { 0b10 } else { 0 }, "{case}");
+        assert_eq!(write(&mut uno, 400, RUN).is_ok(), !at_the_end, "{case}");
+        uno.set_stop(false);
+        uno.run_ms(5).unwrap();
+        let waits = by_command && at_the_end;
+        assert_eq!(uno.outputs(), if waits { 0 } else { 0b10 }, "{case}");
+    }
 }
 
 #[test]
@@ -241,6 +365,8 @@ fn stop_ends_an_upload_and_a_new_one_begins_anew() {
     let mut uno = stopped();
     write(&mut uno, 400, UPLOAD).unwrap();
     send(&mut uno, 0, b"0\n8779").unwrap();
+    assert_eq!(write(&mut uno, 400, UPLOAD), Err(4));
+    write(&mut uno, 400, STOP).unwrap();
     upload(&mut uno, [NEW; 2], 100).unwrap();
     assert_eq!(input(&mut uno, 28), 1);
 }
