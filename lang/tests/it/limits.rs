@@ -11,7 +11,10 @@ fn errors_beyond_a_hundred_are_only_counted() {
     let errors = errors.filter(|d| d.severity() == Severity::Error);
     assert_eq!(errors.count(), 100);
     // The other errors, and warnings that Q1 is written again.
-    assert_eq!(compiled.diagnostics.len() + compiled.diagnostics.more, 11_666 + 11_665);
+    assert_eq!(
+        compiled.diagnostics.len() + compiled.diagnostics.more,
+        11_666 + 11_665
+    );
     let renderer = annotate_snippets::Renderer::plain();
     for (lang, last) in [(Lang::En, "… and 23311 more"), (Lang::Pt, "… e mais 23311")] {
         let shown = show("x.il", &text, &compiled.diagnostics, lang, &renderer);
