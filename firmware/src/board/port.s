@@ -3,9 +3,9 @@
 ; the first byte of a frame 30 more.
 ;
 ; PORT_FRAME is where the frame stands, PORT_AT how many bytes of it have come or gone, 255 at most, PORT_OVER
-; how many came behind these, PORT_END how many are to go, before the check sum. Timer 2 runs since the last byte that has come; its flag OCF2A says
-; that a frame has ended: the next byte begins another, unless that frame is for this server and waits
-; for a scan to end.
+; how many came behind these, PORT_END how many are to go, before the check sum. Timer 2 runs since the last
+; byte that has come; its flag OCF2A says that a frame has ended: the next byte begins another, unless that
+; frame is for this server and waits for a scan to end.
 
         .text
 
@@ -138,7 +138,7 @@ port_is_ours:
         ld      r24, Z
         tst     r24
         breq    2f              ; a broadcast
-        lds     r30, PORT_ADDRESS
+        lds     r30, 0xB4       ; OCR2B, the address: serial.rs
         cp      r24, r30
         breq    2f
 1:      ldi     r24, 0

@@ -47,9 +47,6 @@ static END: Shared<u8> = Shared::new(0);
 static OVER: Shared<u8> = Shared::new(0);
 #[unsafe(export_name = "PORT_CRC")]
 static CRC: Shared<u16> = Shared::new(0);
-/// The server's address.
-#[unsafe(export_name = "PORT_ADDRESS")]
-static ADDRESS: Shared<u8> = Shared::new(0);
 
 // SAFETY: `port.s` defines it. It changes nothing, and leaves the registers of a call as a call does.
 unsafe extern "C" {
@@ -108,7 +105,9 @@ impl Serial {
         };
         timer.ocr2a().write(|w| w.set(silence));
         timer.tccr2b().write(|w| w.cs2().prescale_1024());
-        ADDRESS.set(line.address);
+        // Nothing is compared with OCR2B, so it holds the address: a scan that goes astray writes to RAM, and
+        // the board is asked for its fault behind that.
+        timer.ocr2b().write(|w| w.set(line.address));
     }
 
     /// Sends a text that stands in program memory.
