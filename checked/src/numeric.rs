@@ -16,6 +16,8 @@ pub struct Diagnosis {
     pub fault: Fault,
     /// The offset in the file, in bytes, of the byte just taken; none at the end of the file.
     pub told_at: Option<usize>,
+    /// Bytes of program memory and of run memory that the whole file lacks.
+    pub lacking: [usize; 2],
 }
 
 /// Checks a file in numeric code for this board.
@@ -25,7 +27,12 @@ pub struct Diagnosis {
 pub fn numeric(file: &[u8], board: Profile) -> Result<(Checked, SourceMap), Vec<Diagnosis>> {
     let mut reader = Reader::default();
     let mut faults = Vec::new();
-    let tell = |fault, told_at| Diagnosis { fault, told_at };
+    let mut lacking = [0; 2];
+    let tell = |fault, told_at| Diagnosis {
+        fault,
+        told_at,
+        lacking: [0; 2],
+    };
     let checked = Checked::new(board, |loader| {
         for (offset, &byte) in file.iter().enumerate() {
             if let Err(fault) = loader.push(byte) {
@@ -39,7 +46,11 @@ pub fn numeric(file: &[u8], board: Profile) -> Result<(Checked, SourceMap), Vec<
             faults.push(tell(fault, None));
         }
         reader.end_line(loader);
+        lacking = loader.lacking();
     });
+    for diagnosis in &mut faults {
+        diagnosis.lacking = lacking;
+    }
     match checked {
         Ok(checked) => Ok((checked, reader.map)),
         Err(fault) if faults.is_empty() => Err(vec![tell(fault, None)]),

@@ -25,10 +25,12 @@ mod halt;
 mod indicator;
 mod instructions;
 mod modes;
+mod numbers;
 mod operation;
 mod page;
 mod report;
 mod retentive;
+mod ring;
 mod scan;
 mod server;
 mod settings;
@@ -91,7 +93,7 @@ fn start(
     }
     let missing = match card::load(board, page, memory, file) {
         Ok(program) => {
-            store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
+            store::save(&board.eeprom, &program).map_err(Fault::without_line)?;
             None
         }
         Err(fault) if matches!(fault.cause, Cause::NoCard | Cause::NoProgramFile) => Some(fault),

@@ -8,6 +8,7 @@ use crate::card::StateFile;
 use crate::diagnosis::Diagnosis;
 use crate::engine::memory::Memory;
 use crate::engine::{Data, Linked};
+use crate::numbers::Numbers;
 use crate::operation::{Command, Operation, State};
 use crate::page::Running;
 use crate::retentive::Retentive;
@@ -111,13 +112,24 @@ impl Work<'_> {
         operation.images.set_outputs(Image::default());
     }
 
-    /// What goes on in RUN, STOP and FAULT: analogue inputs are measured, and retentive markers kept.
+    /// What goes on in RUN, STOP and FAULT: analogue inputs are measured, and retentive markers kept. Tells whether
+    /// another minute has passed.
     #[inline(never)]
-    fn look_after(&mut self, data: &mut Data) {
+    fn look_after(&mut self, data: &mut Data) -> bool {
         let board = self.board;
         board.analogue.step(&mut data.analogue);
         let now = clock::now() as u16;
-        self.retentive.step(&board.eeprom, data.retained(), now);
+        self.retentive.step(&board.eeprom, data.retained(), now)
+    }
+
+    /// The same where a program is there, whose numbers are kept too.
+    #[inline(never)]
+    fn look_after_all(&mut self, plc: &mut Linked<'_>, numbers: &mut Numbers) {
+        if self.look_after(plc.data()) {
+            numbers.minute();
+        }
+        let runs = self.scans.operation.state == State::Run;
+        numbers.step(plc, &self.board.eeprom, runs);
     }
 
     /// A slice of a request.
@@ -137,6 +149,7 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
     let plc = &mut Linked::new(kept, memory, data);
     plc.link(&board.eeprom, &mut work.scans.operation.images)
         .map_err(Fault::without_line)?;
+    let numbers = &mut Numbers::find(plc, &board.eeprom);
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board
@@ -147,7 +160,7 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
     work.scans.begin();
     loop {
         if work.scans.operation.stopped || board.pins.stop() {
-            stop(work, plc).map_err(Fault::without_line)?;
+            stop(work, plc, numbers).map_err(Fault::without_line)?;
             if work.scans.operation.command == Some(Command::Upload) {
                 return Ok(());
             }
@@ -167,7 +180,7 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
             indicator::show_run(&board.pins, operation.forces.any());
             plc.data().scan_time(operation.times.last());
             work.state.step(board, operation);
-            work.look_after(plc.data());
+            work.look_after_all(plc, numbers);
             if work.state.is_sending() {
                 work.scans.hurry();
             }
@@ -188,17 +201,17 @@ fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
 /// # Errors
 /// Where the program cannot begin anew.
 #[inline(never)]
-fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
+fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>, numbers: &mut Numbers) -> Result<(), Cause> {
     let board = work.board;
     board.switch_outputs_off();
-    enter(work, plc, State::Stop)?;
+    enter(work, plc, numbers, State::Stop)?;
     let pins = &board.pins;
     indicator::show_stop(pins, || {
         watchdog::feed();
         let operation = &mut work.scans.operation;
         operation.read(pins.levels().all_inputs(plc.needs().inputs));
         work.state.step(board, operation);
-        work.look_after(plc.data());
+        work.look_after_all(plc, numbers);
         work.answer(plc.memory(), server::AT_ONCE);
         let operation = &mut work.scans.operation;
         operation.takes(Command::SingleScan)
@@ -206,7 +219,7 @@ fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             || !operation.stopped && !pins.stop()
     });
     if !work.scans.operation.stopped && !pins.stop() {
-        enter(work, plc, State::Run)?;
+        enter(work, plc, numbers, State::Run)?;
     }
     Ok(())
 }
@@ -216,7 +229,12 @@ fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
 /// # Errors
 /// Where the program cannot begin anew.
 #[inline(never)]
-fn enter(work: &mut Work<'_>, plc: &mut Linked<'_>, state: State) -> Result<(), Cause> {
+fn enter(
+    work: &mut Work<'_>,
+    plc: &mut Linked<'_>,
+    numbers: &mut Numbers,
+    state: State,
+) -> Result<(), Cause> {
     let Operation {
         state: now, images, ..
     } = &mut work.scans.operation;
@@ -224,6 +242,7 @@ fn enter(work: &mut Work<'_>, plc: &mut Linked<'_>, state: State) -> Result<(), 
         return Ok(());
     }
     *now = state;
+    numbers.finish(plc, &work.board.eeprom);
     plc.restart(&work.board.eeprom, images)
 }
 

@@ -59,17 +59,19 @@ impl Retentive {
         self.markers
     }
 
-    /// One step, to be called between scans with the markers as they are; it waits for nothing.
+    /// One step, to be called between scans with the markers as they are; it waits for nothing. Tells whether
+    /// another minute has passed.
     #[inline(never)]
-    pub fn step(&mut self, eeprom: &Eeprom, markers: u8, now: u16) {
-        if now.wrapping_sub(self.given) >= PAUSE {
+    pub fn step(&mut self, eeprom: &Eeprom, markers: u8, now: u16) -> bool {
+        let minute = now.wrapping_sub(self.given) >= PAUSE;
+        if minute {
             self.given = now;
             if self.credits < CREDITS {
                 self.credits += 1;
             }
         }
         if eeprom.is_busy() {
-            return;
+            return minute;
         }
         if self.half {
             self.half = false;
@@ -82,6 +84,7 @@ impl Retentive {
             self.half = true;
             eeprom.write(address(self.place), !markers);
         }
+        minute
     }
 }
 

@@ -8,7 +8,8 @@
 
 use crate::board::eeprom::Eeprom;
 use crate::instructions;
-use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
+use crate::ring::Ring;
+use unoclp_core::{Cause, Crc16, Loader, Needs, Profile, Program};
 use unoclp_modbus::eeprom::program::{
     self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
 };
@@ -21,7 +22,8 @@ const HEADER: usize = HEAD_BYTES + 2;
 /// # Errors
 /// [`Cause::StoreFailed`] where the EEPROM does not give back what was written.
 #[inline(never)]
-pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
+pub fn save(eeprom: &Eeprom, program: &Program<'_>) -> Result<(), Cause> {
+    let (stored, numbers) = (program.stored(), program.kept_count());
     let header = header(stored);
     let whole = |write| pass(eeprom, HEAD, &header, write) && pass(eeprom, STORED, stored, write);
     if eeprom.read(MARK) == VALID && whole(false) {
@@ -30,6 +32,16 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     eeprom.write(MARK, INVALID);
     if !(whole(true) && whole(false)) {
         return Err(Cause::StoreFailed);
+    }
+    // What was kept here for others, or for this one before others came, is not its own.
+    let [.., low, high] = header;
+    let ring = Ring::new(
+        stored.len() as u16,
+        numbers,
+        u16::from_le_bytes([low, high]),
+    );
+    if !ring.is_empty() {
+        ring.newest(eeprom, true);
     }
     eeprom.write(MARK, VALID);
     Ok(())
@@ -51,6 +63,8 @@ pub struct Kept {
     pub timers: u8,
     /// The highest counter that it names.
     pub counters: u8,
+    /// How many numbers it keeps.
+    pub numbers: u8,
 }
 
 /// Checks the program that is kept, in this memory; none where there is none, or it is damaged.
@@ -82,10 +96,16 @@ fn restore(eeprom: &Eeprom, loader: &mut Loader<'_>) -> Option<Kept> {
         needs: program.needs(),
         timers: program.timers() as u8,
         counters: program.counters() as u8,
+        numbers: program.kept_count(),
     })
 }
 
 impl Kept {
+    /// The records of the numbers that it keeps.
+    pub fn ring(&self) -> Ring {
+        Ring::new(self.length, self.numbers, self.sum)
+    }
+
     /// Reads it again.
     pub fn read(self, eeprom: &Eeprom) -> Reader<'_> {
         Reader {

@@ -17,7 +17,7 @@ mod text;
 pub mod used;
 mod written;
 
-pub use size::Size;
+pub use size::{Size, kept_en, kept_pt};
 pub use source::{Language, Source, load, names};
 pub use text::{decode, is_il};
 pub use written::{Refused, Written};

@@ -20,6 +20,8 @@ pub struct Size {
     pub timers: usize,
     /// What it uses of the board and its memory.
     pub used: Used,
+    /// Numbers that outlast a power cut, and how old they may be then, minutes.
+    pub kept: Option<(u8, u16)>,
 }
 
 impl Size {
@@ -31,6 +33,9 @@ impl Size {
             linked_bytes: program.linked_bytes(),
             timers: program.timers(),
             used: Used::of(program),
+            kept: program
+                .kept_within(&BOARD)
+                .map(|minutes| (program.kept_count(), minutes)),
         }
     }
 }
@@ -45,6 +50,7 @@ impl fmt::Display for Size {
             linked_bytes,
             timers,
             ref used,
+            kept,
         } = *self;
         let room = usize::from(BOARD.stored_bytes);
         let free = room.saturating_sub(stored_bytes);
@@ -70,6 +76,31 @@ impl fmt::Display for Size {
         write!(
             f,
             "\n  {linked_bytes} of {room} bytes of run memory; pins: {used}"
-        )
+        )?;
+        match kept {
+            Some((numbers, minutes)) => write!(f, "\n  {}", kept_en(numbers, minutes)),
+            None => Ok(()),
+        }
     }
+}
+
+/// `2 numbers are kept, after a power cut as of at most 9 minutes ago`
+pub fn kept_en(numbers: u8, minutes: u16) -> String {
+    let are = if numbers == 1 {
+        "number is"
+    } else {
+        "numbers are"
+    };
+    let unit = if minutes == 1 { "minute" } else { "minutes" };
+    format!("{numbers} {are} kept, after a power cut as of at most {minutes} {unit} ago")
+}
+
+/// The same in Portuguese.
+pub fn kept_pt(numbers: u8, minutes: u16) -> String {
+    let are = match numbers {
+        1 => "número é retido",
+        _ => "números são retidos",
+    };
+    let unit = if minutes == 1 { "minuto" } else { "minutos" };
+    format!("{numbers} {are}; após falta de energia, como há no máximo {minutes} {unit}")
 }

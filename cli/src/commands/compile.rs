@@ -7,7 +7,7 @@ use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
 use unoclp_lang::Lang;
-use unoclp_source::Language;
+use unoclp_source::{Language, kept_en, kept_pt};
 
 /// Compiles Instruction List to numeric code, into this file or to standard output.
 pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
@@ -41,6 +41,12 @@ pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
             Lang::Pt => format!("{dialect}; códigos: {codes}, avisos: {warnings}"),
         }
     );
+    if let Some((numbers, minutes)) = program.size.kept {
+        match lang {
+            Lang::En => eprintln!("{name}: {}", kept_en(numbers, minutes)),
+            Lang::Pt => eprintln!("{name}: {}", kept_pt(numbers, minutes)),
+        }
+    }
     Ok(true)
 }
 

@@ -121,8 +121,12 @@ fn count(diagnostics: &[Diagnostic], lang: Lang) -> String {
 pub fn faulty(source: &Source, fault: Fault) -> String {
     let Source { name, code, .. } = source;
     if !source.is_il() {
-        let told_at = None;
-        return diagnosis::show(name, code, &[Diagnosis { fault, told_at }], &renderer());
+        let diagnosis = Diagnosis {
+            fault,
+            told_at: None,
+            lacking: [0; 2],
+        };
+        return diagnosis::show(name, code, &[diagnosis], &renderer());
     }
     let place = fault.line.and_then(|line| source.map.of_code(line));
     let place = place.map_or_else(String::new, |place| format!(":{}", place.line));

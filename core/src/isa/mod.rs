@@ -58,7 +58,8 @@ pub struct Row {
     pub run: u8,
     /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
     /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
-    /// integration whether it goes on, a time stamp, and the thousandths that are left.
+    /// integration whether it goes on, a time stamp, and the thousandths that are left; of a number that is kept
+    /// its snapshot.
     pub own: u8,
     /// The effect in one line.
     pub effect: &'static str,

@@ -1,4 +1,4 @@
-//! From the bytes of a file to a checked program: every check of NC-1 … NC-20.
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-21.
 //!
 //! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
 //! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
@@ -8,6 +8,7 @@ mod lines;
 mod room;
 
 use crate::isa::{self, By, Entry, Kind, Line, Opcode, PackedTable};
+use crate::kept;
 use crate::needs::Needs;
 use crate::rung::Rung;
 use crate::text::{Part, Text};
@@ -156,6 +157,12 @@ impl<'m> Loader<'m> {
         self.codes
     }
 
+    /// Bytes of program memory and of run memory that the codes so far would need beyond what there is; what is kept
+    /// takes program memory too (NC-21).
+    pub fn lacking(&self) -> [usize; 2] {
+        self.room.lacking()
+    }
+
     /// Checks what the text gave.
     fn take(&mut self, read: Result<bool, Cause>) -> Result<(), Cause> {
         match read {
@@ -275,6 +282,10 @@ impl<'m> Loader<'m> {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
+        if kept::declares(stored) {
+            self.room.keep(stored, xx)?;
+            self.expect = Expect::Head;
+        }
         match kind {
             Kind::None => self.balance(stored)?,
             Kind::Branch => {

@@ -1,6 +1,7 @@
 //! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
 
 use crate::isa::{self, Entry, Kind, Line};
+use crate::kept;
 use crate::needs::Needs;
 use crate::{Cause, Profile, Program};
 use core::mem;
@@ -69,6 +70,9 @@ impl<'m> Room<'m> {
             }
             self.counters = xx;
         }
+        if kept::declares(stored) {
+            bytes += kept::ring_bytes(self.put == 0);
+        }
         self.reserve(bytes, run)?;
         if holds_point {
             self.put(stored | xx.wrapping_sub(1));
@@ -86,14 +90,27 @@ impl<'m> Room<'m> {
         Ok(())
     }
 
+    /// Whether a program may keep another number, with this code and XX: what comes before are others (NC-21).
+    pub(super) fn keep(&self, stored: u8, xx: u8) -> Result<(), Cause> {
+        let (before, rest) = self.stored().as_chunks();
+        let is_other =
+            |&[code, number]: &[u8; 2]| kept::declares(code) && (code != stored || number != xx);
+        if rest.is_empty() && before.len() < kept::KEPT.into() && before.iter().all(is_other) {
+            Ok(())
+        } else {
+            Err(Cause::CannotKeep)
+        }
+    }
+
     /// Reserves so many bytes more of the stored form and of run memory.
     pub(super) fn reserve(&mut self, stored: usize, run: usize) -> Result<(), Cause> {
+        // Counted beyond what fits too: a tool tells how much is lacking.
+        self.reserved = self.reserved.wrapping_add(stored);
+        self.run_bytes = self.run_bytes.wrapping_add(run);
         if self.full {
             return Ok(());
         }
         self.full = true;
-        self.reserved += stored;
-        self.run_bytes += run;
         if self.reserved > self.stored_most {
             return Err(Cause::ProgramFull);
         }
@@ -103,6 +120,16 @@ impl<'m> Room<'m> {
         }
         self.full = false;
         Ok(())
+    }
+
+    /// Bytes of program memory and of run memory that the program would need beyond what there is.
+    pub(super) fn lacking(&self) -> [usize; 2] {
+        [
+            self.reserved.saturating_sub(self.stored_most),
+            self.run_bytes
+                .max(self.reserved)
+                .saturating_sub(self.run_most),
+        ]
     }
 
     /// Puts a byte where room has been reserved for it.

@@ -10,6 +10,7 @@ use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
 use core::arch::{asm, global_asm};
+use unoclp_core::RECORDED;
 
 /// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
 /// is no quartz.
@@ -30,9 +31,10 @@ global_asm!(
     "DOING: .skip 2",
     "RESTARTS: .skip 2",
     "FAULTS: .skip 2",
+    "RECORDING: .skip 2",
     "AGE: .skip 1",
     "GUARD: .skip 2",
-    ".global DOING, RESTARTS, FAULTS, AGE, GUARD",
+    ".global DOING, RESTARTS, FAULTS, RECORDING, AGE, GUARD",
     ".previous",
 );
 
@@ -44,11 +46,16 @@ unsafe extern "C" {
     safe static RESTARTS: Shared<u16>;
     /// Faults since power-up.
     safe static FAULTS: Shared<u16>;
+    /// What is left for records of numbers.
+    safe static RECORDING: Shared<u16>;
     /// The age of the scan, or by one more, ms; it stops at 255. The clock's interrupt counts it.
     safe static AGE: Shared<u8>;
     /// The last static bytes: a stack that grows too far meets them first.
     safe static GUARD: Shared<u16>;
 }
+
+/// The most that may be left for records of numbers: as much as 16 of them take.
+pub const RECORDED_MOST: u16 = 16 * RECORDED as u16;
 
 /// Why the board has started. In the order of the causes in `docs/modbus.md`.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -88,6 +95,7 @@ impl Watchdog {
         if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING && !commanded {
             RESTARTS.set(0);
             FAULTS.set(0);
+            RECORDING.set(RECORDED_MOST);
             return (watchdog, Start::Power);
         }
         RESTARTS.set(watchdog.restarts().saturating_add(1));
@@ -185,4 +193,14 @@ pub fn scan_is_overdue() {
 /// Whether the stack has kept to its place.
 pub fn guard_is_whole() -> bool {
     GUARD.get() == WHOLE
+}
+
+/// What is left for records of numbers, since power-up.
+pub fn recording() -> u16 {
+    RECORDING.get()
+}
+
+/// From now on this is left.
+pub fn set_recording(left: u16) {
+    RECORDING.set(left);
 }

@@ -112,6 +112,11 @@ const _: () = {
     assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
     // No kind is 0 but that of what has no operand.
     assert!(Kind::None as u8 == 0);
+    // What is kept comes last.
+    let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
+    assert!(counter as usize == register as usize + 1);
+    assert!(isa::TABLE[isa::TABLE.len() - 1].stored == counter as u8);
+    assert!(counter.row().own == register.row().own);
     // It keeps address and place of a label, 4 bytes, in the registers.
     assert!(isa::LABELS <= isa::REGISTERS && isa::LABELS.is_power_of_two());
     // The page is left by `subi` with one byte.

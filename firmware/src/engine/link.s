@@ -343,13 +343,18 @@ link_new_rung:
 
 ; Puts the address of r17 bytes of own data.
 link_own:
+        rcall   link_room
+        rjmp    link_address
+
+; r25:r24 := the address of r17 more bytes of own data.
+link_room:
         ldd     r24, Y+JOB_OWN
         ldd     r25, Y+JOB_OWN+1
         sub     r24, r17
         sbc     r25, r1
         std     Y+JOB_OWN, r24
         std     Y+JOB_OWN+1, r25
-        rjmp    link_address
+        ret
 
 ; A timer: its data, then its coil.
 link_timer:
@@ -386,7 +391,11 @@ link_timer:
 ; An instruction with a number.
 link_numbered:
         rcall   link_next
-        mov     r17, r24
+        ldi     r17, OWN_KeepRegister
+        cpi     r16, OP_KeepRegister ; what is kept has no handler
+        brcs    1f
+        rjmp    link_room
+1:      mov     r17, r24
         mov     r25, r12
         cpi     r25, KIND_TIME
         brne    1f

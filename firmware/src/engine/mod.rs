@@ -27,15 +27,16 @@ pub use data::Data;
 
 use crate::board::eeprom::Eeprom;
 use crate::operation::Images;
+use crate::ring::Ring;
 use crate::store::Kept;
 use core::arch::asm;
 use core::mem;
 use data::{Cell, ON};
 use layout::{Layout, POINTS};
 use memory::Memory;
-use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
-use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
-
+use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, Opcode, TIMER_DATA};
+use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, NUMBER_BYTES, Needs, Profile};
+use unoclp_modbus::eeprom::program::STORED;
 
 const _: () = {
     assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);
@@ -50,6 +51,8 @@ pub struct Linked<'m> {
     memory: &'m mut [u8],
     /// Data of edges, filters and integrations.
     own: &'m mut [u8],
+    /// The snapshot of the numbers that are kept.
+    snapshot: &'m mut [u8],
     layout: Layout<'m>,
     /// Whether a scan needs more than the images of inputs 01 to 04.
     prepares: bool,
@@ -81,6 +84,7 @@ impl<'m> Linked<'m> {
             code: &[],
             memory: rest,
             own: &mut [],
+            snapshot: &mut [],
             prepares: false,
             first: true,
             clocks: Clocks::new(),
@@ -106,7 +110,11 @@ impl<'m> Linked<'m> {
         let (code, rest) = memory
             .split_at_mut_checked(size.code.into())
             .ok_or(Cause::NoStoredProgram)?;
-        self.own = split_end(rest, size.own.into()).1;
+        let own = split_end(rest, size.own.into()).1;
+        let numbers = layout.stored.numbers * NUMBER_BYTES;
+        // They are named first, so theirs is the last.
+        (self.own, self.snapshot) = split_end(own, numbers.into());
+        self.snapshot.fill(0);
         self.code = code;
         let needs = layout.stored.needs;
         self.prepares =
@@ -140,7 +148,7 @@ impl<'m> Linked<'m> {
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
-    /// them; but retentive markers keep their states.
+    /// them; but retentive markers keep their states, and the numbers of the snapshot come back.
     ///
     /// # Errors
     /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
@@ -149,7 +157,50 @@ impl<'m> Linked<'m> {
         link::forget_labels(self.layout.data);
         link::pass(&mut self.layout, eeprom, &mut [])?;
         self.clear(images);
+        self.copy(eeprom, false);
         Ok(())
+    }
+
+    /// The records of what the program keeps.
+    pub fn ring(&self) -> Ring {
+        self.layout.stored.ring()
+    }
+
+    /// The snapshot of the numbers that are kept, in the program's order.
+    pub fn snapshot(&mut self) -> &mut [u8] {
+        self.snapshot
+    }
+
+    /// The number that is kept with this index, as it stands and in the snapshot; none behind the last.
+    #[inline(never)]
+    pub fn kept(&mut self, eeprom: &Eeprom, index: u8) -> Option<(&mut [u8; 4], &mut [u8; 4])> {
+        let snapshot = self.snapshot.get_mut(usize::from(index * NUMBER_BYTES)..)?;
+        let declared = STORED + 2 * u16::from(index);
+        let number = eeprom.read(declared + 1).wrapping_sub(1);
+        let (all, size) = if eeprom.read(declared) == Opcode::KeepRegister as u8 {
+            (self.layout.data.registers.as_flattened_mut(), NUMBER_BYTES)
+        } else {
+            (&mut *self.layout.counters, COUNTER_DATA as u8)
+        };
+        let number = all.get_mut(usize::from(number.wrapping_mul(size))..)?;
+        Some((number.first_chunk_mut()?, snapshot.first_chunk_mut()?))
+    }
+
+    /// Takes the snapshot, or brings it back; tells whether anything has changed by that.
+    #[inline(never)]
+    pub fn copy(&mut self, eeprom: &Eeprom, save: bool) -> bool {
+        let mut changed = false;
+        let mut index = 0;
+        while let Some((number, snapshot)) = self.kept(eeprom, index) {
+            changed |= number != snapshot;
+            if save {
+                *snapshot = *number;
+            } else {
+                *number = *snapshot;
+            }
+            index += 1;
+        }
+        changed
     }
 
     fn clear(&mut self, images: &mut Images) {

@@ -86,9 +86,7 @@ impl<'m> Upload<'m> {
     fn conclude(&mut self, eeprom: &Eeprom, fault: &mut Option<Fault>) {
         *fault = match self.loader.finish() {
             Ok(_) if self.first != Some(self.sum) => Some(Fault::without_line(Cause::FileChanged)),
-            Ok(program) => store::save(eeprom, program.stored())
-                .err()
-                .map(Fault::without_line),
+            Ok(program) => store::save(eeprom, &program).err().map(Fault::without_line),
             Err(fault) => Some(fault),
         };
     }

@@ -5,7 +5,7 @@ use unoclp_core::Cause;
 use unoclp_core::isa::{Row, TABLE};
 
 /// Help for a fault at this text of the file, if there is any.
-pub(super) fn help(cause: Cause, text: &str) -> Option<String> {
+pub(super) fn help(cause: Cause, text: &str, lacking: [usize; 2]) -> Option<String> {
     match cause {
         Cause::UnknownCode => unknown_code(text.parse().ok()?),
         Cause::NoSuchInput => Some(format!("the UNO has inputs 01 to {:02}", BOARD.inputs)),
@@ -15,9 +15,9 @@ pub(super) fn help(cause: Cause, text: &str) -> Option<String> {
             Some("one code stands on a line; put this one on a line of its own".to_owned())
         }
         Cause::ProgramFull | Cause::RunMemoryFull => Some(format!(
-            "the UNO holds {} bytes of program and has {} bytes to run it; timers, markers and \
-             numbers take more there than stored",
-            BOARD.stored_bytes, BOARD.linked_bytes
+            "the UNO holds {} bytes of program and has {} bytes to run it; {} and {} are lacking; timers, \
+             markers and numbers take more there than stored, and what is kept takes room for two records",
+            BOARD.stored_bytes, BOARD.linked_bytes, lacking[0], lacking[1]
         )),
         _ => None,
     }
@@ -99,13 +99,13 @@ mod tests {
             ("42", "is it 40, ( (open an OR branch)?"),
         ];
         for (code, expected) in cases {
-            let help = help(Cause::UnknownCode, code);
+            let help = help(Cause::UnknownCode, code, [0; 2]);
             let starts = help
                 .as_deref()
                 .is_some_and(|help| help.starts_with(expected));
             assert!(starts, "{code}: {help:?}");
         }
-        assert_eq!(help(Cause::UnknownCode, "123456"), None);
-        assert_eq!(help(Cause::UnknownCode, "-2147483648"), None);
+        assert_eq!(help(Cause::UnknownCode, "123456", [0; 2]), None);
+        assert_eq!(help(Cause::UnknownCode, "-2147483648", [0; 2]), None);
     }
 }

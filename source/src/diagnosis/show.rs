@@ -37,7 +37,11 @@ fn show_one(name: &str, file: &[u8], diagnosis: &Diagnosis, renderer: &Renderer)
         .id(fault.cause.number().to_string());
     let group = match Excerpt::new(file, diagnosis) {
         Some(excerpt) => {
-            let help = help(fault.cause, &excerpt.text[excerpt.mark.clone()]);
+            let help = help(
+                fault.cause,
+                &excerpt.text[excerpt.mark.clone()],
+                diagnosis.lacking,
+            );
             let mark = AnnotationKind::Primary.span(excerpt.mark);
             let snippet = Snippet::source(excerpt.text)
                 .line_start(excerpt.line as usize)

@@ -7,6 +7,7 @@ mod clients;
 mod common;
 mod diagnosis;
 mod fault_matrix;
+mod kept;
 mod lockstep;
 mod modbus;
 mod modbus_boundaries;

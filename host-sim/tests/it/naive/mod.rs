@@ -285,7 +285,7 @@ impl Naive {
             "SCL" => pass.value = scale(pass.value, &lines),
             "FLT" => pass.value = self.filter(at, pass.value, xx, lines[0], now),
             "INT" => self.integrate(at, pass.value, xx, acc, now),
-            "LB" | "FI" => {}
+            "LB" | "FI" | "KD" | "KC" => {}
             _ if acc => self.store(name, xx, &lines, pass.value),
             _ => {}
         }
