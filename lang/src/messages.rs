@@ -259,12 +259,17 @@ messages! {
         "armazene-o, ou use AND ou OR no lugar do LD que segue";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
-        "it holds {0} bytes of program and has {1} bytes to run it; timers and counters take the most"
+        "it holds {0} bytes of program and has {1} bytes to run it, and {2} are lacking; timers and counters take the most"
         "daqui em diante o programa não cabe na placa"
-        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo; temporizadores e contadores ocupam mais";
+        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo, e faltam {2}; temporizadores e contadores ocupam mais";
     72 Refused Error
         "the board would refuse this: fault {0}, {1}"
         "docs/faults.md says what to do about the fault"
         "a placa recusaria isto: falha {0}, {1}"
         "docs/faults.pt-BR.md diz o que fazer com a falha";
+    85 NotRetained Error
+        "{0} cannot be RETAIN: {1}"
+        "declare it with VAR, or keep it in an INT or a BOOL without an address"
+        "{0} não pode ser RETAIN: {1}"
+        "declare-a com VAR, ou guarde-a em um INT ou BOOL sem endereço";
 }

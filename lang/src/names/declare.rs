@@ -12,7 +12,11 @@ impl Names {
     /// Declares the variables of a unit; the names are those of one instance of it.
     pub(crate) fn declare(&mut self, vars: &[Var], instance: usize, found: &mut Found) {
         for var in vars {
+            let initials = self.initials.len();
             let place = self.declared(var, found);
+            if var.section == Section::Retain {
+                self.retain(place, var, initials, found);
+            }
             let name = var.name.text.trim_start_matches('%').to_owned();
             if let Place::Bit(Bit::Input(input)) = place {
                 let (name, span) = (var.name.text.clone(), var.name.span);

@@ -2,6 +2,7 @@
 
 mod declare;
 mod points;
+mod retain;
 
 use crate::Dialect;
 use crate::address::{Address, parse};
@@ -10,6 +11,7 @@ use crate::diagnostics::{Code, Found, Span};
 use crate::operators::Op;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
+use retain::Retained;
 use std::collections::HashMap;
 use unoclp_core::Profile;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, Row, TABLE};
@@ -85,6 +87,7 @@ pub(crate) struct Names {
     pub instances: Vec<Instance>,
     pub inputs: Vec<DeclaredInput>,
     pub initials: Vec<Initial>,
+    pub retained: Retained,
     pub temps: Temps,
     /// Names that hold in the whole file: those that nothing declares, timers and counters.
     global: HashMap<String, Place>,
@@ -106,6 +109,7 @@ impl Names {
             instances: Vec::new(),
             inputs: Vec::new(),
             initials: Vec::new(),
+            retained: Retained::default(),
             temps: Temps::default(),
             global: HashMap::new(),
             blocks: HashMap::new(),

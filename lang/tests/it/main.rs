@@ -8,6 +8,7 @@ mod examples;
 mod fuzzed;
 mod places;
 mod random_programs;
+mod retain;
 mod round_trip;
 mod twins;
 mod words;
