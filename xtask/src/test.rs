@@ -18,13 +18,14 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
 /// What a quick run leaves out: each takes ten seconds or more, and none is made of rounds or cases.
-const SLOW: [&str; 6] = [
+const SLOW: [&str; 7] = [
     "suite::programs_and_timers_on_the_running_clock",
     "suite::every_scenario_in_lockstep_before_the_firmware_is_shortened",
     "start_up::a_dead_card_is_given_up_within_2_s",
     "modbus_line::settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones",
     "retentive::a_marker_that_always_changes_does_not_wear_the_eeprom_out",
     "state::a_still_board_saves_each_minute",
+    "state_power::a_power_cut_in_a_save_damages_nothing",
 ];
 
 /// The words behind `cargo xtask test`.

@@ -10,6 +10,8 @@ use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 
 const PROGRAMS: u32 = 600;
+/// As many as a quick run takes too: of fewer, chance decides how much they do.
+const LEAST_PROGRAMS: u32 = 150;
 const SCANS: u32 = 120;
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 0x0C19;
@@ -19,7 +21,7 @@ fn random_programs_behave_alike() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults) = (0u64, 0u64, 0u64);
-    let programs = rounds(PROGRAMS);
+    let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
     for n in 0..programs {
         let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
