@@ -51,10 +51,9 @@ fn lasting(registers: &Registers, copy: &Code) -> Option<Line> {
     };
     // Of r1 everyone knows that it is 0.
     let from = register(copy.operand(1)).filter(|&n| n > 1)?;
-    let same = |&n: &u32| {
-        let next = registers.get(n + 1) == registers.get(from + 1);
-        registers.get(n) == registers.get(from) && (!wide || n % 2 == 0 && next)
-    };
+    let equal = |n, from| registers.get(n) == registers.get(from);
+    // Only of a pair is there a next one.
+    let same = |&n: &u32| equal(n, from) && (!wide || n % 2 == 0 && equal(n + 1, from + 1));
     let first = (2..18).find(same).filter(|&n| n != from)?;
     Some(Line::Code(Code {
         name: copy.name.clone(),

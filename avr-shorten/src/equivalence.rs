@@ -22,6 +22,8 @@ use crate::machine::{End, Program, Run, Setting, run};
 pub const LIMIT: u32 = 10_000;
 /// How far pointers must keep away from the stack, in bytes.
 const BELOW: u16 = 16;
+/// How much higher the stack of the shorter version may begin, in bytes: a shared entry saves more registers.
+const ABOVE: u16 = 8;
 /// The most instructions that may stand between two timed writes for the one to count on the other.
 const TIMED: u32 = 4;
 
@@ -132,6 +134,7 @@ impl Pair {
             fragment: self.fragment,
             moved: 0,
             below: 2 * BELOW,
+            above: ABOVE,
             limit: LIMIT,
         };
         let before = run(setting, function, &mut self.visited_before);
@@ -141,6 +144,7 @@ impl Pair {
         setting.program = &self.after;
         // A shared part has a return address more on the stack.
         setting.below = BELOW;
+        setting.above = 0;
         // An interrupt keeps all registers.
         setting.version = u8::from(before.end != End::ReturnedFromInterrupt);
         setting.limit = 2 * LIMIT;

@@ -299,3 +299,16 @@ f:
         movw r16, r14
         movw r24, r14
         ret
+
+== the last register has no next one
+f:
+        mov r16, r31
+        mov r24, r31
+        add r24, r22
+        ret
+=>
+f:
+        mov r16, r31
+        mov r24, r16
+        add r24, r22
+        ret

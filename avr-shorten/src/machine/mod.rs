@@ -84,6 +84,8 @@ pub struct Setting<'a> {
     pub moved: u16,
     /// How far below the stack wild pointers must keep away from.
     pub below: u16,
+    /// How far above the stack, where the other version's may begin, pointers but for Y must keep away from.
+    pub above: u16,
     /// The instructions after which a run is too long.
     pub limit: u32,
 }

@@ -10,6 +10,8 @@ use super::{CALLER, End, Event, IO, Machine, RAM, Run, SPH, SPL, SREG, Setting, 
 const ARGUMENTS: [u8; 19] = [
     1, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
 ];
+/// The low register of the pointer to the frame.
+const FRAME: u8 = 28;
 /// The registers that nobody may look at, at an entry and behind a call.
 const JUNK: [u8; 5] = [0, 26, 27, 30, 31];
 
@@ -200,7 +202,12 @@ impl<'a> Machine<'a> {
         let special = address < IO || (SPL..=SREG).contains(&address);
         let near = self.lowest.wrapping_sub(self.setting.below)..=self.entry.wrapping_add(2);
         let private = !self.trusted && (address <= self.stack || self.saved.contains(&address));
-        if by_pointer && (special || near.contains(&address) && private) {
+        let arguments = self.entry.wrapping_add(3);
+        let above = arguments..arguments.wrapping_add(self.setting.above);
+        let own = matches!(place, Place::Pointer { low: FRAME, .. });
+        if by_pointer && (special || near.contains(&address) && private)
+            || by_pointer && !own && above.contains(&address)
+        {
             return Err(Wild);
         }
         Ok(())
