@@ -2,7 +2,6 @@
 
 use crate::identity::Identity;
 use crate::link::{Gone, Link};
-use std::fmt;
 use std::time::Duration;
 use unoclp_modbus::client::{NoReply, Reply, Request};
 use unoclp_modbus::map::{Parity, Span, setting};
@@ -30,18 +29,6 @@ impl Default for Line {
     }
 }
 
-impl fmt::Display for Line {
-    /// `address 1 at 115200 baud, no parity`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Line {
-            address,
-            rate,
-            parity,
-        } = self;
-        write!(f, "address {address} at {rate} baud, {parity}")
-    }
-}
-
 /// How long to wait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Patience {
@@ -66,20 +53,16 @@ impl Default for Patience {
     }
 }
 
-/// Why a request has no result.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+/// Why a request has no result. Its words are those of whoever shows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failure {
     /// Nothing came back.
-    #[error("no answer")]
     Silent,
     /// What came back was no answer to it.
-    #[error("what comes back is no Modbus; is the rate right?")]
     Garbled,
     /// The board refuses it.
-    #[error("refused: {}", refusal(*.0))]
     Refused(Exception),
-    /// The port is gone.
-    #[error("the port is gone: {0}")]
+    /// The port is gone, and why.
     Lost(String),
 }
 
@@ -89,13 +72,12 @@ impl From<Gone> for Failure {
     }
 }
 
-fn refusal(exception: Exception) -> &'static str {
-    match exception {
-        Exception::IllegalFunction => "no such function (01)",
-        Exception::IllegalDataAddress => "no such address (02)",
-        Exception::IllegalDataValue => "not that value (03)",
-        Exception::ServerDeviceFailure => "not now (04)",
-        Exception::ServerDeviceBusy => "busy (06)",
+/// A board without these addresses is a board without what stands there.
+pub(crate) fn if_there<T>(read: Result<T, Failure>) -> Result<Option<T>, Failure> {
+    match read {
+        Ok(read) => Ok(Some(read)),
+        Err(Failure::Refused(Exception::IllegalDataAddress)) => Ok(None),
+        Err(other) => Err(other),
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::client::{Client, Failure};
 use crate::map::{Span, State, flag, form, input, long};
-use std::fmt;
 use unoclp_core::{Cause, Fault, Program};
 use unoclp_modbus::eeprom;
 
@@ -57,20 +56,6 @@ impl Trouble {
             cause: *cause,
             line: self.line,
         })
-    }
-}
-
-impl fmt::Display for Trouble {
-    /// `fault 24, line 7: no such code`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(fault) = self.fault() {
-            return fault.fmt(f);
-        }
-        write!(f, "fault {}", self.number)?;
-        if let Some(line) = self.line {
-            write!(f, ", line {line}")?;
-        }
-        f.write_str(": unknown to this version of unoclp")
     }
 }
 
@@ -212,19 +197,5 @@ mod tests {
             };
             assert_eq!(kept.differs(other), differs, "{other:?}");
         }
-    }
-
-    #[test]
-    fn trouble_reads_as_everywhere() {
-        let trouble = |number, line| Trouble { number, line }.to_string();
-        assert_eq!(trouble(24, Some(7)), "fault 24, line 7: no such code");
-        assert_eq!(
-            trouble(99, Some(7)),
-            "fault 99, line 7: unknown to this version of unoclp"
-        );
-        assert_eq!(
-            trouble(99, None),
-            "fault 99: unknown to this version of unoclp"
-        );
     }
 }

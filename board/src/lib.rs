@@ -7,9 +7,10 @@
 //! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
 //! - [`watch`]: one reading of all that a screen shows, and what may be asked of the board
-//! - [`settings`]: address, rate, parity and direction pin
+//! - [`settings`]: address, rate, parity, direction pin and lock
 //!
-//! What the addresses stand for is [`map`]'s, which the firmware serves too.
+//! What it gives are values; their words are those of whoever shows them. What the addresses stand for is [`map`]'s,
+//! which the firmware serves too.
 
 #![forbid(unsafe_code)]
 
@@ -25,5 +26,5 @@ pub mod watch;
 
 pub use client::{Client, Failure, Line, Patience};
 pub use conversation::{Conversation, Next, Step};
-pub use unoclp_modbus::map;
 pub use unoclp_modbus::map::Parity;
+pub use unoclp_modbus::{lock, map};

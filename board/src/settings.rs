@@ -1,8 +1,7 @@
-//! Address, rate, parity and direction pin, as a board keeps them for its next start.
+//! Address, rate, parity and direction pin, as a board keeps them for its next start, and its lock.
 
-use crate::client::{Client, Failure};
-use crate::map::{Parity, holding};
-use std::fmt;
+use crate::client::{Client, Failure, if_there};
+use crate::map::{Parity, Span, holding};
 
 /// What is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,27 +14,20 @@ pub struct Settings {
     pub parity: Parity,
     /// Whether A4 is HIGH while a reply is sent.
     pub direction: bool,
+    /// What the board refuses from everyone: bits of [`lock`](crate::lock), which can only grow. None: its firmware
+    /// has no lock.
+    pub lock: Option<u8>,
 }
 
 /// The rates that a board meets well.
 pub const RATES: [u32; 8] = [2400, 4800, 9600, 19200, 28800, 38400, 57600, 115_200];
 
-impl fmt::Display for Settings {
-    /// `address 1, 115200 baud, no parity, direction pin off`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Settings {
-            address,
-            rate,
-            parity,
-            direction,
-        } = self;
-        let direction = if *direction { "on" } else { "off" };
-        write!(
-            f,
-            "address {address}, {rate} baud, {parity}, direction pin {direction}"
-        )
-    }
-}
+/// The lock, which is the last of the settings.
+const LOCK: Span = Span {
+    first: holding::SETTINGS.end() - 1,
+    values: 1,
+    ..holding::SETTINGS
+};
 
 impl Settings {
     /// Reads them.
@@ -43,30 +35,68 @@ impl Settings {
     /// # Errors
     /// [`Failure`]; [`Failure::Garbled`] too where they are none of this version.
     pub async fn read(client: &mut Client) -> Result<Settings, Failure> {
-        let span = holding::SETTINGS;
-        let words = client.words(span.table, span.first, span.values).await?;
-        let &[address, rate, parity, direction] = &words[..] else {
+        let Span {
+            table,
+            first,
+            values,
+            ..
+        } = holding::SETTINGS;
+        let words = match if_there(client.words(table, first, values).await)? {
+            Some(words) => words,
+            None => client.words(table, first, LOCK.first - first).await?,
+        };
+        let &[address, rate, parity, direction, ref lock @ ..] = &words[..] else {
             return Err(Failure::Garbled);
         };
+        let byte = |word| u8::try_from(word).map_err(|_| Failure::Garbled);
         Ok(Settings {
-            address: u8::try_from(address).map_err(|_| Failure::Garbled)?,
+            address: byte(address)?,
             rate: u32::from(rate) * 100,
             parity: Parity::of(parity).ok_or(Failure::Garbled)?,
             direction: direction != 0,
+            lock: lock.first().map(|&lock| byte(lock)).transpose()?,
         })
     }
 
-    /// Writes them, for the next start. The board must not be in RUN.
+    /// Writes them in place of these old ones: the lock holds at once, all else from the next start on. The board must
+    /// not be in RUN.
     ///
     /// # Errors
     /// [`Failure`].
-    pub async fn write(&self, client: &mut Client) -> Result<(), Failure> {
-        let words = [
+    pub async fn write(&self, old: Settings, client: &mut Client) -> Result<(), Failure> {
+        let line = [
             self.address.into(),
             (self.rate / 100) as u16,
             self.parity as u16,
             self.direction.into(),
         ];
-        client.set_words(holding::SETTINGS, &words).await
+        let words: Vec<u16> = line.into_iter().chain(self.lock.map(u16::from)).collect();
+        match client.set_words(holding::SETTINGS, &words).await {
+            // They were taken, but the answer was lost, and their repetition meets their lock or one change too many.
+            Err(Failure::Refused(_)) if *self != old && Settings::read(client).await? == *self => {
+                Ok(())
+            }
+            other => other,
+        }
     }
+
+    /// Whether the board refuses what falls under this bit of [`lock`](crate::lock).
+    pub fn locks(&self, bit: u8) -> bool {
+        self.lock.unwrap_or(0) & bit != 0
+    }
+
+    /// The same without the lock: what is used from the next start on only.
+    pub fn without_lock(self) -> Settings {
+        Settings { lock: None, ..self }
+    }
+}
+
+/// Reads the lock alone: bits of [`lock`](crate::lock), 0 where the board has none.
+///
+/// # Errors
+/// [`Failure`].
+pub async fn read_lock(client: &mut Client) -> Result<u8, Failure> {
+    let word = client.words(LOCK.table, LOCK.first, LOCK.values).await;
+    let word = if_there(word)?.and_then(|words| words.first().copied());
+    u8::try_from(word.unwrap_or(0)).map_err(|_| Failure::Garbled)
 }

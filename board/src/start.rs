@@ -3,39 +3,20 @@
 use crate::client::{Client, Failure};
 use crate::identity::Identity;
 use crate::map::VENDOR;
-use std::fmt;
 use std::time::Duration;
 use unoclp_modbus::Exception;
 
 /// Why there is no board to speak to.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotFound {
     /// Nobody answers.
-    #[error("no answer")]
     Silent,
     /// Something else comes than answers.
-    #[error("what comes is no Modbus")]
     Garbled,
-    /// Something else answers.
-    #[error("what answers is no unoclp{0}")]
-    Foreign(Foreign),
+    /// Something else answers; with what it says that it is, if it says so.
+    Foreign(Option<Identity>),
     /// It is not to be found out.
-    #[error(transparent)]
     Failed(Failure),
-}
-
-/// What something else than a unoclp says that it is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Foreign(Option<Identity>);
-
-impl fmt::Display for Foreign {
-    /// ` but "ACME Meter 3"`, behind `no unoclp`; nothing if it does not say
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.0 {
-            Some(identity) => write!(f, " but \"{} {identity}\"", identity.vendor),
-            None => Ok(()),
-        }
-    }
 }
 
 /// Silence after which a board is taken for one that has no boot text to say.
@@ -62,10 +43,10 @@ pub async fn find(client: &mut Client, may_be_reset: bool) -> Result<Identity, N
     };
     match identity {
         Ok(identity) if identity.vendor == VENDOR => Ok(identity),
-        Ok(identity) => Err(NotFound::Foreign(Foreign(Some(identity)))),
+        Ok(identity) => Err(NotFound::Foreign(Some(identity))),
         Err(Failure::Silent) => Err(NotFound::Silent),
         Err(Failure::Garbled) => Err(NotFound::Garbled),
-        Err(Failure::Refused(Exception::IllegalFunction)) => Err(NotFound::Foreign(Foreign(None))),
+        Err(Failure::Refused(Exception::IllegalFunction)) => Err(NotFound::Foreign(None)),
         Err(failure) => Err(NotFound::Failed(failure)),
     }
 }

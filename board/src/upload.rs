@@ -5,7 +5,6 @@
 use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
-use std::fmt;
 use std::time::Duration;
 use unoclp_modbus::Exception;
 
@@ -34,32 +33,18 @@ pub enum Pass {
     Store,
 }
 
-impl fmt::Display for Pass {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Pass::Check => "checking",
-            Pass::Store => "storing",
-        })
-    }
-}
-
 /// Why a program was not uploaded.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Broken {
     /// The board does not begin one.
-    #[error("the board does not begin an upload; does another client let it run?")]
     NotBegun,
+    /// The board is locked against it.
+    Locked,
     /// The board has found a fault in the text.
-    #[error("{0}")]
     Fault(Trouble),
     /// Another client has ended it, or begun one of its own.
-    #[error("the upload was ended from elsewhere; the board keeps the program that it had")]
     Ended,
     /// The board keeps something else than what was sent.
-    #[error(
-        "the board keeps {} bytes with check sum {:04X}, not the {} bytes with {:04X} that were sent; \
-         is its firmware of another version?", kept.bytes, kept.sum, sent.bytes, sent.sum
-    )]
     Other {
         /// What it keeps.
         kept: Kept,
@@ -67,13 +52,8 @@ pub enum Broken {
         sent: Kept,
     },
     /// The line has failed before anything was sent.
-    #[error("the upload was not begun: {0}")]
     Before(Failure),
     /// The line has failed.
-    #[error(
-        "the upload was broken off while {pass}, at byte {bytes} of {of}: {failure}. The board is in STOP; \
-         {}; upload anew", whats_kept(*.stored)
-    )]
     Off {
         /// The first or the second time.
         pass: Pass,
@@ -86,14 +66,6 @@ pub enum Broken {
         /// What has happened.
         failure: Failure,
     },
-}
-
-fn whats_kept(may_be_stored: bool) -> &'static str {
-    if may_be_stored {
-        "whether it keeps the new program is open"
-    } else {
-        "it keeps the program that it had"
-    }
 }
 
 /// Uploads the text of a program, which a board of this version will keep as `sent`; gives how the board keeps it.
@@ -110,6 +82,7 @@ pub async fn upload(
     let begun = client.set_word(holding::COMMAND, Command::Upload as u16);
     match begun.await {
         Ok(()) => {}
+        Err(Failure::Refused(Exception::IllegalFunction)) => return Err(Broken::Locked),
         Err(Failure::Refused(_)) => return Err(Broken::NotBegun),
         Err(failure) => return Err(Broken::Before(failure)),
     }
@@ -181,7 +154,11 @@ pub async fn end(client: &mut Client) -> Result<Diagnostics, Failure> {
         return Ok(board);
     }
     let ended = client.set_word(holding::COMMAND, Command::Stop as u16);
-    ended.await?;
+    match ended.await {
+        // Where commands are locked it ends by itself, as no more blocks come.
+        Ok(()) | Err(Failure::Refused(Exception::IllegalFunction)) => {}
+        Err(failure) => return Err(failure),
+    }
     Diagnostics::read(client).await
 }
 
@@ -265,7 +242,8 @@ pub async fn go_on(
     let run = client.set_word(holding::COMMAND, Command::Run as u16);
     match run.await {
         Ok(()) => runs(client).await,
-        Err(Failure::Refused(Exception::ServerDeviceFailure))
+        // Locked commands are refused before the board looks at A5.
+        Err(Failure::Refused(Exception::ServerDeviceFailure | Exception::IllegalFunction))
             if Diagnostics::read(client).await?.is_switched_off() =>
         {
             Ok(Behind::Switch)

@@ -1,6 +1,6 @@
 //! One reading of all that a screen shows, and what may be asked of the board meanwhile.
 
-use crate::client::{Client, Failure};
+use crate::client::{Client, Failure, if_there};
 use crate::diagnostics::Diagnostics;
 use crate::map::{Command, Span, coil, discrete, holding, input, long};
 use std::cell::RefCell;
@@ -51,6 +51,8 @@ pub struct Forced {
     pub inputs: Forces,
     /// Of the outputs.
     pub outputs: Forces,
+    /// So many seconds without a request end it; 0, 255: none do. None: the board's firmware has no end of forcing.
+    pub ends: Option<u8>,
 }
 
 impl Forced {
@@ -59,10 +61,29 @@ impl Forced {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client) -> Result<Forced, Failure> {
+        let (first, end) = (holding::FORCED_INPUTS, holding::FORCING_ENDS);
+        let words = client.words(first.table, first.first, end.end() - first.first);
+        let words = match if_there(words.await)? {
+            Some(words) => words,
+            None => {
+                let count = end.first - first.first;
+                client.words(first.table, first.first, count).await?
+            }
+        };
+        let &[inputs, inputs_to, outputs, outputs_to, ref ends @ ..] = &words[..] else {
+            return Err(Failure::Garbled);
+        };
+        let forces = |points, to| Forces { points, to };
         Ok(Forced {
-            inputs: forces(client, Side::Inputs).await?,
-            outputs: forces(client, Side::Outputs).await?,
+            inputs: forces(inputs, inputs_to),
+            outputs: forces(outputs, outputs_to),
+            ends: ends.first().and_then(|&ends| ends.try_into().ok()),
         })
+    }
+
+    /// The seconds without a request that end it, if any do.
+    pub fn seconds(self) -> Option<u8> {
+        self.ends.filter(|ends| !matches!(ends, 0 | 255))
     }
 
     /// Whether anything is.
@@ -137,6 +158,8 @@ pub struct Reading {
     pub forced_inputs: Forces,
     /// What is forced of the outputs.
     pub forced_outputs: Forces,
+    /// When it ends, as [`Forced::ends`].
+    pub forcing_ends: Option<u8>,
     /// The markers, bit 0 M 01.
     pub markers: Option<u64>,
     /// A 00 to A 04.
@@ -182,6 +205,7 @@ impl Reading {
             outputs: pack(&outputs) as u16,
             forced_inputs: forced.inputs,
             forced_outputs: forced.outputs,
+            forcing_ends: forced.ends,
             markers: markers.map(|markers| pack(&markers)),
             analogue: analogue.unwrap_or_default(),
             registers: longs(client, registers, registers.values).await?,
@@ -197,6 +221,7 @@ impl Reading {
         Forced {
             inputs: self.forced_inputs,
             outputs: self.forced_outputs,
+            ends: self.forcing_ends,
         }
     }
 }
@@ -267,15 +292,17 @@ pub enum Seen {
 /// Time from reading to reading: a few a second are enough to look at, and leave the line to others.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Reads the board, and does what is wished in between, until it is lost; says how.
+/// Reads the board, and does what is wished in between, until it is lost; says how. What is forced ends at the board
+/// behind `end_forcing` seconds without a request, 1 to 254, where its firmware has an end of forcing.
 pub async fn watch(
     client: &mut Client,
     scope: Scope,
+    end_forcing: Option<u8>,
     wishes: &Wishes,
     see: &mut dyn FnMut(Seen),
 ) -> Failure {
     loop {
-        if let Err(failure) = round(client, scope, wishes, see).await {
+        if let Err(failure) = round(client, scope, end_forcing, wishes, see).await {
             return failure;
         }
     }
@@ -285,6 +312,7 @@ pub async fn watch(
 async fn round(
     client: &mut Client,
     scope: Scope,
+    end_forcing: Option<u8>,
     wishes: &Wishes,
     see: &mut dyn FnMut(Seen),
 ) -> Result<(), Failure> {
@@ -292,7 +320,13 @@ async fn round(
     client.pause(PAUSE, || wishes.are_there()).await?;
     // What they have brought about is shown at once.
     while let Some(wish) = wishes.take() {
-        match wish.fulfil(client).await {
+        let fulfilled = async {
+            if let (Wish::Force(_, _, Some(_)), Some(seconds)) = (wish, end_forcing) {
+                if_there(client.set_word(holding::FORCING_ENDS, seconds.into()).await)?;
+            }
+            wish.fulfil(client).await
+        };
+        match fulfilled.await {
             Ok(()) => {}
             Err(Failure::Refused(exception)) => {
                 let board = Diagnostics::read(client).await?;
@@ -339,15 +373,6 @@ async fn meters(
     Ok(meters
         .map(|(value, preset)| Meter { value, preset })
         .collect())
-}
-
-/// A board without these addresses is a board without what stands there.
-fn if_there<T>(read: Result<T, Failure>) -> Result<Option<T>, Failure> {
-    match read {
-        Ok(read) => Ok(Some(read)),
-        Err(Failure::Refused(Exception::IllegalDataAddress)) => Ok(None),
-        Err(other) => Err(other),
-    }
 }
 
 /// Bit 0 is the first.

@@ -16,6 +16,19 @@ pub struct Diagnosis {
     pub fault: Fault,
     /// The offset in the file, in bytes, of the byte just taken; none at the end of the file.
     pub told_at: Option<usize>,
+    /// Bytes of program memory and of run memory that the whole file lacks; 0 where that is not known.
+    pub lacking: [usize; 2],
+}
+
+impl From<Fault> for Diagnosis {
+    /// A fault of which nothing more is known.
+    fn from(fault: Fault) -> Diagnosis {
+        Diagnosis {
+            fault,
+            told_at: None,
+            lacking: [0; 2],
+        }
+    }
 }
 
 /// Checks a file in numeric code for this board.
@@ -25,24 +38,31 @@ pub struct Diagnosis {
 pub fn numeric(file: &[u8], board: Profile) -> Result<(Checked, SourceMap), Vec<Diagnosis>> {
     let mut reader = Reader::default();
     let mut faults = Vec::new();
-    let tell = |fault, told_at| Diagnosis { fault, told_at };
+    let mut lacking = [0; 2];
     let checked = Checked::new(board, |loader| {
         for (offset, &byte) in file.iter().enumerate() {
             if let Err(fault) = loader.push(byte) {
-                faults.push(tell(fault, Some(offset)));
+                faults.push(Diagnosis {
+                    told_at: Some(offset),
+                    ..fault.into()
+                });
             }
             if offset >= UTF8_MARK.len() || !file.starts_with(UTF8_MARK) {
                 reader.take(byte, loader);
             }
         }
         while let Err(fault) = loader.end() {
-            faults.push(tell(fault, None));
+            faults.push(fault.into());
         }
         reader.end_line(loader);
+        lacking = loader.lacking();
     });
+    for diagnosis in &mut faults {
+        diagnosis.lacking = lacking;
+    }
     match checked {
         Ok(checked) => Ok((checked, reader.map)),
-        Err(fault) if faults.is_empty() => Err(vec![tell(fault, None)]),
+        Err(fault) if faults.is_empty() => Err(vec![fault.into()]),
         Err(_) => Err(faults),
     }
 }

@@ -4,8 +4,11 @@
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
 //! - [`screen`]: what holds for every screen
+//! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
 
+pub mod ascii;
+mod lamps;
 pub mod messages;
 pub mod monitor;
 pub mod panel;

@@ -8,22 +8,22 @@ mod commands;
 
 use annotate_snippets::Renderer;
 use anstream::{eprintln, print, println};
-use anyhow::{Context, anyhow, bail};
+use anyhow::{anyhow, bail};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Form, Il, Kind, Leave, Shown, check_written, create, in_portuguese, language,
-    open, refuse, running,
+    At, Changes, Form, Il, Kind, Leave, Shown, cannot_write, check_written, create, in_portuguese,
+    langs, language, open, read, refuse, running,
 };
 use ratatui::crossterm::terminal;
 use std::env;
-use std::fs::File;
-use std::io::{BufWriter, IsTerminal, Read, Write, stdin, stdout};
+use std::ffi::OsString;
+use std::io::{self, BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unoclp_cli::messages;
 use unoclp_cli::panel::{self, App};
+use unoclp_cli::{ascii, messages};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{ProgramFile, Scenario, Verdict, check};
+use unoclp_host_sim::scenario::{LoadError, ProgramFile, Scenario, Verdict, check};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_ladder::NARROWEST;
 use unoclp_lang::Lang;
@@ -35,6 +35,10 @@ use unoclp_source::{Written, is_il, list, point_names};
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// The language in which everything is told; else that of the environment
+    // `asked` has read it before.
+    #[arg(long, global = true, value_parser = langs())]
+    lang: Option<Lang>,
 }
 
 #[derive(Subcommand)]
@@ -117,8 +121,11 @@ enum Command {
         il: Il,
         #[command(flatten)]
         at: At,
+        /// Have the board let go all that is forced after so many seconds without a request
+        #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
+        end_forcing: Option<u8>,
     },
-    /// Show and set a board's address, rate, parity and direction pin
+    /// Show and set a board's address, rate, parity, direction pin and lock
     Settings {
         #[command(flatten)]
         at: At,
@@ -132,10 +139,23 @@ fn arguments() -> Arguments {
     match messages::spoken() {
         Lang::En => Arguments::parse(),
         Lang::Pt => in_portuguese(Arguments::command())
-            .try_get_matches()
+            .try_get_matches_from(help_behind(env::args_os().collect()))
             .and_then(|matches| Arguments::from_arg_matches(&matches))
             .unwrap_or_else(|error| refuse(&error)),
     }
+}
+
+/// The same arguments with `help list` as `list --help`: clap explains its command `help` in English alone.
+fn help_behind(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    let is_value = |at: usize| at > 0 && arguments[at - 1] == "--lang";
+    let is_command =
+        |at: &usize| !is_value(*at) && !arguments[*at].to_string_lossy().starts_with('-');
+    let command = (1..arguments.len()).find(is_command);
+    if let Some(at) = command.filter(|&at| arguments[at] == "help") {
+        arguments.remove(at);
+        arguments.push("--help".into());
+    }
+    arguments
 }
 
 /// The language that the arguments ask for, by --lang: it must be known before anything is said of them.
@@ -174,7 +194,7 @@ fn end_with_the_pipe() {
         signal_hook::consts::SIGPIPE,
         std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true)),
     ) {
-        eprintln!("warning: {error}");
+        eprintln!("{}", messages::warning(messages::io(&error)));
     }
 }
 
@@ -219,14 +239,23 @@ fn main() -> ExitCode {
             at,
             leave,
         } => commands::upload(&file, &at.place(), &leave, &il),
-        Command::Monitor { file, il, at } => commands::monitor(file.as_deref(), at.place(), &il),
+        Command::Monitor {
+            file,
+            il,
+            at,
+            end_forcing,
+        } => commands::monitor(file.as_deref(), at.place(), end_forcing, &il),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("{}: {error:#}", messages::either("error", "erro"));
+            let told = match error.downcast_ref::<io::Error>() {
+                Some(error) => messages::io(error),
+                None => error.to_string(),
+            };
+            eprintln!("{}", messages::error(told));
             ExitCode::from(2)
         }
     }
@@ -240,13 +269,18 @@ fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize)
         return Ok(false);
     };
     let Some(svg) = svg else {
-        print!("{}", list::list(&program, form.into(), width));
+        let listing = list::list(&program, form.into(), width, messages::spoken());
+        match form {
+            Form::Ladder => print!("{}", ascii::picture(&listing)),
+            // These are programs, which stay as they are.
+            Form::Il | Form::Numeric => print!("{listing}"),
+        }
         return Ok(true);
     };
-    let drawing = list::svg(&program, width);
+    let drawing = list::svg(&program, width, messages::spoken());
     create(svg, Kind::Drawing, &[path])?
         .write_all(drawing.as_bytes())
-        .with_context(|| cannot_write(svg))?;
+        .map_err(cannot_write(svg))?;
     println!("{}", messages::drawn(svg.display()));
     Ok(true)
 }
@@ -268,7 +302,8 @@ fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
 }
 
 fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il) -> Outcome {
-    let named = Scenario::program_of(path)?;
+    let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
+    let named = Scenario::program_of(path).map_err(wrong)?;
     let program = match (program, &named) {
         (Some(program), _) => Some(program),
         // Its errors are shown as `check` shows them.
@@ -277,7 +312,7 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
     };
     let mut source = None;
     let scenario = match program {
-        None => Scenario::load(path)?,
+        None => Scenario::load(path).map_err(wrong)?,
         Some(program) => {
             let ProgramFile { name, bytes } = read(program)?;
             let written = Written::new(name.clone(), bytes.clone());
@@ -289,7 +324,7 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
                     None => return Ok(false),
                 },
             };
-            Scenario::load_for(path, ProgramFile { name, bytes })?
+            Scenario::load_for(path, ProgramFile { name, bytes }).map_err(wrong)?
         }
     };
     let report = match vcd {
@@ -301,11 +336,11 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
             let recorder = Recorder::new(trace(vcd, &inputs)?).with_names(names);
             let mut engine = RecordedEngine::new(recorder);
             let report = check(&scenario, &mut engine);
-            engine.finish().with_context(|| cannot_write(vcd))?;
+            engine.finish().map_err(cannot_write(vcd))?;
             report
         }
     };
-    println!("{report}");
+    println!("{}", ascii::picture(&report.text(messages::spoken())));
     if let Verdict::WrongStop {
         came: Some((_, refusal)),
         ..
@@ -336,22 +371,4 @@ fn renderer() -> Renderer {
         renderer = renderer.term_width(width.into());
     }
     renderer
-}
-
-/// The longest file that is read as a program, bytes: far more than any program has, comments included.
-const LONGEST: u64 = 1 << 20;
-
-fn read(path: &Path) -> anyhow::Result<ProgramFile> {
-    let name = path.display().to_string();
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes));
-    match read {
-        Ok(_) if bytes.len() as u64 > LONGEST => bail!(messages::too_large(name, LONGEST)),
-        Ok(_) => Ok(ProgramFile { name, bytes }),
-        Err(error) => bail!(messages::cannot_read(name, error)),
-    }
-}
-
-fn cannot_write(path: &Path) -> String {
-    messages::cannot_write(path.display())
 }

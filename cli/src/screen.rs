@@ -1,11 +1,11 @@
 //! What holds for every screen: how small it may be, and which characters it may use.
 
+use crate::ascii::nearest;
 use crate::messages;
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
-use std::env;
 
 /// The columns and lines that a screen needs.
 pub const LEAST: (u16, u16) = (41, 11);
@@ -32,49 +32,8 @@ pub fn to_ascii(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         let other = cell.symbol().chars().next().filter(|c| !c.is_ascii());
         if let Some(character) = other {
-            cell.set_char(ascii(character));
+            cell.set_char(nearest(character));
         }
-    }
-}
-
-/// The locale has no UTF-8. Windows has it always.
-pub fn is_ascii() -> bool {
-    let value = |name: &str| env::var(name).ok().filter(|value| !value.is_empty());
-    let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(value);
-    let locale = locale.unwrap_or_default().to_lowercase();
-    cfg!(unix) && !(locale.contains("utf-8") || locale.contains("utf8"))
-}
-
-/// What comes nearest to a character.
-fn ascii(character: char) -> char {
-    match character {
-        '●' | '•' => '*',
-        '○' | '°' | 'º' => 'o',
-        '█' => '#',
-        '░' | '·' | '…' => '.',
-        '─' | '–' => '-',
-        '━' => '=',
-        '│' | '┃' => '|',
-        '├' | '┝' | '┣' | '┠' => '|',
-        '┤' | '┥' | '┫' | '┨' => '|',
-        '\u{2500}'..='\u{257F}' => '+',
-        '↑' => '^',
-        '↓' => 'v',
-        '×' => 'x',
-        'µ' | 'μ' => 'u',
-        'á' | 'à' | 'â' | 'ã' => 'a',
-        'é' | 'ê' => 'e',
-        'í' => 'i',
-        'ó' | 'ô' | 'õ' => 'o',
-        'ú' | 'ü' => 'u',
-        'ç' => 'c',
-        'Á' | 'À' | 'Â' | 'Ã' => 'A',
-        'É' | 'Ê' => 'E',
-        'Í' => 'I',
-        'Ó' | 'Ô' | 'Õ' => 'O',
-        'Ú' => 'U',
-        'Ç' => 'C',
-        _ => '?',
     }
 }
 

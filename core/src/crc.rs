@@ -32,6 +32,13 @@ impl Crc16 {
         self.low = next ^ next << 5;
     }
 
+    /// The same where room counts and not time.
+    #[inline(never)]
+    pub fn then(mut self, byte: u8) -> Crc16 {
+        self.push(byte);
+        self
+    }
+
     /// Takes the next bytes.
     #[inline(always)]
     pub fn extend(&mut self, bytes: &[u8]) {

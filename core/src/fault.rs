@@ -35,6 +35,7 @@ macro_rules! faults {
             39 PinUsedTwice "a pin is used in two ways: 05-08 and A 00-03, output and PWM (NC-18)";
             41 ProgramFull "the program does not fit program memory from here on (NC-10)";
             42 RunMemoryFull "the program does not fit run memory from here on (NC-10)";
+            43 CannotKeep "what is kept is named first, 16 at most (NC-21)";
             51 NoCard "no card answers; is it in the slot, are D10 to D13 wired?";
             52 CardDead "the card answers but does not get ready; try another (no MMC)";
             53 CardReadError "the card cannot be read; try again or try another";

@@ -15,7 +15,7 @@
 //! This crate knows no pin, no file system and no printing. It needs neither `std` nor an
 //! allocator, contains no `unsafe`, and no input makes it panic.
 //!
-//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-20.
+//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-21.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -23,8 +23,10 @@
 pub mod fault;
 pub mod isa;
 
+mod board;
 mod crc;
 mod image;
+mod kept;
 mod loader;
 mod needs;
 mod plc;
@@ -34,10 +36,12 @@ mod rung;
 mod text;
 mod timer;
 
+pub use board::Board;
 pub use crc::Crc16;
 pub use fault::{Cause, Fault};
 pub use image::{Image, Point};
 pub use isa::Instruction;
+pub use kept::{KEPT, NUMBER_BYTES, Number, RECORD_BYTES, RECORDED};
 pub use loader::Loader;
 pub use needs::Needs;
 pub use plc::{Clocks, CounterState, Debounce, Inputs, Plc, Snapshot, TimerState};

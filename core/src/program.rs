@@ -17,6 +17,7 @@ pub struct Program<'m> {
     pub(crate) run_bytes: usize,
     pub(crate) timers: u8,
     pub(crate) counters: u8,
+    pub(crate) kept: u8,
     pub(crate) codes: u16,
     pub(crate) needs: Needs,
 }

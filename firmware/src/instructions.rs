@@ -2,15 +2,25 @@
 //! engine's linker.
 
 use crate::board::flash::Table;
-use unoclp_core::isa;
+use unoclp_core::{Board, Profile, isa};
 
 /// The name is for the engine's assembly.
 #[unsafe(link_section = ".progmem.data")]
 #[unsafe(export_name = "ENGINE_ROWS")]
 static ROWS: Table<u8, { isa::PACKED.len() }> = Table::new(isa::PACKED);
 
-/// Reads the instruction table from this index on.
-pub fn read(at: usize, bytes: &mut [u8]) {
-    // SAFETY: the static stands in that section.
-    unsafe { ROWS.read(at, bytes) }
+/// The UNO, as the loader knows it.
+pub struct Uno;
+
+impl Board for Uno {
+    #[inline(always)]
+    fn profile(&self) -> Profile {
+        Profile::UNO
+    }
+
+    #[inline(always)]
+    fn read(&self, at: usize, bytes: &mut [u8]) {
+        // SAFETY: the static stands in that section.
+        unsafe { ROWS.read(at, bytes) }
+    }
 }

@@ -25,6 +25,7 @@ mod halt;
 mod indicator;
 mod instructions;
 mod modes;
+mod numbers;
 mod operation;
 mod page;
 mod report;

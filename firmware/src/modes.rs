@@ -2,22 +2,25 @@
 //!
 //! Owns which of them it is, and what goes on in each, beside the scans too; must not know how any of it is done.
 
+use crate::board::allowance::{self, COST, MARKERS_LEFT, NUMBERS_LEFT, SETTINGS_LEFT};
 use crate::board::watchdog;
 use crate::board::{Board, clock};
 use crate::card::StateFile;
 use crate::diagnosis::Diagnosis;
 use crate::engine::memory::Memory;
 use crate::engine::{Data, Linked};
+use crate::numbers::Numbers;
 use crate::operation::{Command, Operation, State};
 use crate::page::Running;
 use crate::retentive::Retentive;
 use crate::scan::Scans;
-use crate::server::{self, Server};
+use crate::server::Server;
 use crate::settings::Settings;
 use crate::state::Keeper;
 use crate::store::{self, Kept};
 use crate::{indicator, report};
 use unoclp_core::{Cause, Fault, Image};
+use unoclp_modbus::Frame;
 
 /// The board at work: the scans with their operation, and what goes on beside them.
 struct Work<'b> {
@@ -26,7 +29,15 @@ struct Work<'b> {
     server: Server,
     state: Keeper,
     retentive: Retentive,
+    /// How many records there are of the numbers that are kept.
+    places: u8,
+    /// When the last second began, ms since start, wrapping; and how many have, of this minute.
+    second: u16,
+    seconds: u8,
 }
+
+/// ms.
+const SECOND: u16 = 1000;
 
 /// RUN, STOP and FAULT, for ever.
 // Apart from `main`, whose frame is there while a card is read.
@@ -48,19 +59,10 @@ pub fn serve(
     if program.is_ok() {
         report::state_file(&board.serial, &file);
     }
-    let work = &mut Work {
-        board,
-        scans: Scans::new(board),
-        server: Server::new(frame, settings),
-        state: Keeper::new(match file {
-            StateFile::Found(place) => Some(place),
-            _ => None,
-        }),
-        retentive: Retentive::find(&board.eeprom, clock::now() as u16),
-    };
+    let work = &mut Work::new(board, frame, settings, file);
     data.retain(work.retentive.markers());
     // Last of all: whoever reads that the board is ready may ask it at once.
-    if let Err(fault) = program {
+    if let Err(fault) = &program {
         work.fail(fault);
         report::fault(&board.serial, fault);
     } else {
@@ -74,7 +76,7 @@ pub fn serve(
                 board.switch_outputs_off();
                 board.watchdog.stop();
                 if let Err(fault) = outcome {
-                    work.fail(fault);
+                    work.fail(&fault);
                     program = Err(fault);
                 }
             }
@@ -84,7 +86,7 @@ pub fn serve(
         work.server.receive(board, operation, memory, data);
         if program.is_ok() {
             program = check(board, memory);
-            if let Err(fault) = program {
+            if let Err(fault) = &program {
                 work.fail(fault);
             }
         }
@@ -98,30 +100,81 @@ pub fn check(board: &Board, memory: &mut [u8]) -> Result<Kept, Fault> {
 }
 
 impl Work<'_> {
+    /// Before the first scan.
+    // Apart from who makes it, whose frame is large: what lies beyond 63 bytes is reached by detours.
+    #[inline(never)]
+    fn new<'b>(
+        board: &'b Board,
+        frame: &'static mut Frame,
+        settings: &'static mut Settings,
+        file: StateFile,
+    ) -> Work<'b> {
+        Work {
+            board,
+            scans: Scans::new(board),
+            server: Server::new(frame, settings),
+            state: Keeper::new(match file {
+                StateFile::Found(place) => Some(place),
+                _ => None,
+            }),
+            retentive: Retentive::find(&board.eeprom),
+            places: 0,
+            second: clock::now() as u16,
+            seconds: 0,
+        }
+    }
+
     /// FAULT begins, and lasts until the next start.
     #[inline(never)]
-    fn fail(&mut self, fault: Fault) {
+    fn fail(&mut self, fault: &Fault) {
         self.board.watchdog.count_fault();
         self.board.release_card();
         let operation = &mut self.scans.operation;
         operation.state = State::Fault;
-        operation.fault = Some(fault);
+        operation.fault = Some(*fault);
         operation.images.set_outputs(Image::default());
     }
 
-    /// What goes on in RUN, STOP and FAULT: analogue inputs are measured, and retentive markers kept.
+    /// What goes on in RUN, STOP and FAULT: analogue inputs are measured, retentive markers kept, and forcing ends
+    /// where nobody asks any more.
     #[inline(never)]
     fn look_after(&mut self, data: &mut Data) {
         let board = self.board;
         board.analogue.step(&mut data.analogue);
+        self.retentive.step(&board.eeprom, data.retained());
         let now = clock::now() as u16;
-        self.retentive.step(&board.eeprom, data.retained(), now);
+        if now.wrapping_sub(self.second) >= SECOND {
+            self.second = self.second.wrapping_add(SECOND);
+            self.each_second();
+        }
+    }
+
+    /// The same where a program is there, whose numbers are kept too.
+    #[inline(never)]
+    fn look_after_all(&mut self, plc: &mut Linked<'_>, numbers: &mut Numbers) {
+        self.look_after(plc.data());
+        let runs = self.scans.operation.state == State::Run;
+        numbers.step(plc, &self.board.eeprom, runs);
+    }
+
+    /// Another second has passed.
+    fn each_second(&mut self) {
+        let silence = &mut self.server.silence;
+        *silence = silence.saturating_add(1);
+        self.scans.operation.silence(*silence);
+        self.seconds += 1;
+        if self.seconds == 60 {
+            self.seconds = 0;
+            allowance::grow(&MARKERS_LEFT, COST);
+            allowance::grow(&SETTINGS_LEFT, 1);
+            allowance::grow(&NUMBERS_LEFT, self.places.into());
+        }
     }
 
     /// A slice of a request.
-    fn answer(&mut self, memory: Memory<'_>, most: u8) {
+    fn answer(&mut self, memory: Memory<'_>) {
         let operation = &mut self.scans.operation;
-        self.server.step(self.board, operation, memory, None, most);
+        self.server.step(self.board, operation, memory, None);
     }
 }
 
@@ -131,10 +184,24 @@ impl Work<'_> {
 /// The fault that ends it.
 #[inline(never)]
 fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> Result<(), Fault> {
-    let board = work.board;
     let plc = &mut Linked::new(kept, memory, data);
-    plc.link(&board.eeprom, &mut work.scans.operation.images)
-        .map_err(Fault::without_line)?;
+    scan(work, plc).map_err(|cause| match cause {
+        Cause::TooManyJumps => plc.too_many_jumps(),
+        _ => Fault::without_line(cause),
+    })
+}
+
+/// The same for a program that has its memory.
+///
+/// # Errors
+/// The cause of the fault that ends it.
+// Apart, so that neither frame is too large to be reached directly.
+#[inline(never)]
+fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
+    let board = work.board;
+    plc.link(&board.eeprom, &mut work.scans.operation.images)?;
+    let numbers = &mut Numbers::find(plc, &board.eeprom);
+    work.places = numbers.places();
     let needs = plc.needs();
     board.pins.pull_up(needs.inputs);
     board
@@ -145,19 +212,20 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
     work.scans.begin();
     loop {
         if work.scans.operation.stopped || board.pins.stop() {
-            stop(work, plc).map_err(Fault::without_line)?;
+            stop(work, plc, numbers)?;
             if work.scans.operation.command == Some(Command::Upload) {
+                numbers.finish(plc, &board.eeprom);
                 return Ok(());
             }
             take_coils(work, plc);
             work.scans.pause();
         }
         let Ok(due) = work.scans.go_on(plc) else {
-            return Err(plc.too_many_jumps());
+            return Err(Cause::TooManyJumps);
         };
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
         if !board.serial.is_quiet() && !board.eeprom.is_busy() {
-            work.answer(plc.memory(), server::SLICE);
+            work.answer(plc.memory());
             take_coils(work, plc);
         }
         if due {
@@ -165,11 +233,11 @@ fn run(work: &mut Work<'_>, memory: &mut [u8], kept: &Kept, data: &mut Data) -> 
             indicator::show_run(&board.pins, operation.forces.any());
             plc.data().scan_time(operation.times.last());
             work.state.step(board, operation);
-            work.look_after(plc.data());
+            work.look_after_all(plc, numbers);
             if work.state.is_sending() {
                 work.scans.hurry();
             }
-            diagnosis.step(board).map_err(Fault::without_line)?;
+            diagnosis.step(board)?;
         }
     }
 }
@@ -186,25 +254,25 @@ fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
 /// # Errors
 /// Where the program cannot begin anew.
 #[inline(never)]
-fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
+fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>, numbers: &mut Numbers) -> Result<(), Cause> {
     let board = work.board;
     board.switch_outputs_off();
-    enter(work, plc, State::Stop)?;
+    enter(work, plc, numbers, State::Stop)?;
     let pins = &board.pins;
     indicator::show_stop(pins, || {
         watchdog::feed();
         let operation = &mut work.scans.operation;
         operation.read(pins.levels().all_inputs(plc.needs().inputs));
         work.state.step(board, operation);
-        work.look_after(plc.data());
-        work.answer(plc.memory(), server::AT_ONCE);
+        work.look_after_all(plc, numbers);
+        work.answer(plc.memory());
         let operation = &mut work.scans.operation;
         operation.takes(Command::SingleScan)
             || operation.command == Some(Command::Upload)
             || !operation.stopped && !pins.stop()
     });
     if !work.scans.operation.stopped && !pins.stop() {
-        enter(work, plc, State::Run)?;
+        enter(work, plc, numbers, State::Run)?;
     }
     Ok(())
 }
@@ -214,7 +282,12 @@ fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
 /// # Errors
 /// Where the program cannot begin anew.
 #[inline(never)]
-fn enter(work: &mut Work<'_>, plc: &mut Linked<'_>, state: State) -> Result<(), Cause> {
+fn enter(
+    work: &mut Work<'_>,
+    plc: &mut Linked<'_>,
+    numbers: &mut Numbers,
+    state: State,
+) -> Result<(), Cause> {
     let Operation {
         state: now, images, ..
     } = &mut work.scans.operation;
@@ -222,6 +295,7 @@ fn enter(work: &mut Work<'_>, plc: &mut Linked<'_>, state: State) -> Result<(), 
         return Ok(());
     }
     *now = state;
+    numbers.finish(plc, &work.board.eeprom);
     plc.restart(&work.board.eeprom, images)
 }
 
@@ -233,7 +307,7 @@ fn show(work: &mut Work<'_>, cause: Cause, data: &mut Data) {
         // Which of the others are digital, a program would tell.
         work.scans.operation.read(pins.levels().inputs());
         work.look_after(data);
-        work.answer(Memory::idle(data), server::AT_ONCE);
+        work.answer(Memory::idle(data));
         work.scans.operation.command == Some(Command::Upload)
     });
 }

@@ -2,6 +2,7 @@
 //!
 //! Owns what these mean together; must not know who scans, who shows them, or who commands.
 
+use core::mem;
 use unoclp_core::{Fault, Image};
 
 pub use unoclp_modbus::map::{Command, State};
@@ -53,6 +54,16 @@ impl Operation {
         given
     }
 
+    /// No request has come for so many seconds: forcing may end. A forced output is 0 then until a rung writes it.
+    pub fn silence(&mut self, seconds: u8) {
+        let [points @ .., most] = &mut self.forces.0;
+        if *most != 0 && seconds > *most {
+            let [_, _, forced, _] = mem::take(points);
+            let Image(outputs) = self.images.outputs();
+            self.images.set_outputs(Image(outputs & !u16::from(forced)));
+        }
+    }
+
     /// The inputs where no scan reads them.
     pub fn read(&mut self, inputs: Image) {
         self.images.set_inputs(self.forces.inputs(inputs));
@@ -71,15 +82,15 @@ impl Operation {
 }
 
 /// Points that are forced, and to what: inputs, values of inputs, outputs, values of outputs, as the Modbus
-/// map has them; bit 0 is point 01.
+/// map has them; bit 0 is point 01. Then how many seconds without a request end all forcing, 0 for none.
 #[derive(Clone, Copy, Default)]
-pub struct Forces(pub [u8; 4]);
+pub struct Forces(pub [u8; 5]);
 
 impl Forces {
     /// Whether there are any.
     #[inline(always)]
     pub fn any(self) -> bool {
-        let [inputs, _, outputs, _] = self.0;
+        let [inputs, _, outputs, ..] = self.0;
         inputs | outputs != 0
     }
 
@@ -92,14 +103,14 @@ impl Forces {
 
     /// Which outputs are forced, bit 0 output 01.
     pub fn forced_outputs(self) -> u8 {
-        let [.., outputs, _] = self.0;
+        let [_, _, outputs, ..] = self.0;
         outputs
     }
 
     /// The same of the output image.
     #[inline(always)]
     pub fn outputs(self, image: Image) -> Image {
-        let [.., points, values] = self.0;
+        let [_, _, points, values, _] = self.0;
         Image((image.0 as u8 & !points | values & points).into())
     }
 }

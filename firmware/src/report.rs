@@ -22,11 +22,12 @@ pub fn banner(board: &Board) {
     )));
     if board.start != Start::Power {
         value(serial, flash_text!("restart "), board.watchdog.restarts());
+        serial.text(flash_text!(" since power-up, "));
         serial.text(match board.start {
-            Start::Watchdog => flash_text!(" since power-up, by the watchdog, "),
-            Start::Astray => flash_text!(" since power-up, without a reset, "),
-            Start::Command => flash_text!(" since power-up, by command, "),
-            _ => flash_text!(" since power-up, by reset, "),
+            Start::Watchdog => flash_text!("by the watchdog, "),
+            Start::Astray => flash_text!("without a reset, "),
+            Start::Command => flash_text!("by command, "),
+            _ => flash_text!("by reset, "),
         });
         count(serial, board.watchdog.faults(), flash_text!(" fault"));
         end_line(serial);
@@ -109,7 +110,7 @@ fn count(serial: &Serial, number: u16, what: FlashText) {
 }
 
 /// `fault 24, line 7: no such code`
-pub fn fault(serial: &Serial, fault: Fault) {
+pub fn fault(serial: &Serial, fault: &Fault) {
     serial.text(flash_text!("fault "));
     decimals(serial, fault.cause.number().into());
     if let Some(line) = fault.line {

@@ -1,21 +1,16 @@
 //! Retentive markers: M 57 to M 64, kept in the EEPROM over a power cut (NC-12).
 //!
-//! Owns how often they are written. Each writing goes to the next of 32 places,
-//! so each place is written every 32nd time: at the 100,000 writings that the chip is good for, and one
-//! a minute at most in the long run, that is 6 years of a marker that changes every minute, day and
-//! night.
+//! Owns how often they are written: one after the other as far as their [allowance](crate::board::allowance)
+//! goes, then one a minute. Each writing goes to the next of 32 places, so each place is written every 32nd time: at
+//! the 100,000 writings that the chip is good for that is 6 years of a marker that changes every minute, day and night.
 //!
 //! A place is two bytes: the markers, inverted so that an EEPROM that is new holds none; then a number,
 //! by one higher than that of the place before. The number is written last: a place that the supply
 //! did not last for has no number that follows, and the place before it counts.
 
+use crate::board::allowance::{self, MARKERS_LEFT};
 use crate::board::eeprom::Eeprom;
 use unoclp_modbus::eeprom::markers::{FIRST, PLACE_BYTES, PLACES};
-
-/// So many changes may be written one after the other; then one every [`PAUSE`].
-const CREDITS: u8 = 16;
-/// ms until another may be written.
-const PAUSE: u16 = 60_000;
 
 /// The ring, and what is being written to it.
 pub struct Retentive {
@@ -25,15 +20,12 @@ pub struct Retentive {
     markers: u8,
     /// Whether the number is still to be written.
     half: bool,
-    credits: u8,
-    /// When a credit was last given, ms, wrapping.
-    given: u16,
 }
 
 impl Retentive {
     /// Finds what was kept.
     #[inline(never)]
-    pub fn find(eeprom: &Eeprom, now: u16) -> Retentive {
+    pub fn find(eeprom: &Eeprom) -> Retentive {
         let mut place = 0;
         let mut number = eeprom.read(address(0) + 1);
         while place + 1 < PLACES {
@@ -49,8 +41,6 @@ impl Retentive {
             number,
             markers: !eeprom.read(address(place)),
             half: false,
-            credits: CREDITS,
-            given: now,
         }
     }
 
@@ -61,21 +51,17 @@ impl Retentive {
 
     /// One step, to be called between scans with the markers as they are; it waits for nothing.
     #[inline(never)]
-    pub fn step(&mut self, eeprom: &Eeprom, markers: u8, now: u16) {
-        if now.wrapping_sub(self.given) >= PAUSE {
-            self.given = now;
-            if self.credits < CREDITS {
-                self.credits += 1;
-            }
-        }
+    pub fn step(&mut self, eeprom: &Eeprom, markers: u8) {
         if eeprom.is_busy() {
             return;
         }
         if self.half {
             self.half = false;
             eeprom.write(address(self.place) + 1, self.number);
-        } else if markers != self.markers && self.credits > 0 {
-            self.credits -= 1;
+        } else if markers != self.markers
+            && let Some(left) = allowance::behind(&MARKERS_LEFT)
+        {
+            MARKERS_LEFT.set(left);
             self.place = (self.place + 1) % PLACES;
             self.number = self.number.wrapping_add(1);
             self.markers = markers;

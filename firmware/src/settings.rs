@@ -1,10 +1,12 @@
-//! The settings of the serial line, kept in the EEPROM in the form of [`unoclp_modbus::eeprom::settings`].
+//! The settings of the serial line and of its server, kept in the EEPROM in the form of [`unoclp_modbus::eeprom::settings`].
 
+use crate::board::allowance::{self, SETTINGS_LEFT};
 use crate::board::clock::CLOCK_HZ;
 use crate::board::eeprom::Eeprom;
 use crate::board::serial::Line;
 use crate::store;
 use unoclp_core::Crc16;
+use unoclp_modbus::Exception;
 use unoclp_modbus::eeprom::settings::{BYTES, FIRST, INVALID, OLD, OLD_BYTES, SECOND, VALID};
 use unoclp_modbus::map::{Parity, Setting, setting};
 
@@ -13,15 +15,17 @@ const ADDRESS: u8 = 0;
 const RATE: u8 = 1;
 const PARITY: u8 = 2;
 const DIRECTION: u8 = 3;
+const LOCK: u8 = 4;
 
 // The defaults are set over zeros.
-const _: () = assert!(setting::PARITY.default == 0 && setting::DIRECTION.default == 0);
+const _: () =
+    assert!(setting::PARITY.default | setting::DIRECTION.default | setting::LOCK.default == 0);
 
 /// Clock cycles of 8 in a second, in hundreds.
 const EIGHTHS: u16 = (CLOCK_HZ / 8 / 100) as u16;
 
 /// The server's address; the rate in 100 baud; parity, 0 none, 1 even, 2 odd; whether A4 is the direction of
-/// an RS-485 driver.
+/// an RS-485 driver; what the server refuses.
 #[repr(C)]
 pub struct Settings {
     /// A word each, low byte first, and the check sum.
@@ -72,7 +76,7 @@ impl Settings {
             *byte = 0;
             if index < bytes {
                 let kept = eeprom.read(address);
-                sum.push(kept);
+                sum = sum.then(kept);
                 address += 1;
                 if index + 2 < bytes {
                     *byte = kept;
@@ -82,13 +86,14 @@ impl Settings {
         sum.value() == 0 && self.address() != 0
     }
 
-    /// Keeps them, where they have changed. Takes 55 ms at most.
+    /// Keeps them, where they have changed. Takes 62 ms at most.
     #[inline(never)]
     pub fn save(&mut self, eeprom: &Eeprom) {
         if self.kept != CHANGED {
             return;
         }
         self.kept = AS_KEPT;
+        SETTINGS_LEFT.set(allowance::behind(&SETTINGS_LEFT).unwrap_or(0));
         let [values @ .., high, low] = &mut self.bytes;
         [*high, *low] = Crc16::of(values).value().to_be_bytes();
         let (slot, other) = if eeprom.read(FIRST) == VALID {
@@ -122,6 +127,37 @@ impl Settings {
                 self.kept = CHANGED;
             }
         }
+    }
+
+    /// Whether one may have this value now.
+    ///
+    /// # Errors
+    /// The exception to answer: out of its range, or a lock less than there is; or they have been kept too often.
+    #[inline(never)]
+    pub fn check(&self, number: u8, value: u16) -> Result<(), Exception> {
+        const fn range(setting: Setting) -> (u16, u16) {
+            (setting.least, setting.most)
+        }
+        let (least, most) = match number {
+            ADDRESS => const { range(setting::ADDRESS) },
+            RATE => const { range(setting::RATE) },
+            PARITY => const { range(setting::PARITY) },
+            DIRECTION => const { range(setting::DIRECTION) },
+            _ => const { range(setting::LOCK) },
+        };
+        let lifts = number == LOCK && self.locks() & !(value as u8) != 0;
+        if value < least || value > most || lifts {
+            Err(Exception::IllegalDataValue)
+        } else if allowance::behind(&SETTINGS_LEFT).is_none() {
+            Err(Exception::ServerDeviceBusy)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// What the server refuses: bits of [`lock`](unoclp_modbus::lock).
+    pub fn locks(&self) -> u8 {
+        self.low(LOCK)
     }
 
     /// The line that they describe.
@@ -167,19 +203,4 @@ impl Settings {
             _ => 0b11 << 4,
         }
     }
-}
-
-/// Whether a setting may have this value.
-#[inline(never)]
-pub fn allows(number: u8, value: u16) -> bool {
-    const fn range(setting: Setting) -> (u16, u16) {
-        (setting.least, setting.most)
-    }
-    let (least, most) = match number {
-        ADDRESS => const { range(setting::ADDRESS) },
-        RATE => const { range(setting::RATE) },
-        PARITY => const { range(setting::PARITY) },
-        _ => const { range(setting::DIRECTION) },
-    };
-    value >= least && value <= most
 }

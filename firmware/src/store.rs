@@ -7,7 +7,7 @@
 //! program that was written in part never runs.
 
 use crate::board::eeprom::Eeprom;
-use crate::instructions;
+use crate::instructions::Uno;
 use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
 use unoclp_modbus::eeprom::program::{
     self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
@@ -42,7 +42,7 @@ pub struct Kept {
     /// Bytes of the stored form.
     pub length: u16,
     /// The check sum of the header and of the program.
-    sum: u16,
+    pub sum: u16,
     /// How many codes its file had.
     pub codes: u16,
     /// What it asks of the pins.
@@ -51,21 +51,20 @@ pub struct Kept {
     pub timers: u8,
     /// The highest counter that it names.
     pub counters: u8,
+    /// How many numbers it keeps.
+    pub numbers: u8,
 }
 
 /// Checks the program that is kept, in this memory; none where there is none, or it is damaged.
 #[inline(never)]
 pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
-    restore(
-        eeprom,
-        &mut Loader::with_table(memory, Profile::UNO, instructions::read),
-    )
+    restore(eeprom, &mut Loader::new(memory, Uno))
 }
 
 /// Apart from [`load`], whose frame holds the loader: what lies beyond it in the same frame could be
 /// reached only by detours.
 #[inline(never)]
-fn restore(eeprom: &Eeprom, loader: &mut Loader<'_>) -> Option<Kept> {
+fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
     let [length, sum] =
         [LENGTH, SUM].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
@@ -82,6 +81,7 @@ fn restore(eeprom: &Eeprom, loader: &mut Loader<'_>) -> Option<Kept> {
         needs: program.needs(),
         timers: program.timers() as u8,
         counters: program.counters() as u8,
+        numbers: program.kept_count(),
     })
 }
 
@@ -114,7 +114,7 @@ impl Reader<'_> {
         }
         let byte = self.eeprom.read(STORED + self.position);
         self.position += 1;
-        self.sum.push(byte);
+        self.sum = self.sum.then(byte);
         Some(byte)
     }
 

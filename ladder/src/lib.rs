@@ -57,7 +57,7 @@ pub use address::{Address, Names};
 pub use block::Cell;
 pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
-pub use listing::listing;
+pub use listing::{Title, listing};
 pub use power::{Net, Nets, Power};
 pub use svg_page::to_svg;
 

@@ -4,8 +4,11 @@ use crate::{Address, Drawing, Names};
 use unicode_width::UnicodeWidthStr;
 use unoclp_checked::SourceMap;
 
-/// The listing of a drawing, for text: what the program is about, then its rungs.
-pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names) -> String {
+/// What a rung is called: by its number, from 1, and its first and last line, if it has lines.
+pub type Title<'t> = &'t dyn Fn(usize, Option<(usize, usize)>) -> String;
+
+/// The listing of a drawing, for text: what the program is about, then its rungs under their titles.
+pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Title<'_>) -> String {
     let mut text = String::new();
     for line in &map.title {
         // A line that fits stays as it is: it may be part of a table.
@@ -21,7 +24,7 @@ pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names) -> String 
         text.push('\n');
     }
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for line in heading(drawing, map, names, index) {
+        for line in heading(drawing, map, names, title, index) {
             text += &format!("{line}\n");
         }
         text += &picture.to_string();
@@ -38,15 +41,11 @@ pub(crate) fn heading(
     drawing: &Drawing<'_>,
     map: &SourceMap,
     names: &Names,
+    title: Title<'_>,
     index: usize,
 ) -> Vec<String> {
     let rung = &drawing.ladder().rungs[index];
-    let mut first = format!("Rung {}", index + 1);
-    match map.lines(rung.first, rung.steps) {
-        Some((from, to)) if from == to => first += &format!(", line {from}"),
-        Some((from, to)) => first += &format!(", lines {from} to {to}"),
-        None => {}
-    }
+    let mut first = title(index + 1, map.lines(rung.first, rung.steps));
     let about: Vec<&str> = map.about(rung.first).collect();
     if !about.is_empty() {
         first += ": ";

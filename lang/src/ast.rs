@@ -39,7 +39,6 @@ pub(crate) enum Section {
     Local,
     /// New at each call.
     Temp,
-    Retain,
     Input,
     Output,
 }
@@ -48,6 +47,8 @@ pub(crate) enum Section {
 #[derive(Debug)]
 pub(crate) struct Var {
     pub section: Section,
+    /// Whether it outlasts a power cut.
+    pub retain: bool,
     pub name: Word,
     pub at: Option<Operand>,
     pub ty: Word,

@@ -73,6 +73,14 @@ impl Span {
         self.start as usize..self.end as usize
     }
 
+    /// Its place without its text.
+    pub fn empty(self) -> Span {
+        Span {
+            end: self.start,
+            ..self
+        }
+    }
+
     /// From the beginning of this to the end of that.
     pub fn to(self, end: Span) -> Span {
         Span {

@@ -1,12 +1,13 @@
 //! From instructions to the lines of a program file, each with where it comes from.
 
-use crate::diagnostics::{Code, Found, Lines, Span};
+use crate::diagnostics::{Code, Found, Lang, Lines, Span};
+use crate::lacking;
 use crate::lower::Lowered;
 use crate::places::{Places, name};
 use crate::rung::Written;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::isa::{self, LABELS, Opcode, Operand};
-use unoclp_core::{Cause, Fault, Instruction, Profile, Target, TimerBlock};
+use unoclp_core::{Cause, Fault, Instruction, Number, Profile, Target, TimerBlock};
 
 /// A line of the program file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,6 +48,19 @@ pub(crate) fn emit(
         source: None,
     }];
     let mut origins = vec![Origin::default()];
+    for &(number, span) in &lowered.names.retained.numbers {
+        let instruction = match number {
+            Number::Register(register) => Instruction::numbered(Opcode::KeepRegister, register),
+            Number::Counter(counter) => Instruction::numbered(Opcode::KeepCounter, counter),
+        };
+        out.extend(instruction.codes().map(|code| CodeLine {
+            code,
+            letters: letters(instruction),
+            symbol: lowered.names.written(span),
+            source: Some(lines.line(span.start)),
+        }));
+        origins.push(Origin { span, name: None });
+    }
     let label = |index: usize| labels.get(index).copied().flatten().unwrap_or(1);
     for step in &lowered.steps {
         let operand = |operand| move |opcode| Instruction { opcode, operand };
@@ -215,16 +229,20 @@ pub(crate) fn check(
     found: &mut Found,
 ) -> Option<(Checked, SourceMap)> {
     let mut faults = Vec::new();
+    let mut lacking = [0; 2];
     let checked = Checked::new(board, |loader| {
         for ((line, origin), number) in lines.iter().zip(origins).zip(1..) {
             let before = loader.codes();
             let code = format!("{}\n", line.code);
-            faults.extend(code.bytes().filter_map(|byte| loader.push(byte).err()));
+            let told = code.bytes().filter_map(|byte| loader.push(byte).err());
             let full =
                 |fault: &Fault| matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull);
             if faults.iter().any(full) {
-                break;
+                // Only how much is lacking is of interest.
+                told.for_each(drop);
+                continue;
             }
+            faults.extend(told);
             match before {
                 // Program start is no step.
                 0 => {}
@@ -232,6 +250,7 @@ pub(crate) fn check(
                 _ => places.operand(origin, number),
             }
         }
+        lacking = loader.lacking();
         if faults.is_empty() {
             while let Err(fault) = loader.end() {
                 faults.push(fault);
@@ -245,9 +264,14 @@ pub(crate) fn check(
             .map_or(Span::default(), |origin| origin.span);
         match fault.cause {
             Cause::ProgramFull | Cause::RunMemoryFull => {
+                let in_both = (
+                    lacking::lacking(lacking, Lang::En),
+                    lacking::lacking(lacking, Lang::Pt),
+                );
                 let most = [
                     board.stored_bytes.to_string().into(),
                     board.linked_bytes.to_string().into(),
+                    in_both.into(),
                 ];
                 found.tell(Code::DoesNotFit, span, most);
             }

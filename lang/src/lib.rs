@@ -17,6 +17,7 @@ mod comments;
 mod diagnostics;
 mod dialect;
 mod emit;
+mod lacking;
 mod lexer;
 mod literal;
 mod lower;
@@ -37,6 +38,7 @@ pub use back::{instructions_to_il, to_il};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;
+pub use lacking::lacking;
 pub use show::show;
 
 use comments::Comments;

@@ -309,9 +309,9 @@ messages! {
         "armazene-o, ou use AND ou OR no lugar do LD que segue";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
-        "it holds {0} bytes of program and has {1} bytes to run it; timers and counters take the most"
+        "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"
         "daqui em diante o programa não cabe na placa"
-        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo; temporizadores e contadores ocupam mais";
+        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo{2}. Temporizadores e contadores ocupam mais; o que é retido precisa de lugar para duas gravações";
     72 Refused Error
         "a code that comes of this cannot stand here: fault {0}, {1}"
         "mend the codes behind CODE; docs/faults.md explains the fault"
@@ -342,4 +342,9 @@ messages! {
         "give the file a name that ends in .txt, or write CODE {0} for a code in a text"
         "`{0}` é código numérico, e aqui se lê Lista de Instruções"
         "dê ao arquivo um nome que termine em .txt, ou escreva CODE {0} para um código em um texto";
+    85 NotRetained Error
+        "`{0}` cannot be RETAIN: {1}"
+        "declare it with VAR; a number, a counter, and a BOOL without an address can be kept"
+        "`{0}` não pode ser RETAIN: {1}"
+        "declare com VAR; podem ser retidos um número, um contador e um BOOL sem endereço";
 }

@@ -19,6 +19,7 @@ pub(crate) struct Temps {
 }
 
 const MARKER_WORDS: (&str, &str) = ("marker", "memória");
+const RETENTIVE_WORDS: (&str, &str) = ("retentive marker", "memória retentiva");
 const REGISTER_WORDS: (&str, &str) = ("register", "registrador");
 
 impl Temps {
@@ -36,7 +37,11 @@ impl Temps {
                 n
             }
             None => {
-                self.none_left = Some(MARKER_WORDS);
+                self.none_left = Some(if retained {
+                    RETENTIVE_WORDS
+                } else {
+                    MARKER_WORDS
+                });
                 range.start
             }
         }

@@ -14,6 +14,13 @@ pub enum Table {
     InputRegisters = 4,
 }
 
+impl Table {
+    /// Whether it is of words.
+    pub fn has_words(self) -> bool {
+        self as u8 >= Table::HoldingRegisters as u8
+    }
+}
+
 /// What a request is about to do with addresses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
@@ -55,41 +62,40 @@ impl Exception {
     }
 }
 
+/// A word as it stands in a frame, the high byte first.
+pub type Word = [u8; 2];
+
 /// What the server reads and writes.
 ///
-/// [`begin`](crate::begin) and [`Exchange::fill`](crate::Exchange::fill) first ask
-/// [`has`](Device::has), and then read and write only within what it has affirmed. So every call must be
-/// short and none can fail; but between two slices a scan may have run, so a `set_word` must bear that
-/// what its `check_word` saw has changed.
+/// [`begin`](crate::begin) first asks [`has`](Device::has); it and [`Exchange::fill`](crate::Exchange::fill)
+/// then read and write only within what it has affirmed. So every call must be short and none but a check can fail;
+/// but between two slices a scan may have run, so a write must bear that what
+/// [`check_words`](Device::check_words) saw has changed.
 ///
-/// A 32-bit value that takes two words, the first at an even address, is read and written without a
-/// scan between its words.
+/// A 32-bit value that takes two words is read and written without a scan between them where
+/// [`words`](Device::words) does both at once.
 pub trait Device {
     /// Whether all of the addresses `first` to `first + (count - 1)` of `table` exist for `access`.
     /// There is at least one, and the last is at most 65535.
     fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool;
 
-    /// The bit of a coil or discrete input.
-    fn bit(&self, table: Table, address: u16) -> bool;
+    /// Reads the bits of `table` from `first` on, 1 to 8 of them, the first as bit 0; or writes them to coils. What it
+    /// gives for a write, and the bits behind the last, mean nothing.
+    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8;
 
-    /// The word of a holding or input register.
-    fn word(&self, table: Table, address: u16) -> u16;
+    /// Reads the words of `table` from `first` on into `words`; or writes `words` to holding registers from
+    /// `first` on, which [`check_words`](Device::check_words) has accepted, and leaves them as they are. Gives how many
+    /// it has done, at least one; the others follow in other calls, before or behind a scan.
+    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8;
 
-    /// Writes a coil.
-    fn set_bit(&mut self, address: u16, on: bool);
-
-    /// Whether a holding register may take a value. All words of a request are checked before the first
-    /// is written.
+    /// Whether the holding registers from `first` on may take these words: all of a request.
     ///
     /// # Errors
     /// The exception to answer, mostly [`Exception::IllegalDataValue`]; then nothing is written.
-    fn check_word(&self, address: u16, value: u16) -> Result<(), Exception>;
+    fn check_words(&self, first: u16, words: &[Word]) -> Result<(), Exception>;
 
-    /// Writes a holding register with a value that [`check_word`](Device::check_word) has accepted.
-    fn set_word(&mut self, address: u16, value: u16);
-
-    /// All words of a request have been written.
-    fn words_are_set(&mut self) {}
+    /// All that a request writes has been written.
+    fn is_written(&mut self) {}
 
     /// Takes a block that function 16 writes from `first` on, 2 to 246 bytes, as it was sent: each word's
     /// high byte first. `None`: no window for blocks begins there, so these are registers, and

@@ -3,7 +3,7 @@
 //!
 //! | bytes | |
 //! | --- | --- |
-//! | 0 … 907 | [`program`] |
+//! | 0 … 907 | [`program`], and behind it [`numbers`] |
 //! | 908 … 917 | [`settings`] of 0.1.0 |
 //! | 918 … | [`settings`] |
 //! | 960 … 1023 | [`markers`] |
@@ -60,6 +60,32 @@ pub mod program {
         let mut sum = Crc16::of(&head(stored.len() as u16));
         sum.extend(stored);
         sum
+    }
+}
+
+/// The numbers that a program keeps (NC-21): a ring of as many records as there is room for behind the program.
+///
+/// | byte | |
+/// | --- | --- |
+/// | 0 | sequence number: by one higher than that of the record before, wrapping |
+/// | 1 … | the numbers in the program's order, 4 bytes each, low byte first |
+/// | last two | CRC-16 of these, high byte first, that begins with the check sum of the program |
+///
+/// The CRC-16 of a whole record is 0. The sequence number is written last: until then the record does not count. Of
+/// those that count, the newest is the one whose number is ahead of the others by less than 128. The next record goes
+/// to the place behind it, and to the first place where none counts or no more fits before [`program::END`].
+pub mod numbers {
+    use super::*;
+    use unoclp_core::{NUMBER_BYTES, RECORD_BYTES};
+
+    /// Where the ring of a program of this length begins.
+    pub const fn first(program_bytes: u16) -> u16 {
+        program::STORED + program_bytes
+    }
+
+    /// Bytes of a record of so many numbers, at most [`KEPT`](unoclp_core::KEPT).
+    pub const fn record(numbers: u8) -> u8 {
+        numbers * NUMBER_BYTES + RECORD_BYTES
     }
 }
 

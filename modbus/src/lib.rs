@@ -1,24 +1,25 @@
 //! Modbus RTU, server and client, and what a board's addresses stand for. No I/O, no clock.
 //!
-//! - [`begin`], [`Exchange`], [`Device`]: the server, below
+//! - [`begin`], [`Exchange`], [`Device`] or [`Points`]: the server, below
 //! - [`client`]: requests, and what is an answer to them
 //! - [`map`]: every address that a board has
+//! - [`lock`]: what a board may refuse, whoever asks
 //! - [`eeprom`]: what a board keeps, where, and in what form
 //!
 //! The way of a request through the server:
 //!
 //! 1. The serial driver receives a frame, checks its CRC by [`Crc`] and its address, and leaves it
 //!    in a [`Frame`] without the CRC.
-//! 2. [`begin`] validates it.
+//! 2. [`begin`] validates it, and checks what it writes.
 //! 3. [`Exchange::fill`] reads or writes in slices, so that no scan waits for a whole request.
 //! 4. The reply stands in the same [`Frame`], from its address on; the driver appends the CRC.
 //!
 //! What there is to read and write, a [`Device`] says.
 //!
 //! ```
-//! # use unoclp_modbus::{Access, Answer, Device, Exception, FRAME_BYTES, Table, begin};
+//! # use unoclp_modbus::{Access, Answer, Exception, FRAME_BYTES, Points, Table, begin};
 //! # struct Plc;
-//! # impl Device for Plc {
+//! # impl Points for Plc {
 //! #     fn has(&self, _: Table, first: u16, count: u16, _: Access) -> bool { first + (count - 1) < 8 }
 //! #     fn bit(&self, _: Table, _: u16) -> bool { false }
 //! #     fn word(&self, _: Table, address: u16) -> u16 { 0x1200 + address }
@@ -34,8 +35,8 @@
 //!     Answer::Silence => 0,
 //!     Answer::Ready(length) => length,
 //!     Answer::Filling(mut exchange) => loop {
-//!         // One slice of at most 16 words; a scan would run between two of them.
-//!         if let Some(length) = exchange.fill(&mut frame, &mut plc, 16) {
+//!         // One slice; a scan would run between two of them.
+//!         if let Some(length) = exchange.fill(&mut frame, &mut plc) {
 //!             break length;
 //!         }
 //!     },
@@ -50,7 +51,7 @@
 //!
 //! - **Exceptions** come in the order of the specification's state diagrams: function code (01),
 //!   then quantity, value, byte count and length (03), then addresses (02), then what the device
-//!   says to the values ([`Device::check_word`], [`Device::take`]).
+//!   says to the values ([`Device::check_words`], [`Device::take`]).
 //! - **A request that is shorter or longer than its function and its byte count demand** is refused
 //!   with 03: "the implied length is incorrect" (section 7). Other function codes are 01 whatever their
 //!   length. A frame without a function code gets silence.
@@ -70,11 +71,14 @@ pub mod eeprom;
 mod exchange;
 mod frame;
 mod identification;
+pub mod lock;
 pub mod map;
+mod points;
 mod request;
 
 pub use crc::Crc;
-pub use device::{Access, Device, Exception, Table};
+pub use device::{Access, Device, Exception, Table, Word};
 pub use exchange::Exchange;
 pub use frame::{FRAME_BYTES, Frame, refuse};
+pub use points::Points;
 pub use request::{Answer, begin};

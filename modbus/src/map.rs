@@ -152,6 +152,8 @@ spans! {
         FORCED_OUTPUTS = 404, 1, Word, Write, "outputs forced";
         /// To what the outputs are forced.
         OUTPUTS_TO = 405, 1, Word, Write, "to what";
+        /// So many seconds without a request end all forcing; 0: none do.
+        FORCING_ENDS = 406, 1, Word, Write, "end of forcing";
         /// The settings: see [`setting`].
         SETTINGS = 410, setting::ALL.len(), Word, Write, "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.
@@ -164,6 +166,55 @@ const TIMERS: u16 = Profile::UNO.linked_bytes / (2 + TIMER_DATA as u16);
 
 /// The most text that a block of an upload holds, bytes.
 pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;
+
+/// Bytes of an area in [`AREAS`]: its table, its first address, low byte first, and how many it has.
+pub const AREA: usize = 4;
+
+/// Whether a span begins an area of its own: what lies side by side is one area, and a window is none.
+const fn begins_area(index: usize) -> bool {
+    let span = ALL[index];
+    let before = if index == 0 {
+        None
+    } else {
+        Some(ALL[index - 1])
+    };
+    let joined = match before {
+        Some(before) => before.table as u8 == span.table as u8 && before.end() == span.first,
+        None => false,
+    };
+    !joined && !matches!(span.rights, Rights::Window)
+}
+
+const AREAS_BYTES: usize = {
+    let (mut areas, mut index) = (0, 0);
+    while index < ALL.len() {
+        areas += begins_area(index) as usize;
+        index += 1;
+    }
+    areas * AREA
+};
+
+/// Every address that can be read, as areas that one request may lie in, [`AREA`] bytes each: for a board that keeps
+/// constants apart from its RAM.
+pub const AREAS: [u8; AREAS_BYTES] = {
+    let mut packed = [0; AREAS_BYTES];
+    let (mut at, mut index) = (0, 0);
+    while index < ALL.len() {
+        let span = ALL[index];
+        let addresses = span.addresses() as u8;
+        if begins_area(index) {
+            let [low, high] = span.first.to_le_bytes();
+            (packed[at], packed[at + 1], packed[at + 2]) = (span.table as u8, low, high);
+            at += AREA;
+        }
+        if !matches!(span.rights, Rights::Window) {
+            assert!(span.addresses() == addresses as u16);
+            packed[at - 1] += addresses;
+        }
+        index += 1;
+    }
+    packed
+};
 
 /// Whether all of the addresses `first` to `first + (count - 1)` of a table can be read, or written one by one.
 /// It looks at each of them; the firmware has a shorter way to the same answer.
@@ -283,7 +334,7 @@ pub const fn cause(word: u16) -> &'static str {
     }
 }
 
-/// A setting of the serial line: one of the registers [`holding::SETTINGS`].
+/// A setting: one of the registers [`holding::SETTINGS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Setting {
     /// The name in `docs/modbus.md`.
@@ -328,8 +379,15 @@ pub mod setting {
         least: 0,
         most: 1,
     };
+    /// Bits of [`lock`](crate::lock). Over Modbus it can only grow.
+    pub const LOCK: Setting = Setting {
+        name: "lock",
+        default: 0,
+        least: 0,
+        most: 15,
+    };
     /// All of them.
-    pub const ALL: [Setting; 4] = [ADDRESS, RATE, PARITY, DIRECTION];
+    pub const ALL: [Setting; 5] = [ADDRESS, RATE, PARITY, DIRECTION, LOCK];
 }
 
 /// The parity bit of each byte: a value of [`setting::PARITY`].

@@ -1,6 +1,6 @@
 //! From a request to its answer, or to the exchange that does it in slices.
 
-use crate::exchange::{Exchange, Task};
+use crate::exchange::Exchange;
 use crate::frame::{FIXED, Frame, demand, operands, refuse, word};
 use crate::{Access, Device, Exception, Table, identification};
 
@@ -19,9 +19,10 @@ pub enum Answer {
 ///
 /// Its address is 0 or the server's own; its CRC was right and is not counted, so `length` is at most
 /// 254. A refusal and the identification are answered here, a block is taken here; all reads and writes,
-/// of one as of several, are [`Exchange::fill`]'s.
+/// of one as of several, are [`Exchange::fill`]'s. What is to be written to registers is checked here, all of it.
 ///
-/// Of the device it calls [`has`](Device::has) or [`take`](Device::take) or both, once, or
+/// Of the device it calls [`take`](Device::take), [`has`](Device::has) and
+/// [`check_words`](Device::check_words), each once at most and in this order, or
 /// [`identification`](Device::identification) for each byte of its texts and once behind each.
 #[inline(never)]
 pub fn begin<D: Device>(frame: &mut Frame, length: u8, device: &mut D) -> Answer {
@@ -60,7 +61,7 @@ fn request<D: Device>(
         4 => Table::InputRegisters,
         _ => return Err(Exception::IllegalFunction),
     };
-    let words = matches!(table, Table::HoldingRegisters | Table::InputRegisters);
+    let words = table.has_words();
     let (count, at) = operands(frame);
     let bytes = bytes(words, count);
     let most = match (function >= 15, words) {
@@ -79,8 +80,10 @@ fn request<D: Device>(
     )?;
 
     let address = word(frame, 2);
+    let reads = function <= Table::InputRegisters as u8;
     let mut exchange = Exchange {
-        task: Task::WriteBits,
+        table,
+        access: if reads { Access::Read } else { Access::Write },
         address,
         left: count,
         at,
@@ -88,29 +91,21 @@ fn request<D: Device>(
     if address.checked_add(count.wrapping_sub(1)).is_none() {
         return Err(Exception::IllegalDataAddress);
     }
+    let data = frame.get(at.into()..length.into()).unwrap_or_default();
     if function == 16
-        && let Some(data) = frame.get(at.into()..length.into())
         && let Some(taken) = device.take(address, data)
     {
-        taken?;
         exchange.left = 0;
-        return Ok(exchange);
+        return taken.map(|()| exchange);
     }
-    let reads = function <= 4;
-    let access = if reads { Access::Read } else { Access::Write };
-    if !device.has(table, address, count, access) {
+    if !device.has(table, address, count, exchange.access) {
         return Err(Exception::IllegalDataAddress);
     }
     if reads {
         frame[2] = bytes;
         exchange.at = 3;
-        exchange.task = if words {
-            Task::ReadWords(table)
-        } else {
-            Task::ReadBits(table)
-        };
     } else if words {
-        exchange.task = Task::CheckWords;
+        device.check_words(address, data.as_chunks().0)?;
     }
     Ok(exchange)
 }

@@ -4,6 +4,7 @@
 //! - [`Source`]: its text, the checked program, and the map from one to the other
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
+//! - [`mod@messages`]: the form of a table of texts in two languages
 //! - [`used`]: what a program uses of the board and its memory
 //!
 //! It owns the way from a file's bytes to a checked program, and what a person is shown of it. It knows
@@ -12,19 +13,26 @@
 #![forbid(unsafe_code)]
 
 pub mod diagnosis;
+mod effect;
+mod kept;
 pub mod list;
+pub mod messages;
 mod size;
 mod source;
 mod text;
 pub mod used;
+mod words;
 mod written;
 
+pub use kept::Kept;
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
 pub use text::{decode, is_il, is_numeric};
 pub use written::{Refused, Written};
 
 use unoclp_core::Profile;
+
+pub use unoclp_lang::Lang;
 
 /// The board that every tool of this version checks and simulates for.
 pub const BOARD: Profile = Profile::UNO;

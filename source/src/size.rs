@@ -1,11 +1,14 @@
 //! How much of the board a program takes.
 //!
-//! Owns the figures and their words. Must not know where the program comes from.
+//! Owns the figures. Must not know where the program comes from.
 
 use crate::BOARD;
+use crate::kept::Kept;
 use crate::used::Used;
-use std::fmt;
+use crate::words;
+use std::collections::BTreeSet;
 use unoclp_core::Program;
+use unoclp_lang::Lang;
 
 /// How much of the board a valid program takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,6 +23,8 @@ pub struct Size {
     pub timers: usize,
     /// What it uses of the board and its memory.
     pub used: Used,
+    /// What it keeps over a power cut, if anything.
+    pub kept: Option<Kept>,
 }
 
 impl Size {
@@ -31,77 +36,44 @@ impl Size {
             linked_bytes: program.linked_bytes(),
             timers: program.timers(),
             used: Used::of(program),
+            kept: Kept::of(program),
         }
     }
 }
 
 impl Size {
-    /// The same in Portuguese.
-    pub fn in_portuguese(&self) -> String {
-        let one_or_more = |count: usize, one: &str, more: &str| match count {
-            1 => format!("1 {one}"),
-            _ => format!("{count} {more}"),
-        };
+    /// In this language `12 codes, 15 of 900 bytes (885 free), 0 timers, 2 counters`, and on a line below what it takes
+    /// while it runs and the pins that it uses.
+    pub fn text(&self, lang: Lang) -> String {
         let used = &self.used;
+        let some =
+            |numbers: &BTreeSet<u8>, one: String, more: fn(Lang, usize) -> String| match numbers
+                .len()
+            {
+                0 => None,
+                1 => Some(one),
+                count => Some(more(lang, count)),
+            };
+        let codes = match self.codes {
+            1 => words::code(lang),
+            codes => words::codes(lang, codes),
+        };
+        let timers = match self.timers {
+            1 => words::timer(lang),
+            timers => words::timers(lang, timers),
+        };
+        let parts = [
+            Some(timers),
+            some(&used.counters, words::counter(lang), words::counters),
+            some(&used.registers, words::register(lang), words::registers),
+            some(&used.markers, words::marker(lang), words::markers),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
         let room = usize::from(BOARD.stored_bytes);
         let free = room.saturating_sub(self.stored_bytes);
-        let mut parts = vec![
-            one_or_more(self.codes.into(), "código", "códigos"),
-            format!("{} de {room} bytes ({free} livres)", self.stored_bytes),
-            one_or_more(self.timers, "temporizador", "temporizadores"),
-        ];
-        for (numbers, one, more) in [
-            (&used.counters, "contador", "contadores"),
-            (&used.registers, "registrador", "registradores"),
-            (&used.markers, "memória", "memórias"),
-        ] {
-            if !numbers.is_empty() {
-                parts.push(one_or_more(numbers.len(), one, more));
-            }
-        }
-        let (linked, room) = (self.linked_bytes, BOARD.linked_bytes);
-        format!(
-            "{}\n  {linked} de {room} bytes de memória de execução; pinos: {used}",
-            parts.join(", ")
-        )
-    }
-}
-
-impl fmt::Display for Size {
-    /// `12 codes, 15 of 900 bytes (885 free), 0 timers, 2 counters`, and on a line below what it takes
-    /// while it runs and the pins that it uses
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Size {
-            codes,
-            stored_bytes,
-            linked_bytes,
-            timers,
-            ref used,
-        } = *self;
-        let room = usize::from(BOARD.stored_bytes);
-        let free = room.saturating_sub(stored_bytes);
-        let code = if codes == 1 { "code" } else { "codes" };
-        let timer = if timers == 1 { "timer" } else { "timers" };
-        write!(
-            f,
-            "{codes} {code}, {stored_bytes} of {room} bytes ({free} free), {timers} {timer}"
-        )?;
-        let more = [
-            (&used.counters, "counter"),
-            (&used.registers, "register"),
-            (&used.markers, "marker"),
-        ];
-        for (numbers, name) in more {
-            match numbers.len() {
-                0 => {}
-                1 => write!(f, ", 1 {name}")?,
-                count => write!(f, ", {count} {name}s")?,
-            }
-        }
-        let room = BOARD.linked_bytes;
-        write!(
-            f,
-            "\n  {linked_bytes} of {room} bytes of run memory; pins: {used}"
-        )
+        let size = words::size(lang, codes, self.stored_bytes, room, free, parts.join(", "));
+        let run = words::run_memory(lang, self.linked_bytes, BOARD.linked_bytes, used);
+        let kept = self.kept.map(|kept| format!("\n  {}", kept.told(lang)));
+        format!("{size}\n  {run}{}", kept.unwrap_or_default())
     }
 }

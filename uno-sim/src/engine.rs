@@ -16,9 +16,11 @@ const WATCH: u64 = 20;
 
 /// Cycles in which a board answers a short request at 115200 baud.
 const ANSWER: u64 = 10 * CYCLES_PER_MS;
-/// How long a board is left alone before its power is cut, ms: it writes retentive markers to its EEPROM
-/// beside its scans.
-const BEFORE_CUT: u64 = 30;
+/// How long a board is left alone before its power is cut, ms: it writes retentive markers and a record of
+/// numbers to its EEPROM beside its scans.
+const BEFORE_CUT: u64 = 320;
+/// How long a clock stands meanwhile, ms: what goes on beside the scans waits for it.
+const STANDING: u64 = 4;
 
 /// How the board's millisecond clock goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -254,8 +256,15 @@ impl Engine for UnoEngine {
     /// A real power cut. Before it the board goes on for a while, with its clock standing in lockstep.
     fn restart(&mut self) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        let run = uno.run_ms(BEFORE_CUT);
-        run.map_err(|halt| told(uno, halt))?;
+        let now = uno.read_ram(self.millis, 1)?.first().copied();
+        for slice in 0..BEFORE_CUT / STANDING {
+            if let (Clock::Lockstep, Some(now)) = (self.clock, now) {
+                // It goes on by a millisecond, and back.
+                uno.write_ram(self.millis, &[now.wrapping_add(slice as u8 & 1)])?;
+            }
+            let run = uno.run_ms(STANDING);
+            run.map_err(|halt| told(uno, halt))?;
+        }
         uno.power_up();
         uno.take_serial();
         uno.take_edges();

@@ -8,7 +8,7 @@ use unoclp_modbus::map::{
     self, BLOCK_BYTES, Command, PRODUCT, Span, State, VENDOR, coil, discrete, flag, form, holding,
     input, setting,
 };
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::{Access, Exception, Points, Table};
 
 pub const RUN: u16 = State::Run as u16;
 pub const STOP: u16 = State::Stop as u16;
@@ -79,13 +79,19 @@ pub struct Board {
     pub inputs: u16,
     pub outputs: u16,
     pub markers: u64,
-    /// Without markers, registers and analogue inputs.
+    /// Without markers, registers and analogue inputs, a lock and an end of forcing.
     pub is_of_version_1: bool,
     /// Words that read as something else than 0, and have no meaning to the board.
     pub words: BTreeMap<(u16, u16), u16>,
-    /// Forced inputs, to what; forced outputs, to what.
-    pub forces: [u16; 4],
-    pub settings: [u16; 4],
+    /// Forced inputs, to what; forced outputs, to what; when forcing ends.
+    pub forces: [u16; 5],
+    pub settings: [u16; 5],
+    /// The settings are defaults that A5 and 01 to 04 have put in the place of those that are kept.
+    pub has_defaults: bool,
+    /// How often the settings may still be changed.
+    pub changes_left: u32,
+    /// They have been changed since they were last kept.
+    pub changed: bool,
     /// It does not keep settings.
     pub eeprom_fails: bool,
     pub single_scans: u32,
@@ -119,8 +125,11 @@ impl Default for Board {
             markers: 0,
             is_of_version_1: false,
             words: BTreeMap::new(),
-            forces: [0; 4],
+            forces: [0; 5],
             settings: setting::ALL.map(|setting| setting.default),
+            has_defaults: false,
+            changes_left: 16,
+            changed: false,
             eeprom_fails: false,
             single_scans: 0,
             restarts: 0,
@@ -192,7 +201,7 @@ impl Board {
 
     fn restart(&mut self) {
         self.restarts += 1;
-        self.forces = [0; 4];
+        self.forces = [0; 5];
         self.upload = None;
         if let Some(card) = &self.card {
             self.kept = kept_in(self.version, card);
@@ -278,7 +287,12 @@ impl Board {
         match table {
             Table::Coils | Table::DiscreteInputs => last < 4,
             Table::InputRegisters => first >= input::STATE.first && last <= input::FAULTS.first,
-            Table::HoldingRegisters => first >= holding::COMMAND.first,
+            Table::HoldingRegisters => {
+                let is_new = |span: Span| (first..=last).contains(&(span.end() - 1));
+                first >= holding::COMMAND.first
+                    && !is_new(holding::FORCING_ENDS)
+                    && !is_new(holding::SETTINGS)
+            }
         }
     }
 }
@@ -291,11 +305,11 @@ fn at(span: Span, table: Table, address: u16) -> Option<usize> {
 
 /// The registers of the forces, one behind the other.
 const FORCES: Span = Span {
-    values: 4,
+    values: 5,
     ..holding::FORCED_INPUTS
 };
 
-impl Device for Board {
+impl Points for Board {
     fn has(&self, table: Table, first: u16, count: u16, _: Access) -> bool {
         map::has(table, first, count) && (!self.is_of_version_1 || Board::had(table, first, count))
     }
@@ -353,17 +367,27 @@ impl Device for Board {
             };
         }
         let points = match at(FORCES) {
-            Some(0 | 1) => discrete::INPUTS.values,
+            Some(0 | 1 | 4) => discrete::INPUTS.values,
             Some(_) => coil::OUTPUTS.values,
             None => 16,
         };
         if value.checked_shr(points.into()).unwrap_or(0) != 0 {
             return Err(Exception::IllegalDataValue);
         }
-        if at(holding::SETTINGS).is_some() && self.state == RUN {
-            return Err(Exception::ServerDeviceFailure);
+        let Some(index) = at(holding::SETTINGS) else {
+            return Ok(());
+        };
+        let setting = setting::ALL[index];
+        let lifts = setting == setting::LOCK && self.settings[index] & !value != 0;
+        if self.state == RUN {
+            Err(Exception::ServerDeviceFailure)
+        } else if !(setting.least..=setting.most).contains(&value) || lifts {
+            Err(Exception::IllegalDataValue)
+        } else if self.changes_left == 0 {
+            Err(Exception::ServerDeviceBusy)
+        } else {
+            Ok(())
         }
-        Ok(())
     }
 
     fn set_word(&mut self, address: u16, value: u16) {
@@ -377,7 +401,15 @@ impl Device for Board {
         } else if let Some(index) = at(holding::SETTINGS)
             && !self.eeprom_fails
         {
+            self.changed |= self.has_defaults || self.settings[index] != value;
             self.settings[index] = value;
+        }
+    }
+
+    fn is_written(&mut self) {
+        if std::mem::take(&mut self.changed) {
+            self.has_defaults = false;
+            self.changes_left -= 1;
         }
     }
 

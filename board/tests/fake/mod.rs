@@ -6,7 +6,7 @@ mod device;
 pub use device::{Board, FAULT, RUN, STOP, kept};
 
 use unoclp_modbus::map::holding;
-use unoclp_modbus::{Answer, Crc, FRAME_BYTES, begin};
+use unoclp_modbus::{Answer, Crc, Exception, FRAME_BYTES, begin, lock, refuse};
 
 /// What becomes of a request, before the board or behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,12 +66,14 @@ fn handle(board: &mut Board, request: &[u8]) -> Vec<u8> {
     let length = if request[1] == 43 && !board.identifies {
         (frame[1], frame[2]) = (0xAB, 1);
         3
+    } else if lock::refuses(&frame, board.settings[4] as u8) {
+        refuse(&mut frame, Exception::IllegalFunction)
     } else {
         match begin(&mut frame, request.len() as u8, board) {
             Answer::Silence => 0,
             Answer::Ready(length) => length,
             Answer::Filling(mut exchange) => loop {
-                if let Some(length) = exchange.fill(&mut frame, board, 16) {
+                if let Some(length) = exchange.fill(&mut frame, board) {
                     break length;
                 }
             },

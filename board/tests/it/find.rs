@@ -3,9 +3,9 @@
 use crate::fake::{Board, Fate};
 use crate::line::{MS, PATIENCE, Wire};
 use std::time::Duration;
-use unoclp_board::Patience;
 use unoclp_board::identity::Identity;
 use unoclp_board::start::{NotFound, find};
+use unoclp_board::{Failure, Patience};
 
 const TEXT: &[u8] = b"\r\nunoclp 0.1.0\r\n3 bytes\r\nRUN\r\n";
 
@@ -70,24 +70,23 @@ fn what_is_no_board_is_told_apart() {
     assert_eq!(found(Fate::Lost), Err(NotFound::Silent));
     assert_eq!(found(Fate::Garbled), Err(NotFound::Garbled));
     assert_eq!(found(Fate::Mistaken), Err(NotFound::Garbled));
-    let lost = found(Fate::Unplugged).unwrap_err().to_string();
-    assert_eq!(lost, "the port is gone: unplugged");
+    let lost = Failure::Lost("unplugged".to_owned());
+    assert_eq!(found(Fate::Unplugged), Err(NotFound::Failed(lost)));
 
-    let foreign = |board| {
-        search(&mut Wire::new(board), false)
-            .unwrap_err()
-            .to_string()
-    };
+    let foreign = |board| search(&mut Wire::new(board), false);
     let meter = foreign(Board {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     });
-    assert_eq!(meter, "what answers is no unoclp but \"ACME Meter 3\"");
+    let Err(NotFound::Foreign(Some(identity))) = meter else {
+        panic!("{meter:?}");
+    };
+    assert_eq!((&*identity.vendor, &*identity.product), ("ACME", "Meter"));
     let other = foreign(Board {
         identifies: false,
         ..Board::default()
     });
-    assert_eq!(other, "what answers is no unoclp");
+    assert_eq!(other, Err(NotFound::Foreign(None)));
 }
 
 #[test]

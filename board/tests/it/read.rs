@@ -3,8 +3,9 @@
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, kept};
 use crate::line::Wire;
 use unoclp_board::diagnostics::{Diagnostics, Kept};
+use unoclp_board::lock;
 use unoclp_board::map::{Command, Parity, State, cause, holding, input};
-use unoclp_board::settings::Settings;
+use unoclp_board::settings::{Settings, read_lock};
 use unoclp_board::watch::{Forces, Meter, Reading, Scope, Side, Wish};
 use unoclp_board::{Client, Failure};
 use unoclp_modbus::Exception;
@@ -106,9 +107,9 @@ fn points_are_forced_and_let_go() {
     assert_eq!(reading.forced_inputs, both);
     wish(Wish::Force(Side::Inputs, 7, None));
     let (_, forces) = wish(Wish::Force(Side::Outputs, 3, Some(true)));
-    assert_eq!(forces, [1, 0, 8, 8]);
+    assert_eq!(forces, [1, 0, 8, 8, 0]);
     let (_, forces) = wish(Wish::Release);
-    assert_eq!(forces, [0; 4]);
+    assert_eq!(forces, [0; 5]);
 }
 
 #[test]
@@ -148,23 +149,89 @@ fn a_command_whose_answer_is_lost_is_repeated() {
 #[test]
 fn settings_are_read_and_written() {
     let mut wire = Wire::new(Board {
-        settings: [3, 96, 2, 1],
+        settings: [3, 96, 2, 1, 4],
         ..Board::in_state(STOP)
     });
     let read = async |client: &mut Client| Settings::read(client).await;
-    let mut settings = wire.talk(read).unwrap();
-    let shown = "address 3, 9600 baud, odd parity, direction pin on";
-    assert_eq!(settings.to_string(), shown);
-    (settings.address, settings.rate) = (247, 2400);
-    (settings.parity, settings.direction) = (Parity::Even, false);
-    wire.talk(async |client| settings.write(client).await)
+    let old = wire.talk(read).unwrap();
+    let kept = Settings {
+        address: 3,
+        rate: 9600,
+        parity: Parity::Odd,
+        direction: true,
+        lock: Some(lock::COMMANDS),
+    };
+    assert_eq!(old, kept);
+    let mut new = old;
+    (new.address, new.rate) = (247, 2400);
+    (new.parity, new.direction) = (Parity::Even, false);
+    new.lock = Some(lock::COMMANDS | lock::WRITING);
+    wire.talk(async |client| new.write(old, client).await)
         .unwrap();
-    assert_eq!(wire.board.settings, [247, 24, 1, 0]);
+    assert_eq!(wire.board.settings, [247, 24, 1, 0, 12]);
+    assert_eq!(wire.talk(read_lock), Ok(12));
     // None of this version.
-    for settings in [[256, 96, 0, 0], [1, 96, 3, 0]] {
+    for settings in [[256, 96, 0, 0, 0], [1, 96, 3, 0, 0], [1, 1152, 0, 0, 0x100]] {
         wire.board.settings = settings;
         assert_eq!(wire.talk(read), Err(Failure::Garbled));
     }
+}
+
+#[test]
+fn a_board_without_a_lock_has_four_settings() {
+    let mut wire = Wire::new(Board {
+        is_of_version_1: true,
+        ..Board::in_state(STOP)
+    });
+    let old = wire.talk(Settings::read).unwrap();
+    assert_eq!((old.address, old.lock), (1, None));
+    assert_eq!(wire.talk(read_lock), Ok(0));
+    let new = Settings { address: 9, ..old };
+    wire.talk(async |client| new.write(old, client).await)
+        .unwrap();
+    assert_eq!(wire.board.settings[..2], [9, 1152]);
+}
+
+/// They are sent again, and the board refuses that: by the lock that they have set, or since they were one too many.
+#[test]
+fn settings_whose_answer_is_lost_are_taken_once() {
+    for (bits, changes_left) in [(lock::SETTINGS, 16), (lock::UPLOAD, 1)] {
+        let mut writes = 0;
+        let board = Board {
+            changes_left,
+            ..Board::in_state(STOP)
+        };
+        let mut wire = Wire::with(board, move |_, request| {
+            writes += u32::from(request[1] == 16);
+            match request[1] == 16 && writes == 1 {
+                true => Fate::AnswerLost,
+                false => Fate::Answered,
+            }
+        });
+        let old = wire.talk(Settings::read).unwrap();
+        let lock = Some(bits);
+        let new = Settings { lock, ..old };
+        let written = wire.talk(async |client| new.write(old, client).await);
+        assert_eq!(written, Ok(()));
+        assert_eq!(wire.board.changes_left, changes_left - 1);
+        // What is refused as it is sent is not taken for that.
+        let newer = Settings { address: 9, ..new };
+        let refused = wire.talk(async |client| newer.write(new, client).await);
+        assert!(matches!(refused, Err(Failure::Refused(_))), "{refused:?}");
+    }
+}
+
+/// Nothing differs then, so nothing shows whether they are kept.
+#[test]
+fn defaults_that_cannot_be_kept_are_not_taken_for_kept() {
+    let mut wire = Wire::new(Board {
+        has_defaults: true,
+        changes_left: 0,
+        ..Board::in_state(STOP)
+    });
+    let old = wire.talk(Settings::read).unwrap();
+    let written = wire.talk(async |client| old.write(old, client).await);
+    assert_eq!(written, Err(Failure::Refused(Exception::ServerDeviceBusy)));
 }
 
 #[test]
@@ -176,8 +243,9 @@ fn a_diagnosis_is_complete() {
         ..Board::in_state(FAULT)
     });
     let board = wire.talk(Diagnostics::read).unwrap();
-    let trouble = board.trouble.unwrap().to_string();
-    assert_eq!(trouble, "fault 24, line 70000: no such code");
+    let trouble = board.trouble.unwrap();
+    assert_eq!((trouble.number, trouble.line), (24, Some(70_000)));
+    assert!(trouble.fault().is_some());
     assert!(board.is_switched_off());
 }
 

@@ -145,9 +145,8 @@ fn what_was_on_the_line_before_is_no_answer() {
 fn a_port_that_goes_ends_what_is_said() {
     let mut wire = Wire::with(Board::default(), |_, _| Fate::Unplugged);
     let lost = Failure::Lost("unplugged".to_owned());
-    assert_eq!(wire.talk(state), Err(lost.clone()));
+    assert_eq!(wire.talk(state), Err(lost));
     assert_eq!(wire.sent.len(), 1, "nobody asks again");
-    assert_eq!(lost.to_string(), "the port is gone: unplugged");
 }
 
 #[test]

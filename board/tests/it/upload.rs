@@ -2,11 +2,12 @@
 
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::Wire;
-use unoclp_board::diagnostics::Kept;
-use unoclp_board::map::{self, BLOCK_BYTES, Command, State, holding};
+use unoclp_board::diagnostics::{Kept, Trouble};
+use unoclp_board::map::{self, BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_board::upload::{Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload};
 use unoclp_board::watch::Wish;
-use unoclp_modbus::Device;
+use unoclp_board::{Failure, lock};
+use unoclp_modbus::{Exception, Points};
 
 const FOLLOW: &str = "0\n787600\n827301\n847978\n3\n7901\n";
 
@@ -118,33 +119,69 @@ fn the_board_tells_a_fault_with_its_line() {
         let before = wire.board.kept;
         let error = send_as(&mut wire, text, Kept::default()).unwrap_err();
         assert_eq!(wire.board.kept, before, "it keeps what it had");
-        error.to_string()
+        error
     };
+    let told = |number, line| Broken::Fault(Trouble { number, line });
     let stop = || Board::in_state(STOP);
-    assert_eq!(
-        fault("0\n787600\n123\n", stop()),
-        "fault 24, line 3: no such code"
-    );
+    assert_eq!(fault("0\n787600\n123\n", stop()), told(24, Some(3)));
     let late = format!("{}40\n", long());
-    let line = late.lines().count();
-    assert_eq!(
-        fault(&late, stop()),
-        format!("fault 32, line {line}: this 40 is not closed by 41 in its rung (NC-8)")
-    );
-    assert_eq!(fault("", stop()), "fault 21: the file holds no code");
+    let line = late.lines().count() as u32;
+    assert_eq!(fault(&late, stop()), told(32, Some(line)));
+    assert_eq!(fault("", stop()), told(21, None));
     let differs = Board {
         second_differs: true,
         ..stop()
     };
-    assert!(fault(FOLLOW, differs).starts_with("fault 57: the card gave another program"));
+    assert_eq!(fault(FOLLOW, differs), told(57, None));
 }
 
 #[test]
 fn an_upload_does_not_begin_in_run() {
     let mut wire = Wire::new(Board::in_state(RUN));
     let error = send(&mut wire, FOLLOW).unwrap_err();
-    assert!(matches!(error, Broken::NotBegun), "{error}");
+    assert_eq!(error, Broken::NotBegun);
     assert!(!wire.board.is_uploading());
+}
+
+#[test]
+fn a_locked_board_takes_no_upload() {
+    let mut wire = Wire::new(locked(lock::UPLOAD, Board::in_state(STOP)));
+    assert_eq!(send(&mut wire, FOLLOW), Err(Broken::Locked));
+    assert!(!wire.board.is_uploading());
+}
+
+/// A board with this lock.
+fn locked(lock: u8, board: Board) -> Board {
+    Board {
+        settings: [1, 1152, 0, 0, lock.into()],
+        ..board
+    }
+}
+
+/// An upload is no command of those that are locked.
+#[test]
+fn a_board_whose_commands_are_locked_takes_an_upload() {
+    let board = |state, switch| {
+        let board = Board::in_state(state);
+        locked(lock::COMMANDS, Board { switch, ..board })
+    };
+    let mut wire = Wire::new(board(STOP, true));
+    let stored = send(&mut wire, FOLLOW).unwrap();
+    // Once A5 is opened it runs.
+    assert_eq!(then(&mut wire, State::Stop, stored, false), Behind::Switch);
+    for state in [State::Stop, State::Fault] {
+        let mut wire = Wire::new(board(state as u16, false));
+        let stored = send(&mut wire, FOLLOW).unwrap();
+        let behind = wire.talk(async |client| go_on(client, state, stored, false).await);
+        let refused = Failure::Refused(Exception::IllegalFunction);
+        assert_eq!(behind, Err(refused));
+    }
+    let begin = Wish::Command(Command::Upload);
+    let mut wire = Wire::new(board(STOP, false));
+    wire.talk(async |client| begin.fulfil(client).await)
+        .unwrap();
+    let left = wire.talk(end).unwrap();
+    assert!(left.has(flag::UPLOAD), "it is left to end by itself");
 }
 
 #[test]
@@ -156,29 +193,18 @@ fn an_upload_that_another_client_ends_says_so() {
         Fate::Answered
     });
     let error = send(&mut wire, &long()).unwrap_err();
-    assert!(matches!(error, Broken::Ended), "{error}");
+    assert_eq!(error, Broken::Ended);
 }
 
 #[test]
 fn an_upload_that_is_broken_off_says_where_and_what_the_board_keeps() {
-    for (number, while_, keeps) in [
-        (
-            2,
-            "checking, at byte 488 of ",
-            "it keeps the program that it had",
-        ),
-        (
-            9,
-            "storing, at byte 244 of ",
-            "it keeps the program that it had",
-        ),
-        (
-            15,
-            "storing, at byte ",
-            "whether it keeps the new program is open",
-        ),
+    let text = long();
+    let of = text.len();
+    for (number, pass, bytes, stored) in [
+        (2, Pass::Check, 488, false),
+        (9, Pass::Store, 244, false),
+        (15, Pass::Store, of, true),
     ] {
-        let text = long();
         assert_eq!(text.len().div_ceil(BLOCK_BYTES.into()), 7);
         let mut wire = Wire::with(Board::in_state(STOP), move |_, request| {
             if is_block(request) && request[7] == number {
@@ -188,11 +214,14 @@ fn an_upload_that_is_broken_off_says_where_and_what_the_board_keeps() {
             }
         });
         let before = wire.board.kept;
-        let error = send(&mut wire, &text).unwrap_err().to_string();
-        let begin = format!("the upload was broken off while {while_}");
-        assert!(error.starts_with(&begin), "{error}");
-        assert!(error.contains("the port is gone"), "{error}");
-        assert!(error.contains(keeps), "{error}");
+        let off = Broken::Off {
+            pass,
+            bytes,
+            of,
+            stored,
+            failure: Failure::Lost("unplugged".to_owned()),
+        };
+        assert_eq!(send(&mut wire, &text), Err(off));
         assert_eq!(wire.board.kept, before);
     }
 }
@@ -205,8 +234,11 @@ fn a_board_that_keeps_something_else_is_found_out() {
         sum: 2,
         ..Kept::default()
     };
-    let error = send_as(&mut wire, FOLLOW, sent).unwrap_err().to_string();
-    assert!(error.contains("not the 1 bytes with 0002"), "{error}");
+    let kept = kept(FOLLOW);
+    assert_eq!(
+        send_as(&mut wire, FOLLOW, sent),
+        Err(Broken::Other { kept, sent })
+    );
 }
 
 /// A firmware may keep programs in another form than this client knows: that is no failure.

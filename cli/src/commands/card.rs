@@ -1,10 +1,10 @@
 //! `unoclp card`.
 
 use super::open::{Il, Shown, open};
-use super::output::is_same;
-use crate::{Outcome, cannot_write};
+use super::output::{cannot_write, is_same};
+use crate::Outcome;
 use anstream::println;
-use anyhow::{Context, bail};
+use anyhow::{anyhow, bail};
 use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
@@ -21,13 +21,10 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
     let name = target.display();
     let is_folder = match kind {
         Ok(kind) if kind.is_dir() => true,
-        Ok(kind) if kind.is_file() => bail!(
-            "{name} is there already, and only PROGRAM.TXT on a card is overwritten; name a new image file, or \
-             the folder of a mounted card"
-        ),
-        Ok(_) => bail!("{name} is a device; mount the card, and name its folder"),
+        Ok(kind) if kind.is_file() => bail!(messages::card_is_there(name)),
+        Ok(_) => bail!(messages::card_is_a_device(name)),
         Err(error) if error.kind() != ErrorKind::NotFound => {
-            return Err(error).with_context(|| format!("{name} cannot be looked at"));
+            bail!(messages::cannot_look_at(name, messages::io(&error)));
         }
         Err(_)
             if target
@@ -36,10 +33,7 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
         {
             false
         }
-        Err(_) => bail!(
-            "there is no folder {name}; is the card mounted? For an image of a card, name a file that ends \
-             in .img"
-        ),
+        Err(_) => bail!(messages::no_folder(name)),
     };
     if is_same(file, &target.join("PROGRAM.TXT")) {
         bail!(messages::is_read(file.display()));
@@ -52,11 +46,8 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
     } else {
         into_image(target, &program.code, state)?;
     }
-    println!(
-        "{}: on {name} as PROGRAM.TXT, {} bytes",
-        program.name,
-        program.code.len()
-    );
+    let bytes = program.code.len();
+    println!("{}", messages::on_card(program.name, name, bytes));
     Ok(true)
 }
 
@@ -64,24 +55,21 @@ fn into_folder(folder: &Path, program: &[u8], state: bool) -> anyhow::Result<()>
     let path = folder.join("PROGRAM.TXT");
     // A link may lead anywhere.
     if fs::symlink_metadata(&path).is_ok_and(|there| !there.is_file()) {
-        bail!(
-            "{} is not a plain file; take it off the card first",
-            path.display()
-        );
+        bail!(messages::no_plain_file(path.display()));
     }
     // The card may be pulled out as soon as this ends.
     let put = |mut file: File, bytes| file.write_all(bytes).and_then(|()| file.sync_all());
     File::create(&path)
         .and_then(|file| put(file, program))
-        .with_context(|| cannot_write(&path))?;
+        .map_err(cannot_write(&path))?;
     let path = folder.join("STATE.TXT");
     if state {
         match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(file) => put(file, STATE).with_context(|| cannot_write(&path))?,
+            Ok(file) => put(file, STATE).map_err(cannot_write(&path))?,
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-                println!("STATE.TXT: there already, and left as it is");
+                println!("{}", messages::state_is_there());
             }
-            Err(error) => return Err(error).with_context(|| cannot_write(&path)),
+            Err(error) => return Err(cannot_write(&path)(error)),
         }
     }
     Ok(())
@@ -92,8 +80,10 @@ fn into_image(path: &Path, program: &[u8], state: bool) -> anyhow::Result<()> {
     if state {
         image = image.file("STATE.TXT", STATE);
     }
-    let bytes = image.build().context("the card image cannot be built")?;
+    let bytes = image
+        .build()
+        .map_err(|error| anyhow!(messages::image_not_built(messages::io(&error))))?;
     let file = OpenOptions::new().write(true).create_new(true).open(path);
     file.and_then(|mut file| file.write_all(&bytes))
-        .with_context(|| cannot_write(path))
+        .map_err(cannot_write(path))
 }

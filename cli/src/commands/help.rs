@@ -1,8 +1,7 @@
-//! The help and the errors of the command line in Portuguese, held against the English ones by a test.
+//! The help of the command line in Portuguese, held against the English one by a test.
 
-use anstream::eprint;
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command, Error};
+use clap::builder::PossibleValue;
+use clap::{Arg, Command};
 
 /// What a command does: its name, and the words.
 const COMMANDS: &[(&str, &str)] = &[
@@ -40,7 +39,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "settings",
-        "Mostra e muda o endereço, a taxa, a paridade e o pino de direção de uma placa",
+        "Mostra e muda o endereço, a taxa, a paridade, o pino de direção e o bloqueio de uma placa",
     ),
 ];
 
@@ -146,8 +145,35 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "set_direction",
         "Se A4 é o pino de direção de um driver RS-485: on ou off",
     ),
+    (
+        "",
+        "end_forcing",
+        "Faz a placa liberar tudo o que está forçado depois de tantos segundos sem requisições",
+    ),
+    (
+        "",
+        "lock",
+        "Bloqueia também estes itens, separados por vírgula, que a placa recusa de todos: upload (envio), settings (ajustes), commands (comandos), writing (escrita) ou all (tudo)",
+    ),
     ("", "help", "Mostra a ajuda"),
     ("", "version", "Mostra a versão"),
+];
+
+/// What stands for the value of an argument.
+const VALUES: &[(&str, &str)] = &[
+    ("FILE", "ARQUIVO"),
+    ("CARD", "CARTÃO"),
+    ("PORT", "PORTA"),
+    ("ADDRESS", "ENDEREÇO"),
+    ("RATE", "TAXA"),
+    ("PARITY", "PARIDADE"),
+    ("DIALECT", "DIALETO"),
+    ("FORM", "FORMA"),
+    ("LANG", "IDIOMA"),
+    ("WHAT", "ITENS"),
+    ("SECONDS", "SEGUNDOS"),
+    ("OUT.svg", "DESENHO.svg"),
+    ("OUT.vcd", "REGISTRO.vcd"),
 ];
 
 /// The layout of a help page.
@@ -183,7 +209,20 @@ pub fn in_portuguese(command: Command) -> Command {
             false => "Opções",
         };
         let words = words(&name, argument.get_id().as_str()).unwrap_or_default();
+        let valid = argument.get_possible_values();
+        let valid: Vec<&str> = valid.iter().map(PossibleValue::get_name).collect();
+        let told = valid.iter().all(|value| words.contains(value));
+        let words = match told || !argument.get_action().takes_values() {
+            true => words.to_owned(),
+            false => format!("{words} [valem: {}]", valid.join(", ")),
+        };
         let argument = argument.help(words).help_heading(heading);
+        let value = argument.get_value_names().and_then(|names| names.first());
+        let value = value.and_then(|value| VALUES.iter().find(|row| row.0 == *value));
+        let argument = match value {
+            Some((_, portuguese)) => argument.value_name(*portuguese),
+            None => argument,
+        };
         match argument.get_action().takes_values() {
             true => argument.hide_possible_values(true).hide_default_value(true),
             false => argument,
@@ -197,46 +236,6 @@ fn words(command: &str, argument: &str) -> Option<&'static str> {
     let is =
         |row: &&(&str, &str, &str)| row.1 == argument && (row.0 == command || row.0.is_empty());
     ARGUMENTS.iter().find(is).map(|row| row.2)
-}
-
-/// Ends with what is wrong with the arguments, in Portuguese.
-pub fn refuse(error: &Error) -> ! {
-    let value = |kind: ContextKind| match error.get(kind) {
-        Some(ContextValue::String(text)) => text.clone(),
-        Some(ContextValue::Strings(texts)) => texts.join(", "),
-        _ => String::new(),
-    };
-    let argument = value(ContextKind::InvalidArg);
-    let what = match error.kind() {
-        // Help and version are no errors.
-        ErrorKind::DisplayHelp
-        | ErrorKind::DisplayVersion
-        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
-        ErrorKind::MissingRequiredArgument => format!("falta indicar: {argument}"),
-        ErrorKind::InvalidSubcommand => {
-            format!(
-                "não existe o comando '{}'",
-                value(ContextKind::InvalidSubcommand)
-            )
-        }
-        ErrorKind::UnknownArgument => format!("argumento inesperado: '{argument}'"),
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
-            let valid = value(ContextKind::ValidValue);
-            let valid = match valid.is_empty() {
-                true => String::new(),
-                false => format!("; valem: {valid}"),
-            };
-            let given = value(ContextKind::InvalidValue);
-            format!("valor inválido '{given}' para '{argument}'{valid}")
-        }
-        ErrorKind::ArgumentConflict => {
-            let other = value(ContextKind::PriorArg);
-            format!("'{argument}' não pode ser usado com '{other}'")
-        }
-        _ => format!("argumentos inválidos ({argument})"),
-    };
-    eprint!("erro: {what}\n\nMais com '--help'.\n");
-    std::process::exit(2)
 }
 
 #[cfg(test)]
@@ -293,6 +292,13 @@ mod tests {
                 "possible",
                 " the ",
                 "Print",
+                "FILE",
+                "PORT>",
+                "RATE",
+                "PARITY",
+                "LANG",
+                "WHAT",
+                "SECONDS",
             ] {
                 assert!(!page.contains(word), "{word} in\n{page}");
             }

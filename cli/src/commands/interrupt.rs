@@ -6,6 +6,7 @@ use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use unoclp_cli::messages;
 
 /// The exit code of a program that Ctrl-C has ended, as shells have it.
 const ENDED: i32 = 130;
@@ -15,7 +16,7 @@ pub struct Interrupt(Arc<AtomicBool>);
 
 /// It was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("interrupted")]
+#[error("{}", messages::interrupted())]
 pub struct Interrupted;
 
 impl Interrupt {

@@ -3,7 +3,7 @@
 //! - `open`: reading a program in either language, and `unoclp check`
 //! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from Instruction List to numeric code, and onto a card
-//! - `help`: the help in Portuguese
+//! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`: Ctrl-C
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 
@@ -22,25 +22,29 @@ mod interrupt;
 mod monitor;
 mod open;
 mod output;
+mod refuse;
 mod settings;
 mod upload;
 mod words;
 
 pub use card::card;
 pub use compile::compile;
-pub use help::{in_portuguese, refuse};
+pub use help::in_portuguese;
 pub use monitor::monitor;
-pub use open::{Il, Shown, check, check_written, language, open, running};
-pub use output::{Kind, create};
+pub use open::{Il, Shown, check, check_written, langs, language, open, read, running};
+pub use output::{Kind, cannot_write, create};
+pub use refuse::refuse;
 pub use settings::{Changes, settings};
 pub use upload::{Leave, upload};
 pub use words::Form;
 
+use anyhow::anyhow;
 use clap::Args;
 use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::{Line, Patience};
+use unoclp_board::{Failure, Line, Patience};
 use unoclp_cli::messages;
 use unoclp_cli::port::{Found, Place, Port, find};
+use unoclp_modbus::Exception;
 use words::Parity;
 
 /// Where the board is.
@@ -84,12 +88,25 @@ fn meet(place: &Place) -> anyhow::Result<Port> {
         may_be_reset,
     } = find(place, patience)?;
     let Place { port: name, line } = place;
-    say!("{identity} at {name}, address {}", line.address);
+    say!("{}", messages::met(identity, name, line.address));
     if may_be_reset {
-        let uptime = port.talk(Diagnostics::read)?.uptime;
+        let uptime = port.talk(Diagnostics::read).map_err(failed)?.uptime;
         if u128::from(uptime) < patience.start.as_millis() {
             say!("{}", messages::was_reset());
         }
     }
     Ok(port)
+}
+
+/// The error of a board that does not stop.
+fn not_stopped(why: Failure) -> anyhow::Error {
+    match why {
+        Failure::Refused(Exception::IllegalFunction) => anyhow!(messages::stop_locked()),
+        why => anyhow!(messages::not_stopped(messages::failure(&why))),
+    }
+}
+
+/// The error of a request without result.
+fn failed(failure: Failure) -> anyhow::Error {
+    anyhow!(messages::failure(&failure))
 }

@@ -12,7 +12,7 @@ use unoclp_cli::monitor::{App, Program, run, watch};
 use unoclp_cli::port::Place;
 
 /// Shows a board until the person leaves.
-pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
+pub fn monitor(path: Option<&Path>, place: Place, end_forcing: Option<u8>, il: &Il) -> Outcome {
     let program = match path {
         None => None,
         Some(path) => match open(path, il, Shown::Here)? {
@@ -24,11 +24,11 @@ pub fn monitor(path: Option<&Path>, place: Place, il: &Il) -> Outcome {
         bail!(messages::needs_terminal());
     }
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
-    let app = App::new(place.to_string(), program);
-    let (wish, news) = watch(place, Patience::default(), scope);
+    let app = App::new(place.to_string(), program, end_forcing);
+    let (wish, news) = watch(place, Patience::default(), scope, end_forcing);
     let forced = run(app, &wish, &news)?;
     if forced.any() {
-        println!("{}", messages::stays_forced(forced));
+        println!("{}", messages::left_forced(forced));
     }
     Ok(true)
 }

@@ -1,15 +1,17 @@
 //! Reading a program, whichever of the two languages it is written in.
 
-use crate::{Outcome, read, renderer};
+use crate::{Outcome, renderer};
 use anstream::{eprint, eprintln, println};
+use anyhow::anyhow;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::Path;
 use unoclp_checked::Diagnosis;
 use unoclp_cli::messages;
 use unoclp_core::Fault;
-use unoclp_host_sim::scenario::ProgramFile;
+use unoclp_host_sim::scenario::{ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Dialect, Lang, Severity, Told};
+use unoclp_source::messages::system;
 use unoclp_source::{Language, Refused, Source, Written, diagnosis};
 
 /// How to read Instruction List.
@@ -18,9 +20,6 @@ pub struct Il {
     /// Whose Instruction List it is; else what its words look like
     #[arg(long, value_parser = dialects())]
     dialect: Option<Dialect>,
-    /// The language in which everything is told; else that of the environment
-    #[arg(long, value_parser = langs())]
-    lang: Option<Lang>,
 }
 
 fn dialects() -> impl TypedValueParser<Value = Dialect> {
@@ -28,7 +27,8 @@ fn dialects() -> impl TypedValueParser<Value = Dialect> {
         .map(|name| Dialect::named(&name).unwrap_or_default())
 }
 
-fn langs() -> impl TypedValueParser<Value = Lang> {
+/// The languages that --lang knows.
+pub fn langs() -> impl TypedValueParser<Value = Lang> {
     PossibleValuesParser::new([
         PossibleValue::new("en"),
         PossibleValue::new("pt-BR").aliases(["pt", "pt_BR", "pt-br", "pt_br"]),
@@ -46,18 +46,11 @@ pub fn language(name: &str) -> Option<Lang> {
 }
 
 impl Il {
-    /// The language to speak: what was asked for, else what the environment says.
-    pub fn lang(&self) -> Lang {
-        self.lang.unwrap_or_else(messages::spoken)
-    }
-
     /// Whose Instruction List a text was taken to be, and why.
     pub fn dialect(&self, found: Dialect) -> String {
-        match (self.dialect, self.lang()) {
-            (Some(_), Lang::En) => format!("dialect {found}"),
-            (Some(_), Lang::Pt) => format!("dialeto {found}"),
-            (None, Lang::En) => format!("dialect {found}, by its words"),
-            (None, Lang::Pt) => format!("dialeto {found}, pelas palavras"),
+        match self.dialect {
+            Some(_) => messages::dialect(found),
+            None => messages::dialect_by_words(found),
         }
     }
 }
@@ -69,6 +62,19 @@ pub enum Shown {
     Here,
     /// Beside what the command writes to standard output.
     Beside,
+}
+
+/// Reads a file, as long as a program may be.
+pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
+    ProgramFile::read(path).map_err(|why| {
+        let name = path.display();
+        anyhow!(match &why {
+            Unreadable::TooLong => format!("{name} {}", why.text(messages::spoken())),
+            Unreadable::System { kind, told } => {
+                messages::cannot_read(name, system(messages::spoken(), *kind, told))
+            }
+        })
+    })
 }
 
 /// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
@@ -83,7 +89,7 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
         Ok(source) => {
             if let Language::Il { warnings, .. } = &source.language {
                 let Source { name, text, .. } = &source;
-                let shown = lang::show(name, text, warnings, il.lang(), &renderer());
+                let shown = lang::show(name, text, warnings, messages::spoken(), &renderer());
                 eprint!("{shown}");
             }
             Some(source)
@@ -92,7 +98,7 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
             let Written { name, bytes, .. } = &written;
             say!(
                 "{}",
-                diagnosis::show(name, bytes, &faults, il.lang(), &renderer())
+                diagnosis::show(name, bytes, &faults, messages::spoken(), &renderer())
             );
             None
         }
@@ -101,8 +107,8 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
             text,
             diagnostics,
         }) => {
-            let all = lang::show(&name, &text, &diagnostics, il.lang(), &renderer());
-            let count = count(&diagnostics, il.lang());
+            let all = lang::show(&name, &text, &diagnostics, messages::spoken(), &renderer());
+            let count = count(&diagnostics);
             match shown {
                 Shown::Here => say!("{all}{name}: {count}"),
                 Shown::Beside => eprintln!("{all}{name}: {count}"),
@@ -113,16 +119,13 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
 }
 
 /// How many errors there are; of a text with more than are listed nothing is counted.
-fn count(told: &Told, lang: Lang) -> String {
+fn count(told: &Told) -> String {
     let errors = told.iter();
     let errors = errors.filter(|d| d.severity() == Severity::Error).count();
-    match (errors, lang) {
-        (_, Lang::En) if told.more > 0 => "there is no program".to_owned(),
-        (_, Lang::Pt) if told.more > 0 => "não há programa".to_owned(),
-        (1, Lang::En) => "1 error; there is no program".to_owned(),
-        (_, Lang::En) => format!("{errors} errors; there is no program"),
-        (1, Lang::Pt) => "1 erro; não há programa".to_owned(),
-        (_, Lang::Pt) => format!("{errors} erros; não há programa"),
+    match errors {
+        _ if told.more > 0 => messages::there_is_no_program(),
+        1 => messages::one_error(),
+        errors => messages::errors(errors),
     }
 }
 
@@ -130,8 +133,7 @@ fn count(told: &Told, lang: Lang) -> String {
 pub fn faulty(source: &Source, fault: Fault) -> String {
     let Source { name, code, .. } = source;
     if !source.is_il() {
-        let told_at = None;
-        let faults = [Diagnosis { fault, told_at }];
+        let faults = [Diagnosis::from(fault)];
         return diagnosis::show(name, code, &faults, messages::spoken(), &renderer());
     }
     running(source, fault)

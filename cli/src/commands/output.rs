@@ -1,9 +1,9 @@
 //! Files that a command writes. What stands there already is overwritten only if it is of the same kind, and never if
 //! the command reads it.
 
-use anyhow::{Context, bail};
+use anyhow::{anyhow, bail};
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 use unoclp_cli::messages;
 use unoclp_source::is_numeric;
@@ -57,20 +57,25 @@ pub fn create(path: &Path, kind: Kind, inputs: &[&Path]) -> anyhow::Result<File>
     if inputs.iter().any(|input| is_same(input, path)) {
         bail!(messages::is_read(path.display()));
     }
-    let cannot = || messages::cannot_write(path.display());
     // A device or a pipe loses nothing.
     if fs::metadata(path).is_ok_and(|there| there.is_file()) {
         let mut head = Vec::new();
-        let there = File::open(path).with_context(cannot)?;
+        let there = File::open(path).map_err(cannot_write(path))?;
         there
             .take(HEAD)
             .read_to_end(&mut head)
-            .with_context(cannot)?;
+            .map_err(cannot_write(path))?;
         if !kind.is_of(&head) {
             bail!(messages::is_something_else(path.display(), kind.name()));
         }
     }
-    File::create(path).with_context(cannot)
+    File::create(path).map_err(cannot_write(path))
+}
+
+/// The error of a file that cannot be written.
+pub fn cannot_write(path: &Path) -> impl Fn(io::Error) -> anyhow::Error {
+    let name = path.display().to_string();
+    move |error| anyhow!(messages::cannot_write(&name, messages::io(&error)))
 }
 
 /// Whether two names are those of one file.

@@ -1,16 +1,19 @@
 //! `unoclp settings`.
 
-use super::meet;
-use super::words::Parity;
+use super::words::{Lock, Parity};
+use super::{failed, meet, not_stopped};
 use crate::Outcome;
-use anyhow::{Context, bail};
+use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
-use unoclp_board::map::Command;
+use unoclp_board::diagnostics::Diagnostics;
+use unoclp_board::map::{Command, State};
 use unoclp_board::settings::{RATES, Settings};
 use unoclp_board::upload::stop;
 use unoclp_board::watch::Wish;
-use unoclp_board::{Line, Patience};
-use unoclp_cli::port::{Place, find};
+use unoclp_board::{Failure, Line, Patience, lock};
+use unoclp_cli::messages;
+use unoclp_cli::port::{Place, Port, find};
+use unoclp_modbus::Exception;
 
 /// What shall be set anew.
 #[derive(Args)]
@@ -27,6 +30,9 @@ pub struct Changes {
     /// Whether A4 is the direction pin of an RS-485 driver
     #[arg(long, value_enum, value_name = "on|off")]
     set_direction: Option<Switch>,
+    /// Lock these too, separated by commas: the board refuses them from everyone
+    #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',')]
+    lock: Vec<Lock>,
 }
 
 /// On or off.
@@ -37,14 +43,32 @@ enum Switch {
 }
 
 impl Changes {
-    fn apply(&self, old: Settings) -> Settings {
-        let direction = self.set_direction.map(|switch| switch == Switch::On);
-        Settings {
-            address: self.set_address.unwrap_or(old.address),
-            rate: self.set_rate.unwrap_or(old.rate),
-            parity: self.set_parity.map_or(old.parity, Into::into),
-            direction: direction.unwrap_or(old.direction),
+    /// What is to be set, if anything is.
+    fn apply(&self, old: Settings) -> anyhow::Result<Option<Settings>> {
+        let Changes {
+            set_address,
+            set_rate,
+            set_parity,
+            set_direction,
+            lock,
+        } = self;
+        let is_any = set_address.is_some()
+            || set_rate.is_some()
+            || set_parity.is_some()
+            || set_direction.is_some()
+            || !lock.is_empty();
+        if !lock.is_empty() && old.lock.is_none() {
+            bail!(messages::no_lock());
         }
+        // It can only grow.
+        let lock = |old| lock.iter().fold(old, |bits, lock| bits | lock.bits());
+        Ok(is_any.then(|| Settings {
+            address: set_address.unwrap_or(old.address),
+            rate: set_rate.unwrap_or(old.rate),
+            parity: set_parity.map_or(old.parity, Into::into),
+            direction: set_direction.map_or(old.direction, |switch| switch == Switch::On),
+            lock: old.lock.map(lock),
+        }))
     }
 }
 
@@ -54,24 +78,82 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
         && !RATES.contains(&rate)
     {
         let rates = RATES.map(|rate| rate.to_string()).join(", ");
-        bail!("a board has no rate of {rate} baud; it has {rates}");
+        bail!(messages::no_rate(rate, rates));
     }
     let mut port = meet(place)?;
-    let old = port.talk(Settings::read)?;
-    say!("{old}");
-    let new = changes.apply(old);
-    if new == old {
+    let old = port.talk(Settings::read).map_err(failed)?;
+    say!("{}", messages::settings(old));
+    let Some(new) = changes.apply(old)? else {
+        return Ok(true);
+    };
+    // Defaults that the pins have brought back are kept by writing them: they hold in STOP or FAULT.
+    let is_new = new != old;
+    if !is_new && port.talk(Diagnostics::read).map_err(failed)?.state == Some(State::Run) {
         return Ok(true);
     }
-    port.talk(stop).context("the board cannot be stopped")?;
-    port.talk(async |client| new.write(client).await)
-        .context("the board does not take the settings")?;
-    if port.talk(Settings::read)? != new {
-        bail!("the board does not keep the settings: its EEPROM fails");
+    if old.locks(lock::SETTINGS) {
+        bail!(messages::settings_locked(messages::to_lift()));
     }
-    say!("{new}; restarting");
+    let before = port.talk(stop).map_err(not_stopped)?;
+    if let Err(why) = write(&mut port, old, new) {
+        // What stood in the way is told, whatever comes of this.
+        let _ = go_back(&mut port, &before, old);
+        return Err(why);
+    }
+    if new.lock != old.lock {
+        let what = messages::lock(new.lock.unwrap_or(0));
+        say!("{}", messages::locked_now(what, messages::to_lift()));
+    } else if !is_new {
+        say!("{}", messages::settings_kept());
+    }
+    if new.without_lock() == old.without_lock() {
+        go_back(&mut port, &before, new)?;
+    } else if new.locks(lock::COMMANDS) {
+        say!("{}", messages::settings(new));
+        say!("{}", messages::reset_to_use());
+    } else {
+        restart(port, place, new)?;
+    }
+    Ok(true)
+}
+
+/// Writes the settings in place of the old ones, and sees that they are kept.
+fn write(port: &mut Port, old: Settings, new: Settings) -> anyhow::Result<()> {
+    let written = port.talk(async |client| new.write(old, client).await);
+    let not_taken = |why| anyhow!(messages::settings_not_taken(messages::failure(&why)));
+    written.map_err(not_taken)?;
+    if port.talk(Settings::read).map_err(failed)? != new {
+        bail!(messages::settings_not_kept());
+    }
+    Ok(())
+}
+
+/// Puts a board back into RUN that was there before, as far as it lets.
+fn go_back(port: &mut Port, before: &Diagnostics, settings: Settings) -> anyhow::Result<()> {
+    if before.state != Some(State::Run) {
+        return Ok(());
+    }
+    if settings.locks(lock::COMMANDS) {
+        say!("{}", messages::reset_to_run());
+        return Ok(());
+    }
+    let run = Wish::Command(Command::Run);
+    match port.talk(async |client| run.fulfil(client).await) {
+        Ok(()) => say!("RUN"),
+        Err(Failure::Refused(Exception::ServerDeviceFailure)) => {
+            say!("{}", messages::in_stop_until())
+        }
+        Err(why) => return Err(failed(why)),
+    }
+    Ok(())
+}
+
+/// Restarts the board, and meets it where it is then.
+fn restart(mut port: Port, place: &Place, new: Settings) -> anyhow::Result<()> {
+    say!("{}", messages::restarting(messages::settings(new)));
     let restart = Wish::Command(Command::Restart);
-    port.talk(async |client| restart.fulfil(client).await)?;
+    port.talk(async |client| restart.fulfil(client).await)
+        .map_err(failed)?;
     drop(port);
     let line = Line {
         address: new.address,
@@ -89,7 +171,7 @@ pub fn settings(place: &Place, changes: &Changes) -> Outcome {
             ..patience
         },
     )
-    .context("the settings are kept, but the board does not answer with them")?;
-    say!("it answers from {line}");
-    Ok(true)
+    .map_err(|why| anyhow!(messages::settings_without_answer(why)))?;
+    say!("{}", messages::answers_from(messages::spoken_line(line)));
+    Ok(())
 }

@@ -1,23 +1,24 @@
 //! `unoclp upload`.
 
 use super::interrupt::{Interrupt, Interrupted};
-use super::meet;
 use super::open::{Il, Shown, faulty, open, running};
+use super::{failed, meet, not_stopped};
 use crate::Outcome;
 use anstream::eprint;
-use anyhow::{Context, anyhow, bail};
+use anyhow::{anyhow, bail};
 use clap::Args;
 use std::cell::Cell;
 use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
 use std::path::Path;
-use unoclp_board::Client;
 use unoclp_board::diagnostics::Kept;
 use unoclp_board::map::{State, flag};
+use unoclp_board::settings::read_lock;
 use unoclp_board::upload::{
     Behind, Broken, FIRST_SCANS, Progress, end, go_on, stop, upload as send,
 };
 use unoclp_board::watch::{Forced, Wish};
+use unoclp_board::{Client, lock};
 use unoclp_cli::messages;
 use unoclp_cli::port::{Place, Port};
 use unoclp_source::Source;
@@ -38,7 +39,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
     let Some(program) = open(path, il, Shown::Here)? else {
         return Ok(false);
     };
-    say!("{}: {}: OK", program.name, messages::size(&program.size));
+    say!("{}: OK: {}", program.name, messages::size(&program.size));
     let mut upload = Upload {
         port: meet(place)?,
         interrupt: Interrupt::new()?,
@@ -55,7 +56,7 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
     if let Ok(forced) = upload.port.talk(Forced::read)
         && forced.any()
     {
-        say!("{}", messages::stays_forced(forced));
+        say!("{}", messages::left_forced(forced));
     }
     outcome
 }
@@ -71,11 +72,14 @@ struct Upload {
 
 impl Upload {
     fn run(&mut self, leave: &Leave) -> Outcome {
-        let forced = self.talk(Forced::read)??;
-        let before = self.talk(stop)?.context("the board cannot be stopped")?;
-        let state = match before.state {
-            Some(state) => state,
-            None => bail!("the board is in a state that this version of unoclp does not know"),
+        // A board that takes no upload is not stopped for one.
+        if self.talk(read_lock)?.map_err(failed)? & lock::UPLOAD != 0 {
+            bail!(messages::broken(&Broken::Locked));
+        }
+        let forced = self.talk(Forced::read)?.map_err(failed)?;
+        let before = self.talk(stop)?.map_err(not_stopped)?;
+        let Some(state) = before.state else {
+            bail!(messages::unknown_state());
         };
         match state {
             State::Run => say!("STOP"),
@@ -84,7 +88,9 @@ impl Upload {
             }
             State::Stop => say!("{}", messages::in_stop()),
             State::Fault => match before.trouble {
-                Some(trouble) => say!("{}, {trouble}", messages::in_fault()),
+                Some(trouble) => {
+                    say!("{}, {}", messages::in_fault(), messages::trouble(trouble))
+                }
                 None => say!("{}", messages::in_fault()),
             },
         }
@@ -96,13 +102,13 @@ impl Upload {
             Ok(kept) => kept,
             Err(Broken::Fault(trouble)) => {
                 let Some(fault) = trouble.fault() else {
-                    bail!("the board says {trouble}");
+                    bail!(messages::board_says(messages::trouble(trouble)));
                 };
                 say!("{}", messages::refused_program());
                 say!("{}", faulty(&self.program, fault));
                 return Ok(false);
             }
-            Err(broken) => return Err(broken.into()),
+            Err(broken) => bail!(messages::broken(&broken)),
         };
         self.stored = Some(kept);
         say!(
@@ -110,13 +116,15 @@ impl Upload {
             messages::stored(kept.bytes, format!("{:04X}", kept.sum))
         );
         if forced.any() && !leave.keep_forces {
-            self.talk(async |client| Wish::Release.fulfil(client).await)??;
+            self.talk(async |client| Wish::Release.fulfil(client).await)?
+                .map_err(failed)?;
             say!("{}", messages::let_go(forced));
         }
 
         let stays = leave.stop;
         let behind = self.talk(async |client| go_on(client, state, kept, stays).await)?;
-        let behind = behind.context("the program is stored, but the board does not start it")?;
+        let not_started = |why| anyhow!(messages::not_started(messages::failure(&why)));
+        let behind = behind.map_err(not_started)?;
         match behind {
             Behind::Run => say!("RUN"),
             Behind::Stop => say!("{}", messages::in_stop()),
@@ -124,13 +132,13 @@ impl Upload {
             Behind::Faulty => say!("{}", messages::in_fault_until()),
             Behind::Card => bail!(messages::card_wins()),
             Behind::Trouble(trouble) => {
-                bail!("the program is stored; restarted, the board says {trouble}")
+                bail!(messages::restarted_with(messages::trouble(trouble)))
             }
             Behind::Failing(trouble) => {
                 say!("{}", messages::in_fault_later(FIRST_SCANS.as_millis()));
                 match trouble.map(|trouble| (trouble, trouble.fault())) {
                     Some((_, Some(fault))) => say!("{}", running(&self.program, fault)),
-                    Some((trouble, None)) => say!("{trouble}"),
+                    Some((trouble, None)) => say!("{}", messages::trouble(trouble)),
                     None => {}
                 }
                 return Ok(false);
@@ -174,7 +182,7 @@ impl Upload {
                     None => messages::interrupted_with_old(state),
                 }
             }
-            Err(failure) => messages::interrupted_unknown(failure),
+            Err(failure) => messages::interrupted_unknown(messages::failure(&failure)),
         }
     }
 }
@@ -191,9 +199,10 @@ fn show(progress: Progress) {
     if stderr().is_terminal() {
         match progress {
             Progress::Sent { pass, bytes, of } => {
-                eprint!("{ANEW}{pass}: {bytes} of {of} bytes");
+                let sent = messages::sent(messages::pass(pass), bytes, of);
+                eprint!("{ANEW}{sent}");
             }
-            Progress::Storing => eprint!("{ANEW}writing program memory …"),
+            Progress::Storing => eprint!("{ANEW}{}", messages::writing()),
         }
     }
 }

@@ -24,6 +24,35 @@ impl From<Parity> for unoclp_board::Parity {
     }
 }
 
+/// What a board may refuse from everyone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Lock {
+    /// Uploads
+    Upload,
+    /// Changes of the settings
+    Settings,
+    /// All commands but that of an upload
+    Commands,
+    /// Writing of coils, registers and presets, and forcing
+    Writing,
+    /// All of these
+    All,
+}
+
+impl Lock {
+    /// Bits of [`unoclp_board::lock`].
+    pub fn bits(self) -> u8 {
+        use unoclp_board::lock::{ALL, COMMANDS, SETTINGS, UPLOAD, WRITING};
+        match self {
+            Lock::Upload => UPLOAD,
+            Lock::Settings => SETTINGS,
+            Lock::Commands => COMMANDS,
+            Lock::Writing => WRITING,
+            Lock::All => ALL,
+        }
+    }
+}
+
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Form {

@@ -29,6 +29,10 @@ pub struct App {
     pub(super) lingering: u16,
     /// Outputs that were let go here since the last reading.
     let_go: u16,
+    /// The seconds without a request behind which the board is to end what is forced here.
+    end_forcing: Option<u8>,
+    /// It has been said that it cannot.
+    is_endless_said: bool,
     /// What the digits force.
     pub(super) side: Side,
     /// The first line of the rungs that is shown.
@@ -39,8 +43,9 @@ pub struct App {
 }
 
 impl App {
-    /// A monitor that waits for the board at this place.
-    pub fn new(place: String, program: Option<Program>) -> App {
+    /// A monitor that waits for the board at this place. What it forces ends at the board behind `end_forcing` seconds
+    /// without a request, 1 to 254.
+    pub fn new(place: String, program: Option<Program>, end_forcing: Option<u8>) -> App {
         App {
             place,
             identity: String::new(),
@@ -52,6 +57,8 @@ impl App {
             said: None,
             lingering: 0,
             let_go: 0,
+            end_forcing,
+            is_endless_said: false,
             side: Side::Inputs,
             page: 1,
             quit: false,
@@ -197,6 +204,16 @@ impl App {
             Wish::Command(_) => {}
         }
         self.let_go |= before & !reading.forced_outputs.points;
+        if matches!(wish, Wish::Force(_, _, Some(_))) && self.end_forcing.is_some() {
+            match &mut reading.forcing_ends {
+                Some(ends) => *ends = self.end_forcing.unwrap_or(*ends),
+                None if self.is_endless_said => {}
+                None => {
+                    self.is_endless_said = true;
+                    self.said = Some(messages::endless());
+                }
+            }
+        }
     }
 
     /// A point that is free is forced to 1, then to 0, and then let go.

@@ -1,6 +1,6 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
-use crate::panel::{Drawn, Flow};
+use crate::panel::{Drawn, Flow, Probe};
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::{Kept, Trouble};
 use unoclp_board::watch::{Meter, Reading, Scope};
@@ -24,6 +24,8 @@ pub struct Program {
     counters: u16,
     /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
     twin: Machine,
+    /// The same, to see its values on the way.
+    probe: Option<Probe>,
     /// The outputs that it writes, bit 0 output 01.
     pub(super) written: u16,
     /// What it uses of the board.
@@ -42,6 +44,7 @@ impl Program {
         let kept = Kept::of(program.program());
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
+        let probe = Probe::new(&program, &drawn.values());
         let machine = Machine::new(program.checked);
         let plc = machine.plc();
         let used = machine.used().clone();
@@ -62,6 +65,7 @@ impl Program {
             counters: plc.counters().count() as u16,
             steps: plc.steps().count(),
             twin: machine,
+            probe,
             name: program.name,
         }
     }
@@ -97,6 +101,10 @@ impl Program {
         };
         // A scan with too many jumps shows how far it has come.
         let _ = self.twin.scan_observed(inputs, now, observe);
+        if let Some(probe) = &mut self.probe {
+            probe.with_plc(|plc| plc.adopt(&board, now));
+            flow.values = probe.scan(inputs, now);
+        }
         flow
     }
 

@@ -3,7 +3,7 @@
 use super::app::App;
 use super::view;
 use super::watcher::News;
-use crate::screen;
+use crate::{ascii, messages, screen};
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event};
 use std::io;
@@ -30,7 +30,7 @@ fn frames(
     wish: &Sender<Wish>,
     news: &Receiver<News>,
 ) -> io::Result<()> {
-    let is_ascii = screen::is_ascii();
+    let is_ascii = ascii::is_ascii();
     while !app.quit() {
         news.try_iter().for_each(|news| app.hear(news));
         terminal.draw(|frame| {
@@ -44,9 +44,7 @@ fn frames(
             && let Some(wished) = app.key(key)
             && wish.send(wished).is_err()
         {
-            return Err(io::Error::other(
-                "the thread that reads the board has ended",
-            ));
+            return Err(io::Error::other(messages::watcher_ended()));
         }
     }
     Ok(())

@@ -4,7 +4,7 @@ use super::app::App;
 use super::program::Program;
 use super::view;
 use super::watcher::News;
-use crate::messages::tests::SPOKEN_HERE;
+use crate::messages::{SPOKEN_HERE, left_forced};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
@@ -64,7 +64,12 @@ fn reading() -> Reading {
 }
 
 fn app(program: Option<Program>) -> App {
-    let mut app = App::new("/dev/ttyACM0, address 1".to_owned(), program);
+    let app = App::new("/dev/ttyACM0, address 1".to_owned(), program, None);
+    found(app)
+}
+
+/// The app, which has found the board.
+fn found(mut app: App) -> App {
     app.hear(News::Found {
         identity: Identity {
             vendor: "unoclp".to_owned(),
@@ -502,6 +507,55 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     assert_eq!(app.forced().to_string(), "I1=1 Q3=1");
 }
 
+/// A monitor whose forces end behind 10 s, at a board with this end of forcing before.
+fn ending(ends: Option<u8>) -> App {
+    let app = App::new("/dev/ttyACM0".to_owned(), Some(program()), Some(10));
+    let mut app = found(app);
+    let mut now = reading();
+    now.forcing_ends = ends;
+    app.hear(News::Read(Box::new(now)));
+    app
+}
+
+#[test]
+fn when_forcing_ends_by_itself_is_said_at_the_end() {
+    let mut now = reading();
+    now.forced_inputs.set(0, Some(true));
+    for (ends, seconds) in [
+        (None, None),
+        (Some(0), None),
+        (Some(255), None),
+        (Some(7), Some(7)),
+    ] {
+        now.forcing_ends = ends;
+        let forced = showing(now.clone()).forced();
+        assert_eq!(forced.seconds(), seconds);
+        let by_itself =
+            left_forced(forced).contains("the board lets all go 7 s after the last request");
+        assert_eq!(by_itself, seconds.is_some());
+    }
+    // Whoever leaves before the next reading is told what holds then.
+    let mut app = ending(Some(0));
+    press(&mut app, KeyCode::Char('1'));
+    assert_eq!(app.forced().seconds(), Some(10));
+    let shown = screen(&mut app, 80, 24);
+    assert!(!shown.contains("without the monitor"), "{shown}");
+}
+
+#[test]
+fn a_board_that_cannot_end_forcing_is_said_to_be_so_once() {
+    let mut app = ending(None);
+    let mut says = |key| {
+        let wish = press(&mut app, KeyCode::Char(key));
+        assert!(wish.is_some(), "it is forced all the same");
+        screen(&mut app, 120, 24).contains("they stay forced without the monitor")
+    };
+    assert!(!says('x'));
+    assert!(says('1'));
+    assert!(!says('2'));
+    assert_eq!(app.forced().seconds(), None);
+}
+
 #[test]
 fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
     for (program, says) in [
@@ -569,6 +623,40 @@ fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
         .lines()
         .filter(|line| line.contains("LD level") || line.contains("ST alarm"));
     assert!(lines.count() >= 6, "{screen}");
+}
+
+#[test]
+fn lamps_have_names_and_lines_their_values() {
+    let text = "VAR\n start AT %IX1 : BOOL;\n lamp AT %QX2 : BOOL;\n level AT %MW1 : INT;\nEND_VAR\n\
+                LD start\nST lamp\nLD level\nADD 3\nST MW2\n";
+    let program = Program::new(source("named.il", text));
+    let kept = program.kept;
+    let mut app = app(Some(program));
+    app.hear(News::Read(Box::new(Reading {
+        diagnostics: Diagnostics {
+            program: kept,
+            ..reading().diagnostics
+        },
+        registers: [40].into_iter().chain([0; 31]).collect(),
+        timers: Vec::new(),
+        counters: Vec::new(),
+        forced_inputs: Forces { points: 1, to: 1 },
+        ..reading()
+    })));
+    let shown = screen(&mut app, 80, 24);
+    assert!(
+        shown.contains("\n I1●!start   I2○  I3○  I4○  I5○ "),
+        "{shown}"
+    );
+    assert!(shown.contains(" Q1○  Q2● lamp   Q3○  Q4○\n"), "{shown}");
+    assert!(shown.contains("   9   ADD 3  = 43\n"), "{shown}");
+    // Another program on the board has other names.
+    app.hear(News::Read(Box::new(reading())));
+    let shown = screen(&mut app, 80, 24);
+    assert!(
+        shown.contains("I1● ") && !shown.contains("start   I2"),
+        "{shown}"
+    );
 }
 
 #[test]

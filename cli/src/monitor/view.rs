@@ -2,6 +2,7 @@
 
 use super::app::App;
 use super::program::Program;
+use crate::lamps::{Lamp, Lamps, Sides};
 use crate::{messages, screen};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -31,13 +32,32 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     }
     let width = frame.area().width;
     let mut panels = Vec::new();
+    // The columns of the first of two that stand side by side.
+    let mut share = width;
     if let Some(reading) = &app.reading {
-        let inputs = inputs(app.side, reading);
-        let outputs = outputs(app.side, reading);
-        if width >= SIDE_BY_SIDE {
-            panels.push(vec![inputs, outputs]);
-        } else {
-            panels.extend([vec![inputs], vec![outputs]]);
+        let inputs = lamps(
+            app,
+            'I',
+            BOARD.inputs,
+            reading.inputs,
+            reading.forced_inputs,
+        );
+        let outputs = lamps(
+            app,
+            'Q',
+            BOARD.outputs,
+            reading.outputs,
+            reading.forced_outputs,
+        );
+        let sides = Sides::new(&inputs, &outputs, SIDE_BY_SIDE, frame.area());
+        let inputs = (inputs_title(app.side), sides.inputs);
+        let outputs = (outputs_title(app.side), sides.outputs);
+        match sides.share {
+            Some(columns) => {
+                share = columns;
+                panels.push(vec![inputs, outputs]);
+            }
+            None => panels.extend([vec![inputs], vec![outputs]]),
         }
         panels.push(vec![(messages::board(), board(app, reading, width))]);
         let memory = match app.program.as_ref().filter(|_| !app.differs()) {
@@ -68,7 +88,9 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     let areas = Layout::vertical(heights).split(frame.area());
     header(app, frame, areas[0]);
     for (row, &area) in panels.into_iter().zip(&areas[1..]) {
-        let columns = Layout::horizontal(vec![Constraint::Fill(1); row.len()]).split(area);
+        let first = if row.len() > 1 { share } else { width };
+        let widths = [Constraint::Length(first), Constraint::Fill(1)];
+        let columns = Layout::horizontal(widths).split(area);
         for ((title, lines), &column) in row.into_iter().zip(columns.iter()) {
             panel(title, lines, frame, column);
         }
@@ -85,18 +107,19 @@ fn header(app: &App, frame: &mut Frame, area: Rect) {
             let board = &reading.diagnostics;
             let state = board.state.map_or("?", State::name);
             let forced = if board.has(flag::FORCED) {
-                "FORCED  "
+                messages::forced_flag()
             } else {
-                ""
+                String::new()
             };
             let seconds = board.uptime / 1000;
             format!("{forced}{state}  {seconds} s")
         }
     };
     let right = Line::raw(format!("{state} "));
+    let at = messages::at(&app.identity, &app.place);
     let name = match &app.program {
-        Some(program) => format!(" {}  {} at {}", program.name, app.identity, app.place),
-        None => format!(" {} at {}", app.identity, app.place),
+        Some(program) => format!(" {}  {at}", program.name),
+        None => format!(" {at}"),
     };
     let widths = [
         Constraint::Fill(1),
@@ -134,41 +157,40 @@ fn panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area: Rect
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
-type Panel = (String, Vec<Line<'static>>);
-
-fn inputs(side: Side, reading: &Reading) -> Panel {
-    let title = match side {
+fn inputs_title(side: Side) -> String {
+    match side {
         Side::Inputs => messages::inputs_force(BOARD.inputs),
         Side::Outputs => messages::inputs(),
-    };
-    let lamps = lamps('I', BOARD.inputs, reading.inputs, reading.forced_inputs);
-    (title, vec![lamps])
+    }
 }
 
-fn outputs(side: Side, reading: &Reading) -> Panel {
-    let title = match side {
+fn outputs_title(side: Side) -> String {
+    match side {
         Side::Outputs => messages::outputs_force(BOARD.outputs),
         Side::Inputs => messages::outputs(),
-    };
-    let lamps = lamps('Q', BOARD.outputs, reading.outputs, reading.forced_outputs);
-    (title, vec![lamps])
+    }
 }
 
-/// ` I1 ● I2 ○!`
-fn lamps(letter: char, count: u8, image: u16, forces: Forces) -> Line<'static> {
-    let points = (0..count).flat_map(|index| {
+/// ` I1● start  I2○!stop`
+fn lamps(app: &App, letter: char, count: u8, image: u16, forces: Forces) -> Lamps {
+    let program = app.program.as_ref().filter(|_| !app.differs());
+    let lamp = |index: u8| {
+        let point = format!("{letter}{}", index + 1);
         let forced = if forces.get(index).is_some() {
             "!"
         } else {
             " "
         };
-        [
-            Span::raw(format!(" {letter}{}", index + 1)),
-            lamp(image >> index & 1 != 0),
-            Span::styled(forced, WARNING),
-        ]
-    });
-    points.collect()
+        Lamp {
+            name: program.and_then(|program| program.names.get(&point).cloned()),
+            shown: vec![
+                Span::raw(format!(" {point}")),
+                lamp(image >> index & 1 != 0),
+                Span::styled(forced, WARNING),
+            ],
+        }
+    };
+    Lamps((0..count).map(lamp).collect())
 }
 
 fn lamp(on: bool) -> Span<'static> {
@@ -267,7 +289,7 @@ fn memory(reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let set = registers.filter(|(_, value)| **value != 0);
     values.extend(set.map(|(n, value)| format!("D{n} {value}")));
     if !reading.registers.is_empty() && reading.registers.iter().all(|&value| value == 0) {
-        values.push("all D 0".to_owned());
+        values.push(messages::all_registers());
     }
     lines.extend(wrap(values.iter().map(String::as_str), "  ", width));
     lines

@@ -36,7 +36,14 @@ pub enum News {
 const AGAIN: Duration = Duration::from_secs(1);
 
 /// Starts a thread that watches the board. It ends when nobody wishes or listens any more.
-pub fn watch(place: Place, patience: Patience, scope: Scope) -> (Sender<Wish>, Receiver<News>) {
+///
+/// What is forced ends at the board behind `end_forcing` seconds without a request, 1 to 254.
+pub fn watch(
+    place: Place,
+    patience: Patience,
+    scope: Scope,
+    end_forcing: Option<u8>,
+) -> (Sender<Wish>, Receiver<News>) {
     let (wish, wishes) = mpsc::channel();
     let (say, news) = mpsc::channel();
     thread::spawn(move || {
@@ -44,6 +51,7 @@ pub fn watch(place: Place, patience: Patience, scope: Scope) -> (Sender<Wish>, R
             place,
             patience,
             scope,
+            end_forcing,
             wishes,
             say,
         };
@@ -60,6 +68,7 @@ struct Watcher {
     place: Place,
     patience: Patience,
     scope: Scope,
+    end_forcing: Option<u8>,
     wishes: Receiver<Wish>,
     say: Sender<News>,
 }
@@ -74,7 +83,7 @@ impl Watcher {
                         may_be_reset: found.may_be_reset,
                     })?;
                     let failure = self.watch(found.port)?;
-                    self.say(News::Lost(failure.to_string()))?;
+                    self.say(News::Lost(messages::failure(&failure)))?;
                 }
                 Err(not_found) => self.say(News::Lost(not_found.to_string()))?,
             }
@@ -96,7 +105,9 @@ impl Watcher {
                 Err(_) => return ControlFlow::Break(Gone),
             }
         };
-        let talk = async |client: &mut _| watch::watch(client, self.scope, &wishes, &mut see).await;
+        let talk = async |client: &mut _| {
+            watch::watch(client, self.scope, self.end_forcing, &wishes, &mut see).await
+        };
         match port.attended(talk, attend) {
             ControlFlow::Continue(failure) => Ok(failure),
             ControlFlow::Break(gone) => Err(gone),
@@ -124,7 +135,13 @@ fn news(seen: Seen) -> News {
         Seen::Refused(wish, Exception::ServerDeviceFailure, board) => {
             News::Refused(refusal(wish, &board))
         }
-        Seen::Refused(_, exception, _) => News::Refused(Failure::Refused(exception).to_string()),
+        Seen::Refused(wish, Exception::IllegalFunction, _) => News::Refused(match wish {
+            Wish::Command(_) => messages::refused_commands(),
+            Wish::Force(..) | Wish::Release => messages::refused_writing(),
+        }),
+        Seen::Refused(_, exception, _) => {
+            News::Refused(messages::failure(&Failure::Refused(exception)))
+        }
     }
 }
 

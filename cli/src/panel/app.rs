@@ -5,6 +5,7 @@ use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
 use super::ladder::Flow;
+use super::probe::Probe;
 use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use std::collections::BTreeMap;
@@ -32,6 +33,8 @@ pub struct App {
     /// What the program is called.
     pub(super) name: String,
     machine: Machine,
+    /// The same program, to see its values on the way; none where there are none to see.
+    probe: Option<Probe>,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
@@ -70,6 +73,7 @@ impl App {
     pub fn new(program: Source) -> App {
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
+        let probe = Probe::new(&program, &drawn.values());
         let machine = Machine::new(program.checked);
         App {
             name: program.name,
@@ -80,6 +84,7 @@ impl App {
             map: program.map,
             text: program.text.lines().map(str::to_owned).collect(),
             machine,
+            probe,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
@@ -196,6 +201,9 @@ impl App {
             self.running = false;
         }
         self.flow.acc = acc;
+        if let Some(probe) = &mut self.probe {
+            self.flow.values = probe.scan(inputs, now);
+        }
         self.flow.look(self.machine.plc(), now);
         self.scans += 1;
         if let Some(recorder) = &mut self.recorder {
@@ -258,6 +266,9 @@ impl App {
     /// as they are.
     fn restart(&mut self) {
         self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
+        if let Some(probe) = &mut self.probe {
+            probe.with_plc(|plc| plc.restart());
+        }
         self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
         self.scans = 0;

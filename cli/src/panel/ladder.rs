@@ -3,6 +3,7 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
+use std::collections::BTreeMap;
 use unoclp_core::isa::Operand;
 use unoclp_core::{CounterState, Delay, Instruction, Plc, TimerState};
 use unoclp_ladder::{Address, Cell, Ladder, Names, Picture, Power, Style as Drawn};
@@ -39,6 +40,8 @@ pub struct Flow {
     counters: Vec<CounterState>,
     /// The registers as they stand, D 01 first.
     registers: Vec<i32>,
+    /// The value behind the steps of which it is shown.
+    pub values: BTreeMap<usize, i32>,
 }
 
 impl Flow {
@@ -51,6 +54,12 @@ impl Flow {
 }
 
 impl Flow {
+    /// The value behind this step, if the last scan has run it.
+    pub fn value(&self, step: usize) -> Option<i32> {
+        self.acc.get(step).copied().flatten()?;
+        self.values.get(&step).copied()
+    }
+
     /// What this point holds, if it is a register or a counter.
     pub fn number(&self, point: Address) -> Option<i32> {
         let index = |number: u8| usize::from(number).checked_sub(1);

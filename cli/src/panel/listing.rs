@@ -13,8 +13,14 @@ use unoclp_source::Source;
 /// The lines of a text, with the steps that tell how each stands.
 pub struct Listing(Vec<(String, Vec<usize>)>, BTreeMap<usize, Number>);
 
-/// What a line is about that works on a number: the point that holds it, if it is one.
-type Number = Option<Address>;
+/// What a line shows that works on a number.
+#[derive(Clone, Copy)]
+enum Number {
+    /// What this register or counter holds.
+    Point(Address),
+    /// The value behind this step.
+    Value(usize),
+}
 
 impl Listing {
     /// The lines of the text of this program.
@@ -64,8 +70,18 @@ impl Listing {
         first.unwrap_or_default()
     }
 
-    /// The lines as they stand, those that work on a number with what its point holds; else `●` where acc is 1 behind what the line has become, `○` where it is 0, neither
-    /// where the scan has not come there.
+    /// The steps behind which the value is shown.
+    pub fn values(&self) -> Vec<usize> {
+        let numbers = self.1.values();
+        let value = |number: &Number| match number {
+            Number::Value(step) => Some(*step),
+            Number::Point(_) => None,
+        };
+        numbers.filter_map(value).collect()
+    }
+
+    /// The lines as they stand, those that work on a number with what its point holds, or with the value behind them; else
+    /// `●` where acc is 1 behind what the line has become, `○` where it is 0, neither where the scan has not come there.
     pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
         let line = |(number, (text, steps)): (usize, &(String, Vec<usize>))| {
             let acc = |&step: &usize| flow.acc.get(step).copied().flatten();
@@ -74,10 +90,12 @@ impl Listing {
                 Some(false) => ('○', Style::new()),
                 None => (' ', Style::new()),
             };
-            let Some(point) = self.1.get(&number) else {
-                return Line::styled(format!("{number:>4} {lamp} {text}"), style);
+            let value = match self.1.get(&number) {
+                None => return Line::styled(format!("{number:>4} {lamp} {text}"), style),
+                Some(Number::Point(point)) => flow.number(*point),
+                Some(Number::Value(step)) => flow.value(*step),
             };
-            match point.and_then(|point| flow.number(point)) {
+            match value {
                 Some(value) => Line::raw(format!("{number:>4}   {text}  = {value}")),
                 None => Line::raw(format!("{number:>4}   {text}")),
             }
@@ -107,12 +125,18 @@ fn numbers(program: &Source) -> BTreeMap<usize, Number> {
     let places = &program.map.steps;
     let steps = program.program().steps().zip(places);
     let mut numbers = BTreeMap::new();
-    for (step, place) in steps {
+    for (index, (step, place)) in steps.enumerate() {
         match step.opcode.row().class {
             Class::Load | Class::Operation | Class::Store => {
-                let point = Address::of(step);
-                let found = numbers.entry(place.line).or_default();
-                *found = point.or(*found);
+                let holds =
+                    |point: &Address| matches!(point, Address::Register(_) | Address::Counter(_));
+                let point = Address::of(step).filter(holds).map(Number::Point);
+                let number = match (point, numbers.get(&place.line)) {
+                    (Some(point), _) => point,
+                    (None, Some(&point @ Number::Point(_))) => point,
+                    (None, _) => Number::Value(index),
+                };
+                numbers.insert(place.line, number);
             }
             Class::Rung | Class::Close => {}
             _ => drop(numbers.remove(&place.line)),

@@ -44,7 +44,7 @@ impl MemoryPage {
         // What the other panels leave is shared with the timers and the rungs.
         let rows = lines
             .len()
-            .min(usize::from(screen.height.saturating_sub(6) / 4));
+            .min(usize::from(screen.height.saturating_sub(8) / 4));
         let pages = lines.len().div_ceil(rows.max(1)).max(1);
         let first = page % pages * rows;
         let lines = lines.into_iter().skip(first).take(rows).collect();

@@ -3,7 +3,7 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
-use crate::screen;
+use crate::{ascii, screen};
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{
     self, Event, KeyboardEnhancementFlags, PopKeyboardEnhancementFlags,
@@ -33,7 +33,7 @@ pub fn run(mut app: App) -> io::Result<()> {
 
 fn frames(app: &mut App, terminal: &mut DefaultTerminal) -> io::Result<()> {
     let mut advanced = Instant::now();
-    let is_ascii = screen::is_ascii();
+    let is_ascii = ascii::is_ascii();
     while !app.quit() {
         terminal.draw(|frame| {
             view::draw(app, frame);

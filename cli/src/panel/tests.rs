@@ -3,7 +3,7 @@
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;
-use crate::messages::tests::SPOKEN_HERE;
+use crate::messages::SPOKEN_HERE;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -574,11 +574,54 @@ fn variables_show_their_names_and_numbers_their_values() {
         "{shown}"
     );
     assert!(shown.contains("   7   ST speed  = 12"), "{shown}");
-    assert!(
-        shown.contains("   6   ADD 3\n") || shown.contains("   6   ADD 3 "),
-        "{shown}"
-    );
+    // The value behind it, which is that of the scan and not of the register as it stands.
+    assert!(shown.contains("   6   ADD 3  = 12\n"), "{shown}");
     assert!(shown.contains("   9 ● ST fast"), "{shown}");
+}
+
+#[test]
+fn values_stand_beside_lines_that_name_no_register() {
+    let text = "LD 5\nMUL 4\nSUB 1\nST D1\nLD IW0\nDIV 2\nST D2\nLD I1\nJMPCN out\nLD D1\nADD 100\nST D1\n\
+                out:\nLD I2\nST Q2\n";
+    let mut app = App::new(source("values.il", text));
+    app.knobs.select_next();
+    app.knobs.turn(100);
+    advance(&mut app, 1);
+    let shown = screen(&mut app, 80, 30).join("\n");
+    for line in [
+        "1   LD 5  = 5",
+        "2   MUL 4  = 20",
+        "3   SUB 1  = 19",
+        "5   LD IW0  = 100",
+        "6   DIV 2  = 50",
+    ] {
+        assert!(
+            shown.contains(&format!("   {line}\n")),
+            "{line} is missing in\n{shown}"
+        );
+    }
+    // The scan did not come there.
+    assert!(shown.contains("  11   ADD 100\n"), "{shown}");
+    press(&mut app, '1');
+    advance(&mut app, 1);
+    let shown = screen(&mut app, 80, 30).join("\n");
+    assert!(shown.contains("  11   ADD 100  = 119\n"), "{shown}");
+}
+
+#[test]
+fn inputs_and_outputs_stand_beside_their_names() {
+    let text = "VAR\n start AT %IX1 : BOOL;\n emergency_stop AT %IX2 : BOOL;\n pump AT %QX1 : BOOL;\nEND_VAR\n\
+                LD start\nANDN emergency_stop\nST pump\n";
+    let mut app = App::new(source("named.il", text));
+    press(&mut app, '1');
+    advance(&mut app, 1);
+    let lines = screen(&mut app, 80, 24);
+    let lamps = " I1 ● start   I2 ○ emergency_stop   I3 ○   I4 ○ Q1 ● pump   Q2 ○   Q3 ○   Q4 ○";
+    assert_eq!(lines[2], lamps);
+    // Below that they stand one above the other, and are cut.
+    let lines = screen(&mut app, 41, 20);
+    assert_eq!(lines[2], " I1 ● start   I2 ○ emergen…   I3 ○   I4 ○");
+    assert_eq!(lines[4], " Q1 ● pump   Q2 ○   Q3 ○   Q4 ○");
 }
 
 #[test]

@@ -3,13 +3,14 @@
 use super::ON;
 use super::app::App;
 use super::memory::MemoryPage;
+use crate::lamps::{Lamp, Lamps, Sides};
 use crate::{messages, screen};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
-use unoclp_core::{Target, TimerState};
+use unoclp_core::{Point, Target, TimerState};
 use unoclp_host_sim::scenario::{inputs, outputs};
 
 /// Header and footer.
@@ -41,8 +42,12 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         frame.area(),
     );
     let pages = (page.pages, memory.pages);
-    // Inputs and outputs stand side by side where they fit in halves.
-    let side_by_side = frame.area().width >= 2 * LAMP_WIDTH * u16::from(app.inputs());
+    let title = match app.buttons.momentary() {
+        true => messages::inputs_held(app.inputs()),
+        false => messages::inputs_toggle(app.inputs()),
+    };
+    let columns = 2 * LAMP_WIDTH * u16::from(app.inputs());
+    let sides = Sides::new(&input_lamps(app), &output_lamps(app), columns, frame.area());
     let faulty = app.faulty();
     let [
         header,
@@ -54,7 +59,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         footer,
     ] = Layout::vertical([
         Constraint::Length(1),
-        Constraint::Length(if side_by_side { 2 } else { 4 }),
+        Constraint::Length(sides.height()),
         Constraint::Length(if faulty.is_some() { 2 } else { 0 }),
         Constraint::Length(page.height()),
         Constraint::Length(memory.height()),
@@ -62,11 +67,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         Constraint::Length(1),
     ])
     .areas(frame.area());
-    let halves = [Constraint::Fill(1); 2];
-    let [input_area, output_area] = match side_by_side {
-        true => Layout::horizontal(halves).areas(buttons),
-        false => Layout::vertical(halves).areas(buttons),
-    };
+    let [input_area, output_area] = sides.areas(buttons);
 
     draw_header(app, frame, header);
     if let Some([fault, text]) = faulty {
@@ -74,22 +75,8 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         let lines = lines.map(|line| Line::raw(line).style(FAULT));
         frame.render_widget(Paragraph::new(lines.to_vec()), fault_area);
     }
-    let title = match app.buttons.momentary() {
-        true => messages::inputs_held(app.inputs()),
-        false => messages::inputs_toggle(app.inputs()),
-    };
-    let closed = app.buttons.closed();
-    let lamps = inputs().filter(|input| input.number() <= app.inputs());
-    let lamps = lamps.map(|input| ('I', input.number(), closed.get(input)));
-    draw_panel(title, vec![lamp_line(lamps)], frame, input_area);
-    let on = app.outputs();
-    let lamps = outputs().map(|output| ('Q', output.number(), on.get(output)));
-    draw_panel(
-        messages::outputs(),
-        vec![lamp_line(lamps)],
-        frame,
-        output_area,
-    );
+    draw_panel(title, sides.inputs, frame, input_area);
+    draw_panel(messages::outputs(), sides.outputs, frame, output_area);
     page.draw(&timers, frame, timer_area);
     if memory.height() > 0 {
         draw_panel(messages::memory(), memory.lines(), frame, memory_area);
@@ -128,7 +115,10 @@ fn draw_header(app: &App, frame: &mut Frame, area: Rect) {
         (None, true) => "RUN".to_owned(),
         (None, false) => messages::paused(),
     };
-    let recording = if app.recording() { "REC  " } else { "" };
+    let recording = match app.recording() {
+        true => messages::recording(),
+        false => String::new(),
+    };
     let (uptime, scans) = (app.scans.saturating_sub(1), app.scans);
     let right = Line::raw(format!(
         "{recording}{state}  {}",
@@ -149,15 +139,29 @@ fn draw_panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area:
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
-fn lamp_line(lamps: impl Iterator<Item = (char, u8, bool)>) -> Line<'static> {
-    let spans = lamps.flat_map(|(letter, number, on)| {
-        [
-            Span::raw(format!(" {letter}{number} ")),
-            lamp(on),
-            Span::raw("  "),
-        ]
-    });
-    spans.collect()
+fn input_lamps(app: &App) -> Lamps {
+    let closed = app.buttons.closed();
+    let inputs = inputs().filter(|input| input.number() <= app.inputs());
+    Lamps(
+        inputs
+            .map(|input| named_lamp(app, format!("I{}", input.number()), closed.get(input)))
+            .collect(),
+    )
+}
+
+fn output_lamps(app: &App) -> Lamps {
+    let on = app.outputs();
+    let lamp = |output: Point| named_lamp(app, format!("Q{}", output.number()), on.get(output));
+    Lamps(outputs().map(lamp).collect())
+}
+
+fn named_lamp(app: &App, point: String, on: bool) -> Lamp {
+    let name = app.names.get(&point).cloned();
+    let behind = if name.is_some() { " " } else { "  " };
+    Lamp {
+        name,
+        shown: vec![Span::raw(format!(" {point} ")), lamp(on), Span::raw(behind)],
+    }
 }
 
 fn lamp(on: bool) -> Span<'static> {

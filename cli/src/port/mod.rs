@@ -16,7 +16,7 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use unoclp_board::identity::Identity;
-use unoclp_board::start::{self, Foreign};
+use unoclp_board::start;
 use unoclp_board::{Client, Conversation, Failure, Line, Next, Patience};
 
 /// An open serial port.
@@ -72,7 +72,7 @@ impl Port {
                 Next::Wait(until) => self.carry(&step.send, until, &mut came),
             };
             if let Err(error) = carried {
-                conversation.lose(error.to_string());
+                conversation.lose(messages::io(&error));
             }
         }
     }
@@ -118,7 +118,7 @@ pub enum NotFound {
     #[error(transparent)]
     Port(#[from] NotOpened),
     /// Nobody answers.
-    #[error("{}", messages::no_answer(line, port))]
+    #[error("{}", messages::no_answer(messages::spoken_line(*line), port))]
     Silent {
         /// Where it was sought.
         port: String,
@@ -126,7 +126,7 @@ pub enum NotFound {
         line: Line,
     },
     /// Something else comes than answers.
-    #[error("{}", messages::no_modbus(port, line.rate, line.parity))]
+    #[error("{}", messages::no_modbus(port, line.rate, messages::parity(line.parity)))]
     Garbled {
         /// Where it was sought.
         port: String,
@@ -134,15 +134,15 @@ pub enum NotFound {
         line: Line,
     },
     /// Something else answers.
-    #[error("{}", messages::no_unoclp(port, foreign))]
+    #[error("{}", messages::no_unoclp(port, messages::foreign(foreign.as_ref())))]
     Foreign {
         /// Where it was sought.
         port: String,
-        /// What it says that it is.
-        foreign: Foreign,
+        /// What it says that it is, if it says so.
+        foreign: Option<Identity>,
     },
     /// The port has gone.
-    #[error("{port}: {failure}")]
+    #[error("{port}: {}", messages::failure(failure))]
     Failed {
         /// Where it was sought.
         port: String,

@@ -93,7 +93,7 @@ fn not_opened(port: &str, error: io::Error) -> NotOpened {
         _ if is_no_terminal(&error) => NotOpened::NoPort { port },
         _ => NotOpened::Other {
             port,
-            reason: error.to_string(),
+            reason: messages::io(&error),
         },
     }
 }

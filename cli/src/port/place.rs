@@ -1,5 +1,6 @@
 //! Which port a board is at.
 
+use crate::messages;
 use std::fmt;
 use unoclp_board::Line;
 
@@ -15,6 +16,6 @@ pub struct Place {
 impl fmt::Display for Place {
     /// `/dev/ttyACM0, address 1`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, address {}", self.port, self.line.address)
+        f.write_str(&messages::place(&self.port, self.line.address))
     }
 }

@@ -5,10 +5,10 @@ use rustix::fs::{Mode, OFlags};
 use rustix::termios::{ControlModes, OptionalActions, tcgetattr, tcsetattr};
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
-use unoclp_board::Patience;
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::map::{Command, State};
 use unoclp_board::watch::{Reading, Scope, Side, Wish};
+use unoclp_board::{Patience, lock};
 use unoclp_cli::monitor::{News, watch};
 use unoclp_cli::port::{NotFound, NotOpened, find};
 
@@ -166,7 +166,7 @@ fn until(news: &Receiver<News>, is_so: impl Fn(&Reading) -> bool) {
 #[test]
 fn a_board_that_is_watched_does_what_is_wished() {
     let fake = Fake::new(Board::default());
-    let (wish, news) = watch(fake.place(), PATIENT, Scope::default());
+    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), None);
     let first = news.recv().unwrap();
     assert!(
         matches!(
@@ -199,6 +199,39 @@ fn a_board_that_is_watched_does_what_is_wished() {
 }
 
 #[test]
+fn what_a_monitor_forces_ends_behind_it() {
+    let fake = Fake::new(Board::default());
+    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), Some(10));
+    wish.send(Wish::Force(Side::Outputs, 0, Some(true)))
+        .unwrap();
+    until(&news, |reading| reading.forced_outputs.points == 1);
+    assert_eq!(fake.board().forces, [0, 0, 1, 1, 10]);
+}
+
+#[test]
+fn what_is_locked_is_refused_for_that() {
+    let locked = Board {
+        settings: [1, 1152, 0, 0, (lock::COMMANDS | lock::WRITING).into()],
+        ..Board::default()
+    };
+    let fake = Fake::new(locked);
+    let (wish, news) = watch(fake.place(), PATIENT, Scope::default(), None);
+    let refusal = |wished| {
+        wish.send(wished).unwrap();
+        next(&news, |news| match news {
+            News::Refused(why) => Some(why),
+            _ => None,
+        })
+    };
+    let why = refusal(Wish::Command(Command::Stop));
+    assert_eq!(why, "commands are locked at this board");
+    for wished in [Wish::Force(Side::Inputs, 0, Some(true)), Wish::Release] {
+        let why = refusal(wished);
+        assert_eq!(why, "writing and forcing are locked at this board");
+    }
+}
+
+#[test]
 fn a_board_that_is_lost_is_found_again() {
     let mut requests = 0;
     let fake = Fake::with(Board::default(), move |_, _| {
@@ -213,7 +246,7 @@ fn a_board_that_is_lost_is_found_again() {
         attempts: 2,
         ..PATIENT
     };
-    let (_wish, news) = watch(fake.place(), patience, Scope::default());
+    let (_wish, news) = watch(fake.place(), patience, Scope::default(), None);
     let lost = |news| match news {
         News::Lost(why) => Some(why),
         _ => None,
@@ -232,7 +265,7 @@ fn a_board_that_is_lost_is_found_again() {
 fn a_port_that_is_not_there_is_looked_for() {
     let mut place = Fake::new(Board::default()).place();
     place.port = "/dev/no-such-port".to_owned();
-    let (wish, news) = watch(place, IMPATIENT, Scope::default());
+    let (wish, news) = watch(place, IMPATIENT, Scope::default(), None);
     wish.send(Wish::Release).unwrap();
     let News::Lost(why) = news.recv().unwrap() else {
         panic!("it is there");

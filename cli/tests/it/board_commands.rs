@@ -1,5 +1,6 @@
 //! The commands that speak to a board: exit codes, messages and what the board gets.
 
+use crate::portuguese::assert_portuguese;
 use crate::pty::{Board, FAULT, Fake, Fate, RUN, STOP, kept};
 use std::fs;
 use std::path::PathBuf;
@@ -45,7 +46,10 @@ fn an_upload_says_what_it_does() {
     let expected = format!(
         "unoclp UNO 0.1.0 at {path}, address 1\nSTOP\nstored: 3 bytes, check sum {crc:04X}\nRUN\n"
     );
-    assert!(out.starts_with(&format!("{program}: 4 codes, ")), "{out}");
+    assert!(
+        out.starts_with(&format!("{program}: OK: 4 codes, ")),
+        "{out}"
+    );
     assert!(out.ends_with(&expected), "{out}");
     assert_eq!((code, err.as_str()), (0, ""));
     assert_eq!(fake.board().text, FOLLOW.as_bytes());
@@ -141,7 +145,7 @@ fn a_card_with_another_program_has_the_last_word() {
 fn settings_are_shown_and_set() {
     let fake = Fake::new(Board::default());
     let (code, out, _) = on(&fake, &["settings"]);
-    let shown = "\naddress 1, 115200 baud, no parity, direction pin off\n";
+    let shown = "\naddress 1, 115200 baud, no parity, direction pin off, nothing locked\n";
     assert_eq!(code, 0);
     assert!(out.ends_with(shown), "{out}");
     let board = fake.board();
@@ -155,11 +159,11 @@ fn new_settings_are_kept_and_used() {
     let more = ["--set-parity", "even", "--set-direction", "on"];
     let (code, out, err) = on(&fake, &[&set[..], &more].concat());
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
-    let says = "address 7, 9600 baud, even parity, direction pin on; restarting\n\
+    let says = "address 7, 9600 baud, even parity, direction pin on, nothing locked; restarting\n\
         it answers from address 7 at 9600 baud, even parity\n";
     assert!(out.ends_with(says), "{out}");
     let board = fake.board();
-    assert_eq!(board.settings, [7, 96, 1, 1]);
+    assert_eq!(board.settings, [7, 96, 1, 1, 0]);
     assert_eq!((board.restarts, board.state), (1, RUN));
 }
 
@@ -175,7 +179,185 @@ fn settings_that_are_not_kept_are_no_success() {
         err.contains("the board does not keep the settings"),
         "{err}"
     );
-    assert_eq!(fake.board().restarts, 0);
+    let board = fake.board();
+    assert_eq!((board.restarts, board.state), (0, RUN));
+}
+
+/// What is said behind the settings that the board had.
+fn said_of_settings(fake: &Fake, more: &[&str]) -> String {
+    let (code, out, err) = on(fake, &[&["settings"], more].concat());
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    out.lines()
+        .skip(2)
+        .map(|line| format!("{line}\n"))
+        .collect()
+}
+
+const TO_UNLOCK: &str = "; to unlock, reset the board with A5 and 01 to 04 to ground, then write any setting: \
+                         `unoclp settings --set-address 1`\n";
+
+#[test]
+fn a_lock_grows_and_needs_no_restart() {
+    let fake = Fake::new(Board::default());
+    let says = format!("now locked: upload, writing{TO_UNLOCK}RUN\n");
+    assert_eq!(said_of_settings(&fake, &["--lock", "writing,upload"]), says);
+    // What is locked already, in RUN, is nothing to do.
+    assert_eq!(said_of_settings(&fake, &["--lock", "upload"]), "");
+    let (_, out, _) = on(&fake, &["settings"]);
+    assert!(out.ends_with("pin off, locked: upload, writing\n"), "{out}");
+    let says = format!("now locked: upload, settings, writing{TO_UNLOCK}RUN\n");
+    assert_eq!(said_of_settings(&fake, &["--lock", "settings"]), says);
+    {
+        let board = fake.board();
+        assert_eq!(board.settings, [1, 1152, 0, 0, 0b1011]);
+        assert_eq!((board.restarts, board.state), (0, RUN));
+    }
+    // Then nothing more is set, and the board is not stopped for it.
+    let (code, _, err) = on(&fake, &["settings", "--lock", "all"]);
+    let says = format!("error: the settings of the board are locked{TO_UNLOCK}");
+    assert_eq!((code, err), (2, says));
+    let board = fake.board();
+    assert!(board.state == RUN && !board.stopped);
+}
+
+#[test]
+fn a_lock_leaves_a_board_in_stop_or_fault_where_it_was() {
+    for state in [STOP, FAULT] {
+        let fake = Fake::new(Board::in_state(state));
+        let says = format!("now locked: commands{TO_UNLOCK}");
+        assert_eq!(said_of_settings(&fake, &["--lock", "commands"]), says);
+        let board = fake.board();
+        assert_eq!((board.restarts, board.state), (0, state));
+    }
+}
+
+#[test]
+fn behind_a_lock_of_commands_a_reset_is_asked_for() {
+    let fake = Fake::new(Board::default());
+    let all = "now locked: upload, settings, commands, writing";
+    let says = format!(
+        "{all}{TO_UNLOCK}in STOP: commands are locked, so only a reset brings the board back to RUN\n"
+    );
+    assert_eq!(said_of_settings(&fake, &["--lock", "all"]), says);
+    assert_eq!(fake.board().state, STOP);
+
+    let fake = Fake::new(Board::default());
+    let says = format!(
+        "now locked: commands{TO_UNLOCK}\
+         address 1, 9600 baud, no parity, direction pin off, locked: commands\n\
+         commands are locked: reset the board, and it uses these settings\n"
+    );
+    let set = ["--set-rate", "9600", "--lock", "commands"];
+    assert_eq!(said_of_settings(&fake, &set), says);
+    let board = fake.board();
+    assert_eq!((board.settings, board.restarts), ([1, 96, 0, 0, 4], 0));
+}
+
+#[test]
+fn another_address_and_a_lock_are_used_from_a_restart_on() {
+    let fake = Fake::new(Board::default());
+    let says = format!(
+        "now locked: upload{TO_UNLOCK}\
+         address 7, 115200 baud, no parity, direction pin off, locked: upload; restarting\n\
+         it answers from address 7 at 115200 baud, no parity\n"
+    );
+    let set = ["--set-address", "7", "--lock", "upload"];
+    assert_eq!(said_of_settings(&fake, &set), says);
+    let board = fake.board();
+    assert_eq!(
+        (board.settings[4], board.restarts, board.state),
+        (1, 1, RUN)
+    );
+}
+
+#[test]
+fn a_board_without_a_lock_is_not_stopped_for_one() {
+    let fake = Fake::new(Board {
+        is_of_version_1: true,
+        ..Board::default()
+    });
+    let (code, out, err) = on(&fake, &["settings", "--lock", "upload"]);
+    let says = "error: the board has no lock; it takes newer firmware\n";
+    assert_eq!((code, err.as_str()), (2, says));
+    assert!(out.ends_with(", direction pin off\n"), "{out}");
+    assert!(!fake.board().stopped);
+    // Its settings are set as ever.
+    let says = "address 7, 115200 baud, no parity, direction pin off; restarting\n\
+                it answers from address 7 at 115200 baud, no parity\n";
+    assert_eq!(said_of_settings(&fake, &["--set-address", "7"]), says);
+}
+
+/// The defaults stand in the place of what is kept, and writing one of them keeps them: so a lock is lifted.
+#[test]
+fn defaults_that_the_pins_have_brought_back_are_kept_by_setting_one() {
+    let defaults = || Board {
+        has_defaults: true,
+        switch: true,
+        ..Board::in_state(STOP)
+    };
+    let fake = Fake::new(defaults());
+    assert_eq!(said_of_settings(&fake, &[]), "");
+    assert!(fake.board().has_defaults, "nothing was set");
+    let says = "the board keeps these settings\n";
+    assert_eq!(said_of_settings(&fake, &["--set-address", "1"]), says);
+    let board = fake.board();
+    assert_eq!((board.has_defaults, board.restarts), (false, 0));
+}
+
+#[test]
+fn settings_that_change_too_often_are_refused_and_the_board_runs_on() {
+    let fake = Fake::new(Board {
+        changes_left: 0,
+        ..Board::default()
+    });
+    let (code, out, err) = on(&fake, &["settings", "--set-address", "7"]);
+    let says = "error: the board does not take the settings: refused: \
+                the settings have been changed too often; try again in an hour, or after the power was off (06)\n";
+    assert_eq!((code, err.as_str()), (2, says));
+    assert!(out.ends_with("nothing locked\nRUN\n"), "{out}");
+    assert_eq!(fake.board().state, RUN);
+}
+
+#[test]
+fn a_locked_board_is_not_stopped_for_an_upload() {
+    let program = file("locked.txt", FOLLOW);
+    let fake = Fake::new(locked(0b1));
+    let (code, _, err) = on(&fake, &["upload", &program]);
+    let says = format!("error: the board is locked against uploads{TO_UNLOCK}");
+    assert_eq!((code, err), (2, says));
+    assert!(fake.board().state == RUN && !fake.board().stopped);
+}
+
+#[test]
+fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
+    let program = file("commands.txt", FOLLOW);
+    for command in [
+        &["upload", &program][..],
+        &["settings", "--set-address", "7"],
+    ] {
+        let fake = Fake::new(locked(0b100));
+        let (code, _, err) = on(&fake, command);
+        let says = "error: commands are locked, so the board is stopped by A5 only: close it, then try again\n";
+        assert_eq!((code, err.as_str()), (2, says));
+    }
+    let fake = Fake::new(Board {
+        state: STOP,
+        switch: true,
+        ..locked(0b100)
+    });
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let says = "A5 is closed: in STOP, until A5 is opened\n";
+    assert!(out.ends_with(says), "{out}");
+
+    let fake = Fake::new(Board {
+        state: STOP,
+        ..locked(0b100)
+    });
+    let (code, _, err) = on(&fake, &["upload", &program]);
+    let says = "error: the program is stored, but the board does not start it: \
+                refused: the board is locked against it, or has no such function (01)\n";
+    assert_eq!((code, err.as_str()), (2, says));
 }
 
 #[test]
@@ -196,6 +378,9 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["monitor", port[0], port[1]], "error: the monitor needs a terminal"),
         (&["settings", port[0], port[1], "--set-rate", "1234"], "error: a board has no rate of 1234 baud; it has 2400, "),
         (&["settings", port[0], port[1], "--address", "0"], "error: invalid value '0' for '--address"),
+        (&["monitor", port[0], port[1], "--end-forcing", "0"], "error: invalid value '0' for '--end-forcing <SECONDS>': 0 is not in 1..=254"),
+        (&["monitor", port[0], port[1], "--end-forcing", "255"], "error: invalid value '255' for '--end-forcing <SECONDS>'"),
+        (&["settings", port[0], port[1], "--lock", "upload,x"], "error: invalid value 'x' for '--lock <WHAT>'"),
         (&["settings", port[0], port[1], "--set-address", "248"], "error: invalid value '248' for '--set-address"),
     ];
     for (arguments, message) in cases {
@@ -224,11 +409,130 @@ fn a_board_that_fails_in_its_first_second_is_not_said_to_run() {
     assert!(!out.contains("\nRUN\n"), "{out}");
 }
 
+/// A board in RUN with this lock.
+fn locked(lock: u16) -> Board {
+    Board {
+        settings: [1, 1152, 0, 0, lock],
+        ..Board::default()
+    }
+}
+
+#[test]
+fn a_board_is_told_of_in_portuguese() {
+    let program = file("placa.txt", FOLLOW);
+    let upload: &[&str] = &["upload", &program];
+    let settings: &[&str] = &["settings", "--set-address", "7", "--set-parity", "odd"];
+    let faulty = |fault| Board {
+        fault,
+        line: 7,
+        ..Board::in_state(FAULT)
+    };
+    let switched = Board {
+        switch: true,
+        ..Board::in_state(STOP)
+    };
+    let differs = Board {
+        second_differs: true,
+        forces: [0b1, 0b1, 0b10, 0, 0],
+        ..Board::default()
+    };
+    let failing = Board {
+        fault_in_run: Some((75, 3)),
+        ..Board::default()
+    };
+    let unreliable = Board {
+        eeprom_fails: true,
+        ..Board::default()
+    };
+    let worn = Board {
+        changes_left: 0,
+        ..Board::default()
+    };
+    let card = Board {
+        card: Some(b"0\n877901\n".to_vec()),
+        ..faulty(62)
+    };
+    for (board, command, says) in [
+        (Board::default(), upload, " em /dev/"),
+        (
+            Board::default(),
+            settings,
+            "endereço 7, 115200 baud, paridade ímpar, pino de direção inativo, nada bloqueado; reiniciando\n",
+        ),
+        (
+            Board::default(),
+            settings,
+            "ela responde: endereço 7 a 115200 baud, paridade ímpar\n",
+        ),
+        (
+            unreliable,
+            settings,
+            "a placa não guarda os ajustes: a sua EEPROM falha",
+        ),
+        (
+            faulty(24),
+            upload,
+            "em FAULT, falha 24, linha 7: código inexistente\n",
+        ),
+        (
+            faulty(99),
+            upload,
+            "falha 99, linha 7: desconhecida por esta versão do unoclp\n",
+        ),
+        (switched, upload, "A5 está fechado"),
+        (
+            differs,
+            upload,
+            "a placa recusa o programa e mantém o que tinha:\nerro[57]",
+        ),
+        (
+            Board::default(),
+            &["settings", "--lock", "all"],
+            "agora bloqueado: envio, ajustes, comandos, escrita; para desbloquear, faça o reset da placa",
+        ),
+        (
+            Board::default(),
+            &["settings", "--lock", "commands", "--set-rate", "9600"],
+            "os comandos estão bloqueados: faça o reset da placa para ela usar esses ajustes\n",
+        ),
+        (
+            locked(0b10),
+            settings,
+            "erro: os ajustes da placa estão bloqueados; para desbloquear",
+        ),
+        (
+            locked(0b1),
+            upload,
+            "erro: os envios estão bloqueados na placa; para desbloquear",
+        ),
+        (
+            locked(0b100),
+            upload,
+            "erro: os comandos estão bloqueados, e só A5 para a placa",
+        ),
+        (
+            worn,
+            settings,
+            "recusado: os ajustes foram mudados vezes demais",
+        ),
+        (failing, upload, "falha 75: desvios demais para trás"),
+        (card, upload, "tem outro PROGRAM.TXT"),
+    ] {
+        let fake = Fake::new(board);
+        let (_, out, err) = on(&fake, &[command, &["--lang", "pt"]].concat());
+        let said = out + &err;
+        assert!(said.contains(says), "{says}\n{said}");
+        assert_portuguese(&said);
+    }
+    let gone = Fake::with(Board::default(), |_, _| Fate::Unplugged);
+    assert_portuguese(&on(&gone, &["settings", "--lang", "pt"]).2);
+}
+
 #[test]
 fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
     let program = file("forced.txt", FOLLOW);
     let forced = || Board {
-        forces: [0b1, 0b1, 0b10, 0],
+        forces: [0b1, 0b1, 0b10, 0, 0],
         ..Board::default()
     };
     let fake = Fake::new(forced());
@@ -239,12 +543,20 @@ fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
         out.ends_with("\nno longer forced: I1=1 Q2=0\nRUN\n"),
         "{out}"
     );
-    assert_eq!(fake.board().forces, [0; 4]);
+    assert_eq!(fake.board().forces, [0; 5]);
 
     let fake = Fake::new(forced());
     let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
     assert!(out.contains("RUN\nstill forced: I1=1 Q2=0; "), "{out}");
     assert_eq!(fake.board().forces, forced().forces);
+
+    let fake = Fake::new(Board {
+        forces: [1, 1, 2, 0, 30],
+        ..Board::default()
+    });
+    let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
+    let says = "RUN\nstill forced: I1=1 Q2=0; the board lets all go 30 s after the last request, ";
+    assert!(out.contains(says), "{out}");
 
     // What is refused changes nothing, and says so.
     let fake = Fake::new(Board {

@@ -127,13 +127,16 @@ Lamp
 Rung 1, lines 3 to 4
 ├──┤ I1 ├───────────────────────────────────────( Q1 )─┤
 ";
-    for arguments in [
-        &["list", &program][..],
-        &["list", &program, "--as", "ladder"],
-    ] {
-        let outcome = outcome(arguments);
+    let drawn = |arguments: &[&str], lang: &str, ladder: &str| {
+        let outcome = outcome_in(&[&["list", &program][..], arguments].concat(), lang);
         assert_eq!(outcome, (0, ladder.to_owned(), String::new()));
-    }
+    };
+    drawn(&[], "C.UTF-8", ladder);
+    drawn(&["--as", "ladder"], "en_US.UTF-8", ladder);
+    // A locale without UTF-8 has no lines to draw with.
+    let plain = ladder.replace('─', "-").replace(['├', '┤'], "|");
+    drawn(&[], "C", &plain);
+    drawn(&[], "", &plain);
     let (code, out, _) = outcome(&["list", &program, "--as", "numeric"]);
     assert_eq!(code, 0);
     assert!(
@@ -205,10 +208,60 @@ fn a_huge_text_is_refused_at_once() {
         let (code, out, err) = outcome(&[command, &huge]);
         assert_eq!((code, out.as_str()), (2, ""));
         assert!(
-            err.ends_with("has more than 1048576 bytes; no program is as long\n"),
+            err.ends_with("has more than 1048576 bytes; no program and no scenario is as long\n"),
             "{err}"
         );
     }
+}
+
+#[test]
+fn a_huge_scenario_is_refused_at_once_and_so_is_its_program() {
+    let hole = |name: &str| {
+        let huge = file(name, "");
+        let open = fs::File::options().write(true).open(&huge);
+        open.unwrap().set_len(50_000_000).unwrap();
+        huge
+    };
+    let (scenario, program) = (hole("huge.toml"), hole("huge-program.txt"));
+    let named = "about = \"\"\nprogram = \"huge-program.txt\"\nuntil = 1\n";
+    let named = file("names-huge.toml", named);
+    for arguments in [
+        &["--scenario", &scenario][..],
+        &["--scenario", &named],
+        &[&program, "--scenario", &named],
+    ] {
+        let sim = |lang| outcome_in(&[&["sim"][..], arguments].concat(), lang);
+        let (code, out, err) = sim("C");
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(
+            err.ends_with("has more than 1048576 bytes; no program and no scenario is as long\n"),
+            "{err}"
+        );
+        let (_, _, err) = sim("pt_BR.UTF-8");
+        assert!(
+            err.ends_with("tem mais de 1048576 bytes; nenhum programa ou cenário é tão longo\n"),
+            "{err}"
+        );
+    }
+}
+
+#[test]
+fn a_report_is_plain_where_the_locale_is() {
+    let scenario = file(
+        "plain.toml",
+        "about = \"\"\ntext = \"0\\n827301\\n877901\\n\"\nuntil = 1\n",
+    );
+    let report = |lang| outcome_in(&["sim", "--scenario", &scenario], lang).1;
+    assert!(
+        report("C.UTF-8").contains("  ·   ·"),
+        "{}",
+        report("C.UTF-8")
+    );
+    assert!(
+        report("C").is_ascii() && report("C").contains("  .   ."),
+        "{}",
+        report("C")
+    );
 }
 
 #[test]
@@ -281,7 +334,7 @@ fn help_and_wrong_arguments_are_told_in_portuguese() {
     );
     for (arguments, says) in [
         (&["fly"][..], "erro: não existe o comando 'fly'\n"),
-        (&["list"], "erro: falta indicar: <FILE>\n"),
+        (&["list"], "erro: falta indicar: <ARQUIVO>\n"),
         (
             &["list", "a.txt", "--width", "x"],
             "erro: valor inválido 'x' para '--width <N>'",

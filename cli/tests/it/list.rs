@@ -1,5 +1,6 @@
 //! Listings: those of the samples as they shall be, and what holds for those of all programs.
 
+use crate::common::outcome_in;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +8,7 @@ use unoclp_core::isa::{Kind, Opcode};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
 use unoclp_source::list::{Form, list, svg};
-use unoclp_source::{Source, Written, load};
+use unoclp_source::{Lang, Source, Written, load};
 
 fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
@@ -35,7 +36,12 @@ fn samples_are_listed_as_they_shall_be() {
         if path.extension().is_none_or(|extension| extension != "txt") {
             continue;
         }
-        let listing = list(&numeric(fs::read(&path).unwrap()), Form::Ladder, 80);
+        let listing = list(
+            &numeric(fs::read(&path).unwrap()),
+            Form::Ladder,
+            80,
+            Lang::En,
+        );
         let expected = folder("tests/listings").join(&name);
         let expected = fs::read_to_string(&expected).unwrap_or_default();
         assert_eq!(
@@ -94,7 +100,7 @@ fn every_instruction_is_listed() {
             }
             _ => (format!("0\n{step}"), ""),
         };
-        let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80);
+        let ladder = list(&numeric(program.as_bytes()), Form::Ladder, 80, Lang::En);
         assert!(ladder.contains(shown), "{opcode:?}:\n{ladder}");
         let first = ladder.lines().find(|line| line.starts_with('├')).unwrap();
         let alone = matches!(opcode, Opcode::Label);
@@ -103,7 +109,7 @@ fn every_instruction_is_listed() {
             "{opcode:?}:\n{ladder}"
         );
         let letters = opcode.row().letters;
-        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80);
+        let numeric = list(&numeric(program.as_bytes()), Form::Numeric, 80, Lang::En);
         assert!(
             numeric.contains(&format!("/ {letters}")),
             "{opcode:?}:\n{numeric}"
@@ -154,12 +160,12 @@ fn random_programs_keep_every_step_once_at_every_width() {
             assert!(drawn || element.steps.is_empty(), "{element:?}\n{file}");
         }
 
-        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width);
+        let listing = list(&numeric(file.as_bytes()), Form::Ladder, width, Lang::En);
         let widest = listing.lines().map(|line| line.chars().count()).max();
         assert!(widest <= Some(width), "{listing}");
-        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width);
+        let listed = list(&numeric(file.as_bytes()), Form::Numeric, width, Lang::En);
         assert_eq!(plain(&listed), plain(&file), "program {number}");
-        assert!(svg(&numeric(file.as_bytes()), width).starts_with("<svg"));
+        assert!(svg(&numeric(file.as_bytes()), width, Lang::En).starts_with("<svg"));
     }
 }
 
@@ -174,11 +180,11 @@ fn plain(file: &str) -> Vec<String> {
 fn a_numeric_listing_is_the_same_program() {
     for name in ["motor", "twohand", "figure6"] {
         let file = fs::read(folder("../programs").join(name).with_extension("txt")).unwrap();
-        let listing = list(&numeric(&*file), Form::Numeric, 80);
+        let listing = list(&numeric(&*file), Form::Numeric, 80, Lang::En);
         assert_eq!(stored(listing.as_bytes()), stored(&file), "{listing}");
         // A listing of a listing is the same once more.
         assert_eq!(
-            list(&numeric(listing.as_bytes()), Form::Numeric, 80),
+            list(&numeric(listing.as_bytes()), Form::Numeric, 80, Lang::En),
             listing
         );
     }
@@ -200,5 +206,50 @@ fn a_numeric_listing_is_the_same_program() {
 ";
     let file =
         "/ Motor\n\n 0\n/ Forward\n827301\n847978 / TON\n500\n7901\n787600\n-827902\n716900\n-5";
-    assert_eq!(list(&numeric(file.as_bytes()), Form::Numeric, 80), expected);
+    assert_eq!(
+        list(&numeric(file.as_bytes()), Form::Numeric, 80, Lang::En),
+        expected
+    );
+}
+
+#[test]
+fn a_listing_is_told_in_portuguese_and_means_the_same() {
+    for &opcode in Opcode::ALL {
+        let program = format!("0\n827301\n40\n827302\n41\n{}", codes(opcode));
+        // Some codes stand at the head of a rung only, or beside others.
+        let Ok(source) = Written::new("p.txt".to_owned(), program.into_bytes()).check(None) else {
+            continue;
+        };
+        let listed = |lang| list(&source, Form::Numeric, 80, lang);
+        let (english, portuguese) = (listed(Lang::En), listed(Lang::Pt));
+        assert_eq!(stored(portuguese.as_bytes()), stored(english.as_bytes()));
+        assert!(portuguese.contains("início do programa"), "{portuguese}");
+        for word in [
+            "input", "output", "value", "register", "marker", " the ", "operand ",
+        ] {
+            assert!(!portuguese.contains(word), "{word} in\n{portuguese}");
+        }
+    }
+    let program = numeric("/ Lâmpada\n0\n827301\n877901\n787600\n827302\n877902\n");
+    let ladder = list(&program, Form::Ladder, 80, Lang::Pt);
+    assert!(ladder.contains("\nDegrau 1, linhas 3 a 4\n"), "{ladder}");
+    assert!(
+        svg(&program, 80, Lang::Pt).contains(">\nDegrau 2, linhas 5 a 7\n<"),
+        "{ladder}"
+    );
+}
+
+#[test]
+fn a_drawing_in_ascii_leaves_nothing_out() {
+    for name in ["motor", "stardelta", "twohand", "figure6"] {
+        let file = folder("../programs").join(name).with_extension("txt");
+        let listed = |lang| outcome_in(&["list", file.to_str().unwrap(), "--width", "56"], lang).1;
+        let (drawn, plain) = (listed("C.UTF-8"), listed("C"));
+        assert!(plain.is_ascii() && !plain.contains("-?"), "{plain}");
+        let widths =
+            |text: &str| -> Vec<usize> { text.lines().map(|line| line.chars().count()).collect() };
+        assert_eq!(widths(&plain), widths(&drawn));
+        let unknown = |text: &str| text.matches('?').count();
+        assert_eq!(unknown(&plain), unknown(&drawn), "{plain}");
+    }
 }

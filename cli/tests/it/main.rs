@@ -8,10 +8,16 @@ mod check_output;
 mod command_line;
 mod common;
 mod instruction_list;
+mod kept;
 mod list;
+#[cfg(unix)]
+mod monitor;
 mod outputs;
+mod portuguese;
 #[cfg(unix)]
 mod pty;
 mod readme;
 mod source_map;
+mod texts;
 mod tutorial;
+mod words;

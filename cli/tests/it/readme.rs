@@ -11,7 +11,7 @@ fn read(name: &str) -> String {
 #[test]
 fn the_first_program_is_saved_checked_and_drawn_as_shown() {
     for (page, name, lang) in [
-        ("README.md", "lamp.txt", "C"),
+        ("README.md", "lamp.txt", "C.UTF-8"),
         ("README.pt-BR.md", "lampada.txt", "pt_BR.UTF-8"),
     ] {
         let text = read(page);

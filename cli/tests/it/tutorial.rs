@@ -1,7 +1,7 @@
 //! The tutorial says what the tools say: its programs are those that the scenarios run, the same in both
 //! languages, and its listings and ladders are the real ones.
 
-use crate::common::outcome;
+use crate::common::outcome_in;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_host_sim::engine::HostEngine;
@@ -61,22 +61,27 @@ fn compiled(text: &str) -> String {
     compiled.file().unwrap()
 }
 
-/// What `unoclp list` draws of a program, without the title above it.
-fn ladder(name: &str) -> String {
+/// What `unoclp list` draws of a program in the language of a page, without the title above it.
+fn ladder(name: &str, page: &str) -> String {
+    let (lang, rung) = match page.contains("pt-BR") {
+        true => ("pt_BR.UTF-8", "Degrau 1"),
+        false => ("C.UTF-8", "Rung 1"),
+    };
     let file = path(&format!("{FOLDER}/{name}.il"));
-    let (code, listing, told) = outcome(&["list", file.to_str().unwrap(), "--as", "ladder"]);
+    let (code, listing, told) =
+        outcome_in(&["list", file.to_str().unwrap(), "--as", "ladder"], lang);
     assert_eq!((code, told.as_str()), (0, ""), "{name}");
-    let rungs = listing.find("Rung 1").unwrap();
+    let rungs = listing.find(rung).unwrap();
     listing[rungs..].to_owned()
 }
 
-/// What a block of this kind must hold in the step of this program.
-fn expected(kind: &str, name: &str) -> String {
+/// What a block of this kind must hold in the step of this program on a page.
+fn expected(kind: &str, name: &str, page: &str) -> String {
     let text = read(&format!("{FOLDER}/{name}.il"));
     match kind {
         "il" => text,
         "numeric" => compiled(&text),
-        "ladder" => ladder(name),
+        "ladder" => ladder(name, page),
         _ => panic!("{name}: a block of {kind}"),
     }
 }
@@ -91,7 +96,7 @@ fn each_step_shows_its_program_and_what_becomes_of_it() {
                 shown.push(kind.clone());
                 // A timing chart has no kind; a further text is an example beside the program.
                 if is_first && !kind.is_empty() {
-                    let expected = expected(&kind, &name);
+                    let expected = expected(&kind, &name, page);
                     assert_eq!(text, expected, "{page}: {name} as {kind}:\n{expected}");
                 }
             }
@@ -122,10 +127,18 @@ fn every_text_compiles_without_a_warning() {
 fn both_languages_show_the_same() {
     let [english, portuguese] = PAGES.map(|page| {
         let all = blocks(&read(page));
-        // The words in a timing chart are those of its language.
-        all.into_iter()
-            .filter(|block| !block.kind.is_empty())
-            .collect::<Vec<_>>()
+        // The words in a timing chart are those of its language, and so are those above a rung.
+        let is_heading = |line: &&str| line.starts_with("Rung ") || line.starts_with("Degrau ");
+        let same = |Block { kind, text }| {
+            let lines: Vec<String> = text
+                .lines()
+                .filter(|line| !is_heading(line))
+                .map(str::to_owned)
+                .collect();
+            (kind, lines)
+        };
+        let shown = all.into_iter().filter(|block| !block.kind.is_empty());
+        shown.map(same).collect::<Vec<_>>()
     });
     assert_eq!(english, portuguese);
 }

@@ -35,9 +35,7 @@ pub use class::Class;
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};
 pub(crate) use packed::{By, Entry, find, stored_size};
-pub use packed::{
-    KIND_IN_ROW, PACKED, PackedTable, ROW, ROW_BEHIND_POINTS, ROW_OF_FIRST_POINT, read_packed,
-};
+pub use packed::{KIND_IN_ROW, PACKED, ROW, ROW_BEHIND_POINTS, ROW_OF_FIRST_POINT};
 pub use table::{Opcode, TABLE};
 
 /// One row of the instruction table.
@@ -58,7 +56,8 @@ pub struct Row {
     pub run: u8,
     /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
     /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
-    /// integration whether it goes on, a time stamp, and the thousandths that are left.
+    /// integration whether it goes on, a time stamp, and the thousandths that are left; of a number that is kept
+    /// its snapshot, 4 bytes, and for a board's engine where the number stands, 2.
     pub own: u8,
     /// The effect in one line.
     pub effect: &'static str,

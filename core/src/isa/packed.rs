@@ -1,29 +1,45 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
-use super::{BEHIND_POINTS, FIRST_POINT, Kind, Line, TABLE, first_of, holds_point, xx};
+use super::{BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, holds_point, xx};
+use crate::{Board, Profile};
 
-/// Bytes of a packed row: the code, low byte first; the kind; the stored byte; the run bytes.
-pub const ROW: usize = 7;
+/// Bytes of a packed row: the code in 28 bits, low byte first, and above it the run bytes; the kind.
+pub const ROW: usize = 5;
 /// Where the kind stands among the bytes of a packed row.
 pub const KIND_IN_ROW: usize = 4;
+/// Where the run bytes do.
+const RUN_IN_ROW: usize = 3;
 /// The place of the row whose bytes hold the first points, and of the first row behind those that hold points.
-pub const ROW_OF_FIRST_POINT: usize = row_of(FIRST_POINT);
+pub const ROW_OF_FIRST_POINT: u8 = row_of(FIRST_POINT);
 /// See [`ROW_OF_FIRST_POINT`].
-pub const ROW_BEHIND_POINTS: usize = row_of(BEHIND_POINTS);
-/// Bytes of a packed kind: the first and the last XX; the bytes of its lines; the first of them.
-const KIND: usize = 4;
+pub const ROW_BEHIND_POINTS: u8 = row_of(BEHIND_POINTS);
+/// The bits of the code in its highest byte.
+const CODE: u8 = 0x0F;
+/// The highest of them.
+const SIGN: u8 = 0x08;
+/// No code has as many.
+const MOST: u32 = 1 << 27;
+/// Run bytes whose bits are all set are one more than they say.
+const RUN: u8 = 0x0F;
+/// Bytes of a packed kind: the last XX, and in the highest bit the first, which is 0 or 1; the first of its lines, and
+/// in the high four bits their bytes.
+const KIND: usize = 2;
 /// Where the kinds begin, behind the rows.
 const KINDS: usize = TABLE.len() * ROW;
 
 /// The instruction table without its texts, and behind it the kinds of operands. Only the loader makes
-/// sense of it, through a [`PackedTable`].
+/// sense of it, through a [`Board`].
 pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
     let mut packed = [0; KINDS + Kind::ALL.len() * KIND];
     let mut row = 0;
     while row < TABLE.len() {
-        let [a, b, c, d] = TABLE[row].code.to_le_bytes();
-        let kind = TABLE[row].kind as u8;
-        let bytes = [a, b, c, d, kind, TABLE[row].stored, TABLE[row].run];
+        let Row {
+            code, run, kind, ..
+        } = TABLE[row];
+        let run = if run > RUN { RUN } else { run };
+        assert!(run_bytes(run) == TABLE[row].run && code.unsigned_abs() < MOST);
+        let [a, b, c, d] = code.to_le_bytes();
+        let bytes = [a, b, c, d & CODE | run << 4, kind as u8];
         let mut byte = 0;
         while byte < ROW {
             packed[row * ROW + byte] = bytes[byte];
@@ -44,7 +60,8 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
             Some(line) => line as u8,
             None => NO_LINE,
         };
-        let bytes = [first, last, kind.line_bytes(0), line];
+        assert!(first <= 1 && last < 0x80 && kind.line_bytes(0) < 16 && line <= NO_LINE);
+        let bytes = [first << 7 | last, kind.line_bytes(0) << 4 | line];
         let mut byte = 0;
         while byte < KIND {
             packed[KINDS + index * KIND + byte] = bytes[byte];
@@ -56,16 +73,18 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
 };
 
 /// In place of a line, where none follows.
-const NO_LINE: u8 = 0xFF;
+const NO_LINE: u8 = 0x0F;
 
-/// How [`PACKED`] is read where this board keeps it: fills the bytes from an index on, with anything
-/// beyond its end.
-pub type PackedTable = fn(usize, &mut [u8]);
+/// A board that keeps constants in memory like all else.
+impl Board for Profile {
+    fn profile(&self) -> Profile {
+        *self
+    }
 
-/// Reads [`PACKED`] where constants stand in memory like all else.
-pub fn read_packed(at: usize, bytes: &mut [u8]) {
-    for (byte, &packed) in bytes.iter_mut().zip(PACKED.iter().skip(at)) {
-        *byte = packed;
+    fn read(&self, at: usize, bytes: &mut [u8]) {
+        for (byte, &packed) in bytes.iter_mut().zip(PACKED.iter().skip(at)) {
+            *byte = packed;
+        }
     }
 }
 
@@ -112,67 +131,79 @@ pub(crate) enum By {
 
 /// The first row that fits, and XX of the code (0 where it has none).
 #[inline(never)]
-pub(crate) fn find(table: PackedTable, by: By) -> Option<(Entry, u8)> {
-    let (at, xx) = match by {
-        By::Code(code) => find_code(table, code)?,
-        By::Stored(byte) => (row_of(byte) * ROW, 0),
+pub(crate) fn find(board: &impl Board, by: By) -> Option<(Entry, u8)> {
+    let (index, xx) = match by {
+        By::Code(code) => find_code(board, code)?,
+        By::Stored(byte) => (row_of(byte), 0),
     };
-    if at >= KINDS {
+    if usize::from(index) >= TABLE.len() {
         return None;
     }
-    let mut row = [0; ROW];
-    table(at, &mut row);
-    let [.., kind, stored, run] = row;
+    // What stands behind the rest of the code.
+    let mut more = [0; ROW - RUN_IN_ROW];
+    board.read(usize::from(index) * ROW + RUN_IN_ROW, &mut more);
+    let [run, kind] = more;
     let mut more = [0; KIND];
-    table(KINDS + KIND * usize::from(kind), &mut more);
-    let [first, last, line_bytes, line] = more;
+    board.read(KINDS + KIND * usize::from(kind), &mut more);
+    let [numbers, lines] = more;
     let entry = Entry {
         kind: Kind::of(kind).unwrap_or(Kind::None),
-        stored,
-        run,
-        first,
-        last,
-        line_bytes,
-        line: Line::of(line),
+        stored: stored_of(index),
+        run: run_bytes(run >> 4),
+        first: numbers >> 7,
+        last: numbers & 0x7F,
+        line_bytes: lines >> 4,
+        line: Line::of(lines & NO_LINE),
     };
-    match by {
-        By::Stored(byte) if first_of(byte) != stored => None,
-        _ => Some((entry, xx)),
-    }
+    Some((entry, xx))
 }
 
-/// Where the first row stands that a code fits, and its XX.
-fn find_code(table: PackedTable, code: i32) -> Option<(usize, u8)> {
-    let mut row = [0; 5];
-    let mut at = 0;
-    while at < KINDS {
-        table(at, &mut row);
+/// The run bytes that these bits stand for.
+const fn run_bytes(bits: u8) -> u8 {
+    if bits == RUN { RUN + 1 } else { bits }
+}
+
+/// The first row that a code fits, and its XX.
+fn find_code(board: &impl Board, code: i32) -> Option<(u8, u8)> {
+    for index in 0..TABLE.len() as u8 {
+        let mut row = [0; ROW];
+        board.read(usize::from(index) * ROW, &mut row);
         let [a, b, c, d, kind] = row;
+        let d = if d & SIGN != 0 { d | !CODE } else { d & CODE };
         if let Some(xx) = xx(code, i32::from_le_bytes([a, b, c, d]))
             && (xx == 0 || Kind::of(kind).is_some_and(Kind::has_number))
         {
-            return Some((at, xx));
+            return Some((index, xx));
         }
-        at += ROW;
     }
     None
 }
 
 /// The place in the table of the row that a first stored byte belongs to; where there is none, of
 /// another row or beyond the table.
-const fn row_of(byte: u8) -> usize {
-    let row = match byte {
+const fn row_of(byte: u8) -> u8 {
+    match byte {
         ..0x10 => byte.wrapping_sub(1),
         0x10..0xA0 => (byte >> 4) + 14,
         _ => byte - (0xA0 - 24),
-    };
-    row as usize
+    }
+}
+
+/// The byte that stores the instruction of a row, without a point.
+const fn stored_of(row: u8) -> u8 {
+    match row {
+        ..15 => row + 1,
+        15..24 => (row - 14) << 4,
+        _ => row.wrapping_add(0xA0 - 24),
+    }
 }
 
 const _: () = {
     let mut row = 0;
     while row < TABLE.len() {
-        assert!(row_of(TABLE[row].stored) == row);
+        assert!(
+            row_of(TABLE[row].stored) as usize == row && stored_of(row as u8) == TABLE[row].stored
+        );
         row += 1;
     }
 };

@@ -211,6 +211,10 @@ macro_rules! instructions {
             engine_jump "JMPC XX" ">> XX";
         JumpNot           Jump     Leave        -74778000 "-JMP" 0xE5  8 0 "jump: if acc = 0, go on at label XX"
             engine_jump_not "JMPCN XX" ">> XX";
+        KeepRegister      Register Setting      756800    "KD"   0xE6  6 6 "register XX is kept over STOP and over a power cut"
+            engine_end "" "KEEP XX";
+        KeepCounter       Counter  Setting      756700    "KC"   0xE7  6 6 "the number of counter XX is kept over STOP and over a power cut"
+            engine_end "" "KEEP XX";
     } };
 }
 

@@ -1,7 +1,7 @@
 //! Labels, and the jumps that lead to them (NC-19).
 
-use crate::Cause;
-use crate::isa::{self, By, Kind, PackedTable};
+use crate::isa::{self, By, Kind};
+use crate::{Board, Cause};
 
 /// The labels that have been defined.
 #[derive(Default)]
@@ -43,14 +43,14 @@ impl Labels {
 
     /// Checks the jumps of a whole program in its stored form; each call tells of one label that is
     /// missing, the first in the program, and then knows it.
-    pub(super) fn check_jumps(&mut self, table: PackedTable, stored: &[u8]) -> Result<(), Cause> {
+    pub(super) fn check_jumps(&mut self, board: &impl Board, stored: &[u8]) -> Result<(), Cause> {
         if !self.jumps {
             return Ok(());
         }
         let mut rest = stored;
         while let Some((&byte, behind)) = rest.split_first() {
             // What has been stored makes sense; if not, there is nothing to be found in it.
-            let Some((entry, _)) = isa::find(table, By::Stored(byte)) else {
+            let Some((entry, _)) = isa::find(board, By::Stored(byte)) else {
                 break;
             };
             if let (Kind::Jump, [label, low, high, ..]) = (entry.kind, behind)

@@ -1,13 +1,13 @@
 //! The operand lines behind a code.
 
 use super::{Expect, Loader};
-use crate::Cause;
 use crate::isa::{self, Kind, Line, MARKER_TARGET, xx};
+use crate::{Board, Cause};
 
 /// The longest time of a filter, ms (NC-17).
 const FILTER_TIME: i16 = 30_000;
 
-impl Loader<'_> {
+impl<B: Board> Loader<'_, B> {
     /// Takes an operand line as the file has it.
     pub(super) fn operand_line(&mut self, line: Line, code: i32) -> Result<(), Cause> {
         let number = match line {
@@ -121,7 +121,7 @@ impl Loader<'_> {
                 Err(Cause::NoSuchPoint)
             };
         }
-        if stored < self.profile.outputs {
+        if stored < self.board.profile().outputs {
             self.needs.note(Kind::Output, stored + 1)
         } else {
             Err(Cause::NoSuchOutput)

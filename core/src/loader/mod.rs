@@ -1,4 +1,4 @@
-//! From the bytes of a file to a checked program: every check of NC-1 … NC-20.
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-21.
 //!
 //! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
 //! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
@@ -7,11 +7,12 @@ mod labels;
 mod lines;
 mod room;
 
-use crate::isa::{self, By, Entry, Kind, Line, Opcode, PackedTable};
+use crate::isa::{self, By, Entry, Kind, Line, Opcode};
+use crate::kept;
 use crate::needs::Needs;
 use crate::rung::Rung;
 use crate::text::{Part, Text};
-use crate::{Cause, Fault, Point, Profile, Program};
+use crate::{Board, Cause, Fault, Point, Profile, Program};
 use core::mem;
 use labels::Labels;
 use room::Room;
@@ -35,7 +36,7 @@ enum Expect {
 ///
 /// Each call reports at most one fault. After a fault the loader goes on, so that a tool can show
 /// the other faults that can be told; but [`finish`](Loader::finish) then gives no program.
-pub struct Loader<'m> {
+pub struct Loader<'m, B = Profile> {
     text: Text,
     rung: Rung,
     expect: Expect,
@@ -44,8 +45,7 @@ pub struct Loader<'m> {
     /// The line of the last code that lines must follow.
     block: u32,
     first_fault: Option<Fault>,
-    profile: Profile,
-    table: PackedTable,
+    board: B,
     room: Room<'m>,
     labels: Labels,
     needs: Needs,
@@ -57,19 +57,14 @@ pub struct Loader<'m> {
     codes: u16,
 }
 
-impl<'m> Loader<'m> {
-    /// A loader into this run memory for this board, which keeps the instruction table in memory like
-    /// all else. Where the memory is smaller than the profile's `linked_bytes`, the memory decides what
-    /// fits.
-    pub fn new(memory: &'m mut [u8], profile: Profile) -> Loader<'m> {
-        Loader::with_table(memory, profile, isa::read_packed)
-    }
-
-    /// A loader for a board that keeps the instruction table elsewhere.
+impl<'m, B: Board> Loader<'m, B> {
+    /// A loader into this run memory for this board. Where the memory is smaller than the profile's
+    /// `linked_bytes`, the memory decides what fits.
     // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
     // one goes by its address.
     #[inline(never)]
-    pub fn with_table(memory: &'m mut [u8], profile: Profile, table: PackedTable) -> Loader<'m> {
+    pub fn new(memory: &'m mut [u8], board: B) -> Loader<'m, B> {
+        let room = Room::new(memory, &board.profile());
         Loader {
             text: Text::new(),
             rung: Rung::new(),
@@ -77,9 +72,8 @@ impl<'m> Loader<'m> {
             line: 1,
             block: 0,
             first_fault: None,
-            profile,
-            table,
-            room: Room::new(memory, &profile),
+            board,
+            room,
             labels: Labels::default(),
             needs: Needs::default(),
             timer: 0,
@@ -104,7 +98,7 @@ impl<'m> Loader<'m> {
     /// Takes a program in its stored form in place of a file, with the same checks: memory that
     /// keeps a program for years is a claim too. Then [`finish`](Loader::finish).
     #[inline(never)]
-    pub fn restore(&mut self, stored: &mut dyn Iterator<Item = u8>) -> Result<(), Fault> {
+    pub fn restore(&mut self, stored: &mut impl Iterator<Item = u8>) -> Result<(), Fault> {
         self.expect = Expect::Head;
         self.codes = 1;
         let mut checked = Ok(());
@@ -154,6 +148,12 @@ impl<'m> Loader<'m> {
     /// more, that line began an instruction; other codes are operands of the one before.
     pub fn codes(&self) -> u16 {
         self.codes
+    }
+
+    /// Bytes of program memory and of run memory that the codes so far would need beyond what there is; what is kept
+    /// takes program memory too (NC-21).
+    pub fn lacking(&self) -> [usize; 2] {
+        self.room.lacking()
     }
 
     /// Checks what the text gave.
@@ -212,7 +212,7 @@ impl<'m> Loader<'m> {
         if code == isa::START {
             return Err(Cause::SecondStart);
         }
-        let (entry, xx) = isa::find(self.table, By::Code(code)).ok_or(Cause::UnknownCode)?;
+        let (entry, xx) = isa::find(&self.board, By::Code(code)).ok_or(Cause::UnknownCode)?;
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
         self.checked(entry, xx, expected, line)
     }
@@ -220,10 +220,10 @@ impl<'m> Loader<'m> {
     fn stored_instruction(
         &mut self,
         byte: u8,
-        rest: &mut dyn Iterator<Item = u8>,
+        rest: &mut impl Iterator<Item = u8>,
     ) -> Result<(), Cause> {
         let expected = mem::replace(&mut self.expect, Expect::Instruction);
-        let (entry, _) = isa::find(self.table, By::Stored(byte)).ok_or(Cause::UnknownCode)?;
+        let (entry, _) = isa::find(&self.board, By::Stored(byte)).ok_or(Cause::UnknownCode)?;
         let mut next = || rest.next().ok_or(Cause::OperandsMissing);
         let xx = if isa::holds_point(byte) {
             (byte & 0x0F) + 1
@@ -266,45 +266,48 @@ impl<'m> Loader<'m> {
         }
         let mut last = entry.last;
         if kind == Kind::Input {
-            last = self.profile.inputs;
+            last = self.board.profile().inputs;
         }
         if kind == Kind::Output {
-            last = self.profile.outputs;
+            last = self.board.profile().outputs;
         }
         if xx < entry.first || xx > last {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
-        match kind {
-            Kind::None => self.balance(stored)?,
-            Kind::Branch => {
-                // It exists: the numbers have been checked.
-                let point = Point::new(xx, isa::BRANCH_POINTS).ok_or(Cause::NoSuchBranchPoint)?;
-                stored = if expected == Expect::Branch {
-                    self.rung.recall(point)?;
-                    Opcode::RecallBranch as u8
-                } else {
-                    self.rung.store(point);
-                    Opcode::StoreBranch as u8
-                };
-            }
-            Kind::TimerQ if xx > self.timer => {
+        if kept::declares(stored) {
+            self.room.keep()?;
+            self.expect = Expect::Head;
+        }
+        // A match that tells all kinds apart would take more of the firmware.
+        if kind == Kind::None {
+            self.balance(stored)?;
+        } else if kind == Kind::Branch {
+            // It exists: the numbers have been checked.
+            let point = Point::new(xx, isa::BRANCH_POINTS).ok_or(Cause::NoSuchBranchPoint)?;
+            stored = if expected == Expect::Branch {
+                self.rung.recall(point)?;
+                Opcode::RecallBranch as u8
+            } else {
+                self.rung.store(point);
+                Opcode::StoreBranch as u8
+            };
+        } else if kind == Kind::TimerQ {
+            if xx > self.timer {
                 self.timer = xx;
                 self.timer_line = self.line;
             }
-            Kind::Label => {
-                if expected != Expect::Head {
-                    return Err(Cause::LabelInRung);
-                }
-                self.expect = Expect::Head;
-                self.labels.define(xx)?;
+        } else if kind == Kind::Label {
+            if expected != Expect::Head {
+                return Err(Cause::LabelInRung);
             }
-            Kind::Jump if self.rung.is_open() => return Err(Cause::JumpInBranch),
-            Kind::Jump => self.labels.jump(),
-            Kind::Input | Kind::Output | Kind::Marker | Kind::System | Kind::TimerQ => {}
-            Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm | Kind::Reading => {}
-            Kind::Group | Kind::Bit | Kind::Time | Kind::Timer | Kind::Count | Kind::Value => {}
-            Kind::Move | Kind::Drum | Kind::Scale | Kind::Filter => {}
+            self.expect = Expect::Head;
+            self.labels.define(xx)?;
+        } else if kind == Kind::Jump {
+            if self.rung.is_open() {
+                return Err(Cause::JumpInBranch);
+            }
+            self.labels.jump();
         }
         let entry = Entry { stored, ..entry };
         self.room.instruction(&entry, xx, line)
@@ -339,7 +342,7 @@ impl<'m> Loader<'m> {
         if mem::take(&mut self.timer) > self.room.timers() {
             return Err(Cause::NoSuchTimer);
         }
-        self.labels.check_jumps(self.table, self.room.stored())
+        self.labels.check_jumps(&self.board, self.room.stored())
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
 
 use crate::isa::{self, Entry, Kind, Line};
+use crate::kept;
 use crate::needs::Needs;
 use crate::{Cause, Profile, Program};
 use core::mem;
@@ -19,6 +20,8 @@ pub(super) struct Room<'m> {
     timers: u8,
     /// The highest counter that is named.
     counters: u8,
+    /// How many numbers are kept.
+    kept: u8,
     /// Whether something did not fit; what follows is checked, and no longer stored.
     full: bool,
 }
@@ -35,6 +38,7 @@ impl<'m> Room<'m> {
             run_most,
             timers: 0,
             counters: 0,
+            kept: 0,
             full: false,
         }
     }
@@ -53,21 +57,22 @@ impl<'m> Room<'m> {
         if kind != Kind::Value || xx == 0 {
             bytes += usize::from(entry.line_bytes);
         }
-        match kind {
-            Kind::Timer => self.timers = self.timers.saturating_add(1),
-            Kind::Value if xx == 0 => run += usize::from(Line::Constant.more_run_bytes(0)),
-            Kind::Input if holds_point && xx > isa::FAST_INPUTS => run += 2,
-            Kind::None | Kind::Input | Kind::Output | Kind::Branch | Kind::Marker => {}
-            Kind::System | Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue => {}
-            Kind::Pwm | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => {}
-            Kind::Jump | Kind::Count | Kind::Value | Kind::Move | Kind::Drum | Kind::Scale => {}
-            Kind::Filter => {}
+        // A match that tells all kinds apart would take 50 bytes more of the firmware.
+        if kind == Kind::Timer {
+            self.timers = self.timers.saturating_add(1);
+        } else if kind == Kind::Value && xx == 0 {
+            run += usize::from(Line::Constant.more_run_bytes(0));
+        } else if kind == Kind::Input && holds_point && xx > isa::FAST_INPUTS {
+            run += 2;
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
             for _ in self.counters..xx {
                 run += isa::COUNTER_DATA;
             }
             self.counters = xx;
+        }
+        if kept::declares(stored) {
+            bytes += kept::ring_bytes(self.kept == 1);
         }
         self.reserve(bytes, run)?;
         if holds_point {
@@ -86,14 +91,27 @@ impl<'m> Room<'m> {
         Ok(())
     }
 
+    /// Another number is kept: before it stand no other codes (NC-21).
+    pub(super) fn keep(&mut self) -> Result<(), Cause> {
+        if self.full {
+            return Ok(());
+        }
+        if self.kept == kept::KEPT || self.put != 2 * usize::from(self.kept) {
+            return Err(Cause::CannotKeep);
+        }
+        self.kept += 1;
+        Ok(())
+    }
+
     /// Reserves so many bytes more of the stored form and of run memory.
     pub(super) fn reserve(&mut self, stored: usize, run: usize) -> Result<(), Cause> {
+        // Counted beyond what fits too: a tool tells how much is lacking.
+        self.reserved = self.reserved.wrapping_add(stored);
+        self.run_bytes = self.run_bytes.wrapping_add(run);
         if self.full {
             return Ok(());
         }
         self.full = true;
-        self.reserved += stored;
-        self.run_bytes += run;
         if self.reserved > self.stored_most {
             return Err(Cause::ProgramFull);
         }
@@ -103,6 +121,15 @@ impl<'m> Room<'m> {
         }
         self.full = false;
         Ok(())
+    }
+
+    /// Bytes of program memory and of run memory that the program would need beyond what there is.
+    pub(super) fn lacking(&self) -> [usize; 2] {
+        [
+            self.reserved
+                .saturating_sub(self.stored_most.min(self.run_most)),
+            self.run_bytes.saturating_sub(self.run_most),
+        ]
     }
 
     /// Puts a byte where room has been reserved for it.
@@ -136,14 +163,15 @@ impl<'m> Room<'m> {
         self.memory.get(..self.put).unwrap_or_default()
     }
 
-    /// The program that the room holds. It is empty from then on.
+    /// The program that the room holds: that of a loader that is done. Its memory is none from then on.
     pub(super) fn program(&mut self, codes: u16, needs: Needs) -> Program<'m> {
         Program {
             memory: mem::take(&mut self.memory),
-            code_bytes: mem::take(&mut self.put),
-            run_bytes: mem::take(&mut self.run_bytes),
-            timers: mem::take(&mut self.timers),
-            counters: mem::take(&mut self.counters),
+            code_bytes: self.put,
+            run_bytes: self.run_bytes,
+            timers: self.timers,
+            counters: self.counters,
+            kept: self.kept,
             codes,
             needs,
         }

@@ -143,6 +143,7 @@ impl Plc<'_> {
             Opcode::Return | Opcode::ReturnNot => return Next::End,
             // A place to jump to; and what is set before the first scan.
             Opcode::Label | Opcode::InputFilter => {}
+            Opcode::KeepRegister | Opcode::KeepCounter => {}
         }
         Next::Step
     }

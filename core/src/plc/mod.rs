@@ -5,6 +5,7 @@ mod clocks;
 mod counter;
 mod effect;
 mod inputs;
+mod keep;
 mod points;
 mod scan;
 mod smooth;
@@ -94,17 +95,22 @@ impl<'m> Plc<'m> {
             needs: program.needs,
             state: State::new(),
         };
+        plc.own.fill(0);
+        plc.counters.fill([0; COUNTER_DATA]);
         plc.restart();
         plc
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started; but retentive markers
-    /// keep their states.
+    /// keep their states, and numbers that are kept stay what they are.
     pub fn restart(&mut self) {
         let retained = self.state.markers & RETAINED;
+        let snapshot = self.save();
         self.state = State::new();
         self.state.markers = retained;
-        self.own.fill(0);
+        if let Some(own) = self.own.get_mut(snapshot..) {
+            own.fill(0);
+        }
         let steps = Steps::new(self.code);
         let blocks = steps.clone().filter_map(|step| step.timer());
         for (timer, block) in self.timers.iter_mut().zip(blocks) {
@@ -116,6 +122,7 @@ impl<'m> Plc<'m> {
                 self.with_counter(counter, |counter| counter.preset = preset);
             }
         }
+        self.recall();
     }
 
     /// The stored form of the program, as it stands in run memory.

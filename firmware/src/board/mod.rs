@@ -12,6 +12,7 @@
 //! | direction of RS-485, where it is set | A4 | PC4 |
 //! | STOP | A5 | PC5 |
 
+pub mod allowance;
 pub mod analogue;
 pub mod clock;
 pub mod eeprom;

@@ -5,6 +5,7 @@
 //! interrupt counts the age of the scan in memory that start-up does not clear: a run that ended
 //! in the middle of an old scan was ended by the watchdog.
 
+use super::allowance;
 use super::shared::Shared;
 use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
@@ -88,6 +89,7 @@ impl Watchdog {
         if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING && !commanded {
             RESTARTS.set(0);
             FAULTS.set(0);
+            allowance::fill();
             return (watchdog, Start::Power);
         }
         RESTARTS.set(watchdog.restarts().saturating_add(1));

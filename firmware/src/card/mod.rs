@@ -8,11 +8,11 @@ pub mod writer;
 
 use crate::board::Board;
 use crate::board::flash::{Codes, flash_codes};
-use crate::instructions;
+use crate::instructions::Uno;
 pub use commands::{CardFailed, Place};
 use reader::Card;
 use unoclp_card::{Block, Error, File};
-use unoclp_core::{Cause, Crc16, Fault, Loader, Profile, Program};
+use unoclp_core::{Cause, Crc16, Fault, Loader, Program};
 
 /// The program's 8.3 name as a directory holds it (NC-1).
 const PROGRAM: &str = "PROGRAM TXT";
@@ -59,7 +59,7 @@ pub fn load<'m>(
 /// Apart from [`load`], so that its program is made where it stays.
 #[inline(never)]
 fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fault> {
-    let mut loader = Loader::with_table(memory, Profile::UNO, instructions::read);
+    let mut loader = Loader::new(memory, Uno);
     match check(card, &mut loader) {
         Ok(()) => loader.finish(),
         Err(cause) => Err(Fault::without_line(cause)),
@@ -69,7 +69,7 @@ fn read<'m>(card: &mut Card<'_>, memory: &'m mut [u8]) -> Result<Program<'m>, Fa
 /// Gives the loader the file, up to the first fault. Apart from [`read`], whose frame holds the loader:
 /// what lies beyond it in the same frame could be reached only by detours.
 #[inline(never)]
-fn check(card: &mut Card<'_>, loader: &mut Loader<'_>) -> Result<(), Cause> {
+fn check(card: &mut Card<'_>, loader: &mut Loader<'_, Uno>) -> Result<(), Cause> {
     let (mut first, mut again) = (Crc16::default(), Crc16::default());
     let whole = pass(card, Some(loader), &mut first).map_err(cause)?;
     if whole {
@@ -85,7 +85,7 @@ fn check(card: &mut Card<'_>, loader: &mut Loader<'_>) -> Result<(), Cause> {
 #[inline(never)]
 fn pass(
     card: &mut Card<'_>,
-    mut loader: Option<&mut Loader<'_>>,
+    mut loader: Option<&mut Loader<'_, Uno>>,
     sum: &mut Crc16,
 ) -> Result<bool, Error<CardFailed>> {
     let mut file = File::default();

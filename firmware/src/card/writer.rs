@@ -89,7 +89,7 @@ impl Writer {
                 let bus = board.resume_card();
                 for _ in 0..STEP {
                     let byte = byte(*at);
-                    self.crc.push(byte);
+                    self.crc = self.crc.then(byte);
                     bus.exchange(byte);
                     *at += 1;
                 }

@@ -2,8 +2,9 @@
 //! alone, and comes to the assembly as a constant of this list.
 
 use super::data::Data;
-use super::layout::POINTS;
+use super::layout::{ADDRESS_BYTES, POINTS, SNAPSHOT_BYTES};
 use super::link::{self, Job};
+use super::memory;
 use crate::operation::Images;
 use crate::page::Running;
 use core::arch::global_asm;
@@ -26,6 +27,8 @@ macro_rules! assembly {
             include_str!("timers.s"),
             include_str!("numbers.s"),
             include_str!("link.s"),
+            include_str!("words.s"),
+            include_str!("keep.s"),
             $($constant = const $value,)*
         );
     };
@@ -89,6 +92,8 @@ unoclp_core::instructions!(assembly {
     JOB_TIMERS_END = offset_of!(Job, timers_end);
     JOB_COUNTERS = offset_of!(Job, counters);
     JOB_COUNTERS_END = offset_of!(Job, counters_end);
+    JOB_KEPT = offset_of!(Job, kept);
+    JOB_KEPT_END = offset_of!(Job, kept_end);
     JOB_POSITION = offset_of!(Job, position);
     JOB_CLOSING = offset_of!(Job, closing);
     JOB_OUTPUTS = offset_of!(Job, outputs);
@@ -98,6 +103,9 @@ unoclp_core::instructions!(assembly {
     JOB_ZEROS = offset_of!(Job, zeros);
     JOB_COUNT = offset_of!(Job, count);
     RUNG = link::RUNG;
+
+    WORDS_WRITTEN = memory::WRITTEN;
+    WORDS_ELAPSED = memory::ELAPSED;
 });
 
 // `link.s` tells these apart by their bits.
@@ -112,6 +120,12 @@ const _: () = {
     assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
     // No kind is 0 but that of what has no operand.
     assert!(Kind::None as u8 == 0);
+    // What is kept comes last, and its numbers stand where those of other instructions do.
+    let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
+    assert!(counter as usize == register as usize + 1);
+    assert!(isa::TABLE[isa::TABLE.len() - 1].stored == counter as u8);
+    let bytes = ADDRESS_BYTES + SNAPSHOT_BYTES;
+    assert!(register.row().run as usize == bytes && counter.row().run as usize == bytes);
     // It keeps address and place of a label, 4 bytes, in the registers.
     assert!(isa::LABELS <= isa::REGISTERS && isa::LABELS.is_power_of_two());
     // The page is left by `subi` with one byte.

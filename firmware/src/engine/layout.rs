@@ -8,6 +8,11 @@ use unoclp_core::isa::TIMER_DATA;
 /// Inputs in the low half of the images' register, outputs in the high half.
 pub const POINTS: u8 = Images::OUTPUTS_AT;
 
+/// Bytes of a number that is kept: its address, and its place in the snapshot.
+pub const ADDRESS_BYTES: usize = 2;
+/// See [`ADDRESS_BYTES`].
+pub const SNAPSHOT_BYTES: usize = 4;
+
 /// What the linked form of a program refers to.
 pub struct Layout<'m> {
     pub data: &'m mut Data,
@@ -15,9 +20,12 @@ pub struct Layout<'m> {
     pub timers: &'m mut [u8],
     /// [`COUNTER_DATA`] for each, up to the highest that is named.
     pub counters: &'m mut [u8],
-    /// The address of the first linked byte, and of the byte behind the last of own data.
+    /// The address of each number that is kept, and the snapshot of them.
+    pub kept: &'m mut [u8],
+    /// See `kept`.
+    pub snapshot: &'m mut [u8],
+    /// The address of the first linked byte.
     pub begin: u16,
-    pub own_end: u16,
     /// The program.
     pub stored: Kept,
     /// Whether it jumps back.
@@ -25,6 +33,11 @@ pub struct Layout<'m> {
 }
 
 impl Layout<'_> {
+    /// The address behind the last of own data.
+    pub fn own_end(&self) -> u16 {
+        self.kept.as_ptr() as usize as u16
+    }
+
     /// The address of the timer with this index.
     pub fn timer(&self, index: u8) -> u16 {
         self.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16

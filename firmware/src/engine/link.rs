@@ -31,6 +31,9 @@ pub(super) struct Job {
     /// The data of the first counter, and behind the last.
     pub(super) counters: u16,
     pub(super) counters_end: u16,
+    /// Where the address of the next number that is kept is put, and behind that of the last.
+    pub(super) kept: u16,
+    pub(super) kept_end: u16,
     /// How many stored bytes have been read.
     pub(super) position: u16,
     /// How each open branch is closed, two bits each, the innermost in the lowest: by OR, AND, XOR.
@@ -74,16 +77,20 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
     layout.counters.fill(0);
     let mut reader = layout.stored.read(eeprom);
     let timers = layout.timer(0);
+    let own_end = layout.own_end();
+    let counters = layout.counters.as_ptr() as usize as u16;
     let mut job = Job {
         reader: (&raw mut reader).cast(),
         put: layout.begin,
         limit: layout.begin + code.len() as u16,
-        own: layout.own_end,
+        own: own_end,
         timer: timers,
         timers,
         timers_end: timers + layout.timers.len() as u16,
-        counters: layout.own_end,
-        counters_end: layout.own_end + layout.counters.len() as u16,
+        counters,
+        counters_end: counters + layout.counters.len() as u16,
+        kept: own_end,
+        kept_end: own_end + 2 * u16::from(layout.stored.numbers),
         position: 0,
         closing: 0,
         outputs: !layout.stored.needs.pwm << POINTS,
@@ -94,13 +101,13 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         count: 0,
     };
     // SAFETY: it writes linked bytes from the first up to the limit, which are those of `code`; the
-    // data of timers and counters, which are those of the layout; and the registers, by their own
+    // data of timers and counters and the addresses of what is kept, which are those of the layout; and the registers, by their own
     // address. All of them are borrowed here.
     unsafe { engine_link(&mut job) };
     layout.jumps_back |= job.jumps_back;
     let size = Size {
         code: job.put.wrapping_sub(layout.begin),
-        own: layout.own_end.wrapping_sub(job.own),
+        own: own_end.wrapping_sub(job.own),
     };
     if reader.is_whole() {
         Ok(size)

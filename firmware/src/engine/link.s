@@ -391,6 +391,9 @@ link_numbered:
         cpi     r25, KIND_TIME
         brne    1f
         ret
+1:      cpi     r16, OP_KeepRegister
+        brcs    1f
+        rjmp    link_object
 1:      cpi     r25, KIND_LABEL
         brne    1f
         rjmp    link_label
@@ -632,5 +635,19 @@ link_object:
         add     r24, r0
         adc     r25, r1
         clr     r1
+        cpi     r16, OP_KeepRegister
+        brcc    1f
         rjmp    link_address
+1:      ldd     r30, Y+JOB_KEPT ; it has no handler, but its address stands there
+        ldd     r31, Y+JOB_KEPT+1
+        ldd     r18, Y+JOB_KEPT_END
+        ldd     r19, Y+JOB_KEPT_END+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    2f
+        st      Z+, r24
+        st      Z+, r25
+        std     Y+JOB_KEPT, r30
+        std     Y+JOB_KEPT+1, r31
+2:      ret
         .text

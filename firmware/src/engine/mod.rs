@@ -31,7 +31,7 @@ use crate::store::Kept;
 use core::arch::asm;
 use core::mem;
 use data::{Cell, ON};
-use layout::{Layout, POINTS};
+use layout::{ADDRESS_BYTES, Layout, POINTS, SNAPSHOT_BYTES};
 use memory::Memory;
 use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
@@ -41,6 +41,11 @@ const _: () = {
     assert!(Profile::UNO.inputs as usize <= POINTS as usize + 4);
     assert!(JUMP_BUDGET < i16::MAX as u16);
 };
+
+// SAFETY: `keep.s` defines it so.
+unsafe extern "C" {
+    fn engine_keep(addresses: *const u8, snapshot: *mut u8, count: u8, take: bool) -> bool;
+}
 
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
@@ -67,12 +72,16 @@ impl<'m> Linked<'m> {
         let counters = usize::from(kept.counters) * COUNTER_DATA;
         let (rest, timers) = split_end(memory, timers);
         let (rest, counters) = split_end(rest, counters);
+        let numbers = usize::from(kept.numbers);
+        let (rest, snapshot) = split_end(rest, numbers * SNAPSHOT_BYTES);
+        let (rest, numbers) = split_end(rest, numbers * ADDRESS_BYTES);
         Linked {
             layout: Layout {
                 data,
                 timers,
                 begin: rest.as_ptr() as usize as u16,
-                own_end: counters.as_ptr() as usize as u16,
+                kept: numbers,
+                snapshot,
                 counters,
                 stored: *kept,
                 jumps_back: false,
@@ -139,7 +148,7 @@ impl<'m> Linked<'m> {
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
-    /// them; but retentive markers keep their states.
+    /// them; but retentive markers keep their states, and the numbers of the snapshot come back.
     ///
     /// # Errors
     /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
@@ -148,7 +157,32 @@ impl<'m> Linked<'m> {
         link::forget_labels(self.layout.data);
         link::pass(&mut self.layout, eeprom, &mut [])?;
         self.clear(images);
+        self.keep(false);
         Ok(())
+    }
+
+    /// The program.
+    pub fn stored(&self) -> &Kept {
+        &self.layout.stored
+    }
+
+    /// The snapshot of the numbers that are kept, in the program's order.
+    pub fn snapshot(&mut self) -> &mut [u8] {
+        self.layout.snapshot
+    }
+
+    /// Takes the snapshot, or brings it back; says whether anything has changed by that.
+    #[inline(never)]
+    pub fn keep(&mut self, take: bool) -> bool {
+        let Layout {
+            kept,
+            snapshot,
+            stored,
+            ..
+        } = &mut self.layout;
+        // SAFETY: so many addresses and numbers stand there; each address is that of a register or a counter,
+        // since `link` has put it there.
+        unsafe { engine_keep(kept.as_ptr(), snapshot.as_mut_ptr(), stored.numbers, take) }
     }
 
     fn clear(&mut self, images: &mut Images) {

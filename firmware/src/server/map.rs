@@ -1,64 +1,57 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
 use super::upload::Upload;
-use crate::board::flash::{Codes, flash_codes};
+use crate::board::flash::{self, Codes, flash_codes};
 use crate::board::{Board, stack};
 use crate::engine::data::ON;
-use crate::engine::memory::Memory;
+use crate::engine::memory::{Memory, Values};
 use crate::operation::{Command, Operation, State};
-use crate::settings::{self, Settings};
+use crate::settings::Settings;
 use crate::store;
 use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 use unoclp_core::{Image, Millis};
 use unoclp_modbus::eeprom::program;
-use unoclp_modbus::map::{PRODUCT, Span, VENDOR, coil, discrete, flag, form, holding, input};
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::map::{AREA, AREAS, PRODUCT, Span, VENDOR, coil, flag, form, holding, input};
+use unoclp_modbus::{Access, Device, Exception, Table, Word};
 
 const MARKER: u16 = coil::MARKERS.first;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
-const DIAGNOSTICS: u16 = input::STATE.first;
 const COMMAND: u16 = holding::COMMAND.first;
-const FORCES: u16 = holding::FORCED_INPUTS.first;
-const SETTINGS: u16 = holding::SETTINGS.first;
 
 // Input and holding registers have these at the same addresses.
 const _: () = assert!(TIMER == holding::TIMERS.first && COUNTER == holding::COUNTERS.first);
 const _: () = assert!(TIMER_DATA == COUNTER_DATA);
 
-/// The forces, as [`Forces`](crate::operation::Forces) has them.
-const FORCED: Span = Span {
-    values: 4,
-    ..holding::FORCED_INPUTS
-};
-
-/// The words of the diagnostics, by their numbers from 0.
+/// Words that are no half of a value of 32 bits, by the low bytes of their addresses: comparing bytes takes half as
+/// much.
 mod number {
     use super::*;
 
-    /// All of them, which are one range.
-    pub const DIAGNOSTICS: Span = Span {
-        values: input::FAULTS.end() - super::DIAGNOSTICS,
-        ..input::STATE
-    };
-
-    const fn of(span: Span) -> u16 {
-        span.first - super::DIAGNOSTICS
+    const fn of(span: Span) -> u8 {
+        // No two of them have the same.
+        assert!(span.first < 0x80 || span.first & 0x80 != 0 && span.first >> 8 == COMMAND >> 8);
+        span.first as u8
     }
 
-    pub const STATE: u16 = of(input::STATE);
-    pub const FLAGS: u16 = of(input::FLAGS);
-    pub const FAULT: u16 = of(input::FAULT);
-    pub const CAUSE: u16 = of(input::CAUSE);
-    pub const LINE: u16 = of(input::LINE);
-    pub const UPTIME: u16 = of(input::UPTIME);
-    pub const LAST: u16 = of(input::SCAN_TIMES);
-    pub const LEAST: u16 = LAST + 1;
-    pub const MOST: u16 = LAST + 2;
-    pub const FREE_STACK: u16 = of(input::FREE_STACK);
-    pub const PROGRAM: u16 = of(input::PROGRAM_BYTES);
-    pub const SUPPLY: u16 = of(input::SUPPLY);
-    pub const RESTARTS: u16 = of(input::RESTARTS);
+    pub const STATE: u8 = of(input::STATE);
+    pub const FLAGS: u8 = of(input::FLAGS);
+    pub const FAULT: u8 = of(input::FAULT);
+    pub const CAUSE: u8 = of(input::CAUSE);
+    pub const LINE: u8 = of(input::LINE);
+    pub const UPTIME: u8 = of(input::UPTIME);
+    pub const LAST: u8 = of(input::SCAN_TIMES);
+    pub const LEAST: u8 = LAST + 1;
+    pub const MOST: u8 = LAST + 2;
+    pub const FREE_STACK: u8 = of(input::FREE_STACK);
+    pub const PROGRAM: u8 = of(input::PROGRAM_BYTES);
+    pub const SUPPLY: u8 = of(input::SUPPLY);
+    pub const RESTARTS: u8 = of(input::RESTARTS);
+    pub const FAULTS: u8 = of(input::FAULTS);
+    pub const FORCES: u8 = of(holding::FORCED_INPUTS);
+    pub const FORCED_OUTPUTS: u8 = of(holding::FORCED_OUTPUTS);
+    pub const OUTPUTS_TO: u8 = of(holding::OUTPUTS_TO);
+    pub const SETTINGS: u8 = of(holding::SETTINGS);
 }
 
 /// The board as the server shows it, for one step.
@@ -66,8 +59,8 @@ pub struct Map<'a, 'm> {
     pub board: &'a Board,
     pub operation: &'a mut Operation,
     pub settings: &'a mut Settings,
-    /// When the request came, ms since start.
-    pub came: Millis,
+    /// The time of this step, ms since start.
+    pub now: Millis,
     pub memory: Memory<'a>,
     pub upload: Option<&'a mut Upload<'m>>,
     /// The number of the block that ended the last upload, where its program was stored.
@@ -75,9 +68,9 @@ pub struct Map<'a, 'm> {
 }
 
 impl Map<'_, '_> {
-    /// A word of the diagnostics, by its number from 0.
+    /// A word of the diagnostics.
     #[inline(never)]
-    fn diagnostic(&self, number: u16) -> u16 {
+    fn diagnostic(&self, number: u8) -> u16 {
         let Map {
             board, operation, ..
         } = self;
@@ -92,7 +85,7 @@ impl Map<'_, '_> {
             }
             number::CAUSE => return board.start as u16 + 1,
             number::LINE..number::UPTIME => line,
-            number::UPTIME..number::LAST => self.came,
+            number::UPTIME..number::LAST => self.now,
             number::LAST => return operation.times.last(),
             number::LEAST => return operation.times.least(),
             number::MOST => return operation.times.most(),
@@ -109,28 +102,65 @@ impl Map<'_, '_> {
         }
     }
 
-    /// A word of the values of 32 bits that input and holding registers have at the same addresses: what
-    /// has elapsed of a timer or its preset, what a counter has counted or its preset; and of registers.
-    /// 0 where the program does not have it.
+    /// A word that is no half of a value of 32 bits, by its number.
     #[inline(never)]
-    fn half(&self, input: bool, address: u16) -> u16 {
-        let memory = &self.memory;
-        let (area, at) = place(input, address);
-        let bytes = match area {
-            Area::Registers => memory.data.registers.as_flattened(),
-            Area::Timers => &*memory.timers,
-            Area::Counters => &*memory.counters,
-        };
-        let bytes = bytes.get(at..).unwrap_or_default();
-        let long = if input && area == Area::Timers {
-            elapsed(bytes, self.came)
+    fn word(&self, number: u8) -> u16 {
+        let operation = &self.operation;
+        if number < number::STATE {
+            let reading = self.memory.data.analogue.get(usize::from(number));
+            reading.copied().unwrap_or_default()
+        } else if number <= number::FAULTS {
+            self.diagnostic(number)
+        } else if number < number::FORCES {
+            operation.state as u16
+        } else if number < number::SETTINGS {
+            let forces = operation.forces.0.get(usize::from(number - number::FORCES));
+            forces.copied().unwrap_or(0).into()
         } else {
-            u32_of(bytes)
-        };
-        if address & 1 == 0 {
-            (long >> 16) as u16
+            self.settings.get(number - number::SETTINGS)
+        }
+    }
+
+    /// Whether it may be written.
+    #[inline(never)]
+    fn check_word(&self, number: u8, value: u16) -> Result<(), Exception> {
+        let sound = if number < number::FORCES {
+            return self.command(value).map(|_| ());
+        } else if (number::FORCED_OUTPUTS..=number::OUTPUTS_TO).contains(&number) {
+            value < 1 << coil::OUTPUTS.values
+        } else if number < number::SETTINGS {
+            value < 1 << u8::BITS
+        } else if self.operation.state == State::Run {
+            return Err(Exception::ServerDeviceFailure);
         } else {
-            long as u16
+            return self.settings.check(number - number::SETTINGS, value);
+        };
+        if sound {
+            Ok(())
+        } else {
+            Err(Exception::IllegalDataValue)
+        }
+    }
+
+    /// Writes it.
+    #[inline(never)]
+    fn set_word(&mut self, number: u8, value: u16) {
+        if number < number::FORCES {
+            if let Ok(command) = self.command(value) {
+                self.operation.stopped = match command {
+                    Command::Run => false,
+                    Command::Stop => true,
+                    _ => self.operation.stopped,
+                };
+                self.operation.command = Some(command);
+            }
+        } else if number < number::SETTINGS {
+            let forces = &mut self.operation.forces.0;
+            if let Some(place) = forces.get_mut(usize::from(number - number::FORCES)) {
+                *place = value as u8;
+            }
+        } else {
+            self.settings.set(number - number::SETTINGS, value);
         }
     }
 
@@ -178,196 +208,127 @@ impl Map<'_, '_> {
     }
 }
 
-/// Where values of 32 bits stand.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Area {
-    Registers,
-    Timers,
-    Counters,
-}
-
-/// Where the value of this address and its neighbour stands, low byte first; of a timer that is elapsed its
-/// state stands there, and its time behind it.
-#[inline(never)]
-fn place(input: bool, address: u16) -> (Area, usize) {
-    let (area, first, size, preset) = if address >= COUNTER {
-        (Area::Counters, COUNTER, COUNTER_DATA, 4)
-    } else if address >= TIMER {
-        (Area::Timers, TIMER, TIMER_DATA, 5)
-    } else {
-        (Area::Registers, 0, 4, 0)
-    };
-    let at = usize::from((address - first) >> 1) * size;
-    (area, if input { at } else { at + preset })
-}
-
-/// The first four bytes as a number.
-fn u32_of(bytes: &[u8]) -> u32 {
-    match bytes.first_chunk() {
-        Some(bytes) => u32::from_le_bytes(*bytes),
-        None => 0,
-    }
-}
-
-/// What has elapsed of the timer with this data, ms: see `engine/timers.s`.
-fn elapsed(data: &[u8], now: Millis) -> u32 {
-    let [state, rest @ ..] = data else { return 0 };
-    let mut time = u32_of(rest);
-    if state & 1 != 0 {
-        // One that has started since this request came has nothing behind it.
-        time = (now.wrapping_sub(time) as i32).max(0) as u32;
-    }
-    time.min(u32_of(rest.get(4..).unwrap_or_default()))
-}
-
-/// Where a span begins, and how many addresses it has: as numbers, since a constant that is handed on as a
-/// whole would take RAM.
-const fn range(span: Span) -> (u16, u16) {
-    (span.first, span.addresses())
-}
-
-/// Whether all addresses of a request lie in this range.
-#[inline(never)]
-fn within(first: u16, count: u16, start: u16, length: u16) -> bool {
-    let offset = first.wrapping_sub(start);
-    offset < length && count <= length - offset
-}
+/// The addresses of the board, in program memory.
+#[unsafe(link_section = ".progmem.data")]
+static AREAS_IN_FLASH: flash::Table<u8, { AREAS.len() }> = flash::Table::new(AREAS);
 
 impl Device for Map<'_, '_> {
     fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
-        let within = |(start, length)| within(first, count, start, length);
-        let long =
-            || within(const { range(input::TIMERS) }) || within(const { range(input::COUNTERS) });
-        match table {
-            Table::Coils => {
-                within(const { range(coil::OUTPUTS) }) || within(const { range(coil::MARKERS) })
+        let mut at = 0;
+        while at < AREAS.len() {
+            let mut area = [0; AREA];
+            // SAFETY: the static stands in that section.
+            unsafe { AREAS_IN_FLASH.read(at, &mut area) };
+            let [its_table, low, high, addresses] = area;
+            let offset = first.wrapping_sub(u16::from_le_bytes([low, high]));
+            let addresses = u16::from(addresses);
+            if its_table == table as u8 && offset < addresses && count <= addresses - offset {
+                let presets = table == Table::HoldingRegisters && (TIMER..COMMAND).contains(&first);
+                return access == Access::Read
+                    || !presets
+                    || self.has_presets(first.wrapping_add(count - 1));
             }
-            Table::DiscreteInputs => within(const { range(discrete::INPUTS) }),
-            Table::InputRegisters => {
-                within(const { range(input::ANALOGUE) })
-                    || within(const { range(number::DIAGNOSTICS) })
-                    || long()
-            }
-            Table::HoldingRegisters => {
-                within(const { range(holding::REGISTERS) })
-                    || within(const { range(holding::COMMAND) })
-                    || within(const { range(FORCED) })
-                    || within(const { range(holding::SETTINGS) })
-                    || long()
-                        && (access == Access::Read
-                            || self.has_presets(first.wrapping_add(count - 1)))
-            }
+            at += AREA;
         }
+        false
     }
 
-    fn bit(&self, table: Table, address: u16) -> bool {
-        let image = match table {
-            Table::Coils if address >= MARKER => {
-                let marker = self.memory.data.markers.get(usize::from(address - MARKER));
-                return marker.is_some_and(|cell| cell & ON != 0);
+    #[inline(never)]
+    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8 {
+        let write = access == Access::Write;
+        let mut mask = 1;
+        if table == Table::Coils && first >= MARKER {
+            let first = usize::from(first - MARKER);
+            let mut read = 0;
+            let markers = self.memory.data.markers.get_mut(first..);
+            for cell in markers.unwrap_or_default().iter_mut().take(count.into()) {
+                if write {
+                    *cell = if bits & mask != 0 { ON } else { 0 };
+                } else if *cell & ON != 0 {
+                    read |= mask;
+                }
+                mask <<= 1;
             }
-            Table::Coils => self.operation.outputs(),
-            _ => self.operation.images.inputs(),
+            return read;
+        }
+        let operation = &mut *self.operation;
+        if write {
+            let Image(outputs) = operation.images.outputs();
+            let mut outputs = outputs as u8;
+            mask <<= first & 7;
+            let bits = bits << (first & 7);
+            for _ in 0..count {
+                outputs = outputs & !mask | bits & mask;
+                mask <<= 1;
+            }
+            operation.images.set_outputs(Image(outputs.into()));
+            return 0;
+        }
+        let image = if table == Table::Coils {
+            operation.outputs()
+        } else {
+            operation.images.inputs()
         };
-        image.0 as u8 & bit(address) != 0
+        (image.0 as u8) >> (first & 7)
     }
 
-    fn word(&self, table: Table, address: u16) -> u16 {
+    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
+        let write = access == Access::Write;
         let input = table == Table::InputRegisters;
-        if input && address < DIAGNOSTICS {
-            let reading = self.memory.data.analogue.get(usize::from(address));
-            return reading.copied().unwrap_or_default();
-        }
-        if input && address < TIMER {
-            return self.diagnostic(address - DIAGNOSTICS);
-        }
-        if address < COMMAND {
-            return self.half(input, address);
-        }
-        let operation = &self.operation;
-        match address {
-            COMMAND => operation.state as u16,
-            FORCES..SETTINGS => {
-                let forces = operation.forces.0.get(usize::from(address - FORCES));
-                forces.copied().unwrap_or(0).into()
-            }
-            _ => self.settings.get((address - SETTINGS) as u8),
-        }
-    }
-
-    fn set_bit(&mut self, address: u16, on: bool) {
-        if address >= MARKER {
-            let index = usize::from(address - MARKER);
-            if let Some(cell) = self.memory.data.markers.get_mut(index) {
-                *cell = if on { ON } else { 0 };
-            }
-            return;
-        }
-        let images = &mut self.operation.images;
-        let bit = u16::from(bit(address));
-        let Image(outputs) = images.outputs();
-        images.set_outputs(Image(if on { outputs | bit } else { outputs & !bit }));
-    }
-
-    fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
-        if address == COMMAND {
-            return self.command(value).map(|_| ());
-        }
-        let sound = if address < COMMAND {
-            // A preset is not negative: its high word tells.
-            address < TIMER || address & 1 != 0 || value < 0x8000
-        } else if address < SETTINGS {
-            let points = if address < holding::FORCED_OUTPUTS.first {
-                discrete::INPUTS.values
+        if first < COMMAND && (!input || first >= TIMER) {
+            let (values, start) = if first >= COUNTER {
+                (Values::Counters, COUNTER)
+            } else if first >= TIMER {
+                (Values::Timers, TIMER)
             } else {
-                coil::OUTPUTS.values
+                (Values::Registers, 0)
             };
-            value < 1 << points
-        } else if self.operation.state == State::Run {
-            return Err(Exception::ServerDeviceFailure);
-        } else {
-            settings::allows((address - SETTINGS) as u8, value)
-        };
-        if sound {
-            Ok(())
-        } else {
-            Err(Exception::IllegalDataValue)
-        }
-    }
-
-    fn set_word(&mut self, address: u16, value: u16) {
-        if address < COMMAND {
+            // To an even address, since each value has two words.
+            let most = words.len().min(64 - usize::from(first & 1));
+            let words = words.get_mut(..most).unwrap_or_default();
             let memory = &mut self.memory;
-            let (area, at) = place(false, address);
-            let bytes = match area {
-                Area::Registers => memory.data.registers.as_flattened_mut(),
-                Area::Timers => &mut *memory.timers,
-                Area::Counters => &mut *memory.counters,
-            };
-            let at = if address & 1 == 0 { at + 2 } else { at };
-            if let Some([low, high, ..]) = bytes.get_mut(at..) {
-                [*low, *high] = value.to_le_bytes();
-            }
-        } else if address == COMMAND {
-            if let Ok(command) = self.command(value) {
-                self.operation.stopped = match command {
-                    Command::Run => false,
-                    Command::Stop => true,
-                    _ => self.operation.stopped,
-                };
-                self.operation.command = Some(command);
-            }
-        } else if address < SETTINGS {
-            let forces = &mut self.operation.forces.0;
-            if let Some(place) = forces.get_mut(usize::from(address - FORCES)) {
-                *place = value as u8;
-            }
-        } else {
-            self.settings.set((address - SETTINGS) as u8, value);
+            memory.words(values, !input, first - start, words, write, self.now);
+            return most as u8;
         }
+        // Others take longer.
+        let mut address = first;
+        for word in words {
+            if write {
+                self.set_word(address as u8, u16::from_be_bytes(*word));
+            } else {
+                *word = self.word(address as u8).to_be_bytes();
+            }
+            address += 1;
+            if address & 7 == 0 {
+                break;
+            }
+        }
+        (address - first) as u8
     }
 
-    fn words_are_set(&mut self) {
+    #[inline(never)]
+    fn check_words(&self, first: u16, words: &[Word]) -> Result<(), Exception> {
+        if first < COMMAND {
+            // A preset is not negative: its high word tells.
+            let mut at = usize::from(first & 1);
+            while let Some(&[high, _]) = words.get(at)
+                && first >= TIMER
+            {
+                if high >= 0x80 {
+                    return Err(Exception::IllegalDataValue);
+                }
+                at += 2;
+            }
+            return Ok(());
+        }
+        let mut number = first as u8;
+        words.iter().try_for_each(|&word| {
+            number = number.wrapping_add(1);
+            self.check_word(number.wrapping_sub(1), u16::from_be_bytes(word))
+        })
+    }
+
+    fn is_written(&mut self) {
         self.settings.save(&self.board.eeprom);
     }
 
@@ -391,9 +352,4 @@ impl Device for Map<'_, '_> {
         };
         text.at(index)
     }
-}
-
-/// The bit of the point at this address, 0 to 7.
-fn bit(address: u16) -> u8 {
-    1 << (address & 7)
 }

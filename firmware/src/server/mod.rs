@@ -12,14 +12,8 @@ use crate::engine::memory::Memory;
 use crate::operation::{Command, Operation};
 use crate::settings::Settings;
 use map::Map;
-use unoclp_core::Millis;
-use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, refuse};
+use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, lock, refuse};
 use upload::Upload;
-
-/// Words, or bytes of 8 bits, that are done between two scans: under 0.3 ms.
-pub const SLICE: u8 = 4;
-/// Where no scan waits, a request is done at once.
-pub const AT_ONCE: u8 = u8::MAX;
 
 /// Where the text of a block of an upload stands in the frame: behind the head of function 16, and the
 /// block's own.
@@ -30,8 +24,8 @@ pub struct Server {
     frame: &'static mut Frame,
     /// The request that is being done.
     exchange: Option<Exchange>,
-    /// When it came, ms since start: two words of one time belong together.
-    came: Millis,
+    /// How many seconds ago the last one came.
+    pub silence: u8,
     /// The settings that are kept.
     settings: &'static mut Settings,
     /// See [`Map::ended`].
@@ -46,7 +40,7 @@ impl Server {
         Server {
             frame,
             exchange: None,
-            came: 0,
+            silence: 0,
             settings,
             ended: None,
         }
@@ -60,12 +54,15 @@ impl Server {
     /// Answers the request that is being done by an exception.
     fn refuse(&mut self, board: &Board, exception: Exception) {
         self.exchange = None;
+        let broadcast = self.frame[0] == 0;
         let length = refuse(self.frame, exception);
-        board.serial.send(self.frame, length);
+        board
+            .serial
+            .send(self.frame, if broadcast { 0 } else { length });
     }
 
-    /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. `most`
-    /// is the size of a slice. Where an upload is under way it comes along.
+    /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. Where an
+    /// upload is under way it comes along.
     #[inline(never)]
     pub fn step(
         &mut self,
@@ -73,30 +70,37 @@ impl Server {
         operation: &mut Operation,
         memory: Memory<'_>,
         upload: Option<&mut Upload<'_>>,
-        most: u8,
     ) {
+        let mut length = 0;
+        if self.exchange.is_none() {
+            // Nearly always there is nothing to do.
+            let Some(received) = board.serial.received() else {
+                return;
+            };
+            length = received;
+        }
         let mut map = Map {
             board,
             operation,
             settings: self.settings,
-            came: self.came,
+            now: clock::now(),
             memory,
             upload,
             ended: self.ended,
         };
         let length = match &mut self.exchange {
             Some(exchange) => {
-                let Some(length) = exchange.fill(self.frame, &mut map, most) else {
+                let Some(length) = exchange.fill(self.frame, &mut map) else {
                     return;
                 };
                 self.exchange = None;
                 length
             }
             None => {
-                let Some(length) = board.serial.received() else {
-                    return;
-                };
-                self.came = clock::now();
+                self.silence = 0;
+                if lock::refuses(self.frame, map.settings.locks()) {
+                    return self.refuse(board, Exception::IllegalFunction);
+                }
                 match begin(self.frame, length, &mut map) {
                     Answer::Silence => 0,
                     Answer::Ready(length) => length,
@@ -131,7 +135,7 @@ impl Server {
         let mut upload = Upload::new(memory);
         while operation.uploading && operation.command.is_none() && !upload.is_forsaken() {
             let idle = Memory::idle(data);
-            self.step(board, operation, idle, Some(&mut upload), AT_ONCE);
+            self.step(board, operation, idle, Some(&mut upload));
             // Here and not in the step: the loader goes deep, and the stack has no room for both.
             if let Some(count) = upload.comes() {
                 let text = self.frame.get(TEXT..TEXT + usize::from(count));

@@ -3,11 +3,11 @@
 use crate::board::Board;
 use crate::board::clock::Deadline;
 use crate::board::eeprom::Eeprom;
-use crate::instructions;
+use crate::instructions::Uno;
 use crate::operation::Operation;
 use crate::store;
 use core::mem;
-use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
+use unoclp_core::{Cause, Crc16, Fault, Loader};
 use unoclp_modbus::Exception;
 
 /// ms without a block that end an upload.
@@ -15,7 +15,7 @@ const PATIENCE: u16 = 10_000;
 
 /// An upload that is under way.
 pub struct Upload<'m> {
-    loader: Loader<'m>,
+    loader: Loader<'m, Uno>,
     /// The number of the last block, before the first none.
     last: Option<u8>,
     /// The check sum of its text.
@@ -31,9 +31,11 @@ pub struct Upload<'m> {
 
 impl<'m> Upload<'m> {
     /// Before its first block, with this memory.
+    // Apart, as the loader in it: the frame of who makes it is large.
+    #[inline(never)]
     pub fn new(memory: &'m mut [u8]) -> Upload<'m> {
         Upload {
-            loader: Loader::with_table(memory, Profile::UNO, instructions::read),
+            loader: Loader::new(memory, Uno),
             last: None,
             last_sum: Crc16::default(),
             until: Deadline::after(PATIENCE),

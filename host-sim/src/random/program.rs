@@ -2,7 +2,7 @@
 
 use super::Random;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
-use unoclp_core::{Delay, Instruction, Target, TimerBlock};
+use unoclp_core::{Delay, Instruction, KEPT, Target, TimerBlock};
 use unoclp_source::BOARD;
 
 /// A rung, with the new rung that begins it.
@@ -43,7 +43,8 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
 /// The instructions of these rungs, in which every timer and label that is named exists. Most jumps lead
 /// forward, and in most programs all do.
 pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'static>> {
-    let mut instructions: Vec<Instruction<'static>> = rungs.concat();
+    let mut instructions = kept(random);
+    instructions.extend(rungs.concat());
     let timers = instructions
         .iter()
         .filter(|step| Delay::of(step.opcode).is_some());
@@ -95,6 +96,21 @@ pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'s
         }
     }
     instructions
+}
+
+/// What a program keeps, at its head: in most programs nothing (NC-21).
+fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
+    let mut kept = Vec::new();
+    while kept.len() < KEPT.into() && random.percent(20) {
+        let step = match random.percent(50) {
+            true => Instruction::numbered(Opcode::KeepRegister, random.number(1, isa::REGISTERS)),
+            false => Instruction::numbered(Opcode::KeepCounter, random.number(1, isa::COUNTERS)),
+        };
+        if !kept.contains(&step) {
+            kept.push(step);
+        }
+    }
+    kept
 }
 
 /// Labels from this one on are of loops that come to an end.
@@ -216,6 +232,7 @@ impl Draft<'_> {
         let may = match opcode.class() {
             // They have their own places.
             Class::Rung | Class::RecallPoint | Class::Label => false,
+            _ if matches!(opcode, Opcode::KeepRegister | Opcode::KeepCounter) => false,
             Class::OpenOr | Class::OpenAnd | Class::OpenXor => self.depth < isa::DEEPEST,
             Class::Close => self.depth > 0,
             // Right behind an opening code this would recall.

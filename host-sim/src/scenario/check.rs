@@ -22,7 +22,8 @@ pub trait Engine {
     /// One scan with these inputs, at this reading of the millisecond clock.
     fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Self::Error>;
 
-    /// A power cut between two scans: the program starts anew, and retentive markers are kept (NC-12).
+    /// A power cut between two scans: the program starts anew, and retentive markers and numbers are
+    /// kept (NC-12, NC-21).
     fn restart(&mut self) -> Result<(), Self::Error>;
 
     /// What a cell holds after the last scan.

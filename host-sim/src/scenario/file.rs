@@ -3,38 +3,19 @@
 //! The file's words are first taken as they stand, each with its place in the file; what they say
 //! is checked after that, so that every error names a line.
 
-use super::{Cell, Goal, Place, ProgramFile, Refusal, Scenario, Setting, Step, Stop, Timeline};
+use super::program::bytes;
+use super::{Cell, Goal, LONGEST, LoadError, Place, ProgramFile, Refusal, Scenario, Setting};
+use super::{Step, Stop, Timeline, Unreadable, Wrong};
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::io::{self, ErrorKind};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
-use std::{fmt, fs};
 use toml::Spanned;
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
+use unoclp_core::isa::ANALOGUE;
 use unoclp_core::{Cause, Millis, Point};
 use unoclp_source::{BOARD, Source, Written};
-
-/// Why a scenario could not be read: the file, the line where there is one, and what to do.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LoadError {
-    file: String,
-    line: Option<usize>,
-    what: String,
-}
-
-impl fmt::Display for LoadError {
-    /// `motor.toml:7: there is no point Q9; the board has Q1 to Q4`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.file)?;
-        if let Some(line) = self.line {
-            write!(f, ":{line}")?;
-        }
-        write!(f, ": {}", self.what)
-    }
-}
-
-impl std::error::Error for LoadError {}
 
 impl Scenario {
     /// Reads a scenario file, and the program file that it names; one in Instruction List is compiled.
@@ -61,37 +42,38 @@ impl Scenario {
 /// Reads the keys of a scenario file; `make` makes something of them, its name and its folder.
 fn with_keys<T>(
     path: &Path,
-    make: impl FnOnce(&str, FileKeys, &Path) -> Result<T, Wrong>,
+    make: impl FnOnce(&str, FileKeys, &Path) -> Result<T, Slip>,
 ) -> Result<T, LoadError> {
     let name = path.display().to_string();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let (source, result) = match fs::read_to_string(path) {
+    let (source, result) = match text(path) {
         Ok(source) => {
             let result = keys(&source).and_then(|keys| make(&name, keys, folder));
             (source, result)
         }
-        Err(error) => (String::new(), Err(wrong(None, unreadable(&error)))),
+        Err(why) => (String::new(), Err(slip(None, Wrong::Unreadable(why)))),
     };
-    result.map_err(|Wrong { place, what }| LoadError {
+    result.map_err(|Slip { place, wrong }| LoadError {
         file: name,
         line: place.map(|place| line_of(&source, place.start)),
-        what,
+        wrong,
     })
 }
 
+/// The text of a scenario file.
+fn text(path: &Path) -> Result<String, Unreadable> {
+    let text = String::from_utf8(bytes(path)?);
+    Ok(text.map_err(|error| io::Error::new(ErrorKind::InvalidData, error))?)
+}
+
 /// What is wrong, and the bytes of the file that say it.
-struct Wrong {
+struct Slip {
     place: Option<Range<usize>>,
-    what: String,
+    wrong: Wrong,
 }
 
-fn wrong(place: Option<Range<usize>>, what: impl Into<String>) -> Wrong {
-    let what = what.into();
-    Wrong { place, what }
-}
-
-fn unreadable(error: &std::io::Error) -> String {
-    format!("the file cannot be read: {error}")
+fn slip(place: Option<Range<usize>>, wrong: Wrong) -> Slip {
+    Slip { place, wrong }
 }
 
 /// The line of a byte of the file, counted from 1.
@@ -172,41 +154,35 @@ struct StepKeys {
     expect: BTreeMap<Spanned<String>, Spanned<toml::Value>>,
 }
 
-fn keys(source: &str) -> Result<FileKeys, Wrong> {
+fn keys(source: &str) -> Result<FileKeys, Slip> {
     toml::from_str(source).map_err(|error| {
-        let message = error.message();
-        let hint = if message.starts_with("unknown field `until`")
-            || message.starts_with("unknown field `fault`")
-            || message.starts_with("unknown field `stops`")
-        {
-            "; keys of the whole file stand above the first [[step]]"
-        } else {
-            ""
+        let told = error.message().to_owned();
+        let of_the_file = ["until", "fault", "stops"].into_iter();
+        let key = of_the_file
+            .map(str::to_owned)
+            .find(|key| told.starts_with(&format!("unknown field `{key}`")));
+        let wrong = match key {
+            Some(key) => Wrong::KeyInStep { told, key },
+            None => Wrong::Toml { told },
         };
-        wrong(error.span(), format!("{message}{hint}"))
+        slip(error.span(), wrong)
     })
 }
 
 /// The program that a scenario file of this name gives.
-fn named_program(name: &str, keys: &FileKeys, folder: &Path) -> Result<ProgramFile, Wrong> {
+fn named_program(name: &str, keys: &FileKeys, folder: &Path) -> Result<ProgramFile, Slip> {
     match (&keys.program, &keys.text) {
         (Some(path), None) => program_file(path, keys, folder),
         (None, Some(text)) => Ok(ProgramFile {
-            name: format!("the text in {name}"),
+            name: format!("{name} (text)"),
             bytes: program_text(text)?,
         }),
-        (Some(_), Some(text)) => {
-            let what = "`program` and `text` both give a program; keep one of them";
-            Err(wrong(Some(text.span()), what))
-        }
-        (None, None) => {
-            let what = "it names no program; give a file: `sim FILE --scenario S.toml`";
-            Err(wrong(None, what))
-        }
+        (Some(_), Some(text)) => Err(slip(Some(text.span()), Wrong::TwoPrograms)),
+        (None, None) => Err(slip(None, Wrong::NoProgram)),
     }
 }
 
-fn scenario(name: &str, keys: FileKeys, program: ProgramFile) -> Result<Scenario, Wrong> {
+fn scenario(name: &str, keys: FileKeys, program: ProgramFile) -> Result<Scenario, Slip> {
     let goal = match &keys.fault {
         Some(fault) => Goal::Refusal(refusal(fault, &keys)?),
         None => Goal::Run(timeline(&keys)?),
@@ -219,11 +195,8 @@ fn scenario(name: &str, keys: FileKeys, program: ProgramFile) -> Result<Scenario
     })
 }
 
-/// The longest text that a scenario may describe by its parts, in bytes.
-const LONGEST_TEXT: usize = 1 << 20;
-
 /// The bytes of a text, with its repeated parts written out.
-fn program_text(key: &Spanned<TextKey>) -> Result<Vec<u8>, Wrong> {
+fn program_text(key: &Spanned<TextKey>) -> Result<Vec<u8>, Slip> {
     let parts = match key.get_ref() {
         TextKey::Whole(text) => return Ok(text.clone().into_bytes()),
         TextKey::Parts(parts) => parts,
@@ -235,10 +208,9 @@ fn program_text(key: &Spanned<TextKey>) -> Result<Vec<u8>, Wrong> {
             TextPart::Repeated(Repeated { repeat, text }) => (*repeat, text),
         };
         let length = text.len().checked_mul(times);
-        let room = LONGEST_TEXT - bytes.len();
-        if length.is_none_or(|length| length > room) {
-            let what = format!("`text` comes to more than {LONGEST_TEXT} bytes");
-            return Err(wrong(Some(key.span()), what));
+        let most = LONGEST as usize;
+        if length.is_none_or(|length| length > most - bytes.len()) {
+            return Err(slip(Some(key.span()), Wrong::LongText { most: LONGEST }));
         }
         bytes.extend(text.as_bytes().repeat(times));
     }
@@ -249,11 +221,13 @@ fn program_file(
     path: &Spanned<String>,
     keys: &FileKeys,
     folder: &Path,
-) -> Result<ProgramFile, Wrong> {
+) -> Result<ProgramFile, Slip> {
     let file = folder.join(path.get_ref());
     let name = file.display().to_string();
-    let said = |what: String| wrong(Some(path.span()), format!("the program {name} {what}"));
-    let bytes = fs::read(&file).map_err(|error| said(format!("cannot be read: {error}")))?;
+    let bytes = bytes(&file).map_err(|why| {
+        let name = name.clone();
+        slip(Some(path.span()), Wrong::Program { name, why })
+    })?;
     let written = Written::new(name.clone(), bytes);
     // A file that must be refused is numeric code, whatever it looks like.
     if !written.is_il || keys.fault.is_some() {
@@ -262,37 +236,35 @@ fn program_file(
     }
     match written.check(None) {
         Ok(Source { name, code, .. }) => Ok(ProgramFile { name, bytes: code }),
-        Err(_) => Err(said("has errors; `unoclp check` shows them".to_owned())),
+        Err(_) => Err(slip(Some(path.span()), Wrong::FaultyProgram { name })),
     }
 }
 
-fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Wrong> {
+fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Slip> {
     let &FaultKeys { number, line } = fault.get_ref();
     if !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some() {
-        let what = "a program with a `fault` never runs; remove `fault`, or the steps and `until`";
-        return Err(wrong(Some(fault.span()), what));
+        return Err(slip(Some(fault.span()), Wrong::FaultAndSteps));
     }
     known_fault(number, line, fault.span())
 }
 
 /// A fault that there is, with a line that there can be.
-fn known_fault(number: u8, line: Option<u32>, place: Range<usize>) -> Result<Refusal, Wrong> {
+fn known_fault(number: u8, line: Option<u32>, place: Range<usize>) -> Result<Refusal, Slip> {
     if !Cause::ALL.iter().any(|cause| cause.number() == number) {
-        let what = format!("there is no fault {number}; docs/numeric-code.md lists them");
-        return Err(wrong(Some(place), what));
+        return Err(slip(Some(place), Wrong::NoFault { number }));
     }
     if line == Some(0) {
-        let what = "lines count from 1; leave `line` out where the fault has none";
-        return Err(wrong(Some(place), what));
+        return Err(slip(Some(place), Wrong::LineZero));
     }
     Ok(Refusal { number, line })
 }
 
-fn timeline(keys: &FileKeys) -> Result<Timeline, Wrong> {
+fn timeline(keys: &FileKeys) -> Result<Timeline, Slip> {
     let period = match &keys.scan_ms {
         None => NonZeroU32::MIN,
-        Some(ms) => NonZeroU32::new(*ms.get_ref())
-            .ok_or_else(|| wrong(Some(ms.span()), "`scan_ms` must be 1 or more"))?,
+        Some(ms) => {
+            NonZeroU32::new(*ms.get_ref()).ok_or_else(|| slip(Some(ms.span()), Wrong::NoPeriod))?
+        }
     };
     let steps = steps(&keys.step, period)?;
     let last = steps.last().map(|step| step.at);
@@ -303,15 +275,11 @@ fn timeline(keys: &FileKeys) -> Result<Timeline, Wrong> {
     let last = last.max(stop.map(|stop| stop.at));
     let until = match (&keys.until, last) {
         (Some(until), Some(last)) if *until.get_ref() < last => {
-            let what = format!("`until` comes before the last step, at {last} ms");
-            return Err(wrong(Some(until.span()), what));
+            return Err(slip(Some(until.span()), Wrong::EndsEarly { last }));
         }
         (Some(until), _) => *until.get_ref(),
         (None, Some(last)) => last,
-        (None, None) => {
-            let what = "nothing happens; write a [[step]], or the `fault` that is expected";
-            return Err(wrong(None, what));
-        }
+        (None, None) => return Err(slip(None, Wrong::NothingHappens)),
     };
     Ok(Timeline {
         start: keys.start_ms.as_ref().map_or(0, |ms| *ms.get_ref()),
@@ -328,24 +296,24 @@ fn stop(
     keys: &FileKeys,
     last: Option<Millis>,
     period: NonZeroU32,
-) -> Result<Stop, Wrong> {
+) -> Result<Stop, Slip> {
     let &StopKeys { at, number, line } = stop.get_ref();
     if keys.until.is_some() || last > Some(at) {
-        let what = "a run ends where it `stops`; remove `until` and later steps";
-        return Err(wrong(Some(stop.span()), what));
+        return Err(slip(Some(stop.span()), Wrong::GoesOn));
     }
     if at % period != 0 {
-        return Err(wrong(Some(stop.span()), no_scan(at, period)));
+        return Err(slip(Some(stop.span()), no_scan(at, period)));
     }
     let refusal = known_fault(number, line, stop.span())?;
     Ok(Stop { at, refusal })
 }
 
-fn no_scan(at: Millis, period: NonZeroU32) -> String {
-    format!("no scan runs at {at} ms; scans run every {period} ms (`scan_ms`)")
+fn no_scan(at: Millis, period: NonZeroU32) -> Wrong {
+    let period = period.get();
+    Wrong::NoScan { at, period }
 }
 
-fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Wrong> {
+fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Slip> {
     let mut steps: Vec<Step> = Vec::new();
     for step in keys {
         let StepKeys {
@@ -356,20 +324,17 @@ fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Wr
         } = step.get_ref();
         let (place, at) = (Some(at.span()), *at.get_ref());
         if let Some(last) = steps.last().filter(|last| last.at >= at) {
-            let what = format!(
-                "the step at {at} ms does not come after the one at {} ms; put steps in rising order",
-                last.at
-            );
-            return Err(wrong(place, what));
+            let last = last.at;
+            return Err(slip(place, Wrong::Order { at, last }));
         }
         if at % period != 0 {
-            return Err(wrong(place, no_scan(at, period)));
+            return Err(slip(place, no_scan(at, period)));
         }
-        let set = set.iter().map(setting).collect::<Result<_, Wrong>>()?;
+        let set = set.iter().map(setting).collect::<Result<_, Slip>>()?;
         let expect = expect
             .iter()
             .map(expectation)
-            .collect::<Result<_, Wrong>>()?;
+            .collect::<Result<_, Slip>>()?;
         steps.push(Step {
             at,
             restart: *restart,
@@ -384,7 +349,7 @@ fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Wr
 type Pair<'k> = (&'k Spanned<String>, &'k Spanned<toml::Value>);
 
 /// What is set: `I1 = 1`, `A0 = 512`, `M2 = 1`, `D3 = -5`.
-fn setting(pair: Pair<'_>) -> Result<Setting, Wrong> {
+fn setting(pair: Pair<'_>) -> Result<Setting, Slip> {
     let name = pair.0.get_ref();
     let input = (1..=BOARD.inputs).find(|number| *name == format!("I{number}"));
     if let Some(point) = input.and_then(|number| Point::new(number, BOARD.inputs)) {
@@ -397,27 +362,18 @@ fn setting(pair: Pair<'_>) -> Result<Setting, Wrong> {
         Some(Place::Cell(cell @ Cell::Marker(_))) => Ok(Setting::Cell(cell, number(pair, 0..=1)?)),
         Some(Place::Cell(cell)) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
         _ => {
-            let what = format!(
-                "{name} cannot be set; what can is I1 to I{}, A0 to A{}, M1 to M{MARKERS} and \
-                 D1 to D{REGISTERS}",
-                BOARD.inputs,
-                ANALOGUE - 1
-            );
-            Err(wrong(Some(pair.0.span()), what))
+            let name = name.clone();
+            Err(slip(Some(pair.0.span()), Wrong::NotSet { name }))
         }
     }
 }
 
 /// What is expected: `Q1 = 1`, `M2 = 0`, `D3 = -5`, `P4 = 128`, each also `"any"`.
-fn expectation(pair: Pair<'_>) -> Result<(Place, Option<i32>), Wrong> {
+fn expectation(pair: Pair<'_>) -> Result<(Place, Option<i32>), Slip> {
     let name = pair.0.get_ref();
     let Some(place) = Place::of_name(name) else {
-        let what = format!(
-            "{name} cannot be expected; what can is Q1 to Q{}, M1 to M{MARKERS}, D1 to \
-             D{REGISTERS}, P1 and P4",
-            BOARD.outputs
-        );
-        return Err(wrong(Some(pair.0.span()), what));
+        let name = name.clone();
+        return Err(slip(Some(pair.0.span()), Wrong::NotExpected { name }));
     };
     if pair.1.get_ref().as_str() == Some("any") {
         return Ok((place, None));
@@ -427,28 +383,29 @@ fn expectation(pair: Pair<'_>) -> Result<(Place, Option<i32>), Wrong> {
         Place::Pwm(_) => 0..=255,
         _ => i32::MIN..=i32::MAX,
     };
-    let number = number(pair, range).map_err(|mut wrong| {
-        wrong.what += ", or \"any\"";
-        wrong
+    let number = number(pair, range).map_err(|mut slip| {
+        if let Wrong::Value { or_any, .. } = &mut slip.wrong {
+            *or_any = true;
+        }
+        slip
     })?;
     Ok((place, Some(number)))
 }
 
 /// A number of this range.
-fn number((name, value): Pair<'_>, range: RangeInclusive<i32>) -> Result<i32, Wrong> {
+fn number((name, value): Pair<'_>, range: RangeInclusive<i32>) -> Result<i32, Slip> {
     let number = value.get_ref().as_integer();
     let number = number.and_then(|number| i32::try_from(number).ok());
     number
         .filter(|number| range.contains(number))
         .ok_or_else(|| {
             let (from, to) = range.into_inner();
-            let valid = match (from, to) {
-                (0, 1) => "0 or 1".to_owned(),
-                _ => format!("a number from {from} to {to}"),
+            let wrong = Wrong::Value {
+                name: name.get_ref().clone(),
+                from,
+                to,
+                or_any: false,
             };
-            wrong(
-                Some(value.span()),
-                format!("{} must be {valid}", name.get_ref()),
-            )
+            slip(Some(value.span()), wrong)
         })
 }

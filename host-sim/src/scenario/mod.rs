@@ -1,20 +1,24 @@
 //! Scenarios: a program, inputs over time, and what is expected over time of outputs and memory, or
 //! the fault expected.
 //!
-//! A scenario is a TOML file, read by [`Scenario::load`], or for another program by [`Scenario::load_for`]. [`check`] runs it on any [`Engine`] and
-//! gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
+//! A scenario is a TOML file, read by [`Scenario::load`], or for another program by [`Scenario::load_for`]. [`check`]
+//! runs it on any [`Engine`] and gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
 
 mod check;
 mod file;
 mod place;
+mod program;
 mod report;
+mod shown;
+mod words;
+mod wrong;
 
 pub use check::{Engine, Outcome, check};
-pub use file::LoadError;
 pub use place::{Cell, Place};
+pub use program::{LONGEST, ProgramFile, Unreadable};
 pub use report::{Change, Columns, Report, Unmet, Verdict};
+pub use wrong::{LoadError, Wrong};
 
-use std::fmt;
 use std::num::NonZeroU32;
 use unoclp_core::{Cause, Fault, Millis, Point};
 use unoclp_source::BOARD;
@@ -27,15 +31,6 @@ pub struct Scenario {
     about: String,
     program: ProgramFile,
     goal: Goal,
-}
-
-/// A program file: what to call it, and its bytes as they stand on a card.
-#[derive(Clone, Debug)]
-pub struct ProgramFile {
-    /// The path of the file, or where its text stands.
-    pub name: String,
-    /// The bytes, unchecked.
-    pub bytes: Vec<u8>,
 }
 
 /// What a scenario shows about its program.
@@ -173,17 +168,6 @@ impl From<Fault> for Refusal {
         Refusal {
             number: fault.cause.number(),
             line: fault.line,
-        }
-    }
-}
-
-impl fmt::Display for Refusal {
-    /// `fault 24, line 7`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "fault {}", self.number)?;
-        match self.line {
-            Some(line) => write!(f, ", line {line}"),
-            None => Ok(()),
         }
     }
 }

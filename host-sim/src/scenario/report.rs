@@ -1,11 +1,10 @@
-//! What came of a scenario, as text that a student can read.
+//! What came of a scenario.
 
 use super::{Place, Refusal, Setting, Timeline};
 use std::collections::BTreeSet;
-use std::fmt;
-use unoclp_core::{Cause, Image, Inputs, Millis};
+use unoclp_core::{Image, Inputs, Millis};
 
-/// What came of a scenario on an engine. Its `Display` is the timeline, then `PASS` or `FAIL`.
+/// What came of a scenario on an engine. As text it is the timeline, then `PASS` or `FAIL`.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The path of the scenario.
@@ -147,9 +146,6 @@ impl Unmet {
     }
 }
 
-/// More expectations that were not met than this are only counted.
-const UNMET_SHOWN: usize = 8;
-
 impl Report {
     /// Whether the engine did everything as expected.
     pub fn passed(&self) -> bool {
@@ -157,143 +153,5 @@ impl Report {
             self.verdict,
             Verdict::Met { .. } | Verdict::Refused(_) | Verdict::Stopped(..)
         )
-    }
-}
-
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}: {}", self.scenario, self.about)?;
-        writeln!(f, "program: {}", self.program)?;
-        if !self.changes.is_empty() {
-            writeln!(f)?;
-            timeline(f, &self.columns, &self.changes)?;
-            writeln!(f)?;
-        }
-        self.verdict.fmt(f)
-    }
-}
-
-/// One line for each change, under the names of the points.
-fn timeline(f: &mut fmt::Formatter<'_>, columns: &Columns, changes: &[Change]) -> fmt::Result {
-    let inputs = || super::inputs().filter(|point| point.number() <= columns.inputs);
-    write!(f, "{:>10}", "ms")?;
-    inputs().try_for_each(|point| write!(f, "  I{}", point.number()))?;
-    for input in &columns.analogue {
-        write!(f, "{:>6}", format!("A{input}"))?;
-    }
-    f.write_str("  ")?;
-    super::outputs().try_for_each(|point| write!(f, "  Q{}", point.number()))?;
-    for place in &columns.seen {
-        let width = if place.is_bit() { 5 } else { NUMBER_WIDTH };
-        write!(f, "{:>width$}", place.to_string())?;
-    }
-    writeln!(f, "    1 = closed, on; · = open, off")?;
-    for change in changes {
-        write!(f, "{:>10}", change.at)?;
-        inputs().try_for_each(|point| state(f, change.inputs.points.get(point)))?;
-        for &input in &columns.analogue {
-            let reading = change.inputs.analogue.get(usize::from(input));
-            write!(f, "{:>6}", reading.copied().unwrap_or_default())?;
-        }
-        f.write_str("  ")?;
-        super::outputs().try_for_each(|point| state(f, change.outputs.get(point)))?;
-        for (place, value) in columns.seen.iter().zip(&change.seen) {
-            match (place.is_bit(), value) {
-                (true, 0) => write!(f, "{:>5}", "·")?,
-                (true, _) => write!(f, "{value:>5}")?,
-                (false, _) => write!(f, "{value:>NUMBER_WIDTH$}")?,
-            }
-        }
-        writeln!(f)?;
-    }
-    Ok(())
-}
-
-/// Columns of a number with a sign and 32 bits, and a space.
-const NUMBER_WIDTH: usize = 12;
-
-fn state(f: &mut fmt::Formatter<'_>, state: bool) -> fmt::Result {
-    f.write_str(if state { "   1" } else { "   ·" })
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Verdict::Met { comparisons: 0 } => write!(f, "PASS: it ran; nothing was expected"),
-            Verdict::Met { .. } => write!(f, "PASS"),
-            Verdict::Refused(refusal) => write!(f, "PASS: refused as expected: {}", told(*refusal)),
-            Verdict::Stopped(at, refusal) => {
-                write!(
-                    f,
-                    "PASS: stopped as expected at {at} ms: {}",
-                    told(*refusal)
-                )
-            }
-            Verdict::WrongStop { expected, came } => {
-                let said = |stop: &Option<(Millis, Refusal)>| match stop {
-                    Some((at, refusal)) => format!("at {at} ms {}", told(*refusal)),
-                    None => "that the program runs on".to_owned(),
-                };
-                write!(f, "FAIL\n  expected {}", said(expected))?;
-                match came {
-                    Some(_) => write!(f, "\n  came     {}", said(came)),
-                    None => write!(f, "\n  but the program ran on"),
-                }
-            }
-            Verdict::Unmet(unmet) => {
-                write!(f, "FAIL")?;
-                for unmet in unmet.iter().take(UNMET_SHOWN) {
-                    write!(f, "\n  {unmet}")?;
-                }
-                match unmet.len().saturating_sub(UNMET_SHOWN) {
-                    0 => Ok(()),
-                    more => write!(f, "\n  … and {more} more"),
-                }
-            }
-            Verdict::WrongRefusal { expected, came } => {
-                let said = |refusal: &Option<Refusal>| match refusal {
-                    Some(refusal) => told(*refusal),
-                    None => "that the program runs".to_owned(),
-                };
-                write!(f, "FAIL\n  expected {}", said(expected))?;
-                match came {
-                    Some(came) => write!(f, "\n  came     {}", told(*came)),
-                    None => write!(f, "\n  but the program was accepted"),
-                }
-            }
-            Verdict::Broken { at: None, reason } => {
-                write!(f, "FAIL\n  while the program was loaded: {reason}")
-            }
-            Verdict::Broken {
-                at: Some(at),
-                reason,
-            } => write!(f, "FAIL\n  at {at} ms: {reason}"),
-        }
-    }
-}
-
-impl fmt::Display for Unmet {
-    /// `Q1 at 5000 ms: expected 0, came 1 (until 5020 ms)`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} at {} ms: expected {}, came {}",
-            self.place, self.from, self.expected, self.came
-        )?;
-        if self.to > self.from {
-            write!(f, " (until {} ms)", self.to)?;
-        }
-        Ok(())
-    }
-}
-
-/// A refusal with the text of its fault.
-fn told(refusal: Refusal) -> String {
-    let cause = Cause::ALL
-        .iter()
-        .find(|cause| cause.number() == refusal.number);
-    match cause {
-        Some(cause) => format!("{refusal}: {}", cause.text()),
-        None => refusal.to_string(),
     }
 }

@@ -68,11 +68,11 @@ fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
     }
 }
 
-/// NC-5 to NC-9 and NC-12 to NC-19.
+/// NC-5 to NC-9, NC-12 to NC-19, and NC-21.
 #[test]
 fn the_core_does_what_the_page_says() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
-    let (mut changes, mut faults) = (0u64, 0u64);
+    let (mut changes, mut faults, mut restarts) = (0u64, 0u64, 0u64);
     for seed in seed..seed + PROGRAMS {
         let random = &mut Random::new(seed);
         let program = random_program(random);
@@ -85,9 +85,15 @@ fn the_core_does_what_the_page_says() {
             true => (1 << 32) - i64::from(random.below(500)),
             false => i64::from(random.below(u32::MAX)),
         };
+        let cuts = random.percent(25);
         let mut before = None;
         for scan in 0..SCANS {
             inputs = random_inputs(random, needs, inputs);
+            if cuts && random.percent(5) {
+                machine.with_plc(|plc| plc.restart());
+                naive.restart();
+                restarts += 1;
+            }
             let world = World {
                 inputs: std::array::from_fn(|input| inputs.points.0 >> input & 1 == 1),
                 analogue: inputs.analogue.map(i64::from),
@@ -121,10 +127,10 @@ fn the_core_does_what_the_page_says() {
         }
     }
     println!(
-        "{PROGRAMS} random programs, changed {changes} times, {faults} faults; seeds from {seed}"
+        "{PROGRAMS} random programs, changed {changes} times, {faults} faults, {restarts} power cuts; seeds from {seed}"
     );
     assert!(
-        changes > PROGRAMS * 5 && faults > PROGRAMS / 200,
-        "{changes}, {faults}"
+        changes > PROGRAMS * 5 && faults > PROGRAMS / 200 && restarts > PROGRAMS / 4,
+        "{changes}, {faults}, {restarts}"
     );
 }

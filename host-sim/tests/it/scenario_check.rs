@@ -108,7 +108,7 @@ fn the_report_is_the_timeline_and_the_verdict() {
     let expected = format!(
         "\
 {}: Shown.
-program: the text in {0}
+program: {0} (text)
 
         ms  I1  I2  I3  I4    Q1  Q2  Q3  Q4    1 = closed, on; · = open, off
          0   ·   ·   ·   ·     ·   ·   ·   ·

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{ProgramFile, Refusal, Scenario, Verdict, check};
+use unoclp_source::Lang;
 
 /// Writes a scenario file for one test.
 fn file(name: &str, source: &str) -> PathBuf {
@@ -266,6 +267,80 @@ fn a_text_may_be_given_by_its_parts() {
         let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
         assert_eq!(told, format!("{}:2: {message}", path.display()), "{text}");
     }
+}
+
+/// What is told of a scenario in Portuguese has no word of English.
+#[test]
+fn what_is_wrong_is_told_in_portuguese() {
+    let step = |rest: &str| format!("{HEAD}[[step]]\nat = 0\n{rest}\n");
+    #[rustfmt::skip]
+    let cases = [
+        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; pode-se de Q1 a Q4, M1 a M64, D1 a D32, P1 e P4"),
+        (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
+        (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; as chaves do arquivo inteiro ficam acima do primeiro [[step]]"),
+        (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
+        (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
+        (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
+        (format!("{HEAD}[["), ":3: isto não é TOML válido; confira aspas, vírgulas e colchetes"),
+        ("about = \"\"\ntext = 5".to_owned(), ":2: `text` deve ser um texto, ou uma lista de textos e textos repetidos"),
+    ];
+    for (index, (source, message)) in cases.into_iter().enumerate() {
+        let path = file(&format!("errado-{index}.toml"), &source);
+        let error = Scenario::load(&path).map(|_| ()).unwrap_err();
+        let expected = format!("{}{message}", path.display());
+        assert_eq!(error.text(Lang::Pt), expected, "{source}");
+    }
+}
+
+#[test]
+fn a_report_is_told_in_portuguese() {
+    let source = format!("{HEAD}until = 3\n[[step]]\nat = 1\nexpect = {{ Q1 = 1 }}\n");
+    let scenario = load("relato.toml", &source);
+    let report = check(&scenario, &mut HostEngine::default());
+    let expected = "Q4    1 = fechada, ligada; · = aberta, desligada
+         0   ·   ·   ·   ·     ·   ·   ·   ·
+
+FALHOU
+  Q1 em 1 ms: esperado 1, ocorreu 0 (até 3 ms)";
+    let told = report.text(Lang::Pt);
+    assert!(told.ends_with(expected), "{told}");
+    let scenario = load("recusa.toml", &format!("{HEAD}fault = {{ number = 24 }}\n"));
+    let told = check(&scenario, &mut HostEngine::default()).text(Lang::Pt);
+    let expected = "FALHOU\n  esperado: falha 24: código inexistente\n  mas o programa foi aceito";
+    assert!(told.ends_with(expected), "{told}");
+}
+
+#[test]
+fn a_text_without_end_is_refused_at_once() {
+    let hole = |name: &str| {
+        let path = file(name, "");
+        let file = fs::File::options().write(true).open(&path).unwrap();
+        file.set_len(50_000_000).unwrap();
+        path
+    };
+    let says = "has more than 1048576 bytes; no program and no scenario is as long";
+    let path = hole("long.toml");
+    let error = Scenario::load(&path).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        format!("{}: the file {says}", path.display())
+    );
+
+    let program = hole("long.txt");
+    let path = file(
+        "long-program.toml",
+        "about = \"\"\nprogram = \"long.txt\"\n",
+    );
+    let error = Scenario::load(&path).unwrap_err();
+    let program = program.display();
+    let expected = format!("{}:2: the program {program} {says}", path.display());
+    assert_eq!(error.to_string(), expected);
+    assert!(error.text(Lang::Pt).contains("tem mais de 1048576 bytes"));
+
+    // As one text it has the same limit as in parts.
+    let text = format!("about = \"\"\ntext = \"{}\"\n", "/".repeat(1 << 20));
+    let error = Scenario::load(&file("long-text.toml", &text)).unwrap_err();
+    assert!(error.to_string().contains("has more than 1048576 bytes"));
 }
 
 /// A step that expects Q1 to follow I1.

@@ -3,7 +3,7 @@
 mod wires;
 
 use crate::block::Cell;
-use crate::listing::heading;
+use crate::listing::{Title, heading};
 use crate::{Drawing, Element, Names, Picture, Symbol};
 use svg::Document;
 use svg::node::element::{Group, Path, Rectangle, Text};
@@ -33,17 +33,26 @@ const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
 const INK: &str = "#1a1a1a";
 
-/// The drawing as an SVG document under this title.
-pub fn to_svg(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: &str) -> String {
+/// The drawing as an SVG document under the heading `about`, its rungs under their titles.
+pub fn to_svg(
+    drawing: &Drawing<'_>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    about: &str,
+) -> String {
     let mut page = Page {
         drawing,
         group: Group::new(),
         y: MARGIN,
     };
-    page.text(MARGIN, page.y + 16.0, title, &Font::TITLE);
+    page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
     page.y += 40.0;
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for (line, text) in heading(drawing, map, names, index).iter().enumerate() {
+        for (line, text) in heading(drawing, map, names, title, index)
+            .iter()
+            .enumerate()
+        {
             let font = if line == 0 {
                 Font::HEADING
             } else {
@@ -66,7 +75,7 @@ pub fn to_svg(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: &str
         .set("width", format!("{:.1}mm", width * MILLIMETRES))
         .set("height", format!("{:.1}mm", height * MILLIMETRES))
         .set("viewBox", (0.0, 0.0, width, height))
-        .add(svg::node::element::Title::new(title))
+        .add(svg::node::element::Title::new(about))
         .add(paper)
         .add(page.group)
         .to_string()

@@ -197,8 +197,12 @@ Rung 2, lines 9 to 16
 L3: again
 ├──┤ I2 ├──[ TON T1 5 ms ]──────────────────────( Q2 )─┤
 ";
-    assert_eq!(listing(&drawing, &map, &names), expected);
-    let svg = to_svg(&drawing, &map, &names, "A < B & C");
+    let title = |number: usize, lines: Option<(usize, usize)>| {
+        let (from, to) = lines.unwrap();
+        format!("Rung {number}, lines {from} to {to}")
+    };
+    assert_eq!(listing(&drawing, &map, &names, &title), expected);
+    let svg = to_svg(&drawing, &map, &names, &title, "A < B & C");
     for part in [
         "<svg ",
         "A &lt; B &amp; C",

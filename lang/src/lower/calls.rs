@@ -5,7 +5,7 @@ use super::timers::lit;
 use super::{Acc, Lower};
 use crate::ast::{Instr, Operand, Param, Section};
 use crate::diagnostics::{Code, Span};
-use crate::names::Place;
+use crate::names::{Initial, Place};
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
@@ -150,18 +150,45 @@ impl Lower<'_, '_> {
         self.call_unit(unit, instance, &params, instr.whole);
     }
 
-    /// Variables that begin with another value than 0 get it in the first scan.
+    /// Gives variables the values that they begin with, in the first scan; those that are kept only where nothing
+    /// has been kept yet. A register that is kept with them tells that.
     pub(super) fn initials(&mut self) {
-        for initial in std::mem::take(&mut self.names.initials) {
+        let first = |span| Expr::Lit {
+            bit: Bit::System(1),
+            negated: false,
+            span,
+        };
+        let initials = std::mem::take(&mut self.names.initials);
+        self.begin_with(initials, first);
+        let Some((begun, span)) = self.names.retained.begun else {
+            return;
+        };
+        let number = |num, span| Box::new(Number::Leaf(num, span));
+        let never = |span: Span| Expr::Compare {
+            op: Opcode::Equal,
+            left: number(Num::Register(begun), span.empty()),
+            right: number(Num::Const(0), span.empty()),
+            span: span.empty(),
+        };
+        let mut initials = std::mem::take(&mut self.names.retained.initials);
+        initials.push(Initial {
+            place: Place::Number(Num::Register(begun)),
+            value: 1,
+            span,
+        });
+        self.begin_with(initials, never);
+    }
+
+    /// Gives variables their values where this holds.
+    fn begin_with(&mut self, initials: Vec<Initial>, when: impl Fn(Span) -> Expr) {
+        for initial in initials {
             let span = initial.span;
-            let first = Expr::Lit {
-                bit: Bit::System(1),
-                negated: false,
-                span,
-            };
-            self.rungs.logic(first, span);
+            self.rungs.logic(when(span), span);
             match initial.place {
                 Place::Bit(Bit::Output(n)) => self.write(Opcode::SetCoil, n, span),
+                Place::Bit(Bit::Marker(n)) if initial.value == 0 => {
+                    self.write(Opcode::ResetMarker, n, span);
+                }
                 Place::Bit(Bit::Marker(n)) => self.write(Opcode::SetMarker, n, span),
                 Place::Number(num) => {
                     let value = Number::Leaf(Num::Const(initial.value), span);

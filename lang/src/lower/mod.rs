@@ -218,7 +218,12 @@ impl<'a> Lower<'a, '_> {
         if self.rungs.steps.len() > MOST_STEPS {
             if !std::mem::replace(&mut self.full, true) {
                 let most = [self.names.board.stored_bytes, self.names.board.linked_bytes];
-                let words = most.map(|bytes| bytes.to_string().into());
+                let [stored, linked] = most.map(|bytes| bytes.to_string().into());
+                let words = [
+                    stored,
+                    linked,
+                    ("; many bytes are lacking", "; faltam muitos bytes").into(),
+                ];
                 self.found.tell(Code::DoesNotFit, instr.whole, words);
             }
             return;

@@ -18,7 +18,11 @@ impl Names<'_> {
         found: &mut Found,
     ) {
         for var in vars {
+            let initials = self.initials.len();
             let place = self.declared(var, kind, instance, found);
+            if var.retain {
+                self.retain(place, var, kind, initials, found);
+            }
             let name = var.name.text.trim_start_matches('%').to_owned();
             if let Place::Bit(Bit::Input(input)) = place {
                 let (name, span) = (self.written(var.name.span), var.name.span);
@@ -49,9 +53,8 @@ impl Names<'_> {
             self.first_value(place, var, &var.init, found);
             return place;
         }
-        let retained = var.section == Section::Retain;
         let place = match var.ty.text.as_str() {
-            "BOOL" => Place::Bit(Bit::Marker(self.temps.named_marker(retained))),
+            "BOOL" => Place::Bit(Bit::Marker(self.temps.named_marker(var.retain))),
             "INT" | "DINT" | "SINT" | "UINT" | "UDINT" | "USINT" | "WORD" | "DWORD" | "BYTE"
             | "TIME" => Place::Number(Num::Register(self.temps.named_register())),
             _ => return self.declared_block(var, kind, instance, found),

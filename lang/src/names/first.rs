@@ -97,8 +97,12 @@ impl Names<'_> {
             Place::Trigger(..) | Place::Instance(_) => return Err(NO_VALUE),
             _ => return Err(READ_ONLY),
         }
-        // All begins with 0 by itself.
-        if value != 0 {
+        // All begins with 0 by itself, but for retentive markers: another program may have left them 1.
+        let left = matches!(
+            place,
+            Place::Bit(Bit::Marker(_)) | Place::Number(Num::Group(_))
+        );
+        if value != 0 || var.retain && left {
             let span = var.name.span;
             self.initials.push(Initial { place, value, span });
         }

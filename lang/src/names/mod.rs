@@ -4,6 +4,7 @@ pub(crate) mod declare;
 mod first;
 pub(crate) mod near;
 mod points;
+mod retain;
 
 use crate::Dialect;
 use crate::address::{Address, Spelling, parse};
@@ -13,6 +14,7 @@ use crate::literal;
 use crate::operators::Op;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
+use retain::Retained;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Profile;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, Row, TABLE};
@@ -95,6 +97,7 @@ pub(crate) struct Names<'t> {
     pub instances: Vec<Instance>,
     pub inputs: Vec<DeclaredInput>,
     pub initials: Vec<Initial>,
+    pub retained: Retained,
     pub temps: Temps,
     /// Names that hold in the whole file: those that nothing declares, timers and counters.
     global: HashMap<String, Place>,
@@ -127,6 +130,7 @@ impl<'t> Names<'t> {
             instances: Vec::new(),
             inputs: Vec::new(),
             initials: Vec::new(),
+            retained: Retained::default(),
             temps: Temps::default(),
             global: HashMap::new(),
             blocks: HashMap::new(),

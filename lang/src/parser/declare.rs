@@ -56,11 +56,9 @@ impl Parser<'_, '_> {
         self.declaring = false;
     }
 
-    fn declare_all(&mut self, opening: Token, mut section: Section, unit: &mut Unit) {
-        if self.is(self.peek(), "RETAIN") {
-            self.advance();
-            section = Section::Retain;
-        } else if self.is(self.peek(), "CONSTANT") {
+    fn declare_all(&mut self, opening: Token, section: Section, unit: &mut Unit) {
+        let retain = self.is(self.peek(), "RETAIN");
+        if retain || self.is(self.peek(), "CONSTANT") {
             self.advance();
         }
         loop {
@@ -73,7 +71,7 @@ impl Parser<'_, '_> {
                 }
                 Kind::Name if !self.is_instruction() => {
                     self.wrong_declarations |= self.is_stray();
-                    self.declaration(section, unit);
+                    self.declaration(section, retain, unit);
                 }
                 Kind::Name | Kind::End => {
                     let why = (
@@ -124,7 +122,7 @@ impl Parser<'_, '_> {
     }
 
     /// `start, stop AT %IX1 : BOOL := TRUE;`
-    fn declaration(&mut self, section: Section, unit: &mut Unit) {
+    fn declaration(&mut self, section: Section, retain: bool, unit: &mut Unit) {
         let mut names = Vec::new();
         while let Some(name) = self.take(Kind::Name) {
             names.push(self.word(name));
@@ -166,6 +164,7 @@ impl Parser<'_, '_> {
         for name in names {
             unit.vars.push(Var {
                 section,
+                retain,
                 name,
                 at: at.clone(),
                 ty: Word { ..ty.clone() },

@@ -29,6 +29,18 @@ struct Case {
     /// For each of them, a part of its message or help in English.
     #[serde(default)]
     says: Vec<String>,
+    /// Likewise in Portuguese.
+    #[serde(default)]
+    diz: Vec<String>,
+    /// What the program keeps over a power cut, as its codes spell it.
+    #[serde(default)]
+    kept: Vec<String>,
+    /// M 57 to M 64 as another program has left them; bit 0 is M 57.
+    #[serde(default)]
+    left: u8,
+    /// The scans before which the power is cut, the first 0.
+    #[serde(default)]
+    cuts: Vec<u32>,
     /// The inputs of each scan; bit 0 is input 01.
     #[serde(default)]
     inputs: Vec<u16>,
@@ -49,8 +61,11 @@ impl Case {
     /// What is not as it should be.
     fn fault(&self) -> Option<String> {
         let compiled = compile(&self.il, &large());
-        let said = |d: &unoclp_lang::Diagnostic| [d.message(Lang::En), d.help(Lang::En)].join("; ");
-        let told: Vec<String> = compiled.diagnostics.iter().map(said).collect();
+        let said = |lang| -> Vec<String> {
+            let one = |d: &unoclp_lang::Diagnostic| [d.message(lang), d.help(lang)].join("; ");
+            compiled.diagnostics.iter().map(one).collect()
+        };
+        let (told, dito) = (said(Lang::En), said(Lang::Pt));
         let codes: Vec<String> = compiled
             .diagnostics
             .iter()
@@ -59,13 +74,17 @@ impl Case {
         if codes != self.told {
             return Some(format!("told {codes:?} {told:#?}, not {:?}", self.told));
         }
-        let silent = self
-            .says
-            .iter()
-            .zip(&told)
+        let says = self.says.iter().zip(&told);
+        let silent = says
+            .chain(self.diz.iter().zip(&dito))
             .find(|(part, told)| !told.contains(*part));
         if let Some((part, told)) = silent {
             return Some(format!("{told:?} does not say {part:?}"));
+        }
+        let spelt = compiled.lines.iter().map(|line| line.letters.as_str());
+        let kept: Vec<&str> = spelt.filter(|letters| letters.starts_with('K')).collect();
+        if kept != self.kept {
+            return Some(format!("keeps {kept:?}"));
         }
         match compiled.file() {
             Some(file) => self.fault_of(&file),
@@ -77,7 +96,11 @@ impl Case {
         let mut memory = vec![0; 4000];
         let mut plc = plc(file, &mut memory, LARGE);
         let mut outputs = Vec::new();
+        plc.retain(self.left);
         for (scan, &points) in (0..).zip(&self.inputs) {
+            if self.cuts.contains(&scan) {
+                plc.restart();
+            }
             let at = self.times.get(scan as usize).copied().unwrap_or(scan);
             match plc.scan(Image(points), at) {
                 Ok(image) => outputs.push(image.0),
@@ -111,7 +134,8 @@ fn cases() {
         let cases: Cases =
             toml::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         for case in cases.case {
-            assert!(case.says.len() <= case.told.len(), "{}", case.name);
+            let most = case.says.len().max(case.diz.len());
+            assert!(most <= case.told.len(), "{}", case.name);
             count += 1;
             if let Some(fault) = case.fault() {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();

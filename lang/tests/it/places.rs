@@ -103,3 +103,25 @@ fn a_body_that_stands_below_takes_no_comments_from_above() {
     let end = map.steps.iter().find(|place| place.comments == ["End"]);
     assert_eq!(end.map(|place| place.line), Some(20), "{map:#?}");
 }
+
+/// What is kept stands where it is declared. The register that tells whether anything has been kept has no name.
+#[test]
+fn what_is_kept_stands_in_its_declaration() {
+    let text = "(* Parts *)\nVAR RETAIN\n  parts : CTU;\n  total : INT := 100;\nEND_VAR\n\
+        (* The counter *)\nCAL parts(CU:=I1, PV:=20, Q=>Q1)\nLD total\nADD 1\nST total\n";
+    let (map, opcodes) = map(text);
+    let step = |opcode, line, name: Option<&str>| {
+        let steps = map.steps.iter().zip(&opcodes);
+        let mut found = steps.filter(|(place, of)| place.line == line && **of == opcode);
+        found.any(|(place, _)| place.name.as_deref() == name)
+    };
+    assert!(step(Opcode::KeepCounter, 3, None), "{map:#?}");
+    assert!(step(Opcode::KeepRegister, 4, None), "{map:#?}");
+    // Its first value is given to `total` and to nothing else.
+    assert!(step(Opcode::Store, 4, Some("total")), "{map:#?}");
+    assert!(step(Opcode::Store, 4, None), "{map:#?}");
+    assert!(step(Opcode::Equal, 4, None), "{map:#?}");
+    assert!(!step(Opcode::Equal, 4, Some("total")), "{map:#?}");
+    let counter = map.steps.iter().find(|place| place.line == 7).unwrap();
+    assert_eq!(counter.comments, ["The counter"]);
+}

@@ -60,6 +60,10 @@ fn random_program(random: &mut Random) -> String {
     let mut lines = vec!["0".to_owned()];
     let mut labels = Vec::new();
     let (mut timers, rungs) = (0, random.below(12) + 1);
+    if random.percent(20) {
+        let (register, counter) = (random.below(32) + 1, random.below(16) + 1);
+        lines.extend([756800 + register, 756700 + counter].map(|code| code.to_string()));
+    }
     for rung in 0..rungs {
         if rung > 0 {
             lines.push("787600".to_owned());
@@ -95,6 +99,8 @@ fn random_program(random: &mut Random) -> String {
                 stored if stored == Opcode::Return as u8 && open > 0 => continue,
                 stored if stored == Opcode::ReturnNot as u8 && open > 0 => continue,
                 recall if recall == Opcode::RecallBranch as u8 => continue,
+                // They stand at the head.
+                keep if keep >= Opcode::KeepRegister as u8 => continue,
                 store if store == Opcode::StoreBranch as u8 => {
                     let last: i32 = lines.last().unwrap().parse().unwrap();
                     if [40, 6540, 8840].contains(&last) {
@@ -139,6 +145,10 @@ fn random_program(random: &mut Random) -> String {
         for _ in 0..open {
             lines.push("41".to_owned());
         }
+    }
+    // A text without an instruction is none.
+    if lines.len() == 1 {
+        lines.push("787600".to_owned());
     }
     lines.join("\n") + "\n"
 }

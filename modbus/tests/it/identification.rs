@@ -1,12 +1,12 @@
 //! Function 43/14, Read Device Identification.
 
 use crate::common::answer;
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::{Access, Exception, Points, Table};
 
 /// A device of nothing but texts.
 struct Named([Vec<u8>; 3]);
 
-impl Device for Named {
+impl Points for Named {
     fn has(&self, _: Table, _: u16, _: u16, _: Access) -> bool {
         panic!("nothing is read or written")
     }

@@ -3,14 +3,14 @@
 use rmodbus::client::ModbusRequest;
 use rmodbus::{ModbusProto, guess_response_frame_len};
 use unoclp_modbus::client::{MOST_WORDS, NoReply, Request};
-use unoclp_modbus::{Access, Answer, Crc, Device, Exception, FRAME_BYTES, Table, begin, refuse};
+use unoclp_modbus::{Access, Answer, Crc, Exception, FRAME_BYTES, Points, Table, begin, refuse};
 
 const SERVER: u8 = 17;
 
 /// Every bit and word is told by its address; the words from 1000 on cannot be written.
 struct Plain;
 
-impl Device for Plain {
+impl Points for Plain {
     fn has(&self, _: Table, first: u16, _: u16, _: Access) -> bool {
         first < 5000
     }
@@ -44,7 +44,7 @@ fn answer(request: &Request) -> Vec<u8> {
         Answer::Silence => 0,
         Answer::Ready(length) => length,
         Answer::Filling(mut exchange) => loop {
-            if let Some(length) = exchange.fill(&mut frame, &mut Plain, 16) {
+            if let Some(length) = exchange.fill(&mut frame, &mut Plain) {
                 break length;
             }
         },

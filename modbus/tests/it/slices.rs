@@ -3,7 +3,7 @@
 use crate::common::oracle::oracle;
 use crate::common::recorder::{Call, Recorder};
 use crate::common::{answer_scanning, request, write};
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::{Access, Exception, Points, Table};
 
 /// Reads and writes of many lengths, from even and from odd addresses.
 fn requests() -> Vec<Vec<u8>> {
@@ -28,16 +28,20 @@ fn requests() -> Vec<Vec<u8>> {
     requests
 }
 
-/// The calls of each slice.
+/// The calls of each slice; the values of a write of words are checked before the first.
 fn slices(request: &[u8], most: u8) -> Vec<Vec<Call>> {
-    let mut device = Recorder::default();
-    let reply = answer_scanning(&mut device, request, most, Recorder::scan);
+    let mut device = Recorder::of(most);
+    let reply = answer_scanning(&mut device, request, Recorder::scan);
     let (expected, writes) = oracle(request);
     assert_eq!(reply, expected, "{request:02x?}, {most}");
     assert_eq!(device.writes(), writes, "{request:02x?}, {most}");
     let calls = device.calls();
     let mut slices = calls.split(|call| *call == Call::Scan);
-    assert_eq!(slices.next(), Some(&[][..]), "before the first slice");
+    let before = slices.next().unwrap_or_default();
+    let set = count(&calls, |call| matches!(call, Call::SetWord(..)));
+    assert!(before.iter().all(|call| matches!(call, Call::Check(_))));
+    // Where one is refused, none is written.
+    assert!([0, before.len()].contains(&set), "{request:02x?}");
     slices.map(<[Call]>::to_vec).collect()
 }
 
@@ -49,17 +53,16 @@ fn count(calls: &[Call], which: fn(&Call) -> bool) -> usize {
 fn slices_of_every_size_give_the_same_reply_and_none_is_longer() {
     for request in requests() {
         for most in 0..=255 {
-            let bits = 8 * usize::from(most.max(1));
+            let bits = 32;
             let words = usize::from(most.max(2));
             for calls in slices(&request, most) {
                 let of_bits = count(&calls, |call| {
                     matches!(call, Call::Bit(_) | Call::SetBit(..))
                 });
                 let reads = count(&calls, |call| matches!(call, Call::Word(_)));
-                let checks = count(&calls, |call| matches!(call, Call::Check(_)));
                 let writes = count(&calls, |call| matches!(call, Call::SetWord(..)));
                 assert!(of_bits <= bits, "{request:02x?}, {most}");
-                for number in [reads, checks, writes] {
+                for number in [reads, writes] {
                     assert!(number <= words, "{request:02x?}, {most}");
                 }
             }
@@ -71,14 +74,14 @@ fn slices_of_every_size_give_the_same_reply_and_none_is_longer() {
 fn a_slice_does_as_much_as_it_may() {
     let slices_of = |request: &[u8], most| slices(request, most).len();
     assert_eq!(slices_of(&request(1, 3, [0x1000, 125]), 16), 8);
+    assert_eq!(slices_of(&request(1, 3, [0x1000, 125]), 255), 1);
     assert_eq!(slices_of(&request(1, 3, [0x1000, 16]), 16), 1);
     // The first ends before an even address.
     assert_eq!(slices_of(&request(1, 3, [0x1001, 16]), 16), 2);
     assert_eq!(slices_of(&request(1, 3, [0x1001, 15]), 16), 1);
-    assert_eq!(slices_of(&request(1, 1, [0x1001, 2000]), 10), 25);
-    assert_eq!(slices_of(&write(1, 15, 0x1001, 1968), 82), 3);
-    // Checked in two slices; the second of them writes 10.
-    assert_eq!(slices_of(&write(1, 16, 0x1000, 20), 10), 3);
+    assert_eq!(slices_of(&request(1, 1, [0x1001, 2000]), 10), 63);
+    assert_eq!(slices_of(&write(1, 15, 0x1001, 1968), 10), 62);
+    assert_eq!(slices_of(&write(1, 16, 0x1000, 20), 10), 2);
 }
 
 #[test]
@@ -105,33 +108,24 @@ fn no_value_of_two_words_is_torn() {
 }
 
 #[test]
-fn what_fits_one_slice_is_checked_and_written_in_one() {
+fn what_fits_one_slice_is_written_in_one() {
     for words in [1, 2, 10] {
         let slices = slices(&write(1, 16, 0x1000, words), 10);
         assert_eq!(slices.len(), 1);
-        assert_eq!(slices[0].len(), 2 * usize::from(words));
+        assert_eq!(slices[0].len(), usize::from(words));
     }
 }
 
-/// Between two slices the device may have changed its mind; only the check counts.
-#[test]
-fn all_words_are_checked_before_the_first_is_written() {
-    let calls = slices(&write(1, 16, 0x1001, 123), 4).concat();
-    let first_write = calls
-        .iter()
-        .position(|call| matches!(call, Call::SetWord(..)));
-    assert_eq!(first_write, Some(123));
-    assert_eq!(calls.len(), 2 * 123);
-}
-
-/// Has every address; counts the words that are set, and is told once when all of them are.
+/// Has every address; counts the words that are set, and is told once when all is written.
 #[derive(Default)]
 struct Told {
     set: u16,
     told: Vec<u16>,
+    /// How many words are done at once.
+    most: u8,
 }
 
-impl Device for Told {
+impl Points for Told {
     fn has(&self, _: Table, _: u16, _: u16, _: Access) -> bool {
         true
     }
@@ -151,7 +145,10 @@ impl Device for Told {
     fn set_word(&mut self, _: u16, _: u16) {
         self.set += 1;
     }
-    fn words_are_set(&mut self) {
+    fn at_once(&self) -> u8 {
+        self.most
+    }
+    fn is_written(&mut self) {
         self.told.push(self.set);
     }
     fn identification(&self, _: u8, _: u8) -> Option<u8> {
@@ -160,11 +157,14 @@ impl Device for Told {
 }
 
 #[test]
-fn the_end_of_a_write_of_words_is_told_once() {
+fn the_end_of_a_write_is_told_once() {
     for most in [0, 3, 255] {
         let told = |request: &[u8]| {
-            let mut device = Told::default();
-            answer_scanning(&mut device, request, most, |_| ());
+            let mut device = Told {
+                most,
+                ..Told::default()
+            };
+            answer_scanning(&mut device, request, |_| ());
             device.told
         };
         for count in [1, 2, 50, 123] {
@@ -172,13 +172,11 @@ fn the_end_of_a_write_of_words_is_told_once() {
             assert_eq!(told(&write(0, 16, 0, count)), [count]);
         }
         assert_eq!(told(&request(1, 6, [3, 4])), [1]);
-        // A refusal, a write of bits, a reading.
-        for none in [
-            request(1, 6, [3, 0xFFFF]),
-            write(1, 15, 0, 9),
-            request(1, 5, [3, 0xFF00]),
-            request(1, 3, [3, 4]),
-        ] {
+        for bits in [write(1, 15, 0, 9), request(1, 5, [3, 0xFF00])] {
+            assert_eq!(told(&bits), [0], "{bits:02x?}");
+        }
+        // A refusal, a reading.
+        for none in [request(1, 6, [3, 0xFFFF]), request(1, 3, [3, 4])] {
             assert_eq!(told(&none), [0; 0], "{none:02x?}");
         }
     }

@@ -1,14 +1,14 @@
 //! What to do about a fault, where more can be said than the fault's own text.
 
 use crate::BOARD;
+use crate::effect::effect;
 use unoclp_core::Cause;
-use unoclp_core::isa::{Row, TABLE};
+use unoclp_core::isa::{Opcode, Row, TABLE};
 use unoclp_lang::Lang;
 
 /// Help for a fault at this text of the file, if there is any.
-pub(super) fn help(cause: Cause, text: &str, lang: Lang) -> Option<String> {
+pub(super) fn help(cause: Cause, text: &str, lacking: [usize; 2], lang: Lang) -> Option<String> {
     let (inputs, outputs) = (BOARD.inputs, BOARD.outputs);
-    let (stored, linked) = (BOARD.stored_bytes, BOARD.linked_bytes);
     Some(match (cause, lang) {
         (Cause::UnknownCode, _) => return unknown_code(text.parse().ok()?, lang),
         (Cause::NoSuchInput, Lang::En) => format!("the UNO has inputs 01 to {inputs:02}"),
@@ -26,16 +26,25 @@ pub(super) fn help(cause: Cause, text: &str, lang: Lang) -> Option<String> {
         (Cause::StrayCharacter, Lang::Pt) => {
             "cada código tem a sua linha; ponha este em uma linha própria".to_owned()
         }
-        (Cause::ProgramFull | Cause::RunMemoryFull, Lang::En) => format!(
-            "the UNO holds {stored} bytes of program and has {linked} bytes to run it; timers, markers and \
-             numbers take more there than stored"
-        ),
-        (Cause::ProgramFull | Cause::RunMemoryFull, Lang::Pt) => format!(
-            "o UNO guarda {stored} bytes de programa e tem {linked} bytes para executá-lo; temporizadores, \
-             memórias e números ocupam ali mais do que guardados"
-        ),
+        (Cause::ProgramFull | Cause::RunMemoryFull, _) => full(lacking, lang),
         _ => return None,
     })
+}
+
+/// What a program takes too much.
+fn full(lacking: [usize; 2], lang: Lang) -> String {
+    let (stored, linked) = (BOARD.stored_bytes, BOARD.linked_bytes);
+    let lacking = unoclp_lang::lacking(lacking, lang);
+    match lang {
+        Lang::En => format!(
+            "the UNO holds {stored} bytes of program and has {linked} bytes to run it{lacking}. Timers, markers and \
+             numbers take more there than stored; what is kept takes room for two records"
+        ),
+        Lang::Pt => format!(
+            "o UNO guarda {stored} bytes de programa e tem {linked} bytes para executá-lo{lacking}. Temporizadores, \
+             memórias e números ocupam ali mais do que guardados; o que é retido precisa de lugar para duas gravações"
+        ),
+    }
 }
 
 /// The instruction that was probably meant.
@@ -57,14 +66,16 @@ fn unknown_code(code: i32, lang: Lang) -> Option<String> {
             Lang::Pt => "este código não tem forma negada; tire o -".to_owned(),
         });
     }
-    let row = TABLE
-        .iter()
-        .find(|row| one_slip(&pattern(row, code).to_string(), &row.code.to_string()))?;
-    let what = row.effect.split(':').next().unwrap_or_default();
+    let opcode = Opcode::ALL.iter().find(|opcode| {
+        let row = opcode.row();
+        one_slip(&pattern(row, code).to_string(), &row.code.to_string())
+    })?;
+    let row = opcode.row();
+    let what = effect(*opcode, lang).split(':').next().unwrap_or_default();
     let (example, letters) = (example(row), row.letters);
     Some(match lang {
         Lang::En => format!("is it {example}, {letters} ({what})?"),
-        Lang::Pt => format!("seria {example}, {letters}?"),
+        Lang::Pt => format!("seria {example}, {letters} ({what})?"),
     })
 }
 
@@ -123,13 +134,16 @@ mod tests {
             ("42", "is it 40, ( (open an OR branch)?"),
         ];
         for (code, expected) in cases {
-            let help = help(Cause::UnknownCode, code, Lang::En);
+            let help = help(Cause::UnknownCode, code, [0; 2], Lang::En);
             let starts = help
                 .as_deref()
                 .is_some_and(|help| help.starts_with(expected));
             assert!(starts, "{code}: {help:?}");
         }
-        assert_eq!(help(Cause::UnknownCode, "123456", Lang::En), None);
-        assert_eq!(help(Cause::UnknownCode, "-2147483648", Lang::En), None);
+        let unknown = |code, lang| help(Cause::UnknownCode, code, [0; 2], lang);
+        let says = "seria 827301, RI (contato normalmente aberto)?";
+        assert_eq!(unknown("827401", Lang::Pt).as_deref(), Some(says));
+        assert_eq!(unknown("123456", Lang::En), None);
+        assert_eq!(unknown("-2147483648", Lang::En), None);
     }
 }

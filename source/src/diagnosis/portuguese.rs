@@ -30,9 +30,9 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::RecallBeforeStore => "este degrau não guardou esse ponto de ramificação (NC-8)",
         Cause::NestedTooDeep => "mais de 8 ramos abertos (NC-8)",
         Cause::OperandsMissing => "faltam linhas de operando depois deste código",
-        Cause::BadPreset => "o valor ajustado vai de 0 a 2147483647 (NC-9, NC-15)",
+        Cause::BadPreset => "a pré-seleção vai de 0 a 2147483647 (NC-9, NC-15)",
         Cause::BadTimerOutput => {
-            "depois do tempo ajustado vem 79XX, uma saída, ou 77XX, uma memória (NC-9)"
+            "depois da pré-seleção vem 79XX, uma saída, ou 77XX, uma memória (NC-9)"
         }
         Cause::BadOperand => "essa linha de operando está fora da sua faixa",
         Cause::PinUsedTwice => {
@@ -40,6 +40,7 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         }
         Cause::ProgramFull => "o programa não cabe na memória de programa a partir daqui (NC-10)",
         Cause::RunMemoryFull => "o programa não cabe na memória de execução a partir daqui (NC-10)",
+        Cause::CannotKeep => "o que é retido vem primeiro, no máximo 16 (NC-21)",
         Cause::NoCard => "nenhum cartão responde; ele está no slot, D10 a D13 estão ligados?",
         Cause::CardDead => "o cartão responde, mas não fica pronto; tente outro (MMC não serve)",
         Cause::CardReadError => "o cartão não pode ser lido; tente de novo ou tente outro",

@@ -2,6 +2,7 @@
 
 use super::help::help;
 use super::portuguese::portuguese;
+use crate::words;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 use unoclp_checked::Diagnosis;
@@ -28,18 +29,12 @@ pub fn show(
         text.push_str("\n\n");
     }
     if let more @ 1.. = faults.len().saturating_sub(SHOWN) {
-        text.push_str(&match lang {
-            Lang::En => format!("… and {more} more\n\n"),
-            Lang::Pt => format!("… e mais {more}\n\n"),
-        });
+        text += &format!("{}\n\n", words::more_faults(lang, more));
     }
-    text.push_str(&match (faults.len(), lang) {
-        (1, Lang::En) => format!("{name}: 1 fault; the UNO will not run any of it"),
-        (count, Lang::En) => format!("{name}: {count} faults; the UNO will not run any of it"),
-        (1, Lang::Pt) => format!("{name}: 1 falha; o UNO não executa nada dele"),
-        (count, Lang::Pt) => format!("{name}: {count} falhas; o UNO não executa nada dele"),
-    });
-    text
+    text + &match faults.len() {
+        1 => words::one_fault(lang, name),
+        count => words::faults(lang, name, count),
+    }
 }
 
 /// What is wrong, in this language.
@@ -70,7 +65,8 @@ fn show_one(
         .id(fault.cause.number().to_string());
     let group = match Excerpt::new(file, diagnosis) {
         Some(excerpt) => {
-            let help = help(fault.cause, &excerpt.text[excerpt.mark.clone()], lang);
+            let text = &excerpt.text[excerpt.mark.clone()];
+            let help = help(fault.cause, text, diagnosis.lacking, lang);
             let mark = AnnotationKind::Primary.span(excerpt.mark);
             let snippet = Snippet::source(excerpt.text)
                 .line_start(excerpt.line as usize)

@@ -2,11 +2,12 @@
 //! meaning of each line.
 
 mod numeric;
+mod words;
 
 use crate::{BOARD, Source, names};
 use std::path::Path;
 use unoclp_ladder::{Drawing, Ladder, Names, Style, listing, to_svg};
-use unoclp_lang::instructions_to_il;
+use unoclp_lang::{Lang, instructions_to_il};
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,28 +21,39 @@ pub enum Form {
     Numeric,
 }
 
-/// Lists a program in so many columns, as far as the form can be narrow.
-pub fn list(source: &Source, form: Form, width: usize) -> String {
+/// Lists a program in so many columns, as far as the form can be narrow, with what is said of it in this language.
+pub fn list(source: &Source, form: Form, width: usize, lang: Lang) -> String {
     let program = source.program();
     match form {
-        Form::Numeric => numeric::listing(program, &source.map),
+        Form::Numeric => numeric::listing(program, &source.map, lang),
         Form::Il => instructions_to_il(program.steps(), BOARD),
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
             let names = names(&source.map, &ladder);
-            listing(&draw(&ladder, &names, width), &source.map, &names)
+            let drawing = draw(&ladder, &names, width);
+            listing(&drawing, &source.map, &names, &title(lang))
         }
     }
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
-pub fn svg(source: &Source, width: usize) -> String {
+pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder);
     let path = Path::new(&source.name);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let title = source.map.title.first().map_or(&*name, String::as_str);
-    to_svg(&draw(&ladder, &names, width), &source.map, &names, title)
+    let about = source.map.title.first().map_or(&*name, String::as_str);
+    let drawing = draw(&ladder, &names, width);
+    to_svg(&drawing, &source.map, &names, &title(lang), about)
+}
+
+/// What a rung is called: by its number, from 1, and its first and last line.
+fn title(lang: Lang) -> impl Fn(usize, Option<(usize, usize)>) -> String {
+    move |number, lines| match lines {
+        None => words::rung(lang, number),
+        Some((from, to)) if from == to => words::rung_line(lang, number, from),
+        Some((from, to)) => words::rung_lines(lang, number, from, to),
+    }
 }
 
 fn draw<'l>(ladder: &'l Ladder, names: &Names, width: usize) -> Drawing<'l> {

@@ -1,9 +1,12 @@
 //! Numeric code in columns: code, letters, meaning. It is a program file that means the same.
 
+use super::words;
+use crate::effect::effect;
 use std::fmt::Write;
 use unoclp_checked::SourceMap;
 use unoclp_core::isa::{self, Opcode, Operand, Value};
 use unoclp_core::{Instruction, Program};
+use unoclp_lang::Lang;
 
 /// A line of the listing.
 struct Line {
@@ -13,10 +16,10 @@ struct Line {
 }
 
 /// Lists a program. Of the file's comments it keeps those on lines of their own.
-pub(super) fn listing(program: &Program<'_>, map: &SourceMap) -> String {
+pub(super) fn listing(program: &Program<'_>, map: &SourceMap, lang: Lang) -> String {
     let steps: Vec<(Vec<Line>, Opcode)> = program
         .steps()
-        .map(|step| (lines(step), step.opcode))
+        .map(|step| (lines(step, lang), step.opcode))
         .collect();
     let all = || steps.iter().flat_map(|(lines, _)| lines);
     let longest = |length: fn(&Line) -> usize| all().map(length).max().unwrap_or(0);
@@ -38,7 +41,7 @@ pub(super) fn listing(program: &Program<'_>, map: &SourceMap) -> String {
     let start = Line {
         code: isa::START.to_string(),
         letters: String::new(),
-        meaning: "program start".to_owned(),
+        meaning: words::program_start(lang),
     };
     put(&start);
     for (lines, _) in &steps {
@@ -76,7 +79,7 @@ fn comment(line: &str) -> String {
 }
 
 /// The lines of an instruction: its code, then its operands.
-fn lines(step: Instruction<'_>) -> Vec<Line> {
+fn lines(step: Instruction<'_>, lang: Lang) -> Vec<Line> {
     let row = step.opcode.row();
     let mut codes = step.codes();
     let number = step
@@ -89,16 +92,17 @@ fn lines(step: Instruction<'_>) -> Vec<Line> {
     let operand = match step.operand {
         Operand::Value(Value::Register(register)) => format!("D {register:02}"),
         Operand::Value(Value::Constant(number)) => number.to_string(),
-        _ => "operand".to_owned(),
+        _ => words::operand(lang),
     };
+    let does = effect(step.opcode, lang);
     let meaning = match step.operand {
-        Operand::Value(Value::Constant(_)) => row.effect.replace("register XX", &operand),
-        _ => row.effect.replace("XX", &number),
+        Operand::Value(Value::Constant(_)) => does.replace(&words::register(lang), &operand),
+        _ => does.replace("XX", &number),
     };
     let code = Line {
         code: codes.next().unwrap_or(row.code).to_string(),
         letters,
-        meaning: meaning.replace("operand", &operand),
+        meaning: meaning.replace(&words::operand(lang), &operand),
     };
     let operands = codes.enumerate().map(|(index, code)| Line {
         code: match (step.operand, index) {
@@ -107,27 +111,26 @@ fn lines(step: Instruction<'_>) -> Vec<Line> {
             _ => code.to_string(),
         },
         letters: String::new(),
-        meaning: operand_meaning(step.operand, index, code),
+        meaning: operand_meaning(step.operand, index, code, lang),
     });
     std::iter::once(code).chain(operands).collect()
 }
 
 /// What an operand line says; they are counted from 0.
-fn operand_meaning(operand: Operand<'_>, index: usize, code: i32) -> String {
+fn operand_meaning(operand: Operand<'_>, index: usize, code: i32, lang: Lang) -> String {
     match (operand, index) {
-        (Operand::Timer(_), 0) => format!("preset: {code} ms"),
-        (Operand::Timer(block), _) => format!("drives {}", block.target),
-        (Operand::Count { .. }, _) => format!("preset: {code}"),
-        (Operand::Value(_), _) => "the constant".to_owned(),
-        (Operand::Move { to, .. }, 0) => format!("to D {to:02} on"),
-        (Operand::Move { .. }, _) => "so many registers".to_owned(),
-        (Operand::Drum { .. }, 0) => "so many steps".to_owned(),
-        (Operand::Drum { .. }, index) => format!("step {}: outputs 01 02 03 04", index - 1),
-        (Operand::Scale { .. }, 0) => "from this …".to_owned(),
-        (Operand::Scale { .. }, 1) => "… to this".to_owned(),
-        (Operand::Scale { .. }, 2) => "becomes from this …".to_owned(),
-        (Operand::Scale { .. }, _) => "… to this".to_owned(),
-        (Operand::Filter { .. }, _) => format!("time: {code} ms"),
+        (Operand::Timer(_), 0) => words::preset_ms(lang, code),
+        (Operand::Timer(block), _) => words::drives(lang, block.target),
+        (Operand::Count { .. }, _) => words::preset(lang, code),
+        (Operand::Value(_), _) => words::constant(lang),
+        (Operand::Move { to, .. }, 0) => words::to_registers(lang, format!("D {to:02}")),
+        (Operand::Move { .. }, _) => words::so_many_registers(lang),
+        (Operand::Drum { .. }, 0) => words::so_many_steps(lang),
+        (Operand::Drum { .. }, index) => words::outputs_of(lang, index - 1),
+        (Operand::Scale { .. }, 0) => words::from_this(lang),
+        (Operand::Scale { .. }, 2) => words::becomes_from(lang),
+        (Operand::Scale { .. }, _) => words::to_this(lang),
+        (Operand::Filter { .. }, _) => words::filter_time(lang, code),
         (Operand::None | Operand::Number(_) | Operand::Jump { .. }, _) => String::new(),
     }
 }

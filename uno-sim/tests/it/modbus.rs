@@ -284,9 +284,12 @@ fn inputs_are_told_as_they_are_forced_in_a_fault_too() {
 fn two_words_of_the_time_belong_together() {
     let mut uno = serving(FOLLOW);
     let millis = uno.symbol("MILLIS").unwrap().address;
+    let scan = uno.symbol("scan_begin").unwrap().address;
     // It takes some 2.5 ms until the request is read; the two words, 15 us.
     for phase in 0..200 {
         uno.run_cycles(CYCLES_PER_MS / 200).unwrap();
+        // Not while the clock's interrupt is counting.
+        uno.run_until(scan, CYCLES_PER_MS).unwrap();
         uno.write_ram(millis, &0xFFFD_u32.to_le_bytes()).unwrap();
         let time = long(&words(&mut uno, 4, 22, 2));
         assert!((0xFFFE..0x1_0010).contains(&time), "{phase}: {time:#x}");

@@ -489,7 +489,9 @@ fn no_scan_grows_by_more_than_300_us() {
     let idle = longest(&mut uno, 4_000);
     let mut write_registers = vec![1, 16, 0, 0, 0, 64, 128];
     write_registers.extend([7; 128]);
-    let requests: [(&[u8], usize); 14] = [
+    let mut write_presets = vec![1, 16, 0, 128, 0, 120, 240];
+    write_presets.extend([0, 1, 0x86, 0xA0].repeat(60));
+    let requests: [(&[u8], usize); 15] = [
         (&[1, 1, 0, 0, 0, 4], 1),
         (&[1, 1, 0, 16, 0, 64], 8),
         (&[1, 2, 0, 0, 0, 8], 1),
@@ -503,6 +505,7 @@ fn no_scan_grows_by_more_than_300_us() {
         (&[1, 15, 0, 16, 0, 64, 8, 1, 2, 3, 4, 5, 6, 7, 8], 3),
         (&[1, 16, 1, 0x92, 0, 4, 8, 0, 1, 0, 1, 0, 1, 0, 1], 3),
         (&write_registers, 3),
+        (&write_presets, 3),
         (&[1, 0x2B, 14, 1, 0], 20),
     ];
     for (request, data) in requests {
@@ -513,6 +516,54 @@ fn no_scan_grows_by_more_than_300_us() {
         let reply = uno.take_serial_log();
         assert!(reply.len() >= data + 5, "{request:02x?}: {}", reply.len());
         assert_eq!(reply[1].byte, request[1], "{request:02x?}");
+    }
+}
+
+/// A program whose scans take 3 ms.
+fn scans_of_3_ms() -> Uno {
+    let timers = "787600\n847978\n100000\n7901\n".repeat(45);
+    let mut uno = serving(&format!("0\n{timers}766801\n{}", "68738602\n".repeat(70)));
+    write_words(&mut uno, 0, &[0x7FFF, 0xFFFF, 0, 3]).unwrap();
+    let scan = longest(&mut uno, 100);
+    println!("a scan of {scan} cycles");
+    assert!((46_000..52_000).contains(&scan), "{scan} cycles");
+    uno
+}
+
+/// Whatever a request asks for: 15 ms from its end to the first byte of the answer.
+#[test]
+fn an_answer_begins_within_15_ms_where_a_scan_takes_3() {
+    let mut uno = scans_of_3_ms();
+    let writes = |first: [u8; 2], words: u8, data: &[u8]| {
+        let head = [1, 16, first[0], first[1], 0, words, 2 * words];
+        [&head, data].concat()
+    };
+    let requests = [
+        vec![1, 4, 0, 128, 0, 125],
+        vec![1, 3, 0, 128, 0, 125],
+        vec![1, 3, 0, 0, 0, 64],
+        vec![1, 4, 0, 16, 0, 17],
+        vec![1, 1, 0, 16, 0, 64],
+        writes([0, 128], 90, &[0, 1, 0x86, 0xA0].repeat(45)),
+        writes([0, 0], 1, &[0x7F, 0xFF]),
+    ];
+    for request in requests {
+        let mut most = 0;
+        for shift in 0..12 {
+            uno.run_cycles(CYCLES_PER_MS * 3 + CYCLES_PER_MS / 4 * shift)
+                .unwrap();
+            uno.take_serial_log();
+            let end = uno.send_serial(&with_crc(&request));
+            uno.run_cycles(end - uno.cycles() + 30 * CYCLES_PER_MS)
+                .unwrap();
+            let reply = uno.take_serial_log();
+            assert_eq!(reply[1].byte, request[1], "{request:02x?}");
+            most = most.max(reply[0].start - end);
+            uno.run_ms(30).unwrap();
+        }
+        let ms = most as f64 / CYCLES_PER_MS as f64;
+        println!("{:02x?}: {ms:.2} ms", &request[..6]);
+        assert!(most <= 15 * CYCLES_PER_MS, "{request:02x?}: {ms:.2} ms");
     }
 }
 

@@ -17,7 +17,7 @@ const FAULT: u16 = 3;
 const RESTART: u16 = 4;
 const UPLOAD: u16 = 5;
 
-fn stopped() -> Uno {
+pub fn stopped() -> Uno {
     let mut uno = uno(Slot::Card(card(OLD)));
     to_run(&mut uno);
     write(&mut uno, 400, STOP).unwrap();
@@ -47,7 +47,7 @@ fn send(uno: &mut Uno, number: u8, text: &[u8]) -> Result<(), u8> {
 }
 
 /// Sends texts one after the other, in blocks of so many bytes.
-fn upload(uno: &mut Uno, texts: [&str; 2], bytes: usize) -> Result<(), u8> {
+pub fn upload(uno: &mut Uno, texts: [&str; 2], bytes: usize) -> Result<(), u8> {
     write(uno, 400, UPLOAD)?;
     let mut number = 0u8;
     for text in texts {

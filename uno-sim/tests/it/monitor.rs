@@ -2,13 +2,13 @@
 
 use crate::common::line::{meet, talk, talk_at};
 use crate::common::{card, uno};
-use unoclp_board::diagnostics::Kept;
+use unoclp_board::diagnostics::{Kept, Trouble};
 use unoclp_board::map::{Command, State};
-use unoclp_board::settings::Settings;
+use unoclp_board::settings::{Settings, read_lock};
 use unoclp_board::start::{NotFound, find};
 use unoclp_board::upload::{Behind, Broken, await_start, go_on, stop, upload};
 use unoclp_board::watch::{Forces, Reading, Scope, Side, Wish};
-use unoclp_board::{Failure, Line};
+use unoclp_board::{Failure, Line, Parity, lock};
 use unoclp_core::{Loader, Profile};
 use unoclp_modbus::Exception;
 use unoclp_uno_sim::{Line as Wire, Slot, Uno};
@@ -149,14 +149,15 @@ fn a_fault_in_an_upload_has_its_line_and_leaves_the_old_program() {
     let nothing = Kept::default();
     let text = format!("/{}\n0\n123\n", "comment ".repeat(100));
     let error = send(&mut uno, &text, nothing).unwrap_err();
-    assert_eq!(error.to_string(), "fault 24, line 3: no such code");
+    let (number, line) = (24, Some(3));
+    assert_eq!(error, Broken::Fault(Trouble { number, line }));
     assert_eq!(read(&mut uno).diagnostics.program, kept(PROGRAM));
     command(&mut uno, Command::Run).unwrap();
     uno.run_ms(20).unwrap();
     assert_eq!(uno.outputs(), 0b10);
 
     let error = send(&mut uno, &text, nothing).unwrap_err();
-    assert!(matches!(error, Broken::NotBegun), "it is in RUN: {error}");
+    assert_eq!(error, Broken::NotBegun, "it is in RUN");
 }
 
 #[test]
@@ -168,7 +169,7 @@ fn a_board_in_fault_is_healed_by_an_upload() {
     let trouble = before.trouble.unwrap();
     assert!(
         trouble.fault().is_some() && trouble.line.is_none(),
-        "{trouble}"
+        "{trouble:?}"
     );
     let stored = send(&mut uno, PROGRAM, kept(PROGRAM)).unwrap();
     let behind = talk(&mut uno, async |client| {
@@ -180,20 +181,43 @@ fn a_board_in_fault_is_healed_by_an_upload() {
 }
 
 #[test]
+fn a_lock_is_set_and_holds_at_once() {
+    let mut uno = board(PROGRAM);
+    talk(&mut uno, stop).unwrap();
+    let old = talk(&mut uno, Settings::read).unwrap();
+    let new = Settings {
+        lock: Some(lock::UPLOAD | lock::SETTINGS),
+        ..old
+    };
+    talk(&mut uno, async |client| new.write(old, client).await).unwrap();
+    assert_eq!(talk(&mut uno, read_lock), Ok(lock::UPLOAD | lock::SETTINGS));
+    assert_eq!(send(&mut uno, OTHER, kept(OTHER)), Err(Broken::Locked));
+    // The same once more is refused, as where an answer was lost, and is taken for done.
+    let again = talk(&mut uno, async |client| new.write(old, client).await);
+    assert_eq!(again, Ok(()));
+    command(&mut uno, Command::Run).unwrap();
+    assert_eq!(read(&mut uno).forcing_ends, Some(0));
+}
+
+#[test]
 fn new_settings_are_used_from_the_restart_on() {
     let mut uno = board(PROGRAM);
     let old = talk(&mut uno, Settings::read).unwrap();
-    assert_eq!(
-        old.to_string(),
-        "address 1, 115200 baud, no parity, direction pin off"
-    );
+    let first = Settings {
+        address: 1,
+        rate: 115_200,
+        parity: Parity::None,
+        direction: false,
+        lock: Some(0),
+    };
+    assert_eq!(old, first);
     let new = Settings {
         address: 9,
         rate: 19_200,
         ..old
     };
     talk(&mut uno, stop).unwrap();
-    talk(&mut uno, async |client| new.write(client).await).unwrap();
+    talk(&mut uno, async |client| new.write(old, client).await).unwrap();
     assert_eq!(talk(&mut uno, Settings::read).unwrap(), new);
     command(&mut uno, Command::Restart).unwrap();
     let wire = uno.serial_line();

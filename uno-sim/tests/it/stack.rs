@@ -1,6 +1,7 @@
 //! The stack at its deepest, measured on the release ELF.
 
 use crate::common;
+use crate::modbus_upload;
 use unoclp_card::image::{Fat, Image};
 use unoclp_core::{Inputs, Needs};
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
@@ -68,6 +69,16 @@ fn peak_stack_leaves_a_reserve() {
     uno.set_stop(true);
     uno.run_ms(1500).unwrap();
     let stop = free(&uno);
+    // An upload, in STOP: the loader lies inside it.
+    let mut upload = u32::MAX;
+    let texts = (0..4).map(|_| random_program(random));
+    for text in texts.chain([largest(), "0\n787600\n40\n123\n".to_owned()]) {
+        let mut uno = modbus_upload::stopped();
+        uno.reset_min_sp();
+        let _ = modbus_upload::upload(&mut uno, [&text, &text], 244);
+        uno.run_ms(20).unwrap();
+        upload = upload.min(free(&uno));
+    }
     let uno = engine.uno().unwrap();
     let room = RAM_END + 1 - uno.static_ram_end();
     for (when, free) in [
@@ -75,6 +86,7 @@ fn peak_stack_leaves_a_reserve() {
         ("run", run),
         ("fault", fault),
         ("stop", stop),
+        ("upload", upload),
     ] {
         println!(
             "stack, {when}: peak {} of {room} bytes, {free} free",

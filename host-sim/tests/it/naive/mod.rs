@@ -67,7 +67,24 @@ struct Pass<'w> {
 
 impl Naive {
     pub fn new(text: &str) -> Naive {
-        let steps = read::read(text);
+        Naive::of(read::read(text))
+    }
+
+    /// A power cut: M 57 to M 64 and what is named to be kept outlast it.
+    pub fn restart(&mut self) {
+        let steps = std::mem::take(&mut self.steps);
+        let before = std::mem::replace(self, Naive::of(steps));
+        self.markers[57..].copy_from_slice(&before.markers[57..]);
+        for step in &self.steps {
+            match step.letters.as_str() {
+                "KD" => self.registers[step.xx] = before.registers[step.xx],
+                "KC" => self.counters[step.xx].value = before.counters[step.xx].value,
+                _ => {}
+            }
+        }
+    }
+
+    fn of(steps: Vec<Step>) -> Naive {
         let is_timer = |step: &&Step| matches!(&*step.letters, "TON" | "TOF" | "TOR" | "TP");
         let timers = steps.iter().filter(is_timer);
         let timers = timers
@@ -285,7 +302,8 @@ impl Naive {
             "SCL" => pass.value = scale(pass.value, &lines),
             "FLT" => pass.value = self.filter(at, pass.value, xx, lines[0], now),
             "INT" => self.integrate(at, pass.value, xx, acc, now),
-            "LB" | "FI" => {}
+            // A place to jump to, and what is not done in a scan.
+            "LB" | "FI" | "KD" | "KC" => {}
             _ if acc => self.store(name, xx, &lines, pass.value),
             _ => {}
         }

@@ -19,11 +19,10 @@ pub fn frame(request: &[u8]) -> Frame {
     frame
 }
 
-/// Answers a request, with slices of `most`. `scan` stands between two slices.
+/// Answers a request. `scan` stands before each slice.
 pub fn answer_scanning<D: Device>(
     device: &mut D,
     request: &[u8],
-    most: u8,
     mut scan: impl FnMut(&mut D),
 ) -> Option<Vec<u8>> {
     let mut frame = frame(request);
@@ -34,11 +33,11 @@ pub fn answer_scanning<D: Device>(
             let mut slices = 0;
             loop {
                 scan(device);
-                if let Some(length) = exchange.fill(&mut frame, device, most) {
+                if let Some(length) = exchange.fill(&mut frame, device) {
                     break length;
                 }
                 slices += 1;
-                assert!(slices < 300, "no end: {request:02x?}, {most}");
+                assert!(slices < 300, "no end: {request:02x?}");
             }
         }
     };
@@ -47,7 +46,7 @@ pub fn answer_scanning<D: Device>(
 
 /// Answers a request in one go.
 pub fn answer(device: &mut impl Device, request: &[u8]) -> Option<Vec<u8>> {
-    answer_scanning(device, request, u8::MAX, |_| ())
+    answer_scanning(device, request, |_| ())
 }
 
 /// The bytes of `01 03 00*2`, which are 1, 3, 0, 0.
@@ -104,10 +103,10 @@ fn is_well_formed(request: &[u8], reply: &[u8]) -> bool {
     body && reply.len() <= 254 && server == request[0] && function & 0x7F == request[1] & 0x7F
 }
 
-/// Holds the answer to a request against the oracle; says whether it is well-formed.
+/// Holds the answer to a request against the oracle, where so many words are done at once; says whether it is well-formed.
 pub fn compare(request: &[u8], most: u8) -> bool {
-    let mut device = Recorder::default();
-    let reply = answer_scanning(&mut device, request, most, |_| ());
+    let mut device = Recorder::of(most);
+    let reply = answer_scanning(&mut device, request, |_| ());
     let (expected, writes) = oracle(request);
     assert_eq!(reply, expected, "{request:02x?}");
     assert_eq!(device.writes(), writes, "{request:02x?}");

@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::{Access, Exception, Points, Table};
 
 /// The first address of the window for blocks.
 pub const WINDOW: u16 = 0x2000;
@@ -83,11 +83,21 @@ pub struct Recorder {
     calls: RefCell<Vec<Call>>,
     checked: RefCell<BTreeSet<u16>>,
     written: bool,
+    /// How many words are done at once.
+    most: u8,
     /// What `has` affirmed last.
     granted: RefCell<Option<(Table, u16, u16, Access)>>,
 }
 
 impl Recorder {
+    /// One that does so many words at once.
+    pub fn of(most: u8) -> Recorder {
+        Recorder {
+            most,
+            ..Recorder::default()
+        }
+    }
+
     pub fn scan(&mut self) {
         self.calls.get_mut().push(Call::Scan);
     }
@@ -119,7 +129,7 @@ impl Recorder {
     }
 }
 
-impl Device for Recorder {
+impl Points for Recorder {
     fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
         let last = first.checked_add(count.checked_sub(1).unwrap()).unwrap();
         let has = (first..=last).all(|address| exists(table, address, access));
@@ -167,6 +177,10 @@ impl Device for Recorder {
         }
         self.note(Call::Take(first, data.to_vec()));
         Some(check_block(data))
+    }
+
+    fn at_once(&self) -> u8 {
+        self.most
     }
 
     fn identification(&self, object: u8, index: u8) -> Option<u8> {

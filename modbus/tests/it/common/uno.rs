@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use unoclp_modbus::{Access, Device, Exception, Table};
+use unoclp_modbus::{Access, Exception, Points, Table};
 
 /// Coils and holding registers that have been written; all others are 0 or as below.
 #[derive(Default)]
@@ -25,16 +25,16 @@ fn ranges(table: Table, access: Access) -> &'static [(u16, u16)] {
             (128, 301),
             (320, 351),
             (400, 400),
-            (402, 405),
-            (410, 413),
+            (402, 406),
+            (410, 414),
         ],
         (Table::HoldingRegisters, Access::Write) => &[
             (0, 63),
             (128, 131),
             (320, 323),
             (400, 400),
-            (402, 405),
-            (410, 413),
+            (402, 406),
+            (410, 414),
         ],
     }
 }
@@ -55,7 +55,7 @@ fn initial(address: u16) -> u16 {
     }
 }
 
-impl Device for Uno {
+impl Points for Uno {
     fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
         let last = first + (count - 1);
         let within = |&(start, end): &(u16, u16)| start <= first && last <= end;
@@ -84,12 +84,13 @@ impl Device for Uno {
             // Of a preset, the sign.
             128..400 => address % 2 == 1 || value < 0x8000,
             400 => (1..=5).contains(&value),
-            402 | 403 => value < 1 << 8,
+            402 | 403 | 406 => value < 1 << 8,
             404 | 405 => value < 1 << 4,
             410 => (1..=247).contains(&value),
             411 => (24..=1152).contains(&value),
             412 => value <= 2,
-            _ => value <= 1,
+            413 => value <= 1,
+            _ => value <= 15,
         };
         if fine {
             Ok(())

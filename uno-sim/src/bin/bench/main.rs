@@ -8,6 +8,7 @@
 mod jobs;
 mod meter;
 mod modes;
+mod polling;
 mod programs;
 mod report;
 mod scans;
@@ -66,6 +67,8 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
     let timers = timers::measure(firmware)?;
     println!("background jobs …");
     let jobs = jobs::measure(firmware, &template)?;
+    println!("a Modbus client …");
+    let polling = polling::measure(firmware)?;
     println!("modes and memories …");
     let modes = modes::measure(firmware, &template)?;
     Ok(Figures {
@@ -73,6 +76,7 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
         scans,
         timers,
         jobs,
+        polling,
         modes,
     })
 }

@@ -4,6 +4,7 @@
 use crate::jobs::{self, Jobs, Saving};
 use crate::meter::{self, Times};
 use crate::modes::Modes;
+use crate::polling::Polled;
 use crate::programs::{FULL_RUNGS, FULL_TIMERS};
 use crate::scans::{Scans, Whole};
 use crate::table::{Table, micros, number, ratio, verdict};
@@ -21,6 +22,8 @@ pub struct Figures {
     pub timers: Timers,
     /// What runs beside the program.
     pub jobs: Jobs,
+    /// What a Modbus client costs.
+    pub polling: Vec<Polled>,
     /// Stack, memories, start.
     pub modes: Modes,
 }
@@ -37,6 +40,7 @@ pub fn page(figures: &Figures) -> String {
         scans,
         timers,
         jobs,
+        polling,
         modes,
     } = figures;
     let opening = include_str!("text/opening.md").replace("VERSION", env!("CARGO_PKG_VERSION"));
@@ -53,6 +57,8 @@ pub fn page(figures: &Figures) -> String {
             .replace("SCANNED", &jobs::RUNGS.to_string())
             .replace("RESPONSE", &meter::RESPONSE.to_string()),
         longest_scans(jobs, scans),
+        include_str!("text/polling.md").to_owned(),
+        polled(polling),
         include_str!("text/stack.md").to_owned(),
         stack(modes),
         memories(modes),
@@ -176,6 +182,27 @@ fn longest_scans(jobs: &Jobs, scans: &Scans) -> String {
         number(most),
         savings(jobs)
     )
+}
+
+fn polled(polling: &[Polled]) -> String {
+    let mut table = Table::new(&[
+        "the client reads",
+        "answers a second",
+        "scans a second",
+        "",
+        "longest scan, µs",
+    ]);
+    let idle = polling.first().map_or(0.0, |first| first.scans);
+    for polled in polling {
+        table.row([
+            polled.what.to_owned(),
+            number(polled.answers),
+            number(polled.scans),
+            format!("{:+.0} %", 100.0 * (polled.scans / idle - 1.0)),
+            micros(polled.most as f64),
+        ]);
+    }
+    table.to_string()
 }
 
 fn savings(jobs: &Jobs) -> String {

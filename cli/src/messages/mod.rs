@@ -1,0 +1,48 @@
+//! What the command line says, in the two languages that it speaks: one table, in which no text is without its twin.
+//!
+//! - `spoken`: the language of this process
+//! - `table`: the texts
+//! - `board`: which of them say what a board tells, and what can go wrong with one
+//!
+//! Owns the words, and which language this process speaks. Must not know who says them, nor where.
+
+mod board;
+mod spoken;
+mod table;
+
+pub use board::{
+    broken, failure, foreign, left_forced, lock, parity, pass, settings, spoken_line, start,
+    trouble,
+};
+#[cfg(test)]
+pub(crate) use spoken::SPOKEN_HERE;
+pub use spoken::{speak, spoken};
+pub use table::*;
+
+use std::io;
+use unoclp_core::Cause;
+use unoclp_source::messages::system;
+use unoclp_source::{Size, diagnosis};
+
+/// A fault without its place: `fault 75: too many jumps back in one scan (NC-19)`.
+pub fn fault(cause: Cause) -> String {
+    fault_of(cause.number(), diagnosis::cause(cause, spoken()))
+}
+
+/// How much of the board a program takes.
+pub fn size(size: &Size) -> String {
+    size.text(spoken())
+}
+
+/// An error of the system.
+pub fn io(error: &io::Error) -> String {
+    system(spoken(), error.kind(), &error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_message_says_the_same_in_both_languages() {
+        assert_eq!(unoclp_source::messages::gaps(super::ALL), [""; 0]);
+    }
+}

@@ -1,0 +1,380 @@
+//! The texts themselves: one table, in which no text is without its twin.
+
+use super::spoken::spoken;
+
+unoclp_source::messages! {
+    in spoken;
+
+    cannot_read(file, error)
+        "{file} cannot be read ({error}); check its name and folder"
+        "não foi possível ler {file} ({error}); confira o nome e a pasta";
+    cannot_write(file, error)
+        "{file} cannot be written: {error}"
+        "não foi possível gravar {file}: {error}";
+    is_read(file)
+        "{file} is what the command reads; name another file to write"
+        "{file} é o arquivo que o comando lê; indique outro para gravar";
+    is_compiled(file)
+        "{file} is what is compiled; name another file with -o"
+        "{file} é o que se compila; indique outro arquivo com -o";
+    is_something_else(file, kind)
+        "{file} is there already, and is not {kind}; it is left as it is. Name another file, or delete it"
+        "{file} já existe e não é {kind}; ficou como estava. Indique outro arquivo ou apague-o";
+    a_drawing() "an SVG drawing" "um desenho SVG";
+    a_trace() "a VCD trace" "um registro VCD";
+    a_program() "numeric code" "código numérico";
+    forced(points)
+        "forced: {points}"
+        "forçados: {points}";
+    forced_before(points)
+        "forced since before: {points}; x lets all go"
+        "já estavam forçados: {points}; x libera tudo";
+    stays_forced(points)
+        "still forced: {points}; a monitor lets them go with x, and so does a restart"
+        "continuam forçados: {points}; um monitor os libera com x, um reinício também";
+    stays_forced_for(points, seconds)
+        "still forced: {points}; the board lets all go {seconds} s after the last request, a monitor does with x, and so does a restart"
+        "continuam forçados: {points}; a placa libera tudo {seconds} s depois da última requisição; um monitor os libera com x, um reinício também";
+    endless()
+        "the firmware of this board does not let points go by itself: they stay forced without the monitor"
+        "o firmware desta placa não libera pontos por si só: eles ficam forçados sem o monitor";
+    let_go(points)
+        "no longer forced: {points}"
+        "não estão mais forçados: {points}";
+    stays_on(outputs)
+        "{outputs} stays on: no rung writes it; it goes off at STOP"
+        "{outputs} continua ligada: nenhum degrau a escreve; ela desliga em STOP";
+    may_stay_on(outputs)
+        "{outputs} is on, and stays so unless the program writes it; it goes off at STOP"
+        "{outputs} está ligada e assim fica se o programa não a escrever; ela desliga em STOP";
+    interrupted_with_old(state)
+        "interrupted; the board is in {state}, and keeps the program that it had"
+        "interrompido; a placa está em {state} e mantém o programa que tinha";
+    interrupted_with_new(state)
+        "interrupted; the board is in {state}, and keeps the new program"
+        "interrompido; a placa está em {state} e já tem o programa novo";
+    interrupted_unknown(error)
+        "interrupted; the board no longer answers ({error}): whether it runs, and which program it keeps, is open"
+        "interrompido; a placa não responde mais ({error}): não se sabe se ela roda nem que programa ela tem";
+    said_reset()
+        "opening the port has probably reset the board; the next time it will not"
+        "abrir a porta provavelmente reiniciou a placa; da próxima vez não reiniciará";
+    was_reset()
+        "opening the port has reset the board; the next time it will not"
+        "abrir a porta reiniciou a placa; da próxima vez não reiniciará";
+    no_answer(line, port)
+        "no answer from {line}, on {port}; is the board powered and wired, and are these its settings? Another address or rate is given by --address and --rate; A5 and 01 to 04 closed at reset bring the defaults back"
+        "sem resposta de {line}, em {port}; a placa está ligada e conectada, e são estes os ajustes dela? Outro endereço ou taxa se indica com --address e --rate; A5 e 01 a 04 fechados no reset trazem de volta os ajustes de fábrica";
+    no_modbus(port, rate, parity)
+        "what comes from {port} is no Modbus at {rate} baud, {parity}; is that the board's rate (--rate, --parity)?"
+        "o que vem de {port} não é Modbus a {rate} baud, {parity}; é essa a taxa da placa (--rate, --parity)?";
+    no_unoclp(port, foreign)
+        "what answers at {port} is no unoclp{foreign}"
+        "o que responde em {port} não é um unoclp{foreign}";
+    no_port(port, others) "there is no port {port}; {others}" "não existe a porta {port}; {others}";
+    no_ports()
+        "this PC has none, so the board is not plugged in, or its cable only charges"
+        "este PC não tem nenhuma: a placa não está conectada, ou o cabo só carrega";
+    ports(names) "this PC has {names}" "este PC tem {names}";
+    port_denied(port, remedy)
+        "{port} may not be used by this user; {remedy}"
+        "este usuário não pode usar {port}; {remedy}";
+    join_group()
+        "join the group that it belongs to, mostly by `sudo usermod -aG dialout $USER`, and log in anew"
+        "entre no grupo dela, em geral com `sudo usermod -aG dialout $USER`, e inicie nova sessão";
+    check_who() "check who may" "confira quem pode";
+    port_busy(port)
+        "{port} is in use by another program; close its serial monitor"
+        "{port} está em uso por outro programa; feche o monitor serial dele";
+    no_serial_port(port) "{port} is no serial port" "{port} não é uma porta serial";
+    port_not_opened(port, reason)
+        "{port} cannot be opened: {reason}"
+        "não foi possível abrir {port}: {reason}";
+    no_rate(rate, rates)
+        "a board has no rate of {rate} baud; it has {rates}"
+        "uma placa não tem a taxa de {rate} baud; ela tem {rates}";
+    settings_not_taken(failure)
+        "the board does not take the settings: {failure}"
+        "a placa não aceita os ajustes: {failure}";
+    settings_not_kept()
+        "the board does not keep the settings: its EEPROM fails"
+        "a placa não guarda os ajustes: a sua EEPROM falha";
+    settings_without_answer(why)
+        "the settings are kept, but the board does not answer with them: {why}"
+        "os ajustes estão guardados, mas a placa não responde com eles: {why}";
+    no_lock()
+        "the board has no lock; it takes newer firmware"
+        "a placa não tem bloqueio; é preciso um firmware mais novo";
+    nothing_locked() "nothing locked" "nada bloqueado";
+    locked(what) "locked: {what}" "bloqueado: {what}";
+    lock_upload() "upload" "envio";
+    lock_settings() "settings" "ajustes";
+    lock_commands() "commands" "comandos";
+    lock_writing() "writing" "escrita";
+    locked_now(lock, to_lift) "now {lock}; {to_lift}" "agora {lock}; {to_lift}";
+    to_lift()
+        "to unlock, reset the board with A5 and 01 to 04 to ground, then write any setting: `unoclp settings --set-address 1`"
+        "para desbloquear, faça o reset da placa com A5 e 01 a 04 no GND e grave qualquer ajuste: `unoclp settings --set-address 1`";
+    settings_locked(to_lift)
+        "the settings of the board are locked; {to_lift}"
+        "os ajustes da placa estão bloqueados; {to_lift}";
+    reset_to_run()
+        "in STOP: commands are locked, so only a reset brings the board back to RUN"
+        "em STOP: os comandos estão bloqueados, e só um reset põe a placa de volta em RUN";
+    reset_to_use()
+        "commands are locked: reset the board, and it uses these settings"
+        "os comandos estão bloqueados: faça o reset da placa para ela usar esses ajustes";
+    settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
+    restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
+    answers_from(line) "it answers from {line}" "ela responde: {line}";
+    met(identity, port, address)
+        "{identity} at {port}, address {address}"
+        "{identity} em {port}, endereço {address}";
+    place(port, address) "{port}, address {address}" "{port}, endereço {address}";
+    at(identity, place) "{identity} at {place}" "{identity} em {place}";
+    line(address, rate, parity)
+        "address {address} at {rate} baud, {parity}"
+        "endereço {address} a {rate} baud, {parity}";
+    settings_line(address, rate, parity, direction)
+        "address {address}, {rate} baud, {parity}, direction pin {direction}"
+        "endereço {address}, {rate} baud, {parity}, pino de direção {direction}";
+    parity_none() "no parity" "sem paridade";
+    parity_even() "even parity" "paridade par";
+    parity_odd() "odd parity" "paridade ímpar";
+    pin_on() "on" "ativo";
+    pin_off() "off" "inativo";
+    silent() "no answer" "sem resposta";
+    garbled()
+        "what comes back is no Modbus; is the rate right?"
+        "o que volta não é Modbus; a taxa está certa?";
+    not_done(why) "refused: {why}" "recusado: {why}";
+    no_function()
+        "the board is locked against it, or has no such function (01)"
+        "está bloqueado na placa, ou não há essa função (01)";
+    no_address() "no such address (02)" "não há esse endereço (02)";
+    not_that_value() "not that value (03)" "esse valor não serve (03)";
+    not_now() "not now (04)" "agora não (04)";
+    busy()
+        "the settings have been changed too often; try again in an hour, or after the power was off (06)"
+        "os ajustes foram mudados vezes demais; tente de novo em uma hora, ou depois de desligar a placa (06)";
+    port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
+    but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
+    upload_not_begun()
+        "the board does not begin an upload; does another client let it run?"
+        "a placa não começa um envio; outro cliente a mantém em RUN?";
+    upload_locked(to_lift)
+        "the board is locked against uploads; {to_lift}"
+        "os envios estão bloqueados na placa; {to_lift}";
+    upload_ended()
+        "the upload was ended from elsewhere; the board keeps the program that it had"
+        "o envio foi encerrado por outro cliente; a placa mantém o programa que tinha";
+    keeps_another(bytes, sum, sent_bytes, sent_sum)
+        "the board keeps {bytes} bytes with check sum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; is its firmware of another version?"
+        "a placa tem {bytes} bytes com soma de verificação {sum}, e não os {sent_bytes} bytes com {sent_sum} que foram enviados; o firmware dela é de outra versão?";
+    upload_before(failure)
+        "the upload was not begun: {failure}"
+        "o envio não começou: {failure}";
+    upload_off(pass, bytes, all, failure, kept)
+        "the upload was broken off while {pass}, at byte {bytes} of {all}: {failure}. The board is in STOP; {kept}; upload anew"
+        "o envio foi interrompido na {pass}, no byte {bytes} de {all}: {failure}. A placa está em STOP; {kept}; envie de novo";
+    may_keep_new()
+        "whether it keeps the new program is open"
+        "não se sabe se ela tem o programa novo";
+    keeps_old() "it keeps the program that it had" "ela mantém o programa que tinha";
+    checking() "checking" "conferência";
+    storing() "storing" "gravação";
+    sent(pass, bytes, all) "{pass}: {bytes} of {all} bytes" "{pass}: {bytes} de {all} bytes";
+    writing() "writing program memory …" "gravando a memória de programa …";
+    not_stopped(failure) "the board cannot be stopped: {failure}" "não foi possível parar a placa: {failure}";
+    stop_locked()
+        "commands are locked, so the board is stopped by A5 only: close it, then try again"
+        "os comandos estão bloqueados, e só A5 para a placa: feche A5 e tente de novo";
+    unknown_state()
+        "the board is in a state that this version of unoclp does not know"
+        "a placa está em um estado que esta versão do unoclp não conhece";
+    board_says(trouble) "the board says {trouble}" "a placa diz: {trouble}";
+    not_started(failure)
+        "the program is stored, but the board does not start it: {failure}"
+        "o programa está gravado, mas a placa não o inicia: {failure}";
+    restarted_with(trouble)
+        "the program is stored; restarted, the board says {trouble}"
+        "o programa está gravado; ao reiniciar, a placa diz: {trouble}";
+    interrupted() "interrupted" "interrompido";
+    watcher_ended()
+        "the thread that reads the board has ended"
+        "a tarefa que lê a placa terminou";
+    card_is_there(file)
+        "{file} is there already, and only PROGRAM.TXT on a card is overwritten; name a new image file, or the folder of a mounted card"
+        "{file} já existe, e só se sobrescreve o PROGRAM.TXT de um cartão; indique um novo arquivo de imagem ou a pasta de um cartão montado";
+    card_is_a_device(file)
+        "{file} is a device; mount the card, and name its folder"
+        "{file} é um dispositivo; monte o cartão e indique a pasta dele";
+    cannot_look_at(file, error)
+        "{file} cannot be looked at: {error}"
+        "não foi possível examinar {file}: {error}";
+    no_folder(file)
+        "there is no folder {file}; is the card mounted? For an image of a card, name a file that ends in .img"
+        "não existe a pasta {file}; o cartão está montado? Para a imagem de um cartão, indique um arquivo que termine em .img";
+    on_card(program, card, bytes)
+        "{program}: on {card} as PROGRAM.TXT, {bytes} bytes"
+        "{program}: em {card} como PROGRAM.TXT, {bytes} bytes";
+    no_plain_file(file)
+        "{file} is not a plain file; take it off the card first"
+        "{file} não é um arquivo comum; tire-o antes do cartão";
+    state_is_there()
+        "STATE.TXT: there already, and left as it is"
+        "STATE.TXT: já existe e ficou como estava";
+    image_not_built(error)
+        "the card image cannot be built: {error}"
+        "não foi possível montar a imagem do cartão: {error}";
+    dialect(name) "dialect {name}" "dialeto {name}";
+    dialect_by_words(name) "dialect {name}, by its words" "dialeto {name}, pelas palavras";
+    compiled(dialect, codes, warnings)
+        "{dialect}; codes: {codes}, warnings: {warnings}"
+        "{dialect}; códigos: {codes}, avisos: {warnings}";
+    there_is_no_program() "there is no program" "não há programa";
+    one_error() "1 error; there is no program" "1 erro; não há programa";
+    errors(count) "{count} errors; there is no program" "{count} erros; não há programa";
+    error(error) "error: {error}" "erro: {error}";
+    warning(warning) "warning: {warning}" "aviso: {warning}";
+    unknown_trouble(number)
+        "fault {number}: unknown to this version of unoclp"
+        "falha {number}: desconhecida por esta versão do unoclp";
+    unknown_trouble_in_line(number, line)
+        "fault {number}, line {line}: unknown to this version of unoclp"
+        "falha {number}, linha {line}: desconhecida por esta versão do unoclp";
+    fault_of(number, text) "fault {number}: {text}" "falha {number}: {text}";
+    fault_of_line(number, line, text)
+        "fault {number}, line {line}: {text}"
+        "falha {number}, linha {line}: {text}";
+    power() "power" "energia";
+    unknown() "unknown" "desconhecida";
+    no_reset() "no reset" "sem reset";
+    command() "command" "comando";
+    all_registers() "all D 0" "todos os D em 0";
+    forced_flag() "FORCED  " "FORÇADO  ";
+    recording() "REC  " "GRAVA  ";
+    needs_terminal() "the monitor needs a terminal" "o monitor precisa de um terminal";
+    sim_needs_terminal()
+        "the simulator needs a terminal; without one, run a scenario: --scenario S.toml"
+        "o simulador precisa de um terminal; sem um, execute um cenário: --scenario S.toml";
+    nothing_to_simulate()
+        "nothing to simulate; name a program or a --scenario"
+        "nada a simular; indique um programa ou um --scenario";
+    svg_is_a_ladder()
+        "--svg draws a ladder diagram; leave out --as, or --svg"
+        "--svg desenha um diagrama ladder; tire --as ou --svg";
+    drawn(file) "{file}: drawn" "{file}: desenhado";
+    is_numeric(file)
+        "{file} is numeric code; there is nothing to compile"
+        "{file} já é código numérico; não há o que compilar";
+    stored(bytes, sum)
+        "stored: {bytes} bytes, check sum {sum}"
+        "gravado: {bytes} bytes, soma de verificação {sum}";
+    in_stop() "in STOP" "em STOP";
+    in_fault() "in FAULT" "em FAULT";
+    in_stop_by_switch() "A5 is closed: in STOP" "A5 está fechado: em STOP";
+    in_stop_until()
+        "A5 is closed: in STOP, until A5 is opened"
+        "A5 está fechado: em STOP até A5 ser aberto";
+    in_fault_until()
+        "in FAULT: it runs the program from its next restart on"
+        "em FAULT: executa o programa a partir do próximo reinício";
+    refused_program()
+        "the board refuses the program, and keeps the one that it had:"
+        "a placa recusa o programa e mantém o que tinha:";
+    card_wins()
+        "the program was stored, but the board's card has another PROGRAM.TXT, which it took at its restart; take the card out, or put the program on it"
+        "o programa foi gravado, mas o cartão da placa tem outro PROGRAM.TXT, que ela leu ao reiniciar; tire o cartão ou grave nele o programa";
+    inputs_toggle(last) "Inputs: 1 to {last} toggle" "Entradas: 1 a {last} alternam";
+    inputs_held(last)
+        "Inputs: closed while 1 to {last} is held"
+        "Entradas: fechadas com 1 a {last} apertadas";
+    inputs_force(last) "Inputs: 1 to {last} force" "Entradas: 1 a {last} forçam";
+    outputs_force(last) "Outputs: 1 to {last} force" "Saídas: 1 a {last} forçam";
+    inputs() "Inputs" "Entradas";
+    outputs() "Outputs" "Saídas";
+    memory() "Memory" "Memória";
+    board() "Board" "Placa";
+    timers() "Timers (ms)" "Temporizadores (ms)";
+    timers_of(first, last, count)
+        "Timers (ms): {first} to {last} of {count}"
+        "Temporizadores (ms): {first} a {last} de {count}";
+    timers_and_counters() "Timers (ms) and counters" "Temporizadores (ms) e contadores";
+    lines_of(what, first, last, count)
+        "{what}: lines {first} to {last} of {count}"
+        "{what}: linhas {first} a {last} de {count}";
+    text() "Text" "Texto";
+    rungs() "Rungs" "Degraus";
+    to_text() "text" "texto";
+    fault_in_line(number, line) "FAULT {number}, line {line}" "FAULT {number}, linha {line}";
+    paused() "PAUSED" "PAUSA";
+    ran(ms, scans) "{ms} ms  {scans} scans " "{ms} ms  {scans} varreduras ";
+    sim_keys(run, view, mode, more)
+        " q quit  space {run}  s scan  r restart  v {view}  m {mode}{more}  ↑↓ scroll"
+        " q sai  espaço {run}  s varre  r reset  v {view}  m {mode}{more}  ↑↓ rola";
+    pause() "pause" "pausa";
+    run() "run" "roda";
+    stop() "stop" "para";
+    toggle() "toggle" "alternar";
+    momentary() "momentary" "momento";
+    turn(input) "  a A{input}  +-<> turn" "  a A{input}  +-<> gira";
+    t_timers() "  t timers" "  t tempos";
+    d_memory() "  d memory" "  d memória";
+    monitor_keys(run, other, view)
+        " q quit  space {run}  1-8 force  o {other}  x free  s scan  r restart{view}  ↑↓"
+        " q sai  espaço {run}  1-8 força  o {other}  x libera  s varre  r reset{view}  ↑↓";
+    to_outputs() "outputs" "saídas";
+    to_inputs() "inputs" "entradas";
+    no_board() "NO BOARD" "SEM PLACA";
+    waiting() "waiting for the board" "à espera da placa";
+    lost(why) "lost, trying again: {why}" "perdida, tentando de novo: {why}";
+    last_upload() "last upload: " "último envio: ";
+    switch_closed()
+        "A5 is closed: STOP until it is opened"
+        "A5 está fechado: STOP até ser aberto";
+    upload_under_way() "an upload is under way" "há um envio em andamento";
+    card_failed()
+        "the card failed: STATE.TXT is no longer kept"
+        "o cartão falhou: STATE.TXT não é mais atualizado";
+    another_program(file, bytes, sum, own_bytes, own_sum)
+        "the board runs another program than {file}: {bytes} bytes {sum}, not {own_bytes} bytes {own_sum}"
+        "a placa executa outro programa que não {file}: {bytes} bytes {sum}, não {own_bytes} bytes {own_sum}";
+    figures(last, least, most, volts, stack)
+        " scan {last} µs ({least} to {most})  supply {volts} V  stack {stack} bytes free"
+        " varredura {last} µs ({least} a {most})  fonte {volts} V  pilha {stack} bytes livres";
+    history(cause, restarts, faults)
+        " last start: {cause}  since power-up: restarts {restarts}, faults {faults}"
+        " última partida: {cause}  desde ligada: reinícios {restarts}, falhas {faults}";
+    over(most) "over {most}" "mais de {most}";
+    no_board_to_do_it() "there is no board to do it" "não há placa que o faça";
+    refused_in_fault()
+        "the board is in FAULT: r restarts it"
+        "a placa está em FAULT: r a reinicia";
+    refused_by_switch()
+        "A5 is closed, which holds the board in STOP"
+        "A5 está fechado e segura a placa em STOP";
+    refused_in_upload()
+        "an upload is under way: r restarts the board without it"
+        "há um envio em andamento: r reinicia a placa sem ele";
+    refused_commands()
+        "commands are locked at this board"
+        "os comandos estão bloqueados nesta placa";
+    refused_writing()
+        "writing and forcing are locked at this board"
+        "escrever e forçar estão bloqueados nesta placa";
+    refused_scan()
+        "single scans are for STOP: space stops the board"
+        "varreduras avulsas são para STOP: espaço para a placa";
+    refused() "the board does not do that now" "a placa não faz isso agora";
+    too_small(columns, lines)
+        "this screen is too small: {columns} x {lines}"
+        "esta tela é pequena demais: {columns} x {lines}";
+    needs(columns, lines)
+        "at least {columns} x {lines} is needed"
+        "é preciso pelo menos {columns} x {lines}";
+    q_quits() "q quits" "q encerra";
+    in_fault_later(ms)
+        "in FAULT, within the first {ms} ms of its scans:"
+        "em FAULT nos primeiros {ms} ms de varreduras:";
+}

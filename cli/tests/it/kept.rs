@@ -1,0 +1,144 @@
+//! What is told of the numbers that a program keeps over a power cut (NC-21), in both languages.
+
+use crate::common::{file, outcome, outcome_in};
+
+/// A program that keeps so many registers, with so many contacts.
+fn keeping(registers: usize, contacts: usize) -> String {
+    let kept: String = (1..=registers).map(|n| format!("7568{n:02}\n")).collect();
+    format!("0\n{kept}{}877901\n", "827301\n".repeat(contacts))
+}
+
+#[test]
+fn check_tells_how_old_a_kept_number_may_be() {
+    // Room for 79, 54, 6 and 2 records.
+    for (registers, contacts, english, portuguese) in [
+        (
+            2,
+            26,
+            "2 numbers, kept as of at most 1 minute ago",
+            "2 números, como estavam há no máximo 1 minuto",
+        ),
+        (
+            1,
+            516,
+            "1 number, kept as of at most 1 minute ago",
+            "1 número, como estava há no máximo 1 minuto",
+        ),
+        (
+            16,
+            465,
+            "16 numbers, kept as of at most 9 minutes ago",
+            "16 números, como estavam há no máximo 9 minutos",
+        ),
+        (
+            16,
+            733,
+            "16 numbers, kept as of at most 27 minutes ago",
+            "16 números, como estavam há no máximo 27 minutos",
+        ),
+    ] {
+        let program = file("keeping.txt", &keeping(registers, contacts));
+        let (code, out, _) = outcome(&["check", &program]);
+        assert_eq!(code, 0, "{out}");
+        let expected = format!("\n  after a power cut: {english}\n");
+        assert!(out.ends_with(&expected), "{out}");
+        let (code, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
+        assert_eq!(code, 0, "{out}");
+        let expected = format!("\n  após uma queda de energia: {portuguese}\n");
+        assert!(out.ends_with(&expected), "{out}");
+    }
+}
+
+#[test]
+fn nothing_is_told_where_nothing_is_kept() {
+    let program = file("keeping-nothing.txt", &keeping(0, 1));
+    assert!(!outcome(&["check", &program]).1.contains("kept"));
+    let (_, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
+    assert!(!out.contains("queda"), "{out}");
+}
+
+#[test]
+fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
+    for (contacts, english, portuguese) in [
+        (
+            734,
+            "; 1 byte of program memory is lacking.",
+            "; falta 1 byte de memória de programa.",
+        ),
+        (
+            745,
+            "; 12 bytes of program memory are lacking.",
+            "; faltam 12 bytes de memória de programa.",
+        ),
+        (
+            900,
+            "; 167 bytes of program memory and 37 of run memory are lacking.",
+            "; faltam 167 bytes de memória de programa e 37 de memória de execução.",
+        ),
+    ] {
+        let program = file("lacking.txt", &keeping(16, contacts));
+        let (code, out, _) = outcome(&["check", &program]);
+        assert_eq!(code, 1, "{out}");
+        assert!(
+            out.starts_with("error[41]") && out.contains(english),
+            "{out}"
+        );
+        assert!(
+            out.contains("what is kept takes room for two records"),
+            "{out}"
+        );
+        let (code, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
+        assert_eq!(code, 1, "{out}");
+        assert!(
+            out.starts_with("erro[41]") && out.contains(portuguese),
+            "{out}"
+        );
+    }
+}
+
+/// A text that keeps so many numbers, with so many contacts.
+fn retaining(numbers: &str, contacts: usize) -> String {
+    let and = "AND I1\n".repeat(contacts);
+    format!("VAR RETAIN {numbers} : INT; END_VAR\nLD I1\n{and}ST Q1\n")
+}
+
+#[test]
+fn check_and_compile_tell_it_of_instruction_list_too() {
+    let text = file("retaining.il", &retaining("a, b", 700));
+    let english = "after a power cut: 2 numbers, kept as of at most 4 minutes ago\n";
+    let portuguese = "após uma queda de energia: 2 números, como estavam há no máximo 4 minutos\n";
+    for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
+        let (code, out, _) = outcome_in(&["check", &text], lang);
+        assert!(code == 0 && out.contains(&format!("\n  {told}")), "{out}");
+        let (code, _, err) = outcome_in(&["compile", &text], lang);
+        assert_eq!(code, 0, "{err}");
+        assert!(err.ends_with(&format!("\n{text}: {told}")), "{err}");
+    }
+    let text = file("retaining-nothing.il", "LD I1\nST Q1\n");
+    assert!(!outcome(&["compile", &text]).2.contains("kept"));
+}
+
+#[test]
+fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking() {
+    let text = file("retaining-too-much.il", &retaining("a, b", 900));
+    for (lang, lacking, room) in [
+        (
+            "C",
+            "; 28 bytes of program memory are lacking.",
+            "what is kept takes room for two records",
+        ),
+        (
+            "pt_BR.UTF-8",
+            "; faltam 28 bytes de memória de programa.",
+            "o que é retido precisa de lugar para duas gravações",
+        ),
+    ] {
+        for command in ["check", "compile"] {
+            let (code, out, err) = outcome_in(&[command, &text], lang);
+            let told = out + &err;
+            assert_eq!(code, 1, "{told}");
+            assert!(told.contains("IL-71") && told.contains(lacking), "{told}");
+            assert!(told.contains(room), "{told}");
+        }
+    }
+}

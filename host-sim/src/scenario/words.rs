@@ -1,0 +1,104 @@
+//! The words of scenarios, in the two languages that the tools speak: one table, in which no text is without its twin.
+//!
+//! Owns the words. Must not know of what they tell.
+
+unoclp_source::messages! {
+    too_long(most)
+        "has more than {most} bytes; no program and no scenario is as long"
+        "tem mais de {most} bytes; nenhum programa ou cenário é tão longo";
+    not_read(error) "cannot be read: {error}" "não pode ser lido: {error}";
+    the_file(why) "the file {why}" "o arquivo {why}";
+    no_toml() "this is no valid TOML" "isto não é TOML válido; confira aspas, vírgulas e colchetes";
+    no_key(key, valid) "there is no key `{key}` here; there is {valid}" "não existe aqui a chave `{key}`; existe {valid}";
+    missing_key(key) "the key `{key}` is missing" "falta a chave `{key}`";
+    key_twice() "this key stands there twice" "esta chave aparece duas vezes";
+    wrong_kind() "this value is of the wrong kind" "este valor não é do tipo que a chave pede";
+    key_in_step(told)
+        "{told}; keys of the whole file stand above the first [[step]]"
+        "{told}; as chaves do arquivo inteiro ficam acima do primeiro [[step]]";
+    a_text()
+        "`text` must be a text, or a list of texts and repeated texts"
+        "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
+    program(name, why) "the program {name} {why}" "o programa {name} {why}";
+    has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
+    no_program()
+        "it names no program; give a file: `sim FILE --scenario S.toml`"
+        "ele não indica um programa; indique um arquivo: `sim ARQUIVO --scenario S.toml`";
+    two_programs()
+        "`program` and `text` both give a program; keep one of them"
+        "`program` e `text` dão cada um um programa; deixe só um dos dois";
+    long_text(most) "`text` comes to more than {most} bytes" "`text` passa de {most} bytes";
+    fault_and_steps()
+        "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
+        "um programa com `fault` nunca roda; tire `fault`, ou os passos e `until`";
+    no_fault(number)
+        "there is no fault {number}; docs/numeric-code.md lists them"
+        "não existe a falha {number}; docs/faults.pt-BR.md lista todas";
+    line_zero()
+        "lines count from 1; leave `line` out where the fault has none"
+        "as linhas contam a partir de 1; tire `line` se a falha não tem linha";
+    no_period() "`scan_ms` must be 1 or more" "`scan_ms` deve ser 1 ou mais";
+    ends_early(last)
+        "`until` comes before the last step, at {last} ms"
+        "`until` vem antes do último passo, em {last} ms";
+    nothing_happens()
+        "nothing happens; write a [[step]], or the `fault` that is expected"
+        "nada acontece; escreva um [[step]], ou a falha esperada em `fault`";
+    goes_on()
+        "a run ends where it `stops`; remove `until` and later steps"
+        "a execução termina em `stops`; tire `until` e os passos depois dele";
+    no_scan(at, period)
+        "no scan runs at {at} ms; scans run every {period} ms (`scan_ms`)"
+        "não há varredura em {at} ms; há uma a cada {period} ms (`scan_ms`)";
+    order(at, last)
+        "the step at {at} ms does not come after the one at {last} ms; put steps in rising order"
+        "o passo em {at} ms não vem depois do passo em {last} ms; ponha os passos em ordem crescente";
+    not_set(name, inputs, analogue, markers, registers)
+        "{name} cannot be set; what can is I1 to I{inputs}, A0 to A{analogue}, M1 to M{markers} and D1 to D{registers}"
+        "{name} não pode receber um valor; podem I1 a I{inputs}, A0 a A{analogue}, M1 a M{markers} e D1 a D{registers}";
+    not_expected(name, outputs, markers, registers)
+        "{name} cannot be expected; what can is Q1 to Q{outputs}, M1 to M{markers}, D1 to D{registers}, P1 and P4"
+        "não se pode esperar nada de {name}; pode-se de Q1 a Q{outputs}, M1 a M{markers}, D1 a D{registers}, P1 e P4";
+    must_be(name, valid) "{name} must be {valid}" "{name} deve ser {valid}";
+    zero_or_one() "0 or 1" "0 ou 1";
+    number_from(from, to) "a number from {from} to {to}" "um número de {from} a {to}";
+    or_any(valid) "{valid}, or \"any\"" "{valid}, ou \"any\"";
+
+    the_program(name) "program: {name}" "programa: {name}";
+    legend() "1 = closed, on; · = open, off" "1 = fechada, ligada; · = aberta, desligada";
+    passed() "PASS" "PASSOU";
+    failed() "FAIL" "FALHOU";
+    nothing_expected() "it ran; nothing was expected" "rodou; nada era esperado";
+    refused_as_expected(fault) "refused as expected: {fault}" "recusado como esperado: {fault}";
+    stopped_as_expected(at, fault)
+        "stopped as expected at {at} ms: {fault}"
+        "parou como esperado em {at} ms: {fault}";
+    expected(what) "expected {what}" "esperado: {what}";
+    came(what) "came     {what}" "ocorreu:  {what}";
+    at_time(at, what) "at {at} ms {what}" "em {at} ms, {what}";
+    that_it_runs() "that the program runs" "que o programa rodasse";
+    that_it_runs_on() "that the program runs on" "que o programa continuasse";
+    but_ran_on() "but the program ran on" "mas o programa continuou";
+    but_accepted() "but the program was accepted" "mas o programa foi aceito";
+    unmet(place, from, expected, came)
+        "{place} at {from} ms: expected {expected}, came {came}"
+        "{place} em {from} ms: esperado {expected}, ocorreu {came}";
+    unmet_until(unmet, to) "{unmet} (until {to} ms)" "{unmet} (até {to} ms)";
+    more(count) "… and {count} more" "… e mais {count}";
+    while_loaded(reason)
+        "while the program was loaded: {reason}"
+        "enquanto o programa era carregado: {reason}";
+    broken_at(at, reason) "at {at} ms: {reason}" "em {at} ms: {reason}";
+    fault(number) "fault {number}" "falha {number}";
+    fault_in_line(number, line) "fault {number}, line {line}" "falha {number}, linha {line}";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(unoclp_source::messages::gaps(ALL), [""; 0]);
+    }
+}

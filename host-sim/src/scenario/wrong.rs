@@ -1,0 +1,112 @@
+//! What can be wrong with a scenario file.
+//!
+//! Owns the cases as values. Must not know their words: `shown` does.
+
+use super::Unreadable;
+use unoclp_core::Millis;
+
+/// Why a scenario could not be read: the file, the line where there is one, and what is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoadError {
+    /// The path of the scenario's file.
+    pub file: String,
+    /// The line, counted from 1; none where the whole file is meant.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub wrong: Wrong,
+}
+
+/// What is wrong with a scenario file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wrong {
+    /// The file itself.
+    Unreadable(Unreadable),
+    /// It is no TOML, or a value is of the wrong kind.
+    Toml {
+        /// What the reader of TOML says, in English.
+        told: String,
+    },
+    /// A key stands in a step, and belongs to the whole file.
+    KeyInStep {
+        /// What the reader of TOML says, in English.
+        told: String,
+        /// The key.
+        key: String,
+    },
+    /// The program cannot be read.
+    Program {
+        /// Its file.
+        name: String,
+        /// Why.
+        why: Unreadable,
+    },
+    /// The program in Instruction List has errors.
+    FaultyProgram {
+        /// Its file.
+        name: String,
+    },
+    /// It names no program.
+    NoProgram,
+    /// It gives two programs.
+    TwoPrograms,
+    /// The text of its program is too long.
+    LongText {
+        /// The most bytes.
+        most: u64,
+    },
+    /// It expects a fault of the file, and that the program runs.
+    FaultAndSteps,
+    /// There is no fault of this number.
+    NoFault {
+        /// The number.
+        number: u8,
+    },
+    /// A fault stands in line 0.
+    LineZero,
+    /// The scans stand still.
+    NoPeriod,
+    /// Its last step comes after its end.
+    EndsEarly {
+        /// The last step, in ms after the first scan.
+        last: Millis,
+    },
+    /// There is nothing to run.
+    NothingHappens,
+    /// Something comes after the fault that ends the run.
+    GoesOn,
+    /// No scan runs at this time.
+    NoScan {
+        /// In ms after the first scan.
+        at: Millis,
+        /// ms from scan to scan.
+        period: u32,
+    },
+    /// A step stands behind a later one.
+    Order {
+        /// The step, in ms after the first scan.
+        at: Millis,
+        /// The one before it.
+        last: Millis,
+    },
+    /// This cannot be set.
+    NotSet {
+        /// What.
+        name: String,
+    },
+    /// Nothing can be expected of this.
+    NotExpected {
+        /// What.
+        name: String,
+    },
+    /// A value is none that the place can have.
+    Value {
+        /// The place.
+        name: String,
+        /// The least value.
+        from: i32,
+        /// The greatest.
+        to: i32,
+        /// Whether `"any"` is right too.
+        or_any: bool,
+    },
+}

@@ -1,0 +1,36 @@
+//! The words of listings, in the two languages that the tools speak: one table, in which no text is without its twin.
+//!
+//! Owns the words. Must not know what a listing looks like.
+
+crate::messages! {
+    rung(number) "Rung {number}" "Degrau {number}";
+    rung_line(number, line) "Rung {number}, line {line}" "Degrau {number}, linha {line}";
+    rung_lines(number, from, to)
+        "Rung {number}, lines {from} to {to}"
+        "Degrau {number}, linhas {from} a {to}";
+    program_start() "program start" "início do programa";
+    operand() "operand" "operando";
+    register() "register XX" "registrador XX";
+    preset(value) "preset: {value}" "pré-seleção: {value}";
+    preset_ms(value) "preset: {value} ms" "pré-seleção: {value} ms";
+    drives(target) "drives {target}" "aciona {target}";
+    constant() "the constant" "a constante";
+    to_registers(first) "to {first} on" "para {first} em diante";
+    so_many_registers() "so many registers" "o número de registradores";
+    so_many_steps() "so many steps" "o número de passos";
+    outputs_of(step) "step {step}: outputs 01 02 03 04" "passo {step}: saídas 01 02 03 04";
+    from_this() "from this …" "disto …";
+    to_this() "… to this" "… a isto";
+    becomes_from() "becomes from this …" "passa a ir disto …";
+    filter_time(value) "time: {value} ms" "tempo: {value} ms";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(crate::messages::gaps(ALL), [""; 0]);
+    }
+}

@@ -1,0 +1,43 @@
+//! What is said of a program as a whole, in the two languages that the tools speak.
+
+crate::messages! {
+    size(codes, stored, room, free, parts)
+        "{codes}, {stored} of {room} bytes ({free} free), {parts}"
+        "{codes}, {stored} de {room} bytes ({free} livres), {parts}";
+    run_memory(linked, room, used)
+        "{linked} of {room} bytes of run memory; pins: {used}"
+        "{linked} de {room} bytes de memória de execução; pinos: {used}";
+    kept_number(minutes)
+        "after a power cut: 1 number, kept as of at most {minutes} ago"
+        "após uma queda de energia: 1 número, como estava há no máximo {minutes}";
+    kept_numbers(count, minutes)
+        "after a power cut: {count} numbers, kept as of at most {minutes} ago"
+        "após uma queda de energia: {count} números, como estavam há no máximo {minutes}";
+    minute() "1 minute" "1 minuto";
+    minutes(count) "{count} minutes" "{count} minutos";
+    code() "1 code" "1 código";
+    codes(count) "{count} codes" "{count} códigos";
+    timer() "1 timer" "1 temporizador";
+    timers(count) "{count} timers" "{count} temporizadores";
+    counter() "1 counter" "1 contador";
+    counters(count) "{count} counters" "{count} contadores";
+    register() "1 register" "1 registrador";
+    registers(count) "{count} registers" "{count} registradores";
+    marker() "1 marker" "1 memória";
+    markers(count) "{count} markers" "{count} memórias";
+    more_faults(count) "… and {count} more" "… e mais {count}";
+    one_fault(name)
+        "{name}: 1 fault; the UNO will not run any of it"
+        "{name}: 1 falha; o UNO não executa nada dele";
+    faults(name, count)
+        "{name}: {count} faults; the UNO will not run any of it"
+        "{name}: {count} falhas; o UNO não executa nada dele";
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(crate::messages::gaps(super::ALL), [""; 0]);
+    }
+}
