@@ -1,6 +1,10 @@
 //! A checked program.
 
+use crate::isa::{Operand, Value};
 use crate::{Instruction, Needs};
+
+/// An operation with a constant of four bytes.
+const CONSTANT_COST: usize = 6;
 
 /// A program that has passed every check (NC-10), in the run memory that it was loaded into.
 ///
@@ -85,16 +89,27 @@ impl<'m> Program<'m> {
 pub struct Steps<'c> {
     code: &'c [u8],
     at: usize,
+    cost: usize,
 }
 
 impl<'c> Steps<'c> {
     pub(crate) fn new(code: &'c [u8]) -> Steps<'c> {
-        Steps { code, at: 0 }
+        Steps {
+            code,
+            at: 0,
+            cost: 0,
+        }
     }
 
     /// The stored byte that the next instruction begins at.
     pub fn at(&self) -> usize {
         self.at
+    }
+
+    /// What jumping back over the instructions so far costs (NC-19): their stored bytes, each constant counted as 4,
+    /// as it was before shorter ones took less.
+    pub(crate) fn cost(&self) -> usize {
+        self.cost
     }
 }
 
@@ -105,6 +120,10 @@ impl<'c> Iterator for Steps<'c> {
     fn next(&mut self) -> Option<Instruction<'c>> {
         let (instruction, size) = Instruction::from_stored(self.code.get(self.at..)?)?;
         self.at += size;
+        self.cost += match instruction.operand {
+            Operand::Value(Value::Constant(_)) => CONSTANT_COST,
+            _ => size,
+        };
         Some(instruction)
     }
 }

@@ -1,8 +1,8 @@
 //! An instruction of a checked program, with its operands.
 
 use super::{
-    Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND,
-    holds_point,
+    BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND,
+    WORD_CONSTANT, holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
 use core::fmt;
@@ -106,10 +106,12 @@ impl<'c> Instruction<'c> {
                 counter: number,
                 preset: i32::from_le_bytes(take(&mut rest)?),
             },
-            Kind::Value if number == 0 => {
-                Operand::Value(Value::Constant(i32::from_le_bytes(take(&mut rest)?)))
-            }
-            Kind::Value => Operand::Value(Value::Register(number)),
+            Kind::Value => Operand::Value(match number {
+                0 => Value::Constant(i32::from_le_bytes(take(&mut rest)?)),
+                BYTE_CONSTANT => Value::Constant(i8::from_le_bytes(take(&mut rest)?).into()),
+                WORD_CONSTANT => Value::Constant(i16::from_le_bytes(take(&mut rest)?).into()),
+                register => Value::Register(register),
+            }),
             Kind::Move => {
                 let [to, count] = take(&mut rest)?;
                 Operand::Move {

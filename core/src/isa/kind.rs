@@ -120,7 +120,7 @@ numbered! {
 }
 
 impl Line {
-    /// How many bytes store it.
+    /// How many bytes store it; a constant may take [fewer](super::constant_bytes).
     pub const fn bytes(self) -> u8 {
         match self {
             Line::TimerPreset | Line::CounterPreset | Line::Constant => 4,
@@ -132,9 +132,8 @@ impl Line {
     /// Bytes of run memory that the line, stored as this, adds to those of its instruction's row.
     pub const fn more_run_bytes(self, stored: u8) -> u8 {
         match self {
-            Line::Constant => 3,
             Line::Step => 1,
-            Line::Target if stored >= MARKER_TARGET => 2,
+            Line::Target if stored >= MARKER_TARGET => 1,
             _ => 0,
         }
     }

@@ -37,16 +37,28 @@ impl<B: Board> Loader<'_, B> {
         self.expect = self.behind(line);
         self.check_line(line, number)?;
         let bytes = number.to_le_bytes();
+        if line == Line::Constant && !self.restores {
+            self.room.constant(isa::stored_constant(number))?;
+        }
+        let size = self.line_bytes(line);
         let more = match line {
             // The room of all steps, taken at once.
             Line::Steps => self.room.reserve(bytes[0].into(), bytes[0].into()),
-            Line::Target => self.room.reserve(0, line.more_run_bytes(bytes[0]).into()),
+            Line::Target => self.room.target(bytes[0]),
             _ => Ok(()),
         };
-        for &byte in bytes.iter().take(line.bytes().into()) {
+        for &byte in bytes.iter().take(size.into()) {
             self.room.put(byte);
         }
         more
+    }
+
+    /// How many bytes store this line; of a constant, what stands before it says.
+    pub(super) fn line_bytes(&self, line: Line) -> u8 {
+        match line {
+            Line::Constant => isa::constant_bytes(self.room.before(1).unwrap_or(0)).unwrap_or(0),
+            _ => line.bytes(),
+        }
     }
 
     /// What is expected behind a line.

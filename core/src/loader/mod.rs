@@ -55,6 +55,8 @@ pub struct Loader<'m, B = Profile> {
     /// Steps of a drum that are still to come.
     steps: u8,
     codes: u16,
+    /// Whether constants keep the size that they are stored in.
+    restores: bool,
 }
 
 impl<'m, B: Board> Loader<'m, B> {
@@ -80,6 +82,7 @@ impl<'m, B: Board> Loader<'m, B> {
             timer_line: 0,
             steps: 0,
             codes: 0,
+            restores: false,
         }
     }
 
@@ -101,6 +104,7 @@ impl<'m, B: Board> Loader<'m, B> {
     pub fn restore(&mut self, stored: &mut impl Iterator<Item = u8>) -> Result<(), Fault> {
         self.expect = Expect::Head;
         self.codes = 1;
+        self.restores = true;
         let mut checked = Ok(());
         while let (Ok(()), Some(byte)) = (checked, stored.next()) {
             checked = self.stored_instruction(byte, stored);
@@ -214,6 +218,11 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         let (entry, xx) = isa::find(&self.board, By::Code(code)).ok_or(Cause::UnknownCode)?;
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
+        let xx = match xx {
+            // As it is stored, until its line tells more.
+            0 if entry.kind == Kind::Value => isa::BYTE_CONSTANT,
+            _ => xx,
+        };
         self.checked(entry, xx, expected, line)
     }
 
@@ -240,11 +249,13 @@ impl<'m, B: Board> Loader<'m, B> {
         self.checked(entry, xx, expected, line)?;
         while let Expect::Line(line) = self.expect {
             let mut bytes = [0; 4];
-            for place in bytes.iter_mut().take(line.bytes().into()) {
+            let size = self.line_bytes(line);
+            for place in bytes.iter_mut().take(size.into()) {
                 *place = next()?;
             }
-            let number = match (line.bytes(), bytes) {
+            let number = match (size, bytes) {
                 (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                (1, [low, ..]) if line == Line::Constant => low.cast_signed().into(),
                 _ => i32::from_le_bytes(bytes),
             };
             self.stored_line(line, number)?;
@@ -259,7 +270,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let kind = entry.kind;
         let mut stored = entry.stored;
         if let Some(line) = entry.line
-            && (kind != Kind::Value || xx == 0)
+            && (kind != Kind::Value || isa::constant_bytes(xx).is_some())
         {
             self.block = self.line;
             self.expect = Expect::Line(line);
@@ -271,7 +282,7 @@ impl<'m, B: Board> Loader<'m, B> {
         if kind == Kind::Output {
             last = self.board.profile().outputs;
         }
-        if xx < entry.first || xx > last {
+        if xx < entry.first || xx > last || kind == Kind::Value && is_no_value(xx) {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
@@ -344,6 +355,11 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         self.labels.check_jumps(&self.board, self.room.stored())
     }
+}
+
+/// Whether XX, as it is stored, is neither a register's nor a constant's.
+fn is_no_value(xx: u8) -> bool {
+    xx > isa::REGISTERS && xx < isa::BYTE_CONSTANT
 }
 
 /// What is told of a number that this kind does not have.

@@ -89,10 +89,10 @@ impl Plc<'_> {
                 }
                 Next::Label { label, line } => {
                     observe(step, pass.acc);
-                    let from = pass.steps.at();
+                    let from = pass.steps.cost();
                     index = pass.go_to(code, label);
                     // What lies between is what has been passed over to come back here.
-                    if let Some(back) = from.checked_sub(pass.steps.at()) {
+                    if let Some(back) = from.checked_sub(pass.steps.cost()) {
                         match pass.budget.checked_sub(back as u16) {
                             Some(left) => pass.budget = left,
                             None => return Err(self.too_many_jumps(line)),

@@ -21,8 +21,8 @@ const EVERY: &[i32] = &[
     404103, 6540, 404103, 8840, 404103, 41, 41, 41, 83848004, 76686504,
 ];
 
-/// The stored bytes of that program. They are what a later version may find in a board's memory:
-/// a change here is a change of format.
+/// The stored bytes of that program, as versions before 0.2.0 stored it: each constant in 4 bytes. They are what a later
+/// version may find in a board's memory: a change here is a change of format.
 #[rustfmt::skip]
 const STORED: &[u8] = &[
     0x01, 0xE3, 0x20, 0x04, 0x04, 0x03, 0x02, 0x01, 0x01, 0x05, 0xF4, 0x01, 0x00, 0x00, 0x4B, 0x06,
@@ -61,9 +61,56 @@ fn load<'m>(memory: &'m mut [u8], text: &str) -> unoclp_core::Program<'m> {
 
 #[test]
 fn stored_bytes_are_pinned() {
+    // -2 takes one byte now, and is told so in place of the 0.
+    const LONG: [u8; 5] = [0x00, 0xFE, 0xFF, 0xFF, 0xFF];
+    let mut expected = Vec::new();
+    let mut rest = STORED;
+    while let Some((&byte, behind)) = rest.split_first() {
+        if let Some(behind) = rest.strip_prefix(&LONG) {
+            expected.extend([0x64, 0xFE]);
+            rest = behind;
+        } else {
+            expected.push(byte);
+            rest = behind;
+        }
+    }
     let mut memory = [0; 1900];
-    let size = load(&mut memory, &text(EVERY)).stored_bytes();
-    assert_eq!(&memory[..size], STORED);
+    assert_eq!(load(&mut memory, &text(EVERY)).stored(), expected);
+}
+
+#[test]
+fn what_older_versions_stored_means_the_same() {
+    let (mut first, mut second) = ([0; 1900], [0; 1900]);
+    let mut loader = Loader::new(&mut first, Profile::UNO);
+    loader.restore(&mut STORED.iter().copied()).unwrap();
+    let restored = loader.finish().unwrap();
+    assert_eq!(restored.stored(), STORED);
+    let program = load(&mut second, &text(EVERY));
+    assert!(restored.steps().eq(program.steps()));
+}
+
+#[test]
+fn a_constant_takes_the_bytes_that_it_needs() {
+    for (number, bytes) in [
+        (0, 3),
+        (127, 3),
+        (-128, 3),
+        (128, 4),
+        (-129, 4),
+        (32_767, 4),
+        (-32_768, 4),
+        (32_768, 6),
+        (-32_769, 6),
+        (i32::MAX, 6),
+        (i32::MIN, 6),
+    ] {
+        let mut memory = [0; 100];
+        let program = load(&mut memory, &text(&[0, 65686800, number]));
+        assert_eq!(program.stored_bytes(), bytes, "{number}");
+        // Where it is from, its bytes, and the addition.
+        assert_eq!(program.linked_bytes(), bytes, "{number}");
+        assert!(program.steps().flat_map(|step| step.codes()).eq([65686800, number]));
+    }
 }
 
 /// Those of the first version. What has come later is pinned by the table in `docs/numeric-code.md`.

@@ -22,9 +22,11 @@ macro_rules! assembly {
             $(concat!("        .equ    OP_", stringify!($name), ", ", $stored),)*
             $(concat!("        .equ    OWN_", stringify!($name), ", ", $own),)*
             $(concat!("        .global ", stringify!($handler)),)*
-            include_str!("handlers.s"),
-            include_str!("more.s"),
+            include_str!("rules.s"),
+            include_str!("first.s"),
             include_str!("timers.s"),
+            include_str!("more.s"),
+            include_str!("handlers.s"),
             include_str!("numbers.s"),
             include_str!("link.s"),
             include_str!("words.s"),
@@ -50,6 +52,7 @@ unoclp_core::instructions!(assembly {
     TIMER_DATA = isa::TIMER_DATA;
     COUNTER_DATA = isa::COUNTER_DATA;
     MARKER_TARGET = isa::MARKER_TARGET;
+    BYTE_CONSTANT = isa::BYTE_CONSTANT;
     LABELS = isa::LABELS;
     POINTS = POINTS;
     INPUTS = Images::INPUTS;
@@ -120,6 +123,7 @@ const _: () = {
     assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
     // No kind is 0 but that of what has no operand.
     assert!(Kind::None as u8 == 0);
+    assert!(isa::WORD_CONSTANT == isa::BYTE_CONSTANT + 1);
     // What is kept comes last, and its numbers stand where those of other instructions do.
     let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
     assert!(counter as usize == register as usize + 1);
@@ -128,6 +132,7 @@ const _: () = {
     assert!(register.row().run as usize == bytes && counter.row().run as usize == bytes);
     // It keeps address and place of a label, 4 bytes, in the registers.
     assert!(isa::LABELS <= isa::REGISTERS && isa::LABELS.is_power_of_two());
-    // The page is left by `subi` with one byte.
+    // The page is left by `subi` with one byte, and all of the data that one byte names stands at its end.
     assert!(offset_of!(Data, registers) < 128);
+    assert!(offset_of!(Running, data) >= 0x100 && size_of::<Running>() == 0x200);
 };

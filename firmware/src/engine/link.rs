@@ -34,7 +34,7 @@ pub(super) struct Job {
     /// Where the address of the next number that is kept is put, and behind that of the last.
     pub(super) kept: u16,
     pub(super) kept_end: u16,
-    /// How many stored bytes have been read.
+    /// How many stored bytes have been read, each constant counted as 4 (NC-19).
     pub(super) position: u16,
     /// How each open branch is closed, two bits each, the innermost in the lowest: by OR, AND, XOR.
     pub(super) closing: u16,

@@ -92,17 +92,20 @@ link_copy:
         brne    link_copy
         ret
 
-; Puts the handler r24 of the first page, after what is pending.
+; Puts the handler r24 of those that are run most, after what is pending.
 link_fast:
         mov     r14, r24
-        clr     r15
+        ldi     r24, NEAR
+        mov     r15, r24
 ; Puts the handler r15:r14, likewise.
 link_handler:
         rcall   link_flush
+        mov     r25, r15
         ldi     r24, pm_lo8(engine_escape)
-        sbrc    r15, 0
+        cpi     r25, NEAR
+        breq    1f
         rcall   link_put
-        mov     r24, r14
+1:      mov     r24, r14
         rjmp    link_put
 
 ; Puts what is pending.
@@ -408,6 +411,19 @@ link_numbered:
         sbrc    r16, 0          ; inverted
         ldi     r24, pm_lo8(engine_xor_cell_not)
         mov     r14, r24
+1:      ldi     r24, pm_lo8(engine_load)
+        ldi     r18, NEAR
+        cp      r14, r24
+        cpc     r15, r18
+        breq    3f              ; of a counter or a reading too
+        cpi     r25, KIND_VALUE
+        brne    4f
+3:      rjmp    link_operation
+4:      cpi     r16, OP_Store
+        brne    1f
+        ldi     r24, pm_lo8(engine_store_near)
+        rcall   link_fast
+        rjmp    link_object
 1:      rcall   link_handler
         mov     r25, r12
         mov     r24, r17
@@ -434,14 +450,7 @@ link_numbered:
         rcall   link_put
         ldi     r17, 2
         rjmp    link_copy
-4:      cpi     r25, KIND_VALUE
-        brne    5f
-        tst     r17
-        brne    8f
-        rcall   link_put        ; 0
-        ldi     r17, 4
-        rjmp    link_copy
-5:      cpi     r16, OP_Integrate
+4:      cpi     r16, OP_Integrate
         brne    6f
         push    r17
         ldi     r17, OWN_Integrate
@@ -476,6 +485,53 @@ link_numbered:
         brne    1b
         ret
 8:      rjmp    link_object
+
+; An operation: what it takes comes before it.
+link_operation:
+        push    r14
+        push    r15
+        cpi     r25, KIND_VALUE
+        brne    3f
+        mov     r25, r17
+        ldi     r17, 4
+        ldi     r24, pm_lo8(engine_long)
+        tst     r25
+        breq    1f
+        ldi     r17, 1
+        ldi     r24, pm_lo8(engine_byte)
+        cpi     r25, BYTE_CONSTANT
+        breq    1f
+        ldi     r17, 2
+        ldi     r24, pm_lo8(engine_word)
+        brcc    1f
+        mov     r17, r25
+3:      rcall   link_flush
+        rcall   link_find
+        ldi     r18, pm_lo8(engine_near)
+        cpi     r25, NEAR
+        breq    4f
+        ldi     r18, pm_lo8(engine_far)
+4:      push    r24
+        push    r25
+        mov     r24, r18
+        rcall   link_fast
+        pop     r25
+        pop     r24
+        rcall   link_place_of
+        rjmp    5f
+1:      rcall   link_fast
+        ldd     r24, Y+JOB_POSITION ; what a jump back costs counts it as 4 bytes
+        ldd     r25, Y+JOB_POSITION+1
+        adiw    r24, 4
+        sub     r24, r17
+        sbc     r25, r1
+        std     Y+JOB_POSITION, r24
+        std     Y+JOB_POSITION+1, r25
+        rcall   link_copy
+        rjmp    5f
+5:      pop     r15
+        pop     r14
+        rjmp    link_handler
 
 link_label:
         rcall   link_flush
@@ -571,8 +627,23 @@ link_count:
         dec     r16
         brne    1b
 
-; Puts the address of what has this kind and number.
+; Puts the address of what has this kind and number: its low byte alone where the handler needs no more.
 link_object:
+        rcall   link_find
+        cpi     r16, OP_KeepRegister
+        brcs    link_place_of
+        rjmp    link_keep
+link_place_of:
+        mov     r18, r15
+        cpi     r18, NEAR
+        brne    1f
+        cp      r25, r18
+        brne    1f
+        rjmp    link_put
+1:      rjmp    link_address
+
+; r25:r24 := the address of what has this kind and number.
+link_find:
         ldi     r24, lo8(REGISTERS)
         ldi     r25, hi8(REGISTERS)
         ldi     r18, 4
@@ -635,10 +706,9 @@ link_object:
         add     r24, r0
         adc     r25, r1
         clr     r1
-        cpi     r16, OP_KeepRegister
-        brcc    1f
-        rjmp    link_address
-1:      ldd     r30, Y+JOB_KEPT ; it has no handler, but its address stands there
+        ret
+link_keep:
+        ldd     r30, Y+JOB_KEPT ; it has no handler, but its address stands there
         ldd     r31, Y+JOB_KEPT+1
         ldd     r18, Y+JOB_KEPT_END
         ldd     r19, Y+JOB_KEPT_END+1

@@ -270,7 +270,7 @@ impl<'m> Linked<'m> {
                 "ldi r22, 0",
                 "ldi r23, 0",
                 "movw r24, r22",
-                "ldi r31, 0",
+                "ldi r31, 2",
                 "set",
                 "ld r30, X+",
                 "icall",
