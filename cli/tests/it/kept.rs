@@ -3,9 +3,9 @@
 use crate::common::{file, outcome, outcome_in};
 
 /// A program that keeps so many registers, with so many contacts.
-fn keeping(registers: usize, contacts: usize) -> String {
+fn keeping(registers: usize, codes: &str) -> String {
     let kept: String = (1..=registers).map(|n| format!("7568{n:02}\n")).collect();
-    format!("0\n{kept}{}877901\n", "827301\n".repeat(contacts))
+    format!("0\n{kept}{codes}877901\n")
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn check_tells_how_old_a_kept_number_may_be() {
             "16 números, como estavam há no máximo 27 minutos",
         ),
     ] {
-        let program = file("keeping.txt", &keeping(registers, contacts));
+        let program = file("keeping.txt", &keeping(registers, &"827301\n".repeat(contacts)));
         let (code, out, _) = outcome(&["check", &program]);
         assert_eq!(code, 0, "{out}");
         let expected = format!("\n  after a power cut: {english}\n");
@@ -51,7 +51,7 @@ fn check_tells_how_old_a_kept_number_may_be() {
 
 #[test]
 fn nothing_is_told_where_nothing_is_kept() {
-    let program = file("keeping-nothing.txt", &keeping(0, 1));
+    let program = file("keeping-nothing.txt", &keeping(0, "827301\n"));
     assert!(!outcome(&["check", &program]).1.contains("kept"));
     let (_, out, _) = outcome_in(&["check", &program], "pt_BR.UTF-8");
     assert!(!out.contains("queda"), "{out}");
@@ -59,24 +59,24 @@ fn nothing_is_told_where_nothing_is_kept() {
 
 #[test]
 fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
-    for (contacts, english, portuguese) in [
+    for (codes, english, portuguese) in [
         (
-            734,
+            "827301\n".repeat(734),
             "; 1 byte of program memory is lacking.",
             "; falta 1 byte de memória de programa.",
         ),
         (
-            745,
+            "827301\n".repeat(745),
             "; 12 bytes of program memory are lacking.",
             "; faltam 12 bytes de memória de programa.",
         ),
         (
-            900,
-            "; 167 bytes of program memory and 37 of run memory are lacking.",
-            "; faltam 167 bytes de memória de programa e 37 de memória de execução.",
+            ["827301\n".repeat(700), "6985\n".repeat(200)].concat(),
+            "; 167 bytes of program memory and 140 of run memory are lacking.",
+            "; faltam 167 bytes de memória de programa e 140 de memória de execução.",
         ),
     ] {
-        let program = file("lacking.txt", &keeping(16, contacts));
+        let program = file("lacking.txt", &keeping(16, &codes));
         let (code, out, _) = outcome(&["check", &program]);
         assert_eq!(code, 1, "{out}");
         assert!(
