@@ -74,7 +74,7 @@ impl Default for Kept {
     /// No program.
     fn default() -> Kept {
         Kept {
-            version: eeprom::program::VERSION,
+            version: eeprom::program::FORM,
             bytes: 0,
             sum: 0,
         }
@@ -85,7 +85,7 @@ impl Kept {
     /// How a board of this version keeps a program.
     pub fn of(program: &Program<'_>) -> Kept {
         Kept {
-            version: eeprom::program::VERSION,
+            version: eeprom::program::FORM,
             // More does not fit the board that it was checked for.
             bytes: program.stored_bytes() as u16,
             sum: eeprom::program::sum(program.stored()).value(),
@@ -169,7 +169,7 @@ mod tests {
         // The stored form of a contact and a coil, behind program start and a new rung.
         let sum = Crc16::of(&[1, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
         let expected = Kept {
-            version: 1,
+            version: 2,
             bytes: 3,
             sum,
         };

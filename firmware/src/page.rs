@@ -47,10 +47,8 @@ pub struct Running {
     /// What is set.
     pub settings: Settings,
     /// So that the data ends where the page does.
-    unused: [u8; size_of::<Block>()
-        - size_of::<Frame>()
-        - size_of::<Settings>()
-        - size_of::<Data>()],
+    unused:
+        [u8; size_of::<Block>() - size_of::<Frame>() - size_of::<Settings>() - size_of::<Data>()],
     /// The data of the program; the engine's assembly knows it as `ENGINE`.
     pub data: Data,
 }

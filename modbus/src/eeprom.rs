@@ -32,8 +32,11 @@ pub mod program {
     pub const INVALID: u8 = 0x00;
     /// The mark where none was ever kept, as the chip comes.
     pub const BLANK: u8 = 0xFF;
-    /// The version of this form. A change of the layout or of the stored form of an instruction takes a new one.
+    /// The version of this layout: a change takes a new one.
     pub const VERSION: u8 = 1;
+    /// The version of the stored form of programs, as a board tells it. A program may be stored otherwise by each, and
+    /// what the versions before stored means the same: 1, each constant takes 4 bytes; 2, it takes 1, 2 or 4.
+    pub const FORM: u8 = 2;
     /// Where the head stands.
     pub const HEAD: u16 = MARK + 1;
     /// Bytes of the head: version, length, and what is kept free.

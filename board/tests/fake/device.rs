@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
-use unoclp_modbus::eeprom::program::{HEAD_BYTES, VERSION, head};
+use unoclp_modbus::eeprom::program::{FORM, HEAD_BYTES, head};
 use unoclp_modbus::map::{
     self, BLOCK_BYTES, Command, PRODUCT, Span, State, VENDOR, coil, discrete, flag, form, holding,
     input, setting,
@@ -16,7 +16,7 @@ pub const FAULT: u16 = State::Fault as u16;
 
 /// How a board of this version keeps the program of this text.
 pub fn kept(text: &str) -> Kept {
-    kept_in(VERSION, text.as_bytes())
+    kept_in(FORM, text.as_bytes())
 }
 
 /// How a board keeps it whose stored form has this version.
@@ -27,7 +27,10 @@ fn kept_in(version: u8, text: &[u8]) -> Kept {
     let program = loader.finish().unwrap();
     let bytes = program.stored_bytes() as u16;
     let mut head: [u8; HEAD_BYTES] = head(bytes);
-    head[0] = version;
+    if version != FORM {
+        // What it sums up differs from what a board of this version does.
+        head[0] = version;
+    }
     let mut sum = Crc16::of(&head);
     sum.extend(program.stored());
     let sum = sum.value();
@@ -109,9 +112,9 @@ impl Default for Board {
             stopped: false,
             fault: 0,
             line: 0,
-            version: VERSION,
+            version: FORM,
             kept: Kept {
-                version: VERSION,
+                version: FORM,
                 bytes: 3,
                 sum: 77,
             },

@@ -60,7 +60,7 @@ fn an_upload_says_what_it_does() {
 fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
     let program = file("form.txt", FOLLOW);
     for state in [STOP, FAULT] {
-        let fake = Fake::new(Board::of_version(2, Board::in_state(state)));
+        let fake = Fake::new(Board::of_version(3, Board::in_state(state)));
         let (code, out, err) = on(&fake, &["upload", &program]);
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         let told = fake.board().kept.sum;

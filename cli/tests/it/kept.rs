@@ -37,7 +37,10 @@ fn check_tells_how_old_a_kept_number_may_be() {
             "16 números, como estavam há no máximo 27 minutos",
         ),
     ] {
-        let program = file("keeping.txt", &keeping(registers, &"827301\n".repeat(contacts)));
+        let program = file(
+            "keeping.txt",
+            &keeping(registers, &"827301\n".repeat(contacts)),
+        );
         let (code, out, _) = outcome(&["check", &program]);
         assert_eq!(code, 0, "{out}");
         let expected = format!("\n  after a power cut: {english}\n");

@@ -1,8 +1,8 @@
 //! An instruction of a checked program, with its operands.
 
 use super::{
-    BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, REGISTER_OPERAND,
-    WORD_CONSTANT, holds_point,
+    BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode,
+    REGISTER_OPERAND, WORD_CONSTANT, holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
 use core::fmt;

@@ -112,13 +112,12 @@ pub const TIMER_DATA: usize = 9;
 /// Bytes of a counter's data in run memory: its value, its preset, its inputs as they were.
 pub const COUNTER_DATA: usize = 9;
 
-/// How many bytes store a constant whose XX is stored so; none where XX is no constant's.
-pub const fn constant_bytes(xx: u8) -> Option<u8> {
-    match xx {
-        0 => Some(4),
-        BYTE_CONSTANT => Some(1),
-        WORD_CONSTANT => Some(2),
-        _ => None,
+/// How many bytes store a constant whose XX is stored so; 0 where XX is no constant's.
+pub const fn constant_bytes(xx: u8) -> u8 {
+    if xx == 0 {
+        4
+    } else {
+        xx.saturating_sub(BYTE_CONSTANT - 1)
     }
 }
 
@@ -136,8 +135,8 @@ pub const fn stored_constant(number: i32) -> u8 {
 /// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
 pub const fn operand_run_bytes(xx: u8) -> u8 {
     match constant_bytes(xx) {
-        Some(bytes) => 1 + bytes,
-        None => 2,
+        0 => 2,
+        bytes => 1 + bytes,
     }
 }
 

@@ -1,7 +1,8 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
 use super::{
-    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point, xx,
+    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point,
+    xx,
 };
 use crate::{Board, Profile};
 
@@ -115,7 +116,7 @@ pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
         2
     };
     let more = if entry.kind == Kind::Value {
-        constant_bytes(*stored.get(1)?).unwrap_or(0)
+        constant_bytes(*stored.get(1)?)
     } else if entry.kind == Kind::Drum {
         1 + *stored.get(2)?
     } else {

@@ -56,7 +56,7 @@ impl<B: Board> Loader<'_, B> {
     /// How many bytes store this line; of a constant, what stands before it says.
     pub(super) fn line_bytes(&self, line: Line) -> u8 {
         match line {
-            Line::Constant => isa::constant_bytes(self.room.before(1).unwrap_or(0)).unwrap_or(0),
+            Line::Constant => isa::constant_bytes(self.room.before(1).unwrap_or(0)),
             _ => line.bytes(),
         }
     }

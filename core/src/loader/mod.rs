@@ -270,7 +270,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let kind = entry.kind;
         let mut stored = entry.stored;
         if let Some(line) = entry.line
-            && (kind != Kind::Value || isa::constant_bytes(xx).is_some())
+            && (kind != Kind::Value || isa::constant_bytes(xx) > 0)
         {
             self.block = self.line;
             self.expect = Expect::Line(line);

@@ -71,7 +71,7 @@ impl<'m> Room<'m> {
         if kind == Kind::Timer {
             self.timers = self.timers.saturating_add(1);
         } else if kind == Kind::Value {
-            bytes += usize::from(isa::constant_bytes(xx).unwrap_or(0));
+            bytes += usize::from(isa::constant_bytes(xx));
             run += usize::from(isa::operand_run_bytes(xx));
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
@@ -142,7 +142,7 @@ impl<'m> Room<'m> {
         if let (false, Some(last)) = (self.full, self.memory.get_mut(self.put.wrapping_sub(1))) {
             *last = xx;
         }
-        let more = usize::from(isa::constant_bytes(xx).unwrap_or(1)) - 1;
+        let more = usize::from(isa::constant_bytes(xx)).saturating_sub(1);
         self.reserve(more, more)
     }
 

@@ -109,7 +109,12 @@ fn a_constant_takes_the_bytes_that_it_needs() {
         assert_eq!(program.stored_bytes(), bytes, "{number}");
         // Where it is from, its bytes, and the addition.
         assert_eq!(program.linked_bytes(), bytes, "{number}");
-        assert!(program.steps().flat_map(|step| step.codes()).eq([65686800, number]));
+        assert!(
+            program
+                .steps()
+                .flat_map(|step| step.codes())
+                .eq([65686800, number])
+        );
     }
 }
 

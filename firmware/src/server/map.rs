@@ -77,7 +77,7 @@ impl Map<'_, '_> {
         let line = operation.fault.and_then(|fault| fault.line).unwrap_or(0);
         let pair = match number {
             number::STATE => return operation.state as u16,
-            number::FLAGS => return u16::from(self.bits()) | form::bits(program::VERSION),
+            number::FLAGS => return u16::from(self.bits()) | form::bits(program::FORM),
             number::FAULT => {
                 return operation
                     .fault
