@@ -4,7 +4,7 @@ use crate::common;
 use crate::common::modbus::{input, words};
 use crate::common::{card, to_run, to_run_or_fault, uno};
 use unoclp_testing::cases;
-use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Space, Uno};
+use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
 /// Outputs 01 to 04 are on.
 const TEXT: &str = "0\n877901\n877902\n877903\n877904\n787600\n827301\n827302\n827303\n-827301\n-827302\n787600\n827304\n";
