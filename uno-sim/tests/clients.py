@@ -44,7 +44,7 @@ sound(client.write_registers(128, [2, 0], device_id=1))  # the preset of T 01
 assert sound(client.read_holding_registers(128, count=2, device_id=1)).registers == [2, 0]
 print("3, 16: read and write holding registers")
 registers = sound(client.read_input_registers(16, count=17, device_id=1)).registers
-assert registers[0] == 1 and registers[1] == 0b100, registers
+assert registers[0] == 1 and registers[1] == 0x100 | 0b100, registers
 elapsed = sound(client.read_input_registers(128, count=2, device_id=1)).registers
 assert 0 < elapsed[0] << 16 | elapsed[1], elapsed
 assert sound(client.read_input_registers(320, count=4, device_id=1)).registers == [0, 1, 0, 0]

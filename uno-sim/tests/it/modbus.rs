@@ -1,7 +1,7 @@
 //! The Modbus server: every function in RUN, STOP and FAULT, commands, forcing.
 
 use crate::common::modbus::{
-    ask, bits, input, long, serving, to_serving, words, write, write_coil, write_words,
+    FORM, ask, bits, input, long, serving, to_serving, words, write, write_coil, write_words,
 };
 use crate::common::{card, ms_until, to_run, uno};
 use unoclp_uno_sim::{CYCLES_PER_MS, Pin, Slot, Uno};
@@ -71,7 +71,7 @@ fn diagnostics() {
     let told = words(&mut uno, 4, 16, 17);
     println!("{told:?}");
     // State, bits, fault, start, line.
-    assert_eq!(told[..6], [RUN, 0, 0, 1, 0, 0]);
+    assert_eq!(told[..6], [RUN, FORM, 0, 1, 0, 0]);
     let ms = long(&told[6..8]);
     let now = u32::from_le_bytes({
         let clock = uno.symbol("MILLIS").unwrap();
@@ -98,7 +98,7 @@ fn diagnostics() {
     assert_eq!((told[3], told[15]), (2, 1));
 
     let mut wrong = in_state(FAULT);
-    assert_eq!(words(&mut wrong, 4, 16, 6), [FAULT, 0, 22, 1, 0, 1]);
+    assert_eq!(words(&mut wrong, 4, 16, 6), [FAULT, FORM, 22, 1, 0, 1]);
     assert_eq!(input(&mut wrong, 32), 1);
     assert_eq!(words(&mut wrong, 4, 28, 2), [0, 0]);
 }
@@ -112,7 +112,7 @@ fn stop_single_scan_and_run_by_command() {
     write(&mut uno, 400, STOP).unwrap();
     assert_eq!(uno.outputs(), 0);
     assert_eq!(words(&mut uno, 3, 400, 1), [STOP]);
-    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, 0b10]);
+    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, FORM | 0b10]);
     // From the beginning, scan by scan, and no pin moves.
     uno.take_edges();
     for expected in [0b00, 0b01, 0b11, 0b11] {
@@ -139,12 +139,12 @@ fn the_switch_wins() {
     uno.set_inputs(1);
     uno.set_stop(true);
     uno.run_ms(2).unwrap();
-    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, 0b01]);
+    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, FORM | 0b01]);
     for refused in [RUN, SINGLE_SCAN] {
         assert_eq!(write(&mut uno, 400, refused), Err(4));
     }
     write(&mut uno, 400, STOP).unwrap();
-    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, 0b11]);
+    assert_eq!(words(&mut uno, 4, 16, 2), [STOP, FORM | 0b11]);
     uno.set_stop(false);
     uno.run_ms(5).unwrap();
     assert_eq!((uno.outputs(), input(&mut uno, 16)), (0, STOP));
@@ -189,7 +189,7 @@ fn a_restart_is_the_whole_start_up() {
         uno.run_ms(2).unwrap();
         assert_eq!(uno.outputs(), 0);
         assert_eq!(words(&mut uno, 3, 402, 4), [0; 4]);
-        assert_eq!(words(&mut uno, 4, 16, 4), [RUN, 0, 0, 5]);
+        assert_eq!(words(&mut uno, 4, 16, 4), [RUN, FORM, 0, 5]);
     }
     // Nobody answers a broadcast, and it is done.
     let mut uno = serving(FOLLOW);
@@ -206,7 +206,7 @@ fn forcing_stands_between_pins_and_program() {
     write_words(&mut uno, 402, &[0b0011, 0b0001]).unwrap();
     assert_eq!(bits(&mut uno, 2, 0, 4), 0b0101);
     assert_eq!(uno.outputs(), 0b0011);
-    assert_eq!(words(&mut uno, 4, 16, 2), [RUN, 0b100]);
+    assert_eq!(words(&mut uno, 4, 16, 2), [RUN, FORM | 0b100]);
     // Output 01 to 0, which the program reads in the next scan; output 04 to 1.
     write_words(&mut uno, 404, &[0b1001, 0b1000]).unwrap();
     uno.run_ms(1).unwrap();
@@ -228,7 +228,7 @@ fn forcing_stands_between_pins_and_program() {
     write_words(&mut uno, 402, &[0; 4]).unwrap();
     uno.run_ms(1).unwrap();
     assert_eq!(uno.outputs(), 0b0100);
-    assert_eq!(words(&mut uno, 4, 16, 2), [RUN, 0]);
+    assert_eq!(words(&mut uno, 4, 16, 2), [RUN, FORM]);
     // Only points that exist.
     assert_eq!(write(&mut uno, 402, 0x100), Err(3));
     assert_eq!(write(&mut uno, 404, 0x10), Err(3));

@@ -1,7 +1,7 @@
 //! A program that comes over Modbus in place of a card.
 
 use crate::common;
-use crate::common::modbus::{ask, bits, input, long, with_crc, words, write};
+use crate::common::modbus::{FORM, ask, bits, input, long, with_crc, words, write};
 use crate::common::{card, ms_until, to_run, uno};
 use unoclp_testing::cases;
 use unoclp_uno_sim::{Slot, Uno};
@@ -284,7 +284,7 @@ fn the_switch_during_an_upload() {
         let runs = !by_command && !at_the_end;
         let bits = u16::from(at_the_end) | u16::from(by_command) << 1;
         let state = if runs { RUN } else { STOP };
-        assert_eq!(words(&mut uno, 4, 16, 3), [state, bits, 0], "{case}");
+        assert_eq!(words(&mut uno, 4, 16, 3), [state, FORM | bits, 0], "{case}");
         assert_eq!(words(&mut uno, 3, 400, 1), [state], "{case}");
         assert_eq!(uno.outputs(), if runs { 0b10 } else { 0 }, "{case}");
         assert_eq!(write(&mut uno, 400, RUN).is_ok(), !at_the_end, "{case}");

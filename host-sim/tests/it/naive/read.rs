@@ -85,8 +85,9 @@ pub fn read(text: &str) -> Vec<Step> {
         };
         lines.extend((0..count).map(|_| next()));
         let bytes = match row.bytes.as_str() {
-            "2, constant 6" if lines.is_empty() => 2,
-            "2, constant 6" => 6,
+            "2, constant 3, 4 or 6" if lines.is_empty() => 2,
+            // As a jump back counts it.
+            "2, constant 3, 4 or 6" => 6,
             "3 and 1 a step" => 3 + lines[0],
             bytes => bytes.parse().unwrap(),
         };

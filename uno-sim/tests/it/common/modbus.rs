@@ -7,6 +7,9 @@ use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 /// How long a reply may take from the end of the request on, ms.
 const PATIENCE: u64 = 40;
 
+/// What input register 17 tells beside its bits: the form in which a program is stored.
+pub const FORM: u16 = 0x100;
+
 /// To RUN, and on until the port listens: the text is told as it is written, not as it is sent.
 pub fn to_serving(uno: &mut Uno) {
     to_run(uno);
