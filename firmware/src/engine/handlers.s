@@ -135,9 +135,17 @@ engine_load:
         movw    r24, r10
         next
 engine_add:
-        rjmp    add
+        add     r22, r8
+        adc     r23, r9
+        adc     r24, r10
+        adc     r25, r11
+        next
 engine_subtract:
-        rjmp    subtract
+        sub     r22, r8
+        sbc     r23, r9
+        sbc     r24, r10
+        sbc     r25, r11
+        next
 engine_store_near:
         ld      r30, X+
         brtc    1f
@@ -197,10 +205,4 @@ long_constant:
         ld      r9, X+
         ld      r10, X+
         ld      r11, X+
-        next
-add:
-        rcall   add_b
-        next
-subtract:
-        rcall   subtract_b
         next
