@@ -157,9 +157,9 @@ impl Images {
 #[derive(Clone, Copy)]
 pub struct ScanTimes {
     // Half µs.
-    last: u16,
-    least: u16,
-    most: u16,
+    pub last: u16,
+    pub least: u16,
+    pub most: u16,
 }
 
 impl Default for ScanTimes {
@@ -187,16 +187,6 @@ impl ScanTimes {
     /// The longest since scanning began, µs.
     pub fn most(&self) -> u16 {
         self.most / 2
-    }
-
-    /// Takes the time of another scan, half µs, if it is none of the shortest or longest.
-    #[inline(always)]
-    pub fn take_usual(&mut self, time: u16) -> bool {
-        let usual = time >= self.least && time <= self.most;
-        if usual {
-            self.last = time;
-        }
-        usual
     }
 
     /// Takes the time of another scan, half µs.

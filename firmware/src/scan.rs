@@ -4,13 +4,17 @@
 //! due when a millisecond has begun, so a short scan has next to nothing of it.
 
 use crate::board::clock::{self, Moment};
-use crate::board::pins::Levels;
 use crate::board::{Board, watchdog};
 use crate::engine::Linked;
-use crate::operation::{Operation, ScanTimes, State};
-use core::hint::cold_path;
-use core::mem;
-use unoclp_core::{Image, Millis};
+use crate::operation::{Images, Operation, ScanTimes, State};
+use core::arch::asm;
+use core::mem::{self, offset_of};
+use unoclp_core::Millis;
+
+/// How far a scan is: it is to begin; what comes before the program is done, or to be done; the same of what comes
+/// behind it.
+const BEGINS: u8 = 0;
+const PREPARED: u8 = 1;
 
 /// A scan has made too many jumps back (NC-19).
 // A fault with its line would be another pointer that each scan keeps.
@@ -23,13 +27,20 @@ pub struct Scans<'b> {
     pub operation: Operation,
     /// When the last one began.
     begun: Moment,
-    /// Whether what goes on beside the scans is due.
-    due: bool,
-    /// Whether there is more to do before the program than to read inputs 01 to 04.
-    prepares: bool,
-    /// Whether there is more to do behind it than to write outputs.
-    finishes: bool,
+    /// What there is to do before the program but to read inputs 01 to 04: [`FIRST`] and [`PREPARES`].
+    before: u8,
+    /// What there is to do behind it but to write outputs: [`DUE`] and [`FINISHES`].
+    behind: u8,
 }
+
+/// No time is measured from the scan before.
+const FIRST: u8 = 1;
+/// A scan begins with more than inputs 01 to 04.
+const PREPARES: u8 = 2;
+/// What goes on beside the scans is due.
+const DUE: u8 = 1;
+/// A scan ends with more than outputs.
+const FINISHES: u8 = 2;
 
 impl<'b> Scans<'b> {
     /// Before the first of them.
@@ -37,10 +48,9 @@ impl<'b> Scans<'b> {
         Scans {
             board,
             operation: Operation::new(),
-            begun: board.forgotten(),
-            due: false,
-            prepares: false,
-            finishes: false,
+            begun: Moment::default(),
+            before: FIRST,
+            behind: 0,
         }
     }
 
@@ -53,12 +63,12 @@ impl<'b> Scans<'b> {
 
     /// The time since the last scan is no scan's.
     pub fn pause(&mut self) {
-        self.begun = self.board.forgotten();
+        self.before = FIRST;
     }
 
     /// What goes on beside the scans is due after the next one.
     pub fn hurry(&mut self) {
-        self.due = true;
+        self.behind |= DUE;
     }
 
     /// Scans once, and again until something else is to be done: STOP, the serial port, or what goes on
@@ -66,46 +76,97 @@ impl<'b> Scans<'b> {
     ///
     /// # Errors
     /// Where a scan has made too many jumps back: no outputs are written then.
-    // Apart from what goes on beside: `self` and `plc` are all that is kept in registers over a scan.
     #[inline(never)]
+    #[allow(
+        named_asm_labels,
+        reason = "a simulator stops at one of them, and this function is there once"
+    )]
     pub fn go_on(&mut self, plc: &mut Linked<'_>) -> Result<bool, TooManyJumps> {
         let operation = &self.operation;
         let forced = operation.forces.any();
         let runs = operation.state == State::Run;
-        self.prepares = forced || plc.has_to_prepare();
-        self.finishes = forced || !runs || plc.jumps_back() || plc.needs().pwm != 0;
+        let finishes = forced || !runs || plc.jumps_back() || plc.needs().pwm != 0;
+        self.behind = self.behind & DUE | if finishes { FINISHES } else { 0 };
+        let prepares = forced || plc.has_to_prepare();
+        self.before = self.before & FIRST | if prepares { PREPARES } else { 0 };
+        // Good as long as no millisecond has begun since the watchdog was fed.
+        let mut millis = clock::now();
+        let mut stage = BEGINS;
         loop {
-            watchdog::scan_begins();
-            // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-            let levels = self.board.pins.levels();
-            let (millis, now) = self.board.moment();
-            self.note(now);
-            let mut inputs = levels.inputs();
-            if self.prepares {
-                cold_path();
-                inputs = self.prepare(plc, levels, millis);
+            let (code, timers) = plc.entry();
+            let (millis_low, millis_high) = (millis as u16, (millis >> 16) as u16);
+            let count: u16;
+            // SAFETY: the code is as the head of `engine` says, and the handlers do what `Linked::entry` says with
+            // what is reached from `plc`, which is why that is named here. They change only the registers that
+            // are named here, and Y, which is saved because it cannot be named. What is written of `self` are
+            // the points and the times of scans; any bits are values of these.
+            unsafe {
+                asm!(
+                    include_str!("scan.s"),
+                    inout("r24") stage,
+                    in("r7r6") &raw mut *self,
+                    inout("r17r16") self.begun.count,
+                    in("r3r2") millis_low,
+                    in("r5r4") millis_high,
+                    inout("X") code => _,
+                    inout("r21r20") timers => _,
+                    inout("Z") &raw mut *plc => _,
+                    out("r18") _,
+                    out("r19") _,
+                    out("r23r22") count,
+                    out("r25") _,
+                    out("r9r8") _,
+                    out("r11r10") _,
+                    out("r13r12") _,
+                    out("r15r14") _,
+                    POINTS = const offset_of!(Scans<'_>, operation.images.points),
+                    LAST = const offset_of!(Scans<'_>, operation.times.last),
+                    LEAST = const offset_of!(Scans<'_>, operation.times.least),
+                    MOST = const offset_of!(Scans<'_>, operation.times.most),
+                    BEFORE = const offset_of!(Scans<'_>, before),
+                    BEHIND = const offset_of!(Scans<'_>, behind),
+                    DUE = const DUE,
+                    FINISHES = const FINISHES,
+                    INPUTS = const Images::INPUTS,
+                    OUTPUTS = const !Images::INPUTS,
+                );
             }
-            let outputs = plc.scan(&mut self.operation.images, inputs, millis);
-            if self.finishes {
-                cold_path();
-                self.finish(plc)?;
-            } else {
-                self.board.pins.write_outputs(outputs);
-            }
-            if self.due || self.board.pins.stop() || !self.board.serial.is_quiet() {
-                return Ok(mem::take(&mut self.due));
+            match stage {
+                BEGINS => return Ok(mem::take(&mut self.behind) & DUE != 0),
+                PREPARED => millis = self.prepare(plc, count),
+                _ => self.finish(plc)?,
             }
         }
     }
 
-    /// What comes before the program: gives the input image that it sees.
+    /// What comes before the program where that is more than to read inputs 01 to 04, or a millisecond has begun:
+    /// gives the time stamp. Timer 1 stood at this count when the scan began.
     #[inline(never)]
-    fn prepare(&mut self, plc: &mut Linked<'_>, levels: Levels, millis: Millis) -> Image {
+    fn prepare(&mut self, plc: &mut Linked<'_>, count: u16) -> Millis {
+        // In this order: an input is never seen with a time stamp from before it changed (NC-5).
+        let levels = self.board.pins.levels();
+        // Fed only then, the watchdog sees too that the clock goes on. Before the clock is read: a millisecond that
+        // begins behind that is one for the next scan.
+        if watchdog::is_hungry() {
+            watchdog::feed();
+            self.behind |= DUE;
+        }
+        let (millis, now) = self.board.moment();
+        let now = now.back_to(count);
+        let begun = mem::replace(&mut self.begun, now);
+        // The last one lasted from its beginning to this one's.
+        if self.before & FIRST == 0
+            && let Some(time) = now.since(begun)
+        {
+            self.operation.times.take(time);
+        }
         let inputs = plc.filter(levels.all_inputs(plc.needs().inputs), millis);
-        let inputs = self.operation.forces.inputs(inputs);
+        let forces = self.operation.forces;
+        let inputs = forces.inputs(inputs);
         self.operation.images.set_inputs(inputs);
         plc.prepare(inputs, millis);
-        inputs
+        self.before &= !FIRST;
+        millis
     }
 
     /// What comes behind it.
@@ -130,44 +191,8 @@ impl<'b> Scans<'b> {
             self.board.write_pwm(pwm & forced, &[0; 4]);
         } else {
             // A single scan.
-            self.due = true;
+            self.behind |= DUE;
         }
         Ok(())
-    }
-
-    /// A scan has ended, and the next begins now: the last one lasted from its beginning to this one's.
-    #[inline(always)]
-    fn note(&mut self, now: Moment) {
-        let begun = mem::replace(&mut self.begun, now);
-        let Some(time) = now.since_in_millisecond(begun) else {
-            return self.note_millisecond(now.since(begun));
-        };
-        if !self.operation.times.take_usual(time) {
-            self.note_unusual(time);
-        }
-    }
-
-    /// A millisecond has begun since the scan did that has ended. Fed only then, the watchdog sees too that
-    /// the clock goes on.
-    #[cold]
-    #[inline(never)]
-    fn note_millisecond(&mut self, time: Option<u16>) {
-        watchdog::feed();
-        self.due = true;
-        if let Some(time) = time {
-            self.operation.times.take(time);
-        }
-    }
-
-    /// The shortest or longest scan so far; or one at whose end the clock should have gone on, and has not:
-    /// it stands, and the watchdog will bite.
-    #[cold]
-    #[inline(never)]
-    fn note_unusual(&mut self, time: u16) {
-        if clock::is_in_millisecond(time) {
-            self.operation.times.take(time);
-        } else {
-            self.due = true;
-        }
     }
 }

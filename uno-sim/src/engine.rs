@@ -39,6 +39,7 @@ pub struct UnoEngine {
     scan: u32,
     tick: u32,
     millis: u32,
+    age: u32,
     memory: Memory,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
     analogue: [bool; ANALOGUE as usize],
@@ -124,6 +125,7 @@ impl UnoEngine {
             scan: symbol("scan_begin", Space::Flash)?,
             tick: symbol("__vector_13", Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
+            age: symbol("AGE", Space::Data)?,
             memory: Memory::of(&program),
             analogue: Default::default(),
             program,
@@ -198,7 +200,13 @@ impl UnoEngine {
 
     fn set_clock(&mut self, now: Millis) -> Result<(), EngineError> {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
-        Ok(uno.write_ram(self.millis, &now.to_le_bytes())?)
+        let now = now.to_le_bytes();
+        if uno.read_ram(self.millis, 4)? != now {
+            uno.write_ram(self.millis, &now)?;
+            // As the clock's interrupt does.
+            uno.write_ram(self.age, &[1])?;
+        }
+        Ok(())
     }
 
     /// Sets what stands at the pins. The converter takes its time beside the scans, so in lockstep the
@@ -261,6 +269,7 @@ impl Engine for UnoEngine {
             if let (Clock::Lockstep, Some(now)) = (self.clock, now) {
                 // It goes on by a millisecond, and back.
                 uno.write_ram(self.millis, &[now.wrapping_add(slice as u8 & 1)])?;
+                uno.write_ram(self.age, &[1])?;
             }
             let run = uno.run_ms(STANDING);
             run.map_err(|halt| told(uno, halt))?;

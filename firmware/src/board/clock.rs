@@ -85,10 +85,10 @@ impl Deadline {
 }
 
 /// A moment, to half a microsecond.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct Moment {
     /// Half microseconds of this millisecond, 0 to [`TOP`].
-    count: u16,
+    pub count: u16,
     /// The millisecond that the count belongs to.
     of: u8,
 }
@@ -101,43 +101,30 @@ pub fn moment(timer: &TC1) -> (Millis, Moment) {
     (millis, Moment { count, of })
 }
 
-/// Whether a time, in half microseconds, is shorter than a millisecond.
-pub fn is_in_millisecond(time: u16) -> bool {
-    time <= TOP
-}
-
 /// The longest time that is measured between two moments, ms: in half microseconds it fits 16 bits.
 const LONGEST: u8 = 31;
-/// No scan takes so many ms: the watchdog comes first.
-const AGES: u8 = 128;
 
 impl Moment {
-    /// No moment that time is measured from: [`since`](Moment::since) gives none.
-    pub fn forgotten(self) -> Moment {
+    /// When the timer stood at this count, less than a millisecond before.
+    pub fn back_to(self, count: u16) -> Moment {
+        let before = u8::from(count > self.count);
         Moment {
-            of: self.of.wrapping_sub(AGES),
-            ..self
+            count,
+            of: self.of.wrapping_sub(before),
         }
     }
 
-    /// The time from an earlier moment of the same millisecond, in half microseconds; beyond
-    /// [a millisecond](is_in_millisecond) where the clock stands.
-    #[inline(always)]
-    pub fn since_in_millisecond(self, earlier: Moment) -> Option<u16> {
-        (self.of == earlier.of).then(|| self.count.wrapping_sub(earlier.count))
-    }
-
-    /// The time from an earlier moment, in half microseconds, 65,535 for anything longer; none from
-    /// one that is forgotten.
+    /// The time from an earlier moment, in half microseconds, 65,535 for anything longer; none where
+    /// the clock stands.
     pub fn since(self, earlier: Moment) -> Option<u16> {
         let millis = self.of.wrapping_sub(earlier.of);
-        if millis >= AGES {
-            return None;
-        }
         if millis > LONGEST {
             return Some(u16::MAX);
         }
         let mut halves = self.count.wrapping_sub(earlier.count);
+        if millis == 0 && halves > TOP {
+            return None;
+        }
         for _ in 0..millis {
             halves = halves.wrapping_add(TOP + 1);
         }

@@ -99,12 +99,6 @@ impl Board {
         clock::moment(&self.timer)
     }
 
-    /// A moment that no time is measured from.
-    #[inline(never)]
-    pub fn forgotten(&self) -> clock::Moment {
-        self.moment().1.forgotten()
-    }
-
     /// The bus to the card, which still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
         let bus = spi::CardBus::new(&self.spi, &self.pins);

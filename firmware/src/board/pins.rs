@@ -102,7 +102,8 @@ impl Pins {
     }
 
     /// Writes the output image, one write for each port.
-    #[inline(always)]
+    // Not in the usual scan, which is in `scan.s`.
+    #[inline(never)]
     pub fn write_outputs(&self, image: Image) {
         let [bits, _] = image.0.to_le_bytes();
         let (d, b) = (bits << 6, bits >> 2 & OUTPUTS_B);

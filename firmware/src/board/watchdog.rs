@@ -10,7 +10,7 @@ use super::shared::Shared;
 use avr_device::atmega328p::wdt::wdtcsr::W;
 use avr_device::atmega328p::{CPU, WDT};
 use avr_device::interrupt;
-use core::arch::{asm, global_asm};
+use core::arch::global_asm;
 
 /// A scan is overdue at this age, ms. The watchdog bites at 120 ms or thereabouts: its oscillator
 /// is no quartz.
@@ -154,22 +154,9 @@ impl Watchdog {
     }
 }
 
-/// A scan begins. A simulator stops at the symbol `scan_begin` to set pins and clock.
-#[inline(always)]
-#[allow(
-    named_asm_labels,
-    reason = "a label costs nothing, a function would 8 cycles; with a second call of this one the \
-              firmware would not assemble"
-)]
-pub fn scan_begins() {
-    // SAFETY: it is no instruction.
-    unsafe {
-        asm!(
-            ".global scan_begin",
-            "scan_begin:",
-            options(nomem, nostack, preserves_flags)
-        );
-    }
+/// Whether a millisecond has begun since the watchdog was fed.
+pub fn is_hungry() -> bool {
+    AGE.get() != 0
 }
 
 /// The watchdog waits anew, and the age of the scan is 0.

@@ -1,8 +1,7 @@
 //! The scan in assembly: direct threading, with the images in a register.
 //!
 //! Owns the linked form of a program and what runs it; must not know pins or clocks. Its `unsafe` is
-//! the block in [`Linked::scan`], and the call of the linker in [`link`]. A scan relies on this of linked
-//! code, which [`link`] alone makes, out of a checked program whose check sum it compares:
+//! the call of the linker in [`link`]. A [scan](crate::scan) relies on this of linked code, which [`link`] alone makes, out of a checked program whose check sum it compares:
 //!
 //! - **Each byte is that of a handler, or one of the operands that the handler before it takes.**
 //!   Points are cut to those that have a handler.
@@ -28,7 +27,6 @@ pub use data::Data;
 use crate::board::eeprom::Eeprom;
 use crate::operation::Images;
 use crate::store::Kept;
-use core::arch::asm;
 use core::mem;
 use data::{Cell, ON};
 use layout::{ADDRESS_BYTES, Layout, POINTS, SNAPSHOT_BYTES};
@@ -251,48 +249,12 @@ impl<'m> Linked<'m> {
         images.set_outputs(Image(outputs.0 & !u16::from(self.needs().pwm)));
     }
 
-    /// One scan (NC-5): runs the program once on these images with inputs 01 to 04 as they are now and
-    /// this time stamp, and gives the output image.
+    /// What a scan runs: the linked code, and the data of its first timer. The handlers go from one to the next
+    /// until that of the end returns; they read the code and no byte behind it, and write the data of its
+    /// timers, counters and other instructions, and `Data`: all are reached from `self`.
     #[inline(always)]
-    pub fn scan(&mut self, images: &mut Images, inputs: Image, now: Millis) -> Image {
-        let mut points = images.points & !Images::INPUTS | inputs.0 as u8 & Images::INPUTS;
-        let (now_low, now_high) = (now as u16, (now >> 16) as u16);
-        // SAFETY: the code is as the head of this file says, so handlers go from one to the next
-        // until that of the end returns; they read the code and no byte behind it, and write the
-        // data of its timers, counters and other instructions, and `Data`: all are reached from `self`,
-        // which is why that is named here. They change only the registers that are named here, and Y, which
-        // is saved because it cannot be named.
-        unsafe {
-            asm!(
-                "push r28",
-                "push r29",
-                "movw r28, r20",
-                "ldi r22, 0",
-                "ldi r23, 0",
-                "movw r24, r22",
-                "ldi r31, 2",
-                "set",
-                "ld r30, X+",
-                "icall",
-                "pop r29",
-                "pop r28",
-                inout("X") self.code.as_ptr() => _,
-                inout("r21r20") self.layout.timers.as_mut_ptr() => _,
-                inout("r18") points,
-                out("r19") _,
-                inout("Z") &raw mut *self => _,
-                out("r23r22") _,
-                out("r25r24") _,
-                in("r3r2") now_low,
-                in("r5r4") now_high,
-                out("r9r8") _,
-                out("r11r10") _,
-                out("r13r12") _,
-                out("r15r14") _,
-            );
-        }
-        images.points = points;
-        images.outputs()
+    pub fn entry(&mut self) -> (*const u8, *mut u8) {
+        (self.code.as_ptr(), self.layout.timers.as_mut_ptr())
     }
 
     /// Whether the program jumps back: a scan may do that [too often](Linked::jumps_too_often).

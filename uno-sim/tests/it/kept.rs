@@ -230,10 +230,12 @@ fn numbers_that_always_change_do_not_wear_the_eeprom_out() {
     let millis = uno.symbol("MILLIS").unwrap();
     assert_eq!(millis.space, Space::Data);
     let millis = millis.address;
+    let age = uno.symbol("AGE").unwrap().address;
     let mut now = u32::from_le_bytes(*uno.read_ram(millis, 4).unwrap().first_chunk().unwrap());
     for _ in 0..53 * 60 {
         now = now.wrapping_add(1_000);
         uno.write_ram(millis, &now.to_le_bytes()).unwrap();
+        uno.write_ram(age, &[1]).unwrap();
         uno.run_ms(4).unwrap();
     }
     let came = records(&uno) as u64 - before;
