@@ -8,7 +8,7 @@ use crate::yardsticks::Yardsticks;
 
 /// Targets, cycles.
 const RUNG: f64 = 32.0;
-const SMALL: f64 = 200.0;
+const SMALL: f64 = 160.0;
 const TIMER: f64 = 80.0;
 const LARGE: f64 = 3_400.0;
 const INTERRUPT: f64 = 35.0;
