@@ -51,8 +51,8 @@ pub struct Row {
     pub class: Class,
     /// The byte that stores it.
     pub stored: u8,
-    /// Bytes of run memory, its data among them. More for what [`Line::more_run_bytes`] tells, two for
-    /// inputs from 05 on, and each counter's data.
+    /// Bytes of run memory, its data among them. More for what [`Line::more_run_bytes`] and [`operand_run_bytes`] tell,
+    /// one for inputs from 05 on, two for a store to a register beyond [`NEAR_REGISTERS`], and each counter's data.
     pub run: u8,
     /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
     /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
@@ -71,7 +71,7 @@ pub const FIRST_POINT: u8 = 0x10;
 /// See [`FIRST_POINT`].
 pub const BEHIND_POINTS: u8 = 0xA0;
 
-/// Inputs 01 to this number take one byte of run memory, those beyond three.
+/// Inputs 01 to this number take one byte of run memory, those beyond two.
 pub const FAST_INPUTS: u8 = 4;
 /// The branch points of a rung are 01 to this number (NC-8).
 pub const BRANCH_POINTS: u8 = 8;
@@ -86,7 +86,16 @@ pub const SYSTEM_MARKERS: u8 = 4;
 /// Counters C 01 to this number (NC-15).
 pub const COUNTERS: u8 = 16;
 /// Registers D 01 to this number (NC-16).
-pub const REGISTERS: u8 = 32;
+pub const REGISTERS: u8 = 98;
+/// Registers D 01 to this number are always there; those beyond take run memory, 4 bytes each up to the highest that
+/// is named (NC-27).
+pub const NEAR_REGISTERS: u8 = 32;
+/// XX of an operation whose left operand is what was pushed (NC-22).
+pub const POPPED: u8 = 99;
+/// As XX is stored: of a constant of one byte, and of two; of one of four it is 0.
+pub const BYTE_CONSTANT: u8 = 100;
+/// See [`BYTE_CONSTANT`].
+pub const WORD_CONSTANT: u8 = 101;
 /// Labels 01 to this number (NC-19).
 pub const LABELS: u8 = 32;
 /// Analogue inputs A 00 to below this number (NC-18).
@@ -107,6 +116,40 @@ pub const REGISTER_OPERAND: i32 = 6800;
 pub const TIMER_DATA: usize = 9;
 /// Bytes of a counter's data in run memory: its value, its preset, its inputs as they were.
 pub const COUNTER_DATA: usize = 9;
+
+/// Bytes of a register in run memory.
+pub const REGISTER_BYTES: usize = 4;
+
+/// How many bytes store a constant whose XX is stored so; none where XX is no constant's.
+pub const fn constant_bytes(xx: u8) -> Option<u8> {
+    match xx {
+        0 => Some(4),
+        BYTE_CONSTANT => Some(1),
+        WORD_CONSTANT => Some(2),
+        _ => None,
+    }
+}
+
+/// How XX of this constant is stored.
+pub const fn stored_constant(number: i32) -> u8 {
+    if number as i8 as i32 == number {
+        BYTE_CONSTANT
+    } else if number as i16 as i32 == number {
+        WORD_CONSTANT
+    } else {
+        0
+    }
+}
+
+/// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
+pub const fn operand_run_bytes(xx: u8) -> u8 {
+    match constant_bytes(xx) {
+        Some(bytes) => 1 + bytes,
+        None if xx <= NEAR_REGISTERS => 2,
+        None if xx <= REGISTERS => 3,
+        None => 1,
+    }
+}
 
 /// What a jump back may cost in all in one scan: each costs the stored bytes from its label to itself
 /// (NC-19).

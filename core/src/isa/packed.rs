@@ -1,6 +1,8 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
-use super::{BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, holds_point, xx};
+use super::{
+    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point, xx,
+};
 use crate::{Board, Profile};
 
 /// Bytes of a packed row: the code in 28 bits, low byte first, and above it the run bytes; the kind.
@@ -52,6 +54,8 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
         let kind = Kind::ALL[index];
         assert!(kind as usize == index);
         let (first, last) = match kind.numbers() {
+            // As it is stored.
+            Some((first, _)) if kind.is_value() => (first, WORD_CONSTANT),
             Some(numbers) => numbers,
             // A code without a number has 0 for it.
             None => (0, 99),
@@ -97,7 +101,7 @@ pub(crate) struct Entry {
     /// The numbers that XX may be; what the board decides is not among them.
     pub first: u8,
     pub last: u8,
-    /// The bytes of its lines, and the first of them; for [`Kind::Value`] where XX is 0.
+    /// The bytes of its lines, and the first of them; where [XX may be a constant](Kind::is_value), of a constant.
     pub line_bytes: u8,
     pub line: Option<Line>,
 }
@@ -110,8 +114,8 @@ pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
     } else {
         2
     };
-    let more = if entry.kind == Kind::Value && *stored.get(1)? != 0 {
-        0
+    let more = if entry.kind.is_value() {
+        constant_bytes(*stored.get(1)?).unwrap_or(0)
     } else if entry.kind == Kind::Drum {
         1 + *stored.get(2)?
     } else {

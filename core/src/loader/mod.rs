@@ -1,4 +1,4 @@
-//! From the bytes of a file to a checked program: every check of NC-1 … NC-21.
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-28.
 //!
 //! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
 //! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
@@ -55,6 +55,11 @@ pub struct Loader<'m, B = Profile> {
     /// Steps of a drum that are still to come.
     steps: u8,
     codes: u16,
+    /// How many IFs are open, and of which the ELS has come: the innermost in the lowest bit (NC-28).
+    ifs: u8,
+    elses: u8,
+    /// Whether constants keep the size that they are stored in.
+    restores: bool,
 }
 
 impl<'m, B: Board> Loader<'m, B> {
@@ -80,6 +85,9 @@ impl<'m, B: Board> Loader<'m, B> {
             timer_line: 0,
             steps: 0,
             codes: 0,
+            ifs: 0,
+            elses: 0,
+            restores: false,
         }
     }
 
@@ -101,6 +109,7 @@ impl<'m, B: Board> Loader<'m, B> {
     pub fn restore(&mut self, stored: &mut impl Iterator<Item = u8>) -> Result<(), Fault> {
         self.expect = Expect::Head;
         self.codes = 1;
+        self.restores = true;
         let mut checked = Ok(());
         while let (Ok(()), Some(byte)) = (checked, stored.next()) {
             checked = self.stored_instruction(byte, stored);
@@ -119,6 +128,10 @@ impl<'m, B: Board> Loader<'m, B> {
                 Expect::Line(_) => Err(Cause::OperandsMissing),
                 _ => self.rung.end(),
             };
+        }
+        if checked.is_ok() && self.ifs > 0 {
+            self.ifs -= 1;
+            checked = Err(Cause::IfLeftOpen);
         }
         if checked.is_ok() {
             checked = self.references();
@@ -181,6 +194,7 @@ impl<'m, B: Board> Loader<'m, B> {
             Cause::OperandsMissing => Some(self.block),
             // At the end of the file; a timer 00 is told where it stands.
             Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
+            Cause::IfLeftOpen => Some(self.room.noted(self.ifs).into()),
             Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
             _ => Some(self.line),
         };
@@ -214,6 +228,10 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         let (entry, xx) = isa::find(&self.board, By::Code(code)).ok_or(Cause::UnknownCode)?;
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
+        let xx = match xx {
+            0 if entry.kind.is_value() => isa::BYTE_CONSTANT,
+            _ => xx,
+        };
         self.checked(entry, xx, expected, line)
     }
 
@@ -240,11 +258,13 @@ impl<'m, B: Board> Loader<'m, B> {
         self.checked(entry, xx, expected, line)?;
         while let Expect::Line(line) = self.expect {
             let mut bytes = [0; 4];
-            for place in bytes.iter_mut().take(line.bytes().into()) {
+            let size = self.line_bytes(line);
+            for place in bytes.iter_mut().take(size.into()) {
                 *place = next()?;
             }
-            let number = match (line.bytes(), bytes) {
-                (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+            let number = match (size, line, bytes) {
+                (2, _, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                (1, Line::Constant, [low, ..]) => low.cast_signed().into(),
                 _ => i32::from_le_bytes(bytes),
             };
             self.stored_line(line, number)?;
@@ -259,7 +279,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let kind = entry.kind;
         let mut stored = entry.stored;
         if let Some(line) = entry.line
-            && (kind != Kind::Value || xx == 0)
+            && (!kind.is_value() || isa::constant_bytes(xx).is_some())
         {
             self.block = self.line;
             self.expect = Expect::Line(line);
@@ -275,6 +295,9 @@ impl<'m, B: Board> Loader<'m, B> {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
+        if kind.is_value() && xx == isa::POPPED || stored == Opcode::StoreTable as u8 {
+            self.rung.pop()?;
+        }
         if kept::declares(stored) {
             self.room.keep()?;
             self.expect = Expect::Head;
@@ -330,9 +353,41 @@ impl<'m, B: Board> Loader<'m, B> {
             self.expect = Expect::Head;
             return self.rung.end();
         }
+        if stored == Opcode::Push as u8 {
+            return self.rung.push();
+        }
+        let brackets = stored >= Opcode::If as u8;
         let returns = stored == Opcode::Return as u8 || stored == Opcode::ReturnNot as u8;
-        if returns && self.rung.is_open() {
+        if (brackets || returns) && self.rung.is_open() {
             return Err(Cause::JumpInBranch);
+        }
+        if brackets {
+            self.bracket(stored)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that IF, ELS and END are balanced (NC-28). What stands before is a rung, and a rung begins.
+    fn bracket(&mut self, stored: u8) -> Result<(), Cause> {
+        self.expect = Expect::Head;
+        self.rung.end()?;
+        if stored == Opcode::If as u8 {
+            self.room.note(self.ifs, self.line as u16);
+            self.ifs = self.ifs.saturating_add(1);
+            self.elses <<= 1;
+            return match self.ifs {
+                0..=isa::DEEPEST => Ok(()),
+                _ => Err(Cause::IfTooDeep),
+            };
+        }
+        if stored == Opcode::Else as u8 {
+            if self.ifs == 0 || self.elses & 1 != 0 {
+                return Err(Cause::NoIf);
+            }
+            self.elses |= 1;
+        } else {
+            self.ifs = self.ifs.checked_sub(1).ok_or(Cause::NoIf)?;
+            self.elses >>= 1;
         }
         Ok(())
     }

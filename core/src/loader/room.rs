@@ -1,10 +1,17 @@
 //! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
 
-use crate::isa::{self, Entry, Kind, Line};
+use crate::isa::{self, Entry, Kind, Line, Opcode};
 use crate::kept;
 use crate::needs::Needs;
 use crate::{Cause, Profile, Program};
 use core::mem;
+
+/// Of [`Room::behind`] where so many contacts stand in a row, or more; 0 where nothing does that counts.
+const CONTACTS: u8 = 3;
+/// A coil of an output.
+const COIL: u8 = 4;
+/// A rung has just begun.
+const RUNG: u8 = 5;
 
 /// The memory of a program that is being loaded.
 pub(super) struct Room<'m> {
@@ -18,8 +25,11 @@ pub(super) struct Room<'m> {
     stored_most: usize,
     run_most: usize,
     timers: u8,
-    /// The highest counter that is named.
+    /// The highest counter that is named, and the highest register.
     counters: u8,
+    registers: u8,
+    /// What the code before has left behind in the linked form.
+    behind: u8,
     /// How many numbers are kept.
     kept: u8,
     /// Whether something did not fit; what follows is checked, and no longer stored.
@@ -38,6 +48,8 @@ impl<'m> Room<'m> {
             run_most,
             timers: 0,
             counters: 0,
+            registers: isa::NEAR_REGISTERS,
+            behind: RUNG,
             kept: 0,
             full: false,
         }
@@ -54,16 +66,20 @@ impl<'m> Room<'m> {
         if kind.has_number() && !holds_point {
             bytes += 1;
         }
-        if kind != Kind::Value || xx == 0 {
+        if !kind.is_value() {
             bytes += usize::from(entry.line_bytes);
         }
+        let mut register = kind == Kind::Register
+            || kind == Kind::Move
+            || kind == Kind::Drum
+            || kind == Kind::Table;
         // A match that tells all kinds apart would take 50 bytes more of the firmware.
         if kind == Kind::Timer {
             self.timers = self.timers.saturating_add(1);
-        } else if kind == Kind::Value && xx == 0 {
-            run += usize::from(Line::Constant.more_run_bytes(0));
-        } else if kind == Kind::Input && holds_point && xx > isa::FAST_INPUTS {
-            run += 2;
+        } else if kind.is_value() {
+            register = xx < isa::POPPED;
+            bytes += usize::from(isa::constant_bytes(xx).unwrap_or(0));
+            run += usize::from(isa::operand_run_bytes(xx));
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
             for _ in self.counters..xx {
@@ -71,6 +87,13 @@ impl<'m> Room<'m> {
             }
             self.counters = xx;
         }
+        if register {
+            if stored == Opcode::Store as u8 && xx > isa::NEAR_REGISTERS {
+                run += 2;
+            }
+            run += self.registers_to(xx);
+        }
+        run = self.linked(kind, stored, xx, run);
         if kept::declares(stored) {
             bytes += kept::ring_bytes(self.kept == 1);
         }
@@ -89,6 +112,85 @@ impl<'m> Room<'m> {
             self.put(high);
         }
         Ok(())
+    }
+
+    /// How much of these bytes of run memory an instruction takes, by what stands before it: the rules of the firmware's
+    /// linker.
+    fn linked(&mut self, kind: Kind, stored: u8, xx: u8, run: usize) -> usize {
+        let before = mem::replace(&mut self.behind, 0);
+        let begins = stored >= Opcode::If as u8 || stored == Opcode::NewRung as u8;
+        if begins || kind == Kind::Label {
+            self.behind = RUNG;
+            let rung = stored == Opcode::NewRung as u8 || stored == Opcode::Else as u8;
+            return if rung && before >= COIL { run - 1 } else { run };
+        }
+        if (isa::FIRST_POINT..Opcode::Coil as u8).contains(&stored) {
+            if kind == Kind::Input && xx > isa::FAST_INPUTS {
+                return run + 1;
+            }
+            self.behind = match before {
+                ..CONTACTS => before + 1,
+                CONTACTS => CONTACTS,
+                _ => 1,
+            };
+            return if before == CONTACTS { 0 } else { run };
+        }
+        if stored == Opcode::Coil as u8 {
+            self.behind = COIL;
+        } else if kind == Kind::Time || kept::declares(stored) {
+            self.behind = before;
+        }
+        run
+    }
+
+    /// Bytes of run memory for registers up to this one that have none yet.
+    fn registers_to(&mut self, highest: u8) -> usize {
+        let mut run = 0;
+        while self.registers < highest {
+            self.registers += 1;
+            run += isa::REGISTER_BYTES;
+        }
+        run
+    }
+
+    /// A register that an operand line names.
+    pub(super) fn register(&mut self, highest: u8) -> Result<(), Cause> {
+        let run = self.registers_to(highest);
+        self.reserve(0, run)
+    }
+
+    /// What a timer drives, as it is stored.
+    pub(super) fn target(&mut self, stored: u8) -> Result<(), Cause> {
+        if stored < isa::MARKER_TARGET {
+            self.behind = COIL;
+        }
+        self.reserve(0, Line::Target.more_run_bytes(stored).into())
+    }
+
+    /// The constant behind the code that was put last takes so many bytes as this XX says.
+    pub(super) fn constant(&mut self, xx: u8) -> Result<(), Cause> {
+        if let (false, Some(last)) = (self.full, self.memory.get_mut(self.put.wrapping_sub(1))) {
+            *last = xx;
+        }
+        let more = usize::from(isa::constant_bytes(xx).unwrap_or(1)) - 1;
+        self.reserve(more, more)
+    }
+
+    /// Notes a line where no stored byte comes, at the end of the memory.
+    pub(super) fn note(&mut self, index: u8, line: u16) {
+        if let Some([low, high]) = self.noted_at(index) {
+            [*low, *high] = line.to_le_bytes();
+        }
+    }
+
+    /// The line that was noted.
+    pub(super) fn noted(&mut self, index: u8) -> u16 {
+        self.noted_at(index).map_or(0, |line| u16::from_le_bytes(*line))
+    }
+
+    fn noted_at(&mut self, index: u8) -> Option<&mut [u8; 2]> {
+        let (_, free) = self.memory.split_at_mut_checked(self.stored_most)?;
+        free.as_chunks_mut().0.get_mut(usize::from(index))
     }
 
     /// Another number is kept: before it stand no other codes (NC-21).
@@ -171,6 +273,7 @@ impl<'m> Room<'m> {
             run_bytes: self.run_bytes,
             timers: self.timers,
             counters: self.counters,
+            registers: self.registers,
             kept: self.kept,
             codes,
             needs,
