@@ -45,24 +45,19 @@ use card::StateFile;
 use settings::Settings;
 use store::Kept;
 use unoclp_card::Block;
-use unoclp_core::{Cause, Fault, Profile};
-
-/// Run memory: the code of the program and the data of its instructions, and a byte for the end.
-const RUN_MEMORY: usize = Profile::UNO.linked_bytes as usize + 1;
+use unoclp_core::{Cause, Fault};
 
 #[avr_device::entry]
 fn main() -> ! {
-    static mut MEMORY: [u8; RUN_MEMORY] = [0; RUN_MEMORY];
-
     // SAFETY: once.
-    let page = unsafe { page::take() };
+    let (page, memory) = unsafe { page::take() };
     let mut board = Board::take();
     let defaults = open_line(&mut board);
     report::banner(&board);
     let mut file = StateFile::Missing;
-    let program = start(&board, page, MEMORY, &mut file);
+    let program = start(&board, page, memory, &mut file);
     board.release_card();
-    modes::serve(&board, page::running(page), MEMORY, defaults, file, program)
+    modes::serve(&board, page::running(page), memory, defaults, file, program)
 }
 
 /// The serial line, as the settings have it; says whether the pins ask for the defaults.

@@ -54,6 +54,7 @@ pub fn serve(
         frame,
         data,
         settings,
+        ..
     } = page;
     *settings = Settings::load(&board.eeprom, defaults);
     if program.is_ok() {

@@ -1,24 +1,42 @@
-//! The page: 512 bytes of RAM with two lives. While a card is read they hold a block of it; from then on
-//! the data of the running program, the frame of the Modbus server, and the settings.
+//! The page: 512 bytes of RAM with two lives; and run memory, which stands right behind. While a card is read the page
+//! holds a block of it; from then on the frame of the Modbus server, the settings, and the data of the running program.
 
 use crate::engine::Data;
 use crate::settings::Settings;
 use unoclp_card::Block;
+use unoclp_core::Profile;
 use unoclp_modbus::Frame;
 
-/// The name is for the engine's assembly.
-#[unsafe(export_name = "PAGE")]
-static mut PAGE: Block = [0; 512];
+/// Run memory: the code of the program and the data of its instructions, and a byte for the end.
+pub type RunMemory = [u8; Profile::UNO.linked_bytes as usize + 1];
 
-/// The page.
+/// Both, in this order: the registers of the program go on from one to the other.
+#[repr(C)]
+struct Ram {
+    page: Block,
+    memory: RunMemory,
+}
+
+/// The name is for the engine's assembly. Of all sections for what is 0 at first, the linker takes this one first, so
+/// that it stands at the beginning of RAM: the engine reaches the end of the page by one byte. The last lines of
+/// `engine/numbers.s` check it.
+#[unsafe(export_name = "PAGE")]
+#[unsafe(link_section = ".bss")]
+static mut RAM: Ram = Ram {
+    page: [0; 512],
+    memory: [0; size_of::<RunMemory>()],
+};
+
+/// The page and run memory.
 ///
 /// # Safety
 ///
 /// To be called once.
-pub unsafe fn take() -> &'static mut Block {
-    let page = &raw mut PAGE;
+pub unsafe fn take() -> (&'static mut Block, &'static mut RunMemory) {
+    let ram = &raw mut RAM;
     // SAFETY: there is no other way to it, and this one is taken once.
-    unsafe { &mut *page }
+    let Ram { page, memory } = unsafe { &mut *ram };
+    (page, memory)
 }
 
 /// The second life.
@@ -26,16 +44,20 @@ pub unsafe fn take() -> &'static mut Block {
 pub struct Running {
     /// The frame of the server.
     pub frame: Frame,
-    /// The data of the program; the engine's assembly knows it as `ENGINE`.
-    pub data: Data,
     /// What is set.
     pub settings: Settings,
+    /// So that the data ends where the page does.
+    unused: [u8; size_of::<Block>()
+        - size_of::<Frame>()
+        - size_of::<Settings>()
+        - size_of::<Data>()],
+    /// The data of the program; the engine's assembly knows it as `ENGINE`.
+    pub data: Data,
 }
 
 const _: () = {
-    assert!(size_of::<Running>() <= size_of::<Block>());
+    assert!(size_of::<Running>() == size_of::<Block>());
     assert!(align_of::<Running>() == 1);
-    assert!(core::mem::offset_of!(Running, data) == 256);
 };
 
 /// Begins the second life, with all zeros.

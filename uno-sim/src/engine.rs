@@ -80,8 +80,8 @@ struct Memory {
     page: Option<u32>,
 }
 
-/// The data of the program in the page, behind the frame of the Modbus server.
-const DATA: u32 = 256;
+/// The data of the program, which ends where the page does, so that registers go on behind it.
+const DATA: u32 = 512 - 227;
 /// Two bytes for each reading of an analogue input, A 00 first.
 const READINGS: u32 = DATA + 17;
 /// A byte for each marker, M 01 first; its highest bit counts.

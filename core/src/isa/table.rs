@@ -84,9 +84,9 @@ macro_rules! instructions {
         SystemContactNot  System   Contact      -828300   "-RS"  0xA5   2 0 "contact: acc := acc AND NOT system marker XX"
             engine_cell_not "XX" "XX";
         TimerContact      TimerQ   Contact      828400    "RT"   0xA6  3 0 "contact: acc := acc AND Q of timer XX"
-            engine_cell "XX.Q" "XX";
+            engine_far_cell "XX.Q" "XX";
         TimerContactNot   TimerQ   Contact      -828400   "-RT"  0xA7  3 0 "contact: acc := acc AND NOT Q of timer XX"
-            engine_cell_not "XX.Q" "XX";
+            engine_far_cell_not "XX.Q" "XX";
         CounterContact    Counter  Contact      826700    "RC"   0xA8  4 0 "contact: acc := acc AND (counter XX has reached its preset)"
             engine_reached "XX.QU" "XX";
         CounterContactNot Counter  Contact      -826700   "-RC"  0xA9  4 0 "contact: acc := acc AND NOT (counter XX has reached its preset)"

@@ -1,45 +1,6 @@
-; The handlers of the engine. Linked code is a row of bytes, each the word address of a handler:
-; whatever a handler has to do, it ends by going to that of the next byte. So these must begin in the
-; first 256 words of flash; avr-gcc's linker script puts `.progmem.gcc*` right behind the interrupt
-; vectors. What does not fit there begins in the 256 words behind, in `more.s`, and is reached by an
-; escape. The last lines check that both fit.
-;
-; A handler may change nothing but
-;
-;   T        acc (NC-6)
-;   r18      the images: inputs 01-04 in bits 0-3, outputs 01-04 in bits 4-7
-;   r19      acc of each open branch as it was when the branch opened, the innermost in bit 0
-;   r20      the branch points of the rung
-;   r22-r25  value (NC-16)
-;   r0, r21  scratch
-;   r8-r15   scratch: b in r8-r11, c in r12-r15
-;   X        the linked byte after the next
-;   Y        the data of the next timer
-;   Z        r30: scratch, and the low byte of the address to go to; r31: 0, or 1 for an escape
-;   SREG     all other flags
-;
-; and reads the time stamp of the scan, r2 to r5. r1 is 0 between handlers. Where an operand is an
-; address, its high byte comes first. What a bit of its own stands for is in bit 7 of a byte: a marker,
-; a system marker, an input from 05 on, Q of a timer.
+; The handlers that are run most, in words 0x200 to 0x2FF. Their rules are at the head of `rules.s`.
 
-; Goes on to the next linked byte: 4 cycles.
-.macro  next
-        ld      r30, X+
-        ijmp
-.endm
-
-; `Data`, which stands behind the frame in the page.
-        .equ    ENGINE, PAGE + PAGE_DATA
-        .equ    ENGINE_ERROR, ENGINE + DATA_SYSTEM + 3
-        .equ    ENGINE_MORE_INPUTS, ENGINE + DATA_MORE_INPUTS
-        .equ    ENGINE_BUDGET, ENGINE + DATA_BUDGET
-        .equ    ENGINE_LINE, ENGINE + DATA_LINE
-        .global READINGS, MARKERS, REGISTERS
-        .equ    READINGS, ENGINE + DATA_ANALOGUE
-        .equ    MARKERS, ENGINE + DATA_MARKERS
-        .equ    REGISTERS, ENGINE + DATA_REGISTERS
-
-        .section .progmem.gcc.engine, "ax", @progbits
+        .space  0x200 - (more_page_end - engine_more_page)
 
 ; Contacts, by bit of the images. 6 cycles, both ways.
 engine_contact:
@@ -56,7 +17,6 @@ engine_contact_not:
 .endr
 
 ; A row of contacts. Two bytes follow: the points that it asks for, and how they must be. 11 cycles.
-        .global engine_contacts
 engine_contacts:
         ld      r21, X+
         and     r21, r18
@@ -66,7 +26,6 @@ engine_contacts:
         next
 
 ; Coils, by output. 5 cycles; with a new rung behind it 6.
-        .global engine_coil_new_rung
 engine_coil:
 .irp    bit, 4, 5, 6, 7
         bld     r18, \bit
@@ -128,16 +87,74 @@ engine_on_delay:
 engine_off_delay:
         rjmp    off_delay
 
-; Contacts and coils by address: 15 cycles.
+; Contacts and coils by a near address: 10 cycles.
 engine_cell:
-        rjmp    cell
+        ld      r30, X+
+        ld      r21, Z
+        sbrs    r21, 7
+        clt
+        next
 engine_cell_not:
-        rjmp    cell_not
+        ld      r30, X+
+        ld      r21, Z
+        sbrc    r21, 7
+        clt
+        next
 engine_cell_coil:
-        rjmp    cell_coil
+        ld      r30, X+
+        clr     r21
+        bld     r21, 7
+        st      Z, r21
+        next
+; Contacts by any address: 15 cycles.
+engine_far_cell:
+        rjmp    far_cell
+engine_far_cell_not:
+        rjmp    far_cell_not
 
-; The handler of the next byte is one of those beyond the first 256 words: 5 cycles.
-        .global engine_escape
+; b := what the next operation takes: a register by a near address, or by any, a constant of one, two or four bytes, or
+; value, which what was pushed becomes.
+engine_near:
+        ld      r30, X+
+        ld      r8, Z
+        ldd     r9, Z+1
+        ldd     r10, Z+2
+        ldd     r11, Z+3
+        next
+engine_far:
+        rjmp    far
+engine_byte:
+        rjmp    byte_constant
+engine_word:
+        rjmp    word_constant
+engine_long:
+        rjmp    long_constant
+engine_popped:
+        rjmp    popped
+
+; What operations do most. A store has a near address, and is done where acc = 1.
+engine_load:
+        movw    r22, r8
+        movw    r24, r10
+        next
+engine_add:
+        rjmp    add
+engine_subtract:
+        rjmp    subtract
+engine_store_near:
+        ld      r30, X+
+        brtc    1f
+        st      Z, r22
+        std     Z+1, r23
+        std     Z+2, r24
+        std     Z+3, r25
+1:      next
+
+; The handler of the next byte is one of those in the words before: 5 cycles.
+engine_escape_first:
+        ld      r30, X+
+        ldi     r31, 0
+        ijmp
 engine_escape:
         ld      r30, X+
         ldi     r31, 1
@@ -148,29 +165,57 @@ engine_end:
         ret
 engine_page_end:
 
-cell:
+far_cell:
         ld      r31, X+
         ld      r30, X+
         ld      r21, Z
         sbrs    r21, 7
         clt
-        ldi     r31, 0
+        ldi     r31, NEAR
         next
-cell_not:
+far_cell_not:
         ld      r31, X+
         ld      r30, X+
         ld      r21, Z
         sbrc    r21, 7
         clt
-        ldi     r31, 0
-        next
-cell_coil:
-        ld      r31, X+
-        ld      r30, X+
-        clr     r21
-        bld     r21, 7
-        st      Z, r21
-; Goes on from beyond the first 256 words.
+; Goes on from beyond the words of the handlers that are run most.
 back:
-        ldi     r31, 0
+        ldi     r31, NEAR
+        next
+
+far:
+        rcall   address
+        rcall   load_b
+        rjmp    back
+byte_constant:
+        ld      r8, X+
+        clr     r9
+        sbrc    r8, 7
+        com     r9
+        mov     r10, r9
+        mov     r11, r9
+        next
+word_constant:
+        rcall   short
+        next
+long_constant:
+        ld      r8, X+
+        ld      r9, X+
+        ld      r10, X+
+        ld      r11, X+
+        next
+popped:
+        movw    r8, r22
+        movw    r10, r24
+        pop     r22
+        pop     r23
+        pop     r24
+        pop     r25
+        next
+add:
+        rcall   add_b
+        next
+subtract:
+        rcall   subtract_b
         next

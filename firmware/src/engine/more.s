@@ -1,8 +1,9 @@
-; The handlers beyond the first 256 words, reached by an escape. Their rules are at the head of
-; `handlers.s`; they end by going `back`.
+; The handlers that begin in words 0x100 to 0x1FF, reached by an escape. Their rules are at the head of
+; `rules.s`; they end by going `back`.
+
+engine_more_page:
 
 ; Logic.
-        .global engine_close_and, engine_close_xor
 engine_close_xor:
         lsr     r19
         brcs    engine_not
@@ -121,8 +122,6 @@ engine_count_down:
         rjmp    count_down
 
 ; Loads.
-engine_load:
-        rcall   operand
 b_to_value:
         movw    r22, r8
         movw    r24, r10
@@ -186,47 +185,28 @@ outputs:
 engine_negate:
         rcall   negate
         rjmp    back
-engine_add:
-        rcall   operand
-        add     r22, r8
-        adc     r23, r9
-        adc     r24, r10
-        adc     r25, r11
-        rjmp    back
-engine_subtract:
-        rcall   operand
-        sub     r22, r8
-        sbc     r23, r9
-        sbc     r24, r10
-        sbc     r25, r11
-        rjmp    back
 engine_and:
-        rcall   operand
         and     r22, r8
         and     r23, r9
         and     r24, r10
         and     r25, r11
         rjmp    back
 engine_or:
-        rcall   operand
         or      r22, r8
         or      r23, r9
         or      r24, r10
         or      r25, r11
         rjmp    back
 engine_exor:
-        rcall   operand
         eor     r22, r8
         eor     r23, r9
         eor     r24, r10
         eor     r25, r11
         rjmp    back
 engine_multiply:
-        rcall   operand
         rcall   multiply
         rjmp    back
 engine_divide:
-        rcall   operand
         rcall   divide
         rjmp    back
 engine_modulo:
@@ -261,27 +241,27 @@ engine_bit_not:
 
 ; Comparisons.
 engine_greater:
-        rcall   compare
+        rcall   compare_b
         breq    4f
         rjmp    1f
 engine_greater_or_equal:
-        rcall   compare
+        rcall   compare_b
 1:      brlt    4f
         rjmp    back
 engine_less_or_equal:
-        rcall   compare
+        rcall   compare_b
         breq    5f
         rjmp    2f
 engine_less:
-        rcall   compare
+        rcall   compare_b
 2:      brge    4f
         rjmp    back
 engine_equal:
-        rcall   compare
+        rcall   compare_b
         brne    4f
         rjmp    back
 engine_not_equal:
-        rcall   compare
+        rcall   compare_b
         brne    5f
 4:      clt
 5:      rjmp    back
@@ -303,7 +283,6 @@ engine_integrate:
         rjmp    integrate
 
 ; A label sets what a jump has passed over: acc, and which timer is next.
-        .global engine_jump_back, engine_jump_back_not
 engine_label:
         ld      r29, X+
         ld      r28, X+
@@ -334,8 +313,6 @@ engine_return_not:
         rjmp    back
 1:      ret
 
-more_page_end:
-
 ; A jump back has its cost behind its target, then its line, low bytes first.
 jump_back:
         rcall   address
@@ -356,3 +333,6 @@ jump_back:
         sts     ENGINE_LINE+1, r21
         andi    r18, INPUTS
         ret
+
+more_page_end:
+

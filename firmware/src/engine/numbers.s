@@ -1,4 +1,4 @@
-; Operands, and arithmetic. The rules are at the head of `handlers.s`.
+; Operands, and arithmetic. The rules are at the head of `rules.s`.
 
 ; a * b, of two bytes, in r1:r0. The assembler is told of a chip without it, hence the word.
 .macro  mul_    a, b
@@ -31,15 +31,7 @@ edge:
         st      Z, r0
         ret
 
-; b := the next operand of an operation: a constant where its first byte is 0, else an address.
-operand:
-        ld      r31, X+
-        tst     r31
-        breq    1f
-        ld      r30, X+
-        rjmp    load_b
-1:      movw    r30, r26
-        adiw    r26, 4
+; b := the four bytes at Z.
 load_b:
         ld      r8, Z
         ldd     r9, Z+1
@@ -70,9 +62,7 @@ extend:
         mov     r11, r10
         ret
 
-; Compares value with the next operand, or with b.
-compare:
-        rcall   operand
+; Compares value with b.
 compare_b:
         cp      r22, r8
         cpc     r23, r9
@@ -157,6 +147,23 @@ multiply:
         adc     r15, r21
         ret
 
+; The same of numbers without signs. By 0: an error.
+unsigned_modulo:
+        rcall   unsigned_division
+        movw    r22, r12
+        movw    r24, r14
+        rjmp    back
+unsigned_divide:
+        rcall   unsigned_division
+        rjmp    back
+unsigned_division:
+        mov     r0, r8
+        or      r0, r9
+        or      r0, r10
+        or      r0, r11
+        breq    no_quotient
+        rjmp    divide_unsigned
+
 ; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
 divide:
         mov     r0, r8
@@ -222,7 +229,6 @@ no_quotient:
         ret
 
 modulo:
-        rcall   operand
         rcall   divide
         movw    r22, r12
         movw    r24, r14
@@ -569,10 +575,11 @@ integrate:
         rjmp    back
 
 ; Nothing reads these bytes: the linker refuses them, as "relocation truncated to fit: R_AVR_8", where
-; the handlers do not begin in the first 512 and 1024 bytes of flash.
+; the handlers do not begin in the words that they are to.
         .type   engine_pages_fit, @object
 engine_pages_fit:
-        .byte   engine_page_end - 257
+        .byte   first_page_end - 257
         .byte   more_page_end - 769
+        .byte   engine_page_end - 1281
         .size   engine_pages_fit, . - engine_pages_fit
         .text

@@ -1,4 +1,4 @@
-; Timers and counters. Their rules are at the head of `handlers.s`.
+; Timers and counters. Their rules are at the head of `rules.s`.
 
 ; A timer's data is its state, a time, low byte first, and its preset. Bits 0 and 1 of the state are its
 ; phase: 0 idle, 1 timing, 2 done; bit 7 is Q. While it is timing, the time is the time stamp of the
@@ -48,7 +48,6 @@ settled:
         bld     r30, 7
 state:  st      Y, r30
 passed: adiw    r28, TIMER_DATA
-        ldi     r31, 0
         next
 
 ; TP is done where the pulse is over and IN is still 1.
