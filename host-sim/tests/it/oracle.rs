@@ -68,7 +68,7 @@ fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
     }
 }
 
-/// NC-5 to NC-9, NC-12 to NC-19, and NC-21.
+/// NC-5 to NC-9, NC-12 to NC-19, and NC-21 to NC-28.
 #[test]
 fn the_core_does_what_the_page_says() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
