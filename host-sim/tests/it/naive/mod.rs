@@ -2,7 +2,7 @@
 //! that never wraps, every instruction looked up by its letters.
 
 pub mod read;
-mod real;
+pub mod real;
 mod timer;
 
 use read::Step;
