@@ -190,17 +190,26 @@ impl<'m, B: Board> Loader<'m, B> {
         let Err(cause) = checked else { return Ok(()) };
         let line = match cause {
             Cause::EmptyFile => None,
-            Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
+            Cause::BranchLeftOpen => Some(self.line_before(self.rung.left_open())),
             Cause::OperandsMissing => Some(self.block),
             // At the end of the file; a timer 00 is told where it stands.
             Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
-            Cause::IfLeftOpen => Some(self.room.noted(self.ifs).into()),
+            Cause::IfLeftOpen => {
+                let low = self.room.noted(self.ifs);
+                Some(self.line_before(low))
+            }
             Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
             _ => Some(self.line),
         };
         let fault = Fault { cause, line };
         self.first_fault.get_or_insert(fault);
         Err(fault)
+    }
+
+    /// The last line up to this one whose number has this low half.
+    fn line_before(&self, low: u16) -> u32 {
+        let ago = (self.line as u16).wrapping_sub(low);
+        self.line.wrapping_sub(ago.into())
     }
 
     fn code(&mut self, code: i32) -> Result<(), Cause> {

@@ -246,6 +246,10 @@ fn large_programs_fit_the_board() {
 fn lines_are_counted_beyond_16_bits() {
     let text = "0\n".to_string() + &"\n".repeat(70_000) + "5\n";
     assert_eq!(faults(text.as_bytes()), [(24, Some(70_002))]);
+    let text = "0\n".to_string() + &"\n".repeat(70_000) + "7370\n827301\n";
+    assert_eq!(faults(text.as_bytes()), [(87, Some(70_002))]);
+    let text = "0\n".to_string() + &"\n".repeat(65_000) + "40\n" + &"\n".repeat(5_000);
+    assert_eq!(faults(text.as_bytes()), [(32, Some(65_002))]);
 }
 
 #[test]
