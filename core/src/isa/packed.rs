@@ -117,7 +117,8 @@ pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
     let more = if entry.kind.is_value() {
         constant_bytes(*stored.get(1)?).unwrap_or(0)
     } else if entry.kind == Kind::Drum {
-        1 + *stored.get(2)?
+        // Behind a line that was refused it may be any byte.
+        stored.get(2)?.wrapping_add(1)
     } else {
         entry.line_bytes
     };
