@@ -182,7 +182,9 @@ impl<'c> Speller<'_, 'c> {
             Class::Rung | Class::Label | Class::OpenOr | Class::OpenAnd | Class::OpenXor => {
                 return None;
             }
-            Class::Close | Class::StorePoint | Class::RecallPoint => return None,
+            Class::Close | Class::StorePoint | Class::RecallPoint | Class::If | Class::Part => {
+                return None;
+            }
             Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => {
                 return None;
             }

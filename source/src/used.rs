@@ -60,6 +60,7 @@ impl Used {
                 self.registers.extend(from..from + count);
                 self.registers.extend(to..to + count);
             }
+            Operand::Table { first, length } => self.registers.extend(first..first + length),
             Operand::Timer(block) => {
                 if let Target::Marker(marker) = block.target {
                     self.markers.insert(marker);

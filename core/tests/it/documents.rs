@@ -77,7 +77,8 @@ fn stored_bytes(row: &Row) -> String {
         // The line of the file.
         Kind::Jump => return "4".to_owned(),
         Kind::Drum => return "3 and 1 a step".to_owned(),
-        Kind::Value => return "2, constant 6".to_owned(),
+        Kind::Value | Kind::Real => return "2, constant 3 to 6".to_owned(),
+        Kind::Table => &[Line::TableLength],
         Kind::None | Kind::Input | Kind::Output | Kind::Branch | Kind::Marker => &[],
         Kind::System | Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue => &[],
         Kind::Pwm | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => &[],

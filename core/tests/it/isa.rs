@@ -190,7 +190,8 @@ fn sample(opcode: Opcode) -> Vec<i32> {
         Kind::None | Kind::Input | Kind::Output | Kind::Branch | Kind::Marker => &[],
         Kind::System | Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue => &[],
         Kind::Pwm | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => &[],
-        Kind::Jump | Kind::Value => &[],
+        Kind::Table => &[1],
+        Kind::Jump | Kind::Value | Kind::Real => &[],
     };
     let mut codes = vec![code];
     codes.extend(lines);

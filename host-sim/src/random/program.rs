@@ -231,7 +231,8 @@ impl Draft<'_> {
         };
         let may = match opcode.class() {
             // They have their own places.
-            Class::Rung | Class::RecallPoint | Class::Label => false,
+            Class::Rung | Class::RecallPoint | Class::Label | Class::If | Class::Part => false,
+            _ if matches!(opcode, Opcode::Push | Opcode::StoreTable) => false,
             _ if matches!(opcode, Opcode::KeepRegister | Opcode::KeepCounter) => false,
             Class::OpenOr | Class::OpenAnd | Class::OpenXor => self.depth < isa::DEEPEST,
             Class::Close => self.depth > 0,
@@ -289,6 +290,8 @@ impl Draft<'_> {
                 true => Value::Register(self.register()),
                 false => Value::Constant(self.constant()),
             }),
+            // Not yet made.
+            Kind::Real | Kind::Table => return None,
             Kind::Move => {
                 let count = match self.random.percent(80) {
                     true => self.random.number(1, 5),
@@ -367,6 +370,7 @@ impl Draft<'_> {
             // Labels have their own places, and the others have more than a number.
             Kind::Label | Kind::Jump | Kind::None | Kind::Timer | Kind::Count => return None,
             Kind::Value | Kind::Move | Kind::Drum | Kind::Scale | Kind::Filter => return None,
+            Kind::Real | Kind::Table => return None,
         };
         self.random.pick(&choice)
     }

@@ -83,8 +83,9 @@ fn random_program(random: &mut Random) -> String {
                 Kind::TimerQ if timers > 0 => random.below(timers) + 1,
                 Kind::Counter | Kind::Count => random.below(16) + 1,
                 Kind::Register => random.below(32) + 1,
-                Kind::Value => random.below(33),
-                Kind::Move | Kind::Drum => random.below(8) + 1,
+                // Nothing is pushed here.
+                Kind::Value | Kind::Real => random.below(33),
+                Kind::Move | Kind::Drum | Kind::Table => random.below(8) + 1,
                 Kind::Analogue => random.below(5),
                 Kind::Reading => random.below(2) + 1,
                 Kind::Bit => random.below(32),
@@ -100,7 +101,12 @@ fn random_program(random: &mut Random) -> String {
                 stored if stored == Opcode::ReturnNot as u8 && open > 0 => continue,
                 recall if recall == Opcode::RecallBranch as u8 => continue,
                 // They stand at the head.
-                keep if keep >= Opcode::KeepRegister as u8 => continue,
+                keep if keep == Opcode::KeepRegister as u8 => continue,
+                keep if keep == Opcode::KeepCounter as u8 => continue,
+                // These belong together.
+                push if push == Opcode::Push as u8 => continue,
+                pop if pop == Opcode::StoreTable as u8 => continue,
+                part if part >= Opcode::If as u8 => continue,
                 store if store == Opcode::StoreBranch as u8 => {
                     let last: i32 = lines.last().unwrap().parse().unwrap();
                     if [40, 6540, 8840].contains(&last) {
