@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use unoclp_checked::Checked;
-use unoclp_core::isa::{Opcode, REGISTERS};
+use unoclp_core::isa::{NEAR_REGISTERS, Opcode};
 use unoclp_core::{Inputs, Instruction, Millis, Plc, Profile};
 use unoclp_host_sim::engine::Machine;
 use unoclp_source::{BOARD, Source};
@@ -30,7 +30,7 @@ impl Probe {
     /// no room for the branches.
     pub fn new(program: &Source, steps: &[usize]) -> Option<Probe> {
         let used = &program.size.used.registers;
-        let free = (1..=REGISTERS).filter(|register| !used.contains(register));
+        let free = (1..=NEAR_REGISTERS).filter(|register| !used.contains(register));
         let seen: BTreeMap<usize, u8> = steps.iter().copied().zip(free).collect();
         if seen.is_empty() {
             return None;
