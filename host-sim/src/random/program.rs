@@ -303,7 +303,7 @@ impl Draft<'_> {
             }
             Kind::Drum => {
                 let from = self.random.below(STEPS.len() as u32 - 1) as usize;
-                let most = (STEPS.len() - from).min(isa::REGISTERS.into());
+                let most = (STEPS.len() - from).min(32);
                 let count = 1 + self.random.below(most as u32) as usize;
                 Operand::Drum {
                     register: self.register(),
