@@ -108,7 +108,7 @@ pub fn round(value: i32) -> (i32, bool) {
 pub fn cut(value: i32) -> (i32, bool) {
     const END: f32 = 2_147_483_648.0;
     let number = real(value);
-    match -END <= number && number < END {
+    match (-END..END).contains(&number) {
         true => (number as i32, false),
         false => (0, true),
     }
