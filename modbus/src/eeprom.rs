@@ -33,7 +33,7 @@ pub mod program {
     /// The mark where none was ever kept, as the chip comes.
     pub const BLANK: u8 = 0xFF;
     /// The version of this form. A change of the layout or of the stored form of an instruction takes a new one.
-    pub const VERSION: u8 = 1;
+    pub const VERSION: u8 = 2;
     /// Where the head stands.
     pub const HEAD: u16 = MARK + 1;
     /// Bytes of the head: version, length, and what is kept free.

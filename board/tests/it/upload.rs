@@ -3,7 +3,7 @@
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::Wire;
 use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::map::{self, BLOCK_BYTES, Command, State, flag, holding};
+use unoclp_board::map::{BLOCK_BYTES, Command, State, flag, holding};
 use unoclp_board::upload::{Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload};
 use unoclp_board::watch::Wish;
 use unoclp_board::{Failure, lock};
@@ -244,7 +244,7 @@ fn a_board_that_keeps_something_else_is_found_out() {
 /// A firmware may keep programs in another form than this client knows: that is no failure.
 #[test]
 fn a_board_with_another_stored_form_takes_an_upload() {
-    let other = |board| Board::of_version(map::form::version(0) + 1, board);
+    let other = |board| Board::of_version(unoclp_modbus::eeprom::program::VERSION + 1, board);
     for (board, before) in [
         (Board::default(), State::Run),
         (Board::in_state(STOP), State::Stop),

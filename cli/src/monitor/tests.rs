@@ -330,7 +330,7 @@ fn there_may_be_nothing_to_scroll() {
 fn a_board_with_another_stored_form_is_not_said_to_run_another_program() {
     let mut other = reading();
     other.diagnostics.program = Kept {
-        version: 2,
+        version: 3,
         bytes: 9,
         sum: 0xAB,
     };

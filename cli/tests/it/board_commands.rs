@@ -60,7 +60,7 @@ fn an_upload_says_what_it_does() {
 fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
     let program = file("form.txt", FOLLOW);
     for state in [STOP, FAULT] {
-        let fake = Fake::new(Board::of_version(2, Board::in_state(state)));
+        let fake = Fake::new(Board::of_version(3, Board::in_state(state)));
         let (code, out, err) = on(&fake, &["upload", &program]);
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
         let told = fake.board().kept.sum;
@@ -68,6 +68,22 @@ fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
         let says = format!("stored: 3 bytes, check sum {told:04X}\nRUN\n");
         assert!(out.ends_with(&says), "{out}");
     }
+}
+
+#[test]
+fn a_program_that_an_older_board_does_not_know_is_not_sent() {
+    let program = file("newer.txt", "0\n827301\n7370\n877901\n697868\n");
+    let fake = Fake::new(Board::of_version(1, Board::default()));
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    assert!(code == 2 && !out.contains("STOP"), "{out}{err}");
+    assert!(
+        err.contains("in form 1") && err.contains("needs form 2"),
+        "{err}"
+    );
+    assert_eq!(fake.board().state, RUN);
+    // What it knows is sent.
+    let program = file("older.txt", FOLLOW);
+    assert_eq!(on(&fake, &["upload", &program]).0, 0);
 }
 
 #[test]

@@ -10,7 +10,7 @@ fn check_tells_the_size_of_a_valid_program() {
     let program = file("valid.txt", FOLLOW);
     let (code, out, err) = outcome(&["check", &program]);
     let size = "OK: 4 codes, 8 of 900 bytes (892 free), 1 timer\n  \
-                13 of 960 bytes of run memory; pins: I1 Q1";
+                12 of 960 bytes of run memory; pins: I1 Q1";
     assert_eq!(
         (code, out, err),
         (0, format!("{program}: {size}\n"), String::new())

@@ -72,8 +72,8 @@ fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
         ),
         (
             900,
-            "; 167 bytes of program memory and 37 of run memory are lacking.",
-            "; faltam 167 bytes de memória de programa e 37 de memória de execução.",
+            "; 167 bytes of program memory are lacking.",
+            "; faltam 167 bytes de memória de programa.",
         ),
     ] {
         let program = file("lacking.txt", &keeping(16, contacts));
