@@ -27,15 +27,21 @@ impl Exchange {
     /// written stays. A write of several slices takes effect over several scans.
     #[inline(never)]
     pub fn fill<D: Device>(&mut self, frame: &mut Frame, device: &mut D) -> Option<u8> {
-        if self.left != 0 {
-            if self.table.has_words() {
-                self.words(frame, device);
-            } else {
-                self.bits(frame, device);
-            }
-            if self.left != 0 {
+        let mut slice = SLICE;
+        while self.left != 0 {
+            if slice == 0 {
                 return None;
             }
+            let (done, bytes) = if self.table.has_words() {
+                slice = 0;
+                self.words(frame, device)
+            } else {
+                slice = slice.wrapping_sub(1);
+                self.bits(frame, device)
+            };
+            self.at = self.at.wrapping_add(bytes);
+            self.address = self.address.wrapping_add(done.into());
+            self.left = self.left.wrapping_sub(done.into());
         }
         let mut length = self.at;
         if self.access == Access::Write {
@@ -47,37 +53,24 @@ impl Exchange {
         Some(if broadcast { 0 } else { length })
     }
 
-    /// Does a slice of words. There is one left.
-    fn words<D: Device>(&mut self, frame: &mut Frame, device: &mut D) {
-        let at = usize::from(self.at);
-        let bytes = frame.get_mut(at..at + 2 * usize::from(self.left));
-        let words = bytes.unwrap_or_default().as_chunks_mut().0;
+    /// Does words, as many as the device does at once: gives how many, and their bytes. There is one left.
+    fn words<D: Device>(&self, frame: &mut Frame, device: &mut D) -> (u8, u8) {
+        let words = frame[self.at.into()..].as_chunks_mut().0;
+        let words = words.get_mut(..self.left.into()).unwrap_or_default();
         let done = device.words(self.table, self.address, self.access, words);
         // A device that does none would never be done.
-        self.advance(done.max(1).into());
-        self.at = self.at.wrapping_add(done.wrapping_mul(2));
+        (done.max(1), done.wrapping_mul(2))
     }
 
-    /// Does a slice of bits.
-    fn bits<D: Device>(&mut self, frame: &mut Frame, device: &mut D) {
-        let mut bytes = SLICE;
-        while bytes != 0 && self.left != 0 {
-            bytes = bytes.wrapping_sub(1);
-            let count = self.left.min(8) as u8;
-            let byte = &mut frame[usize::from(self.at)];
-            let bits = device.bits(self.table, self.address, self.access, count, *byte);
-            if self.access == Access::Read {
-                // Those behind the last are 0.
-                *byte = bits & u8::MAX >> 8_u8.wrapping_sub(count);
-            }
-            self.at = self.at.wrapping_add(1);
-            self.advance(count.into());
+    /// The same of the bits in a byte.
+    fn bits<D: Device>(&self, frame: &mut Frame, device: &mut D) -> (u8, u8) {
+        let count = self.left.min(8) as u8;
+        let byte = &mut frame[usize::from(self.at)];
+        let bits = device.bits(self.table, self.address, self.access, count, *byte);
+        if self.access == Access::Read {
+            // Those behind the last are 0.
+            *byte = bits & u8::MAX >> 8_u8.wrapping_sub(count);
         }
-    }
-
-    /// Goes on by so many addresses; behind 65535 none is left.
-    fn advance(&mut self, by: u16) {
-        self.address = self.address.wrapping_add(by);
-        self.left = self.left.saturating_sub(by);
+        (count, 1)
     }
 }

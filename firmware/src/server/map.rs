@@ -272,6 +272,7 @@ impl Device for Map<'_, '_> {
         (image.0 as u8) >> (first & 7)
     }
 
+    #[inline(never)]
     fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
