@@ -62,20 +62,28 @@ fn request<D: Device>(
         _ => return Err(Exception::IllegalFunction),
     };
     let words = table.has_words();
+    let several = function >= 15;
     let (count, at) = operands(frame);
-    let bytes = bytes(words, count);
-    let most = match (function >= 15, words) {
-        (false, false) => 2000,
-        (false, true) => 125,
-        (true, false) => 1968,
-        (true, true) => 123,
+    // 2000 bits or 125 words to be read, 1968 or 123 to be written: as many bytes.
+    let most = if several { 123 } else { 125 };
+    let last = count.wrapping_sub(1);
+    let (last_byte, most) = if words {
+        (last, most)
+    } else {
+        (last >> 3, 2 * most)
     };
+    let mut bytes = (last_byte as u8).wrapping_add(1);
+    if words {
+        bytes = bytes.wrapping_mul(2);
+    }
+    let end = if several { at.wrapping_add(bytes) } else { FIXED };
     demand(
-        count.wrapping_sub(1) < most
+        last_byte < most
+            && length == end
             && match function {
-                5 => length == FIXED && matches!(frame[4], 0 | 0xFF) && frame[5] == 0,
-                15 | 16 => frame[6] == bytes && length == at.wrapping_add(bytes),
-                _ => length == FIXED,
+                5 => matches!(frame[4], 0 | 0xFF) && frame[5] == 0,
+                15 | 16 => frame[6] == bytes,
+                _ => true,
             },
     )?;
 
@@ -88,7 +96,7 @@ fn request<D: Device>(
         left: count,
         at,
     };
-    if address.checked_add(count.wrapping_sub(1)).is_none() {
+    if address.checked_add(last).is_none() {
         return Err(Exception::IllegalDataAddress);
     }
     let data = frame.get(at.into()..length.into()).unwrap_or_default();
@@ -108,13 +116,4 @@ fn request<D: Device>(
         device.check_words(address, data.as_chunks().0)?;
     }
     Ok(exchange)
-}
-
-/// In how many bytes so many words or bits are sent, if they fit one frame.
-fn bytes(words: bool, count: u16) -> u8 {
-    if words {
-        (count << 1) as u8
-    } else {
-        (count.wrapping_add(7) >> 3) as u8
-    }
 }
