@@ -12,7 +12,7 @@ use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 use unoclp_core::{Image, Millis};
 use unoclp_modbus::eeprom::program;
 use unoclp_modbus::map::{AREA, AREAS, PRODUCT, Span, VENDOR, coil, flag, form, holding, input};
-use unoclp_modbus::{Access, Device, Exception, Table, Word};
+use unoclp_modbus::{Access, Addresses, Device, Exception, Table, Word};
 
 const MARKER: u16 = coil::MARKERS.first;
 const TIMER: u16 = input::TIMERS.first;
@@ -213,7 +213,13 @@ impl Map<'_, '_> {
 static AREAS_IN_FLASH: flash::Table<u8, { AREAS.len() }> = flash::Table::new(AREAS);
 
 impl Device for Map<'_, '_> {
-    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
+    fn has(&self, addresses: &Addresses) -> bool {
+        let Addresses {
+            table,
+            access,
+            first,
+            count,
+        } = *addresses;
         let mut at = 0;
         while at < AREAS.len() {
             let mut area = [0; AREA];
@@ -234,7 +240,13 @@ impl Device for Map<'_, '_> {
     }
 
     #[inline(never)]
-    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8 {
+    fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let write = access == Access::Write;
         let mut mask = 1;
         if table == Table::Coils && first >= MARKER {
@@ -273,7 +285,13 @@ impl Device for Map<'_, '_> {
     }
 
     #[inline(never)]
-    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
+    fn words(&mut self, addresses: &Addresses, words: &mut [Word]) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
         if first < COMMAND && (!input || first >= TIMER) {
