@@ -213,6 +213,7 @@ impl Map<'_, '_> {
 static AREAS_IN_FLASH: flash::Table<u8, { AREAS.len() }> = flash::Table::new(AREAS);
 
 impl Device for Map<'_, '_> {
+    #[inline(never)]
     fn has(&self, addresses: &Addresses) -> bool {
         let Addresses {
             table,
