@@ -40,7 +40,7 @@ mod store;
 core::arch::global_asm!(include_str!("runtime.s"));
 
 use board::Board;
-use board::watchdog::Start;
+use board::watchdog::{self, Start};
 use card::StateFile;
 use settings::Settings;
 use store::Kept;
@@ -78,7 +78,7 @@ fn start(
     memory: &mut [u8],
     file: &mut StateFile,
 ) -> Result<Kept, Fault> {
-    match board.start {
+    match watchdog::started() {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
         Start::Power | Start::Reset | Start::Command => {}

@@ -2,7 +2,7 @@
 
 use super::upload::Upload;
 use crate::board::flash::{self, Codes, flash_codes};
-use crate::board::{Board, stack};
+use crate::board::{Board, stack, watchdog};
 use crate::engine::data::ON;
 use crate::engine::memory::{Memory, Values};
 use crate::operation::{Command, Operation, State};
@@ -83,7 +83,7 @@ impl Map<'_, '_> {
                     .fault
                     .map_or(0, |fault| fault.cause.number().into());
             }
-            number::CAUSE => return board.start as u16 + 1,
+            number::CAUSE => return watchdog::started() as u16 + 1,
             number::LINE..number::UPTIME => line,
             number::UPTIME..number::LAST => self.now,
             number::LAST => return operation.times.last(),
