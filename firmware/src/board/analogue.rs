@@ -70,7 +70,6 @@ impl Analogue {
     }
 
     /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
-    #[inline(always)]
     pub fn step(&self, readings: &mut Readings) {
         // Set by the end of a conversion alone, so a converter that is off changes no reading.
         if self.adc.adcsra().read().adif().bit_is_set() {

@@ -106,6 +106,7 @@ impl Board {
     }
 
     /// The bus to the card, at full speed, with the card selected: for what comes after start-up.
+    #[inline(always)]
     pub fn resume_card(&self) -> spi::CardBus<'_> {
         let bus = spi::CardBus::new(&self.spi, &self.pins);
         bus.full_speed();
