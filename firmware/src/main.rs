@@ -64,7 +64,8 @@ fn main() -> ! {
 #[inline(never)]
 fn open_line(board: &mut Board) -> bool {
     let defaults = board.pins.ask_for_defaults();
-    let settings = Settings::load(&board.eeprom, defaults);
+    let mut settings = Settings::new();
+    settings.load(&board.eeprom, defaults);
     board.serial.open(&settings.line());
     defaults
 }

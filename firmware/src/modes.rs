@@ -56,7 +56,7 @@ pub fn serve(
         settings,
         ..
     } = page;
-    *settings = Settings::load(&board.eeprom, defaults);
+    settings.load(&board.eeprom, defaults);
     if program.is_ok() {
         report::state_file(&board.serial, &file);
     }

@@ -42,25 +42,29 @@ const DEFAULTS: Kept = 1;
 const CHANGED: Kept = 2;
 
 impl Settings {
-    /// What is kept, or the defaults.
-    #[inline(never)]
-    pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
-        let mut settings = Settings {
+    /// None yet.
+    pub const fn new() -> Settings {
+        Settings {
             bytes: [0; BYTES],
             kept: AS_KEPT,
-        };
-        if !defaults
-            && (settings.read_slot(eeprom, FIRST)
-                || settings.read_slot(eeprom, SECOND)
-                || settings.read(eeprom, OLD, OLD_BYTES))
-        {
-            return settings;
         }
-        settings.bytes.fill(0);
-        settings.set(ADDRESS, setting::ADDRESS.default);
-        settings.set(RATE, setting::RATE.default);
-        settings.kept = DEFAULTS;
-        settings
+    }
+
+    /// Takes what is kept, or the defaults. They are as they are [made](Settings::new), in their place: given back,
+    /// they would stand on the stack too.
+    #[inline(never)]
+    pub fn load(&mut self, eeprom: &Eeprom, defaults: bool) {
+        if !defaults
+            && (self.read_slot(eeprom, FIRST)
+                || self.read_slot(eeprom, SECOND)
+                || self.read(eeprom, OLD, OLD_BYTES))
+        {
+            return;
+        }
+        self.bytes.fill(0);
+        self.set(ADDRESS, setting::ADDRESS.default);
+        self.set(RATE, setting::RATE.default);
+        self.kept = DEFAULTS;
     }
 
     fn read_slot(&mut self, eeprom: &Eeprom, slot: u16) -> bool {
