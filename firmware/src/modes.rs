@@ -173,7 +173,7 @@ impl Work<'_> {
     }
 
     /// A slice of a request.
-    fn answer(&mut self, memory: Memory<'_>) {
+    fn answer(&mut self, memory: &mut Memory<'_>) {
         let operation = &mut self.scans.operation;
         self.server.step(self.board, operation, memory, None);
     }
@@ -308,7 +308,7 @@ fn show(work: &mut Work<'_>, cause: Cause, data: &mut Data) {
         // Which of the others are digital, a program would tell.
         work.scans.operation.read(pins.levels().inputs());
         work.look_after(data);
-        work.answer(Memory::idle(data));
+        work.answer(&mut Memory::idle(data));
         work.scans.operation.command == Some(Command::Upload)
     });
 }

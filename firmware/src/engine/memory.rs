@@ -8,7 +8,8 @@ use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 pub struct Memory<'a> {
     /// Markers, registers and readings.
     pub data: &'a mut Data,
-    /// The data of the timers, and of the counters; empty where no program runs.
+    /// The data of the timers, in file order, and of the counters, up to the highest that is named; empty where no
+    /// program runs.
     pub timers: &'a mut [u8],
     /// See `timers`.
     pub counters: &'a mut [u8],

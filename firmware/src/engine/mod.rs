@@ -76,12 +76,14 @@ impl<'m> Linked<'m> {
         let (rest, numbers) = split_end(rest, numbers * ADDRESS_BYTES);
         Linked {
             layout: Layout {
-                data,
-                timers,
+                memory: Memory {
+                    data,
+                    timers,
+                    counters,
+                },
                 begin: rest.as_ptr() as usize as u16,
                 kept: numbers,
                 snapshot,
-                counters,
                 stored: *kept,
                 jumps_back: false,
             },
@@ -104,9 +106,9 @@ impl<'m> Linked<'m> {
     pub fn link(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         let layout = &mut self.layout;
         let memory = mem::take(&mut self.memory);
-        link::forget_labels(layout.data);
+        link::forget_labels(layout.memory.data);
         let mut size = link::pass(layout, eeprom, memory)?;
-        if link::has_labels(layout.data) {
+        if link::has_labels(layout.memory.data) {
             // Those that stand further on are known now.
             size = link::pass(layout, eeprom, memory)?;
         }
@@ -134,16 +136,12 @@ impl<'m> Linked<'m> {
 
     /// Images, markers, registers and readings.
     pub fn data(&mut self) -> &mut Data {
-        self.layout.data
+        self.layout.memory.data
     }
 
     /// What a program works on, for one step of the server.
-    pub fn memory(&mut self) -> Memory<'_> {
-        Memory {
-            data: self.layout.data,
-            timers: self.layout.timers,
-            counters: self.layout.counters,
-        }
+    pub fn memory(&mut self) -> &mut Memory<'m> {
+        &mut self.layout.memory
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
@@ -153,7 +151,7 @@ impl<'m> Linked<'m> {
     /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
     #[inline(never)]
     pub fn restart(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
-        link::forget_labels(self.layout.data);
+        link::forget_labels(self.layout.memory.data);
         link::pass(&mut self.layout, eeprom, &mut [])?;
         self.clear(images);
         self.keep(false);
@@ -186,7 +184,7 @@ impl<'m> Linked<'m> {
 
     fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
-        self.layout.data.restart();
+        self.layout.memory.data.restart();
         *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();
@@ -195,7 +193,7 @@ impl<'m> Linked<'m> {
     /// Whether a scan needs to [`prepare`](Linked::prepare).
     pub fn has_to_prepare(&self) -> bool {
         // Inputs from 05 on that were forced, and are no more, are still to be forgotten.
-        self.prepares || self.layout.data.more_inputs != 0
+        self.prepares || self.layout.memory.data.more_inputs != 0
     }
 
     /// The input image as the input filter of the program has it (NC-18).
@@ -209,7 +207,7 @@ impl<'m> Linked<'m> {
     /// What comes before the program in a scan that needs more than the image of inputs 01 to 04.
     pub fn prepare(&mut self, inputs: Image, now: Millis) {
         let needs = self.needs();
-        let data = &mut *self.layout.data;
+        let data = &mut *self.layout.memory.data;
         let bits = inputs.0 as u8;
         data.more_inputs = bits & !Images::INPUTS;
         if needs.inputs >> POINTS != 0 {
@@ -235,7 +233,7 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     fn prepare_system(&mut self, now: Millis) {
         self.clocks.scan(self.first, now);
-        let data = &mut *self.layout.data;
+        let data = &mut *self.layout.memory.data;
         data.system = [
             on(self.first),
             on(self.clocks.slow()),
@@ -255,7 +253,7 @@ impl<'m> Linked<'m> {
     /// timers, counters and other instructions, and `Data`: all are reached from `self`.
     #[inline(always)]
     pub fn entry(&mut self) -> (*const u8, *mut u8) {
-        (self.code.as_ptr(), self.layout.timers.as_mut_ptr())
+        (self.code.as_ptr(), self.layout.memory.timers.as_mut_ptr())
     }
 
     /// Whether the program jumps back: a scan may do that [too often](Linked::jumps_too_often).
@@ -265,14 +263,14 @@ impl<'m> Linked<'m> {
 
     /// Whether the last scan has made too many jumps back (NC-19).
     pub fn jumps_too_often(&self) -> bool {
-        self.layout.data.budget < 0
+        self.layout.memory.data.budget < 0
     }
 
     /// The fault that this is, with the line of the jump.
     pub fn too_many_jumps(&self) -> Fault {
         Fault {
             cause: Cause::TooManyJumps,
-            line: Some(self.layout.data.line.into()),
+            line: Some(self.layout.memory.data.line.into()),
         }
     }
 }

@@ -55,19 +55,19 @@ mod number {
 }
 
 /// The board as the server shows it, for one step.
-pub struct Map<'a, 'm> {
+pub struct Map<'a, 'm, 'u> {
     pub board: &'a Board,
     pub operation: &'a mut Operation,
     pub settings: &'a mut Settings,
     /// The time of this step, ms since start.
     pub now: Millis,
-    pub memory: Memory<'a>,
-    pub upload: Option<&'a mut Upload<'m>>,
+    pub memory: &'a mut Memory<'m>,
+    pub upload: Option<&'a mut Upload<'u>>,
     /// The number of the block that ended the last upload, where its program was stored.
     pub ended: Option<u8>,
 }
 
-impl Map<'_, '_> {
+impl Map<'_, '_, '_> {
     /// A word of the diagnostics.
     #[inline(never)]
     fn diagnostic(&self, number: u8) -> u16 {
@@ -212,7 +212,7 @@ impl Map<'_, '_> {
 #[unsafe(link_section = ".progmem.data")]
 static AREAS_IN_FLASH: flash::Table<u8, { AREAS.len() }> = flash::Table::new(AREAS);
 
-impl Device for Map<'_, '_> {
+impl Device for Map<'_, '_, '_> {
     #[inline(never)]
     fn has(&self, addresses: &Addresses) -> bool {
         let Addresses {

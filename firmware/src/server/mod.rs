@@ -67,7 +67,7 @@ impl Server {
         &mut self,
         board: &Board,
         operation: &mut Operation,
-        memory: Memory<'_>,
+        memory: &mut Memory<'_>,
         upload: Option<&mut Upload<'_>>,
     ) {
         let mut length = 0;
@@ -123,7 +123,7 @@ impl Server {
         operation.fault = None;
         let mut upload = Upload::new(memory);
         while operation.uploading && operation.command.is_none() && !upload.is_forsaken() {
-            let idle = Memory::idle(data);
+            let idle = &mut Memory::idle(data);
             self.step(board, operation, idle, Some(&mut upload));
             // Here and not in the step: the loader goes deep, and the stack has no room for both.
             if let Some(count) = upload.comes() {
