@@ -238,7 +238,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             if work.state.is_sending() {
                 work.scans.hurry();
             }
-            diagnosis.step(board)?;
+            diagnosis.step(board, plc.code())?;
         }
     }
 }
