@@ -23,17 +23,19 @@ use unoclp_core::{Cause, Fault, Image};
 use unoclp_modbus::Frame;
 
 /// The board at work: the scans with their operation, and what goes on beside them.
+// In this order: what lies beyond 63 bytes is reached by detours.
+#[repr(C)]
 struct Work<'b> {
-    board: &'b Board,
     scans: Scans<'b>,
+    board: &'b Board,
     server: Server,
-    state: Keeper,
     retentive: Retentive,
     /// How many records there are of the numbers that are kept.
     places: u8,
     /// When the last second began, ms since start, wrapping; and how many have, of this minute.
     second: u16,
     seconds: u8,
+    state: Keeper,
 }
 
 /// ms.
