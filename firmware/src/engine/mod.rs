@@ -49,9 +49,7 @@ unsafe extern "C" {
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
     code: &'m [u8],
-    /// Run memory for both of these, until it is linked.
-    memory: &'m mut [u8],
-    /// Data of edges, filters and integrations.
+    /// Data of edges, filters and integrations; until it is linked, run memory for both of these.
     own: &'m mut [u8],
     layout: Layout<'m>,
     /// Whether a scan needs more than the images of inputs 01 to 04.
@@ -67,29 +65,17 @@ impl<'m> Linked<'m> {
     /// comes back would be a copy on a stack that has no room for one.
     #[inline(always)]
     pub fn new(kept: &Kept, memory: &'m mut [u8], data: &'m mut Data) -> Linked<'m> {
-        let timers = usize::from(kept.timers) * TIMER_DATA;
-        let counters = usize::from(kept.counters) * COUNTER_DATA;
-        let (rest, timers) = split_end(memory, timers);
-        let (rest, counters) = split_end(rest, counters);
-        let numbers = usize::from(kept.numbers);
-        let (rest, snapshot) = split_end(rest, numbers * SNAPSHOT_BYTES);
-        let (rest, numbers) = split_end(rest, numbers * ADDRESS_BYTES);
         Linked {
             layout: Layout {
-                memory: Memory {
-                    data,
-                    timers,
-                    counters,
-                },
-                begin: rest.as_ptr() as usize as u16,
-                kept: numbers,
-                snapshot,
+                memory: Memory::idle(data),
+                begin: memory.as_ptr() as usize as u16,
+                kept: &mut [],
+                snapshot: &mut [],
                 stored: *kept,
                 jumps_back: false,
             },
             code: &[],
-            memory: rest,
-            own: &mut [],
+            own: memory,
             prepares: false,
             first: true,
             clocks: Clocks::new(),
@@ -105,17 +91,28 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     pub fn link(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         let layout = &mut self.layout;
-        let memory = mem::take(&mut self.memory);
+        let Kept {
+            timers,
+            counters,
+            numbers,
+            ..
+        } = layout.stored;
+        let numbers = usize::from(numbers);
+        layout.memory.timers = cut_end(&mut self.own, usize::from(timers) * TIMER_DATA);
+        layout.memory.counters = cut_end(&mut self.own, usize::from(counters) * COUNTER_DATA);
+        layout.snapshot = cut_end(&mut self.own, numbers * SNAPSHOT_BYTES);
+        layout.kept = cut_end(&mut self.own, numbers * ADDRESS_BYTES);
+        let memory = mem::take(&mut self.own);
         link::forget_labels(layout.memory.data);
         let mut size = link::pass(layout, eeprom, memory)?;
         if link::has_labels(layout.memory.data) {
             // Those that stand further on are known now.
             size = link::pass(layout, eeprom, memory)?;
         }
-        let (code, rest) = memory
+        let (code, mut rest) = memory
             .split_at_mut_checked(size.code.into())
             .ok_or(Cause::NoStoredProgram)?;
-        self.own = split_end(rest, size.own.into()).1;
+        self.own = cut_end(&mut rest, size.own.into());
         self.code = code;
         let needs = layout.stored.needs;
         self.prepares =
@@ -275,10 +272,15 @@ impl<'m> Linked<'m> {
     }
 }
 
-/// Memory in two, the second part so long, where there is so much; else all of it and nothing.
-fn split_end(memory: &mut [u8], length: usize) -> (&mut [u8], &mut [u8]) {
+/// Takes so much from the end of the memory; nothing, and leaves nothing, where there is less.
+#[inline(never)]
+fn cut_end<'m>(memory: &mut &'m mut [u8], length: usize) -> &'m mut [u8] {
     let middle = memory.len().wrapping_sub(length);
-    memory.split_at_mut_checked(middle).unwrap_or_default()
+    let (rest, end) = mem::take(memory)
+        .split_at_mut_checked(middle)
+        .unwrap_or_default();
+    *memory = rest;
+    end
 }
 
 /// The cell of a bit.
