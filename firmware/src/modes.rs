@@ -26,7 +26,7 @@ use unoclp_modbus::Frame;
 // In this order: what lies beyond 63 bytes is reached by detours.
 #[repr(C)]
 struct Work<'b> {
-    scans: Scans<'b>,
+    scans: Scans,
     board: &'b Board,
     server: Server,
     retentive: Retentive,
@@ -114,7 +114,7 @@ impl Work<'_> {
     ) -> Work<'b> {
         Work {
             board,
-            scans: Scans::new(board),
+            scans: Scans::new(),
             server: Server::new(frame, settings),
             state: Keeper::new(match file {
                 StateFile::Found(place) => Some(place),
@@ -223,7 +223,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             take_coils(work, plc);
             work.scans.pause();
         }
-        let Ok(due) = work.scans.go_on(plc) else {
+        let Ok(due) = work.scans.go_on(board, plc) else {
             return Err(Cause::TooManyJumps);
         };
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
