@@ -65,8 +65,7 @@ pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
 /// reached only by detours.
 #[inline(never)]
 fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
-    let [length, sum] =
-        [LENGTH, SUM].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
+    let (length, sum) = (word(eeprom, LENGTH), word(eeprom, SUM));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
