@@ -92,15 +92,21 @@ fn start(
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None
         }
-        Err(fault) if matches!(fault.cause, Cause::NoCard | Cause::NoProgramFile) => Some(fault),
+        // Neither has a line.
+        Err(Fault {
+            cause: cause @ (Cause::NoCard | Cause::NoProgramFile),
+            ..
+        }) => Some(cause),
         Err(fault) => return Err(fault),
     };
     match missing {
-        Some(fault) if store::is_blank(&board.eeprom) => return Err(fault),
-        Some(fault) => report::without_card(&board.serial, fault.cause),
+        Some(cause) if store::is_blank(&board.eeprom) => return Err(Fault::without_line(cause)),
+        Some(cause) => report::without_card(&board.serial, cause),
         None => {}
     }
-    let kept = modes::check(board, memory)?;
-    report::program(&board.serial, &kept);
-    Ok(kept)
+    let program = modes::check(board, memory);
+    if let Ok(kept) = &program {
+        report::program(&board.serial, kept);
+    }
+    program
 }
