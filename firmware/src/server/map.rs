@@ -14,7 +14,8 @@ use unoclp_modbus::eeprom::program;
 use unoclp_modbus::map::{AREA, AREAS, PRODUCT, Span, VENDOR, coil, flag, form, holding, input};
 use unoclp_modbus::{Access, Addresses, Device, Exception, Table, Word};
 
-const MARKER: u16 = coil::MARKERS.first;
+const MARKER: u8 = coil::MARKERS.first as u8;
+const MARKERS: usize = coil::MARKERS.values as usize;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
@@ -249,31 +250,31 @@ impl Device for Map<'_, '_, '_> {
             ..
         } = *addresses;
         let write = access == Access::Write;
-        let mut mask = 1;
+        // All that there is stands at addresses of one byte.
+        let first = first as u8;
         if table == Table::Coils && first >= MARKER {
-            let first = usize::from(first - MARKER);
-            let mut read = 0;
-            let markers = self.memory.data.markers.get_mut(first..);
-            for cell in markers.unwrap_or_default().iter_mut().take(count.into()) {
+            let (mut at, mut mask, mut read) = (first - MARKER, 1, 0);
+            for _ in 0..count {
+                let cell = &mut self.memory.data.markers[usize::from(at) % MARKERS];
                 if write {
                     *cell = if bits & mask != 0 { ON } else { 0 };
                 } else if *cell & ON != 0 {
                     read |= mask;
                 }
                 mask <<= 1;
+                at += 1;
             }
             return read;
         }
         let operation = &mut *self.operation;
         if write {
-            let Image(outputs) = operation.images.outputs();
-            let mut outputs = outputs as u8;
-            mask <<= first & 7;
-            let bits = bits << (first & 7);
-            for _ in 0..count {
-                outputs = outputs & !mask | bits & mask;
+            let (mut bits, mut mask) = (bits, u8::MAX >> (8 - count));
+            for _ in 0..first & 7 {
+                bits <<= 1;
                 mask <<= 1;
             }
+            let Image(outputs) = operation.images.outputs();
+            let outputs = outputs as u8 & !mask | bits & mask;
             operation.images.set_outputs(Image(outputs.into()));
             return 0;
         }
