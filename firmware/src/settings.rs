@@ -74,20 +74,15 @@ impl Settings {
     /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings behind it
     /// are 0.
     #[inline(never)]
-    fn read(&mut self, eeprom: &Eeprom, mut address: u16, bytes: usize) -> bool {
-        let mut sum = Crc16::default();
-        for (index, byte) in self.bytes.iter_mut().enumerate() {
-            *byte = 0;
-            if index < bytes {
-                let kept = eeprom.read(address);
-                sum = sum.then(kept);
-                address += 1;
-                if index + 2 < bytes {
-                    *byte = kept;
-                }
-            }
+    fn read(&mut self, eeprom: &Eeprom, address: u16, bytes: usize) -> bool {
+        self.bytes.fill(0);
+        let kept = self.bytes.get_mut(..bytes).unwrap_or_default();
+        store::read(eeprom, address, kept);
+        let is_sound = Crc16::of(kept).value() == 0;
+        if let [.., high, low] = kept {
+            (*high, *low) = (0, 0);
         }
-        sum.value() == 0 && self.address() != 0
+        is_sound && self.address() != 0
     }
 
     /// Keeps them, where they have changed. Takes 62 ms at most.
@@ -99,7 +94,7 @@ impl Settings {
         self.kept = AS_KEPT;
         SETTINGS_LEFT.set(allowance::behind(&SETTINGS_LEFT).unwrap_or(0));
         let [values @ .., high, low] = &mut self.bytes;
-        [*high, *low] = Crc16::of(values).value().to_be_bytes();
+        [*high, *low] = Crc16::of(values).to_be_bytes();
         let (slot, other) = if eeprom.read(FIRST) == VALID {
             (SECOND, FIRST)
         } else {

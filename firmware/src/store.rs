@@ -165,6 +165,15 @@ fn pass(eeprom: &Eeprom, mut address: u16, bytes: &[u8], write: bool) -> bool {
     true
 }
 
+/// Reads the bytes that stand here.
+#[inline(never)]
+pub fn read(eeprom: &Eeprom, mut address: u16, bytes: &mut [u8]) {
+    for byte in bytes {
+        *byte = eeprom.read(address);
+        address += 1;
+    }
+}
+
 /// Writes bytes where they differ from what is there.
 pub fn write(eeprom: &Eeprom, address: u16, bytes: &[u8]) {
     pass(eeprom, address, bytes, true);
