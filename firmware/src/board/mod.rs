@@ -25,7 +25,7 @@ pub mod spi;
 pub mod stack;
 pub mod watchdog;
 
-use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
+use avr_device::atmega328p::{PORTC, Peripherals, SPI, TC0, TC1};
 use unoclp_core::{Image, Millis};
 
 /// The parts of the board, ready to use.
@@ -56,7 +56,7 @@ impl Board {
         let watchdog = watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
         // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
-        let direction = unsafe { Peripherals::steal() }.PORTC;
+        let direction = unsafe { PORTC::steal() };
         Board {
             pins,
             serial: serial::Serial::new(chip.USART0, chip.TC2, direction),
