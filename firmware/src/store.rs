@@ -22,17 +22,22 @@ const HEADER: usize = HEAD_BYTES + 2;
 /// [`Cause::StoreFailed`] where the EEPROM does not give back what was written.
 #[inline(never)]
 pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
-    let header = header(stored);
-    let whole = |write| pass(eeprom, HEAD, &header, write) && pass(eeprom, STORED, stored, write);
-    if eeprom.read(MARK) == VALID && whole(false) {
+    let header = &header(stored);
+    if eeprom.read(MARK) == VALID && whole(eeprom, header, stored, false) {
         return Ok(());
     }
     eeprom.write(MARK, INVALID);
-    if !(whole(true) && whole(false)) {
+    if !(whole(eeprom, header, stored, true) && whole(eeprom, header, stored, false)) {
         return Err(Cause::StoreFailed);
     }
     eeprom.write(MARK, VALID);
     Ok(())
+}
+
+/// Writes all behind the mark, or tells whether it stands there.
+#[inline(never)]
+fn whole(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8], write: bool) -> bool {
+    pass(eeprom, HEAD, header, write) && pass(eeprom, STORED, stored, write)
 }
 
 /// A program that is kept and has been checked: what is known of it since. Its check sum is compared
@@ -147,7 +152,7 @@ fn header(stored: &[u8]) -> [u8; HEADER] {
     let mut header = [0; HEADER];
     let [head @ .., low, high] = &mut header;
     *head = program::head(stored.len() as u16);
-    [*low, *high] = program::sum(stored).value().to_le_bytes();
+    [*high, *low] = program::sum(stored).to_be_bytes();
     header
 }
 
