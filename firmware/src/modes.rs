@@ -246,6 +246,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
 }
 
 /// The next scan takes the coils that were written.
+#[inline(never)]
 fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
     let images = &mut work.scans.operation.images;
     let outputs = images.outputs();

@@ -67,6 +67,7 @@ impl Settings {
         self.kept = DEFAULTS;
     }
 
+    #[inline(always)]
     fn read_slot(&mut self, eeprom: &Eeprom, slot: u16) -> bool {
         eeprom.read(slot) == VALID && self.read(eeprom, slot + 1, BYTES)
     }
@@ -108,7 +109,6 @@ impl Settings {
     }
 
     /// A setting, by its number.
-    #[inline(never)]
     pub fn get(&self, number: u8) -> u16 {
         match self.bytes.get(usize::from(number) * 2..) {
             Some([low, high, ..]) => u16::from_le_bytes([*low, *high]),

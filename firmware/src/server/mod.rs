@@ -36,7 +36,6 @@ pub struct Server {
 impl Server {
     /// A server with this memory for its frames, before the first scan.
     // Apart from who makes it, whose frame is large.
-    #[inline(never)]
     pub fn new(frame: &'static mut Frame, settings: &'static mut Settings) -> Server {
         Server {
             frame,
