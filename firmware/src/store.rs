@@ -61,7 +61,6 @@ pub struct Kept {
 }
 
 /// Checks the program that is kept, in this memory; none where there is none, or it is damaged.
-#[inline(never)]
 pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
     restore(eeprom, &mut Loader::new(memory, Uno))
 }
@@ -111,7 +110,6 @@ pub struct Reader<'e> {
 
 impl Reader<'_> {
     /// The next byte.
-    #[inline(never)]
     pub fn next(&mut self) -> Option<u8> {
         if self.position == self.stored.length {
             return None;
