@@ -63,7 +63,7 @@ impl<'a> Memory<'a> {
         &mut self,
         values: Values,
         presets: bool,
-        first: u16,
+        first: u8,
         words: &mut [[u8; 2]],
         write: bool,
         now: Millis,
@@ -87,7 +87,7 @@ impl<'a> Memory<'a> {
                 bytes.end,
                 words.len() as u8,
                 size as u8,
-                first as u8,
+                first,
                 how,
                 now,
             );

@@ -297,18 +297,20 @@ impl Device for Map<'_, '_, '_> {
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
         if first < COMMAND && (!input || first >= TIMER) {
+            // None has more than 256 words.
             let (values, start) = if first >= COUNTER {
-                (Values::Counters, COUNTER)
+                (Values::Counters, COUNTER as u8)
             } else if first >= TIMER {
-                (Values::Timers, TIMER)
+                (Values::Timers, TIMER as u8)
             } else {
                 (Values::Registers, 0)
             };
+            let from = (first as u8).wrapping_sub(start);
             // To an even address, since each value has two words.
             let most = words.len().min(64 - usize::from(first & 1));
             let words = words.get_mut(..most).unwrap_or_default();
             let memory = &mut self.memory;
-            memory.words(values, !input, first - start, words, write, self.now);
+            memory.words(values, !input, from, words, write, self.now);
             return most as u8;
         }
         // Others take longer.
