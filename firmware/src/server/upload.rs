@@ -33,8 +33,6 @@ pub struct Upload<'m> {
 
 impl<'m> Upload<'m> {
     /// Before its first block, with this memory.
-    // Apart, as the loader in it: the frame of who makes it is large.
-    #[inline(never)]
     pub fn new(memory: &'m mut [u8]) -> Upload<'m> {
         Upload {
             last: None,
