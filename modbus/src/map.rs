@@ -4,7 +4,7 @@
 use crate::Table;
 use core::fmt;
 use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
+use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, NEAR_REGISTERS, TIMER_DATA};
 
 /// Addresses in a row that hold values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,7 +137,7 @@ spans! {
     /// Holding registers.
     holding: HoldingRegisters {
         /// The registers D.
-        REGISTERS = 0, super::REGISTERS, Long, Write, "register D 01–32";
+        REGISTERS = 0, super::NEAR_REGISTERS, Long, Write, "register D 01–32";
         /// The presets of the timers, ms.
         TIMERS = 128, super::TIMERS, Long, Write, "timer T 01–87: preset";
         /// The presets of the counters.

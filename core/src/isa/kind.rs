@@ -1,8 +1,8 @@
 //! What follows the letters of a code: its number XX, and the lines below it.
 
 use super::{
-    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, REGISTERS, SYSTEM_MARKERS,
-    TIMERS,
+    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, POPPED, REGISTERS,
+    SYSTEM_MARKERS, TIMERS,
 };
 
 /// Declares an enum that tells its variants, and finds one by its discriminant without a table: a chain of
@@ -50,7 +50,7 @@ numbered! {
         TimerQ,
         /// Counter XX, 01–16.
         Counter,
-        /// Register XX, 01–32.
+        /// Register XX, 01–98.
         Register,
         /// Analogue input A XX, 00–04.
         Analogue,
@@ -72,8 +72,11 @@ numbered! {
         Timer,
         /// Counter XX. Line: preset.
         Count,
-        /// Register XX, 01–32; with XX = 00 a constant. Line then: the constant.
+        /// Register XX, 01–98; with XX = 99 what was pushed and the value; with XX = 00 a constant. Line then: the
+        /// constant.
         Value,
+        /// The same of REAL numbers: the line is the 32 bits of one.
+        Real,
         /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
         Move,
         /// Register XX tells the step. Lines: how many steps, then each.
@@ -82,6 +85,8 @@ numbered! {
         Scale,
         /// Strength XX, 01–08. Line: time.
         Filter,
+        /// A table of registers from XX on. Line: how many.
+        Table,
     }
 }
 
@@ -116,6 +121,10 @@ numbered! {
         ToHigh,
         /// A filter's time in ms, 0–30000.
         FilterTime,
+        /// The bits of a REAL number that is finite.
+        Real,
+        /// How many registers a table has.
+        TableLength,
     }
 }
 
@@ -123,8 +132,8 @@ impl Line {
     /// How many bytes store it; a constant may take [fewer](super::constant_bytes).
     pub const fn bytes(self) -> u8 {
         match self {
-            Line::TimerPreset | Line::CounterPreset | Line::Constant => 4,
-            Line::Target | Line::MoveTo | Line::MoveCount | Line::Steps | Line::Step => 1,
+            Line::TimerPreset | Line::CounterPreset | Line::Constant | Line::Real => 4,
+            Line::TableLength | Line::Target | Line::MoveTo | Line::MoveCount | Line::Steps | Line::Step => 1,
             Line::FromLow | Line::FromHigh | Line::ToLow | Line::ToHigh | Line::FilterTime => 2,
         }
     }
@@ -146,6 +155,11 @@ impl Kind {
         !matches!(self, Kind::None | Kind::Timer | Kind::Scale)
     }
 
+    /// Whether XX names where an operation takes its operand from: a register, a constant, what was pushed.
+    pub const fn is_value(self) -> bool {
+        matches!(self, Kind::Value | Kind::Real)
+    }
+
     /// The numbers that XX may be, first and last; the board has fewer inputs and outputs, and the
     /// program fewer timers. None where the code has no XX.
     pub const fn numbers(self) -> Option<(u8, u8)> {
@@ -157,8 +171,8 @@ impl Kind {
             Kind::Marker => (1, MARKERS),
             Kind::System | Kind::Pwm => (1, SYSTEM_MARKERS),
             Kind::Counter | Kind::Count => (1, COUNTERS),
-            Kind::Register | Kind::Move | Kind::Drum => (1, REGISTERS),
-            Kind::Value => (0, REGISTERS),
+            Kind::Register | Kind::Move | Kind::Drum | Kind::Table => (1, REGISTERS),
+            Kind::Value | Kind::Real => (0, POPPED),
             Kind::Analogue => (0, ANALOGUE - 1),
             Kind::Reading => (1, 2),
             Kind::Group | Kind::Filter => (1, 8),
@@ -184,6 +198,8 @@ impl Kind {
             Kind::Timer => (Some(Line::TimerPreset), 5),
             Kind::Count => (Some(Line::CounterPreset), 4),
             Kind::Value if xx == 0 => (Some(Line::Constant), 4),
+            Kind::Real if xx == 0 => (Some(Line::Real), 4),
+            Kind::Table => (Some(Line::TableLength), 1),
             Kind::Move => (Some(Line::MoveTo), 2),
             Kind::Drum => (Some(Line::Steps), 1),
             Kind::Scale => (Some(Line::FromLow), 8),
@@ -197,9 +213,8 @@ impl Kind {
             | Kind::Marker
             | Kind::System => (None, 0),
             Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm => (None, 0),
-            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label | Kind::Value => {
-                (None, 0)
-            }
+            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => (None, 0),
+            Kind::Value | Kind::Real => (None, 0),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! From the bytes of a file to a checked program: every check of NC-1 … NC-21.
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-28.
 //!
 //! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
 //! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
@@ -55,6 +55,9 @@ pub struct Loader<'m, B = Profile> {
     /// Steps of a drum that are still to come.
     steps: u8,
     codes: u16,
+    /// How many IFs are open, and of which the ELS has come: the innermost in the lowest bit (NC-28).
+    ifs: u8,
+    elses: u8,
     /// Whether constants keep the size that they are stored in.
     restores: bool,
 }
@@ -82,6 +85,8 @@ impl<'m, B: Board> Loader<'m, B> {
             timer_line: 0,
             steps: 0,
             codes: 0,
+            ifs: 0,
+            elses: 0,
             restores: false,
         }
     }
@@ -123,6 +128,10 @@ impl<'m, B: Board> Loader<'m, B> {
                 Expect::Line(_) => Err(Cause::OperandsMissing),
                 _ => self.rung.end(),
             };
+        }
+        if checked.is_ok() && self.ifs > 0 {
+            self.ifs -= 1;
+            checked = Err(Cause::IfLeftOpen);
         }
         if checked.is_ok() {
             checked = self.references();
@@ -181,16 +190,26 @@ impl<'m, B: Board> Loader<'m, B> {
         let Err(cause) = checked else { return Ok(()) };
         let line = match cause {
             Cause::EmptyFile => None,
-            Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
+            Cause::BranchLeftOpen => Some(self.line_before(self.rung.left_open())),
             Cause::OperandsMissing => Some(self.block),
             // At the end of the file; a timer 00 is told where it stands.
             Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
+            Cause::IfLeftOpen => {
+                let low = self.room.noted(self.ifs);
+                Some(self.line_before(low))
+            }
             Cause::NoSuchLabel => Some(self.labels.missing_line().into()),
             _ => Some(self.line),
         };
         let fault = Fault { cause, line };
         self.first_fault.get_or_insert(fault);
         Err(fault)
+    }
+
+    /// The last line up to this one whose number has this low half.
+    fn line_before(&self, low: u16) -> u32 {
+        let ago = (self.line as u16).wrapping_sub(low);
+        self.line.wrapping_sub(ago.into())
     }
 
     fn code(&mut self, code: i32) -> Result<(), Cause> {
@@ -220,7 +239,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
         let xx = match xx {
             // As it is stored, until its line tells more.
-            0 if entry.kind == Kind::Value => isa::BYTE_CONSTANT,
+            0 if entry.kind.is_value() => isa::BYTE_CONSTANT,
             _ => xx,
         };
         self.checked(entry, xx, expected, line)
@@ -253,9 +272,9 @@ impl<'m, B: Board> Loader<'m, B> {
             for place in bytes.iter_mut().take(size.into()) {
                 *place = next()?;
             }
-            let number = match (size, bytes) {
-                (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
-                (1, [low, ..]) if line == Line::Constant => low.cast_signed().into(),
+            let number = match (size, line, bytes) {
+                (2, _, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                (1, Line::Constant, [low, ..]) => low.cast_signed().into(),
                 _ => i32::from_le_bytes(bytes),
             };
             self.stored_line(line, number)?;
@@ -270,7 +289,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let kind = entry.kind;
         let mut stored = entry.stored;
         if let Some(line) = entry.line
-            && (kind != Kind::Value || isa::constant_bytes(xx) > 0)
+            && (!kind.is_value() || isa::constant_bytes(xx) > 0)
         {
             self.block = self.line;
             self.expect = Expect::Line(line);
@@ -282,10 +301,13 @@ impl<'m, B: Board> Loader<'m, B> {
         if kind == Kind::Output {
             last = self.board.profile().outputs;
         }
-        if xx < entry.first || xx > last || kind == Kind::Value && is_no_value(xx) {
+        if xx < entry.first || xx > last {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
+        if kind.is_value() && xx == isa::POPPED || stored == Opcode::StoreTable as u8 {
+            self.rung.pop()?;
+        }
         if kept::declares(stored) {
             self.room.keep()?;
             self.expect = Expect::Head;
@@ -341,9 +363,41 @@ impl<'m, B: Board> Loader<'m, B> {
             self.expect = Expect::Head;
             return self.rung.end();
         }
+        if stored == Opcode::Push as u8 {
+            return self.rung.push();
+        }
+        let brackets = stored >= Opcode::If as u8;
         let returns = stored == Opcode::Return as u8 || stored == Opcode::ReturnNot as u8;
-        if returns && self.rung.is_open() {
+        if (brackets || returns) && self.rung.is_open() {
             return Err(Cause::JumpInBranch);
+        }
+        if brackets {
+            self.bracket(stored)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that IF, ELS and END are balanced (NC-28). What stands before is a rung, and a rung begins.
+    fn bracket(&mut self, stored: u8) -> Result<(), Cause> {
+        self.expect = Expect::Head;
+        self.rung.end()?;
+        if stored == Opcode::If as u8 {
+            self.room.note(self.ifs, self.line as u16);
+            self.ifs = self.ifs.saturating_add(1);
+            self.elses <<= 1;
+            return match self.ifs {
+                0..=isa::DEEPEST => Ok(()),
+                _ => Err(Cause::IfTooDeep),
+            };
+        }
+        if stored == Opcode::Else as u8 {
+            if self.ifs == 0 || self.elses & 1 != 0 {
+                return Err(Cause::NoIf);
+            }
+            self.elses |= 1;
+        } else {
+            self.ifs = self.ifs.checked_sub(1).ok_or(Cause::NoIf)?;
+            self.elses >>= 1;
         }
         Ok(())
     }
@@ -355,11 +409,6 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         self.labels.check_jumps(&self.board, self.room.stored())
     }
-}
-
-/// Whether XX, as it is stored, is neither a register's nor a constant's.
-fn is_no_value(xx: u8) -> bool {
-    xx > isa::REGISTERS && xx < isa::BYTE_CONSTANT
 }
 
 /// What is told of a number that this kind does not have.

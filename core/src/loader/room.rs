@@ -25,8 +25,9 @@ pub(super) struct Room<'m> {
     stored_most: usize,
     run_most: usize,
     timers: u8,
-    /// The highest counter that is named.
+    /// The highest counter that is named, and the highest register.
     counters: u8,
+    registers: u8,
     /// What the code before has left behind in the linked form.
     behind: u8,
     /// How many numbers are kept.
@@ -47,6 +48,7 @@ impl<'m> Room<'m> {
             run_most,
             timers: 0,
             counters: 0,
+            registers: isa::NEAR_REGISTERS,
             behind: RUNG,
             kept: 0,
             full: false,
@@ -64,13 +66,18 @@ impl<'m> Room<'m> {
         if kind.has_number() && !holds_point {
             bytes += 1;
         }
-        if kind != Kind::Value {
+        if !kind.is_value() {
             bytes += usize::from(entry.line_bytes);
         }
+        let mut register = kind == Kind::Register
+            || kind == Kind::Move
+            || kind == Kind::Drum
+            || kind == Kind::Table;
         // A match that tells all kinds apart would take 50 bytes more of the firmware.
         if kind == Kind::Timer {
             self.timers = self.timers.saturating_add(1);
-        } else if kind == Kind::Value {
+        } else if kind.is_value() {
+            register = xx < isa::POPPED;
             bytes += usize::from(isa::constant_bytes(xx));
             run += usize::from(isa::operand_run_bytes(xx));
         }
@@ -79,6 +86,12 @@ impl<'m> Room<'m> {
                 run += isa::COUNTER_DATA;
             }
             self.counters = xx;
+        }
+        if register {
+            if stored == Opcode::Store as u8 && xx > isa::NEAR_REGISTERS {
+                run += 2;
+            }
+            run += self.registers_to(xx);
         }
         run = self.linked(kind, stored, xx, run);
         if kept::declares(stored) {
@@ -105,10 +118,11 @@ impl<'m> Room<'m> {
     /// linker.
     fn linked(&mut self, kind: Kind, stored: u8, xx: u8, run: usize) -> usize {
         let before = mem::replace(&mut self.behind, 0);
-        let rung = stored == Opcode::NewRung as u8;
-        if rung || kind == Kind::Label {
+        let begins = stored >= Opcode::If as u8 || stored == Opcode::NewRung as u8;
+        if begins || kind == Kind::Label {
             self.behind = RUNG;
-            return if rung && before >= COIL { 0 } else { run };
+            let rung = stored == Opcode::NewRung as u8 || stored == Opcode::Else as u8;
+            return if rung && before >= COIL { run - 1 } else { run };
         }
         if (isa::FIRST_POINT..Opcode::Coil as u8).contains(&stored) {
             if kind == Kind::Input && xx > isa::FAST_INPUTS {
@@ -129,6 +143,22 @@ impl<'m> Room<'m> {
         run
     }
 
+    /// Bytes of run memory for registers up to this one that have none yet.
+    fn registers_to(&mut self, highest: u8) -> usize {
+        let mut run = 0;
+        while self.registers < highest {
+            self.registers += 1;
+            run += isa::REGISTER_BYTES;
+        }
+        run
+    }
+
+    /// A register that an operand line names.
+    pub(super) fn register(&mut self, highest: u8) -> Result<(), Cause> {
+        let run = self.registers_to(highest);
+        self.reserve(0, run)
+    }
+
     /// What a timer drives, as it is stored.
     pub(super) fn target(&mut self, stored: u8) -> Result<(), Cause> {
         if stored < isa::MARKER_TARGET {
@@ -144,6 +174,23 @@ impl<'m> Room<'m> {
         }
         let more = usize::from(isa::constant_bytes(xx)).saturating_sub(1);
         self.reserve(more, more)
+    }
+
+    /// Notes a line where no stored byte comes, at the end of the memory.
+    pub(super) fn note(&mut self, index: u8, line: u16) {
+        if let Some([low, high]) = self.noted_at(index) {
+            [*low, *high] = line.to_le_bytes();
+        }
+    }
+
+    /// The line that was noted.
+    pub(super) fn noted(&mut self, index: u8) -> u16 {
+        self.noted_at(index).map_or(0, |line| u16::from_le_bytes(*line))
+    }
+
+    fn noted_at(&mut self, index: u8) -> Option<&mut [u8; 2]> {
+        let (_, free) = self.memory.split_at_mut_checked(self.stored_most)?;
+        free.as_chunks_mut().0.get_mut(usize::from(index))
     }
 
     /// Another number is kept: before it stand no other codes (NC-21).
@@ -226,6 +273,7 @@ impl<'m> Room<'m> {
             run_bytes: self.run_bytes,
             timers: self.timers,
             counters: self.counters,
+            registers: self.registers,
             kept: self.kept,
             codes,
             needs,

@@ -112,7 +112,8 @@ engine_far_cell:
 engine_far_cell_not:
         rjmp    far_cell_not
 
-; b := what the next operation takes: a number by a near address, or by any, or a constant of one, two or four bytes.
+; b := what the next operation takes: a register by a near address, or by any, a constant of one, two or four bytes, or
+; value, which what was pushed becomes.
 engine_near:
         ld      r30, X+
         ld      r8, Z
@@ -128,6 +129,8 @@ engine_word:
         rjmp    word_constant
 engine_long:
         rjmp    long_constant
+engine_popped:
+        rjmp    popped
 
 ; What operations do most. A store has a near address, and is done where acc = 1.
 engine_load:
@@ -156,6 +159,8 @@ engine_store_near:
 1:      next
 
 ; The handler of the next byte is one of those in the words before: 5 cycles.
+engine_escape_first:
+        rjmp    escape_first
 engine_escape:
         ld      r30, X+
         ldi     r31, 1
@@ -166,6 +171,10 @@ engine_end:
         ret
 engine_page_end:
 
+escape_first:
+        ld      r30, X+
+        ldi     r31, 0
+        ijmp
 far_cell:
         ld      r31, X+
         ld      r30, X+
@@ -205,4 +214,12 @@ long_constant:
         ld      r9, X+
         ld      r10, X+
         ld      r11, X+
+        next
+popped:
+        movw    r8, r22
+        movw    r10, r24
+        pop     r22
+        pop     r23
+        pop     r24
+        pop     r25
         next

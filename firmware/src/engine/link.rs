@@ -38,6 +38,8 @@ pub(super) struct Job {
     pub(super) position: u16,
     /// How each open branch is closed, two bits each, the innermost in the lowest: by OR, AND, XOR.
     pub(super) closing: u16,
+    /// Where the target of the jump stands that is open (NC-28): of an IF or an ELS, the innermost.
+    pub(super) open: u16,
     /// The outputs that are not PWM, as they stand in the images.
     pub(super) outputs: u8,
     pub(super) jumps_back: bool,
@@ -82,7 +84,10 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
     let mut job = Job {
         reader: (&raw mut reader).cast(),
         put: layout.begin,
-        limit: layout.begin + code.len() as u16,
+        limit: match code.len() as u16 {
+            0 => 0,
+            length => layout.begin + length,
+        },
         own: own_end,
         timer: timers,
         timers,
@@ -93,6 +98,7 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         kept_end: own_end + 2 * u16::from(layout.stored.numbers),
         position: 0,
         closing: 0,
+        open: layout.begin,
         outputs: !layout.stored.needs.pwm << POINTS,
         jumps_back: false,
         pending: RUNG,

@@ -4,6 +4,7 @@
 ; other registers are
 ;
 ;   r12      the kind of the instruction's operand
+;   r12-r13  of IF and ELS, where the target of their jump stands
 ;   r14-r15  its handler
 ;   r16      its first stored byte
 ;   r17      its number
@@ -22,6 +23,7 @@
         .type   engine_link, @function
 engine_link:
         push    r12
+        push    r13
         push    r14
         push    r15
         push    r16
@@ -44,6 +46,7 @@ link_all:
         pop     r16
         pop     r15
         pop     r14
+        pop     r13
         pop     r12
         ret
 
@@ -101,11 +104,13 @@ link_fast:
 link_handler:
         rcall   link_flush
         mov     r25, r15
+        ldi     r24, pm_lo8(engine_escape_first)
+        cpi     r25, 1
+        brcs    1f
         ldi     r24, pm_lo8(engine_escape)
-        cpi     r25, NEAR
-        breq    1f
-        rcall   link_put
-1:      mov     r24, r14
+        brne    2f
+1:      rcall   link_put
+2:      mov     r24, r14
         rjmp    link_put
 
 ; Puts what is pending.
@@ -275,7 +280,10 @@ link_contact:
 
 ; An instruction without an operand.
 link_plain:
-        cpi     r16, OP_NewRung
+        cpi     r16, OP_If
+        brcs    1f
+        rjmp    link_bracket
+1:      cpi     r16, OP_NewRung
         breq    link_new_rung
         ldd     r24, Y+JOB_CLOSING
         ldd     r25, Y+JOB_CLOSING+1
@@ -354,6 +362,75 @@ link_own:
         std     Y+JOB_OWN+1, r25
         rjmp    link_address
 
+; IF jumps where acc = 0; ELS jumps as acc is 1 at the head of a rung, and is a label, as END is. Each of these jumps has
+; the place of the one before that is open in place of its target, until that is known.
+link_bracket:
+        breq    link_if
+        cpi     r16, OP_Else
+        brne    1f
+        ldi     r24, pm_lo8(engine_new_rung)
+        mov     r14, r24
+        ldi     r24, NEAR
+        mov     r15, r24
+        rcall   link_new_rung
+        ldi     r24, pm_lo8(engine_jump)
+        rcall   link_more
+        ldd     r12, Y+JOB_PUT
+        ldd     r13, Y+JOB_PUT+1
+        rcall   link_address
+        rcall   link_close
+        rcall   link_open
+        ldi     r24, pm_lo8(engine_label)
+        rcall   link_more
+        rjmp    link_label_timer
+1:      rcall   link_flush
+        rcall   link_close
+        rcall   link_handler
+        rjmp    link_label_timer
+link_if:
+        rcall   link_handler
+        ldd     r12, Y+JOB_PUT
+        ldd     r13, Y+JOB_PUT+1
+        rcall   link_address
+        rcall   link_open
+        ldi     r24, RUNG
+        std     Y+JOB_PENDING, r24
+        ret
+; Puts the handler r24 of `more.s`.
+link_more:
+        mov     r14, r24
+        ldi     r24, 1
+        mov     r15, r24
+        rjmp    link_handler
+; The jump whose target stands at r13:r12 is open.
+link_open:
+        movw    r30, r12
+        ldd     r24, Y+JOB_OPEN
+        ldd     r25, Y+JOB_OPEN+1
+        std     Y+JOB_OPEN, r30
+        std     Y+JOB_OPEN+1, r31
+        rjmp    link_target
+; The target of the jump that is open is here.
+link_close:
+        ldd     r30, Y+JOB_OPEN
+        ldd     r31, Y+JOB_OPEN+1
+        ld      r24, Z
+        std     Y+JOB_OPEN+1, r24
+        ldd     r24, Z+1
+        std     Y+JOB_OPEN, r24
+        ldd     r24, Y+JOB_PUT
+        ldd     r25, Y+JOB_PUT+1
+; Puts the address r25:r24 at Z; not beyond the limit.
+link_target:
+        ldd     r18, Y+JOB_LIMIT
+        ldd     r19, Y+JOB_LIMIT+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    1f
+        st      Z, r25
+        std     Z+1, r24
+1:      ret
+
 ; A timer: its data, then its coil.
 link_timer:
         rcall   link_handler
@@ -396,6 +473,8 @@ link_numbered:
         ret
 1:      cpi     r16, OP_KeepRegister
         brcs    1f
+        cpi     r16, OP_Push
+        brcc    1f
         rjmp    link_object
 1:      cpi     r25, KIND_LABEL
         brne    1f
@@ -417,10 +496,14 @@ link_numbered:
         cpc     r15, r18
         breq    3f              ; of a counter or a reading too
         cpi     r25, KIND_VALUE
+        breq    3f
+        cpi     r25, KIND_REAL
         brne    4f
 3:      rjmp    link_operation
 4:      cpi     r16, OP_Store
         brne    1f
+        cpi     r17, NEAR_REGISTERS + 1
+        brcc    1f
         ldi     r24, pm_lo8(engine_store_near)
         rcall   link_fast
         rjmp    link_object
@@ -450,7 +533,12 @@ link_numbered:
         rcall   link_put
         ldi     r17, 2
         rjmp    link_copy
-4:      cpi     r16, OP_Integrate
+4:      cpi     r25, KIND_TABLE
+        brne    5f
+        rcall   link_next
+        rcall   link_put
+        rjmp    link_object
+5:      cpi     r16, OP_Integrate
         brne    6f
         push    r17
         ldi     r17, OWN_Integrate
@@ -491,12 +579,17 @@ link_operation:
         push    r14
         push    r15
         cpi     r25, KIND_VALUE
-        brne    3f
+        brcs    3f
+        cpi     r25, KIND_REAL + 1
+        brcc    3f
         mov     r25, r17
         ldi     r17, 4
         ldi     r24, pm_lo8(engine_long)
         tst     r25
         breq    1f
+        ldi     r24, pm_lo8(engine_popped)
+        cpi     r25, POPPED
+        breq    2f
         ldi     r17, 1
         ldi     r24, pm_lo8(engine_byte)
         cpi     r25, BYTE_CONSTANT
@@ -529,6 +622,7 @@ link_operation:
         std     Y+JOB_POSITION+1, r25
         rcall   link_copy
         rjmp    5f
+2:      rcall   link_fast
 5:      pop     r15
         pop     r14
         rjmp    link_handler
@@ -546,6 +640,7 @@ link_label:
         st      Z+, r24
         st      Z+, r25
         rcall   link_handler
+link_label_timer:
         ldi     r24, RUNG
         std     Y+JOB_PENDING, r24
         ldd     r24, Y+JOB_TIMER
@@ -632,6 +727,8 @@ link_object:
         rcall   link_find
         cpi     r16, OP_KeepRegister
         brcs    link_place_of
+        cpi     r16, OP_Push
+        brcc    link_place_of
         rjmp    link_keep
 link_place_of:
         mov     r18, r15

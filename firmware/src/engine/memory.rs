@@ -2,12 +2,14 @@
 
 use super::data::Data;
 use unoclp_core::Millis;
-use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
+use unoclp_core::isa::{COUNTER_DATA, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA};
 
 /// What the program works on.
 pub struct Memory<'a> {
     /// Markers, registers and readings.
     pub data: &'a mut Data,
+    /// The registers behind those of `data`, where a program runs that names them: they follow in memory too.
+    pub more: &'a mut [u8],
     /// The data of the timers, and of the counters; empty where no program runs.
     pub timers: &'a mut [u8],
     /// See `timers`.
@@ -50,6 +52,7 @@ impl<'a> Memory<'a> {
     pub fn idle(data: &'a mut Data) -> Memory<'a> {
         Memory {
             data,
+            more: &mut [],
             timers: &mut [],
             counters: &mut [],
         }
@@ -67,10 +70,14 @@ impl<'a> Memory<'a> {
         write: bool,
         now: Millis,
     ) {
-        let (bytes, size, preset) = match values {
-            Values::Registers => (self.data.registers.as_flattened_mut(), 4, 0),
-            Values::Timers => (&mut *self.timers, TIMER_DATA, 5),
-            Values::Counters => (&mut *self.counters, COUNTER_DATA, 4),
+        let near = usize::from(NEAR_REGISTERS) * 2;
+        let (bytes, size, preset, first) = match values {
+            Values::Registers if usize::from(first) >= near => {
+                (&mut *self.more, REGISTER_BYTES, 0, first - near as u16)
+            }
+            Values::Registers => (self.data.registers.as_flattened_mut(), REGISTER_BYTES, 0, first),
+            Values::Timers => (&mut *self.timers, TIMER_DATA, 5, first),
+            Values::Counters => (&mut *self.counters, COUNTER_DATA, 4, first),
         };
         let at = if presets { preset } else { 0 };
         let elapsed = !presets && values == Values::Timers;

@@ -9,8 +9,8 @@
 //!   data of its timers, counters and other instructions; those of jumps are of labels.
 //! - **The last byte is that of the end.**
 //!
-//! Run memory holds the linked code from its front, and the data of timers, counters and other
-//! instructions from its end.
+//! Run memory holds the registers beyond those of [`Data`], which stand right before it, then the linked code; and
+//! from its end the data of timers, counters and other instructions.
 //!
 //! That the handlers stand where a byte can name them is checked when the firmware is linked; their
 //! rules are at the head of `handlers.s`.
@@ -31,7 +31,9 @@ use core::mem;
 use data::{Cell, ON};
 use layout::{ADDRESS_BYTES, Layout, POINTS, SNAPSHOT_BYTES};
 use memory::Memory;
-use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
+use unoclp_core::isa::{
+    COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA,
+};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
 const _: () = {
@@ -68,7 +70,9 @@ impl<'m> Linked<'m> {
     pub fn new(kept: &Kept, memory: &'m mut [u8], data: &'m mut Data) -> Linked<'m> {
         let timers = usize::from(kept.timers) * TIMER_DATA;
         let counters = usize::from(kept.counters) * COUNTER_DATA;
-        let (rest, timers) = split_end(memory, timers);
+        let registers = usize::from(kept.registers - NEAR_REGISTERS) * REGISTER_BYTES;
+        let (more, rest) = memory.split_at_mut_checked(registers).unwrap_or_default();
+        let (rest, timers) = split_end(rest, timers);
         let (rest, counters) = split_end(rest, counters);
         let numbers = usize::from(kept.numbers);
         let (rest, snapshot) = split_end(rest, numbers * SNAPSHOT_BYTES);
@@ -76,6 +80,7 @@ impl<'m> Linked<'m> {
         Linked {
             layout: Layout {
                 data,
+                more,
                 timers,
                 begin: rest.as_ptr() as usize as u16,
                 kept: numbers,
@@ -140,6 +145,7 @@ impl<'m> Linked<'m> {
     pub fn memory(&mut self) -> Memory<'_> {
         Memory {
             data: self.layout.data,
+            more: self.layout.more,
             timers: self.layout.timers,
             counters: self.layout.counters,
         }
@@ -186,6 +192,7 @@ impl<'m> Linked<'m> {
     fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
         self.layout.data.restart();
+        self.layout.more.fill(0);
         *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();

@@ -147,6 +147,23 @@ multiply:
         adc     r15, r21
         ret
 
+; The same of numbers without signs. By 0: an error.
+unsigned_modulo:
+        rcall   unsigned_division
+        movw    r22, r12
+        movw    r24, r14
+        rjmp    back
+unsigned_divide:
+        rcall   unsigned_division
+        rjmp    back
+unsigned_division:
+        mov     r0, r8
+        or      r0, r9
+        or      r0, r10
+        or      r0, r11
+        breq    no_quotient
+        rjmp    divide_unsigned
+
 ; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
 divide:
         mov     r0, r8
@@ -561,8 +578,7 @@ integrate:
 ; the handlers do not begin in the words that they are to.
         .type   engine_pages_fit, @object
 engine_pages_fit:
-        .byte   engine_more_page - 257
-        .byte   engine_begins - 0x68
+        .byte   first_page_end - 257
         .byte   more_page_end - 769
         .byte   engine_page_end - 1281
         .size   engine_pages_fit, . - engine_pages_fit
