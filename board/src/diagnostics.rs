@@ -167,7 +167,7 @@ mod tests {
         }
         let kept = Kept::of(&loader.finish().unwrap());
         // The stored form of a contact and a coil, behind program start and a new rung.
-        let sum = Crc16::of(&[2, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
+        let sum = Crc16::of(&[1, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
         let expected = Kept {
             version: 2,
             bytes: 3,

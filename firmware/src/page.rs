@@ -18,8 +18,8 @@ struct Ram {
 }
 
 /// The name is for the engine's assembly. Of all sections for what is 0 at first, the linker takes this one first, so
-/// that it stands at the beginning of RAM: the engine reaches the end of the page by one byte. The last lines of
-/// `engine/numbers.s` check it.
+/// that it stands at the beginning of RAM: the engine reaches the end of the page by one byte. `cargo xtask firmware`
+/// checks it.
 #[unsafe(export_name = "PAGE")]
 #[unsafe(link_section = ".bss")]
 static mut RAM: Ram = Ram {

@@ -75,13 +75,13 @@ macro_rules! instructions {
             engine_retentive "TONR" "TOR";
         NegatedCoil       Output   Coil         -877900   "-WO"  0xA1  3 0 "negated coil: output XX := NOT acc"
             engine_coil_not "STN XX" "/";
-        MarkerContact     Marker   Contact      827700    "RM"   0xA2   2 0 "contact: acc := acc AND marker XX"
+        MarkerContact     Marker   Contact      827700    "RM"   0xA2  2 0 "contact: acc := acc AND marker XX"
             engine_cell "XX" "XX";
-        MarkerContactNot  Marker   Contact      -827700   "-RM"  0xA3   2 0 "contact: acc := acc AND NOT marker XX"
+        MarkerContactNot  Marker   Contact      -827700   "-RM"  0xA3  2 0 "contact: acc := acc AND NOT marker XX"
             engine_cell_not "XX" "XX";
-        SystemContact     System   Contact      828300    "RS"   0xA4   2 0 "contact: acc := acc AND system marker XX"
+        SystemContact     System   Contact      828300    "RS"   0xA4  2 0 "contact: acc := acc AND system marker XX"
             engine_cell "XX" "XX";
-        SystemContactNot  System   Contact      -828300   "-RS"  0xA5   2 0 "contact: acc := acc AND NOT system marker XX"
+        SystemContactNot  System   Contact      -828300   "-RS"  0xA5  2 0 "contact: acc := acc AND NOT system marker XX"
             engine_cell_not "XX" "XX";
         TimerContact      TimerQ   Contact      828400    "RT"   0xA6  3 0 "contact: acc := acc AND Q of timer XX"
             engine_far_cell "XX.Q" "XX";
@@ -107,7 +107,7 @@ macro_rules! instructions {
             engine_xor_cell "XOR XX" "XOR XX";
         XorMarkerNot      Marker   Xor          -887700   "-XM"  0xB1  4 0 "acc := acc XOR NOT marker XX"
             engine_xor_cell_not "XORN XX" "XOR /XX";
-        MarkerCoil        Marker   Coil         877700    "WM"   0xB2   2 0 "coil: marker XX := acc"
+        MarkerCoil        Marker   Coil         877700    "WM"   0xB2  2 0 "coil: marker XX := acc"
             engine_cell_coil "ST XX" "";
         NegatedMarkerCoil Marker   Coil         -877700   "-WM"  0xB3  4 0 "negated coil: marker XX := NOT acc"
             engine_cell_coil_not "STN XX" "/";
@@ -125,7 +125,7 @@ macro_rules! instructions {
             engine_count_up "CTU XX, operand" "CTU XX operand";
         CountDown         Count    Count        67846800  "CTD"  0xBA  4 0 "down-counter: if acc has risen, counter XX - 1; acc := counter XX is 0 or less"
             engine_count_down "CTD XX, operand" "CTD XX operand";
-        Load              Value    Load         766800    "LD"   0xBB   1 0 "value := register XX"
+        Load              Value    Load         766800    "LD"   0xBB  1 0 "value := register XX"
             engine_load "operand" "operand";
         LoadAnalogue      Analogue Load         76686500  "LDA"  0xBC  4 0 "value := analogue input A XX, 0 to 1023"
             engine_load_word "XX" "XX";
@@ -133,7 +133,7 @@ macro_rules! instructions {
             engine_load_timer "XX.ET" "XX";
         LoadCount         Counter  Load         76686700  "LDC"  0xBE  4 0 "value := counter XX"
             engine_load "XX.CV" "XX";
-        LoadSystem        Reading  Load         76688300  "LDS"  0xBF   3 0 "value := system reading XX: 01 time of the last scan in µs, 02 time stamp of this scan in ms"
+        LoadSystem        Reading  Load         76688300  "LDS"  0xBF  3 0 "value := system reading XX: 01 time of the last scan in µs, 02 time stamp of this scan in ms"
             engine_load "" "XX";
         LoadMarkers       Group    Load         76687700  "LDM"  0xC0  4 0 "value := eight markers as bits: group 01 is M 01 to M 08"
             engine_load_markers "XX" "XX";
@@ -143,7 +143,7 @@ macro_rules! instructions {
             engine_load_outputs "QB0" "Q";
         LoadBit           None     LoadResult   76686600  "LDB"  0xC3  2 0 "value := acc"
             engine_load_bit "" "LD RESULT";
-        Store             Register Store        838400    "ST"   0xC4   2 0 "if acc = 1, register XX := value"
+        Store             Register Store        838400    "ST"   0xC4  2 0 "if acc = 1, register XX := value"
             engine_store "XX" "ST XX";
         StoreCount        Counter  Store        83846700  "STC"  0xC5  4 0 "if acc = 1, counter XX := value"
             engine_store "XX.CV" "ST XX";
@@ -157,37 +157,37 @@ macro_rules! instructions {
             engine_preset "XX.PV" "PRESET XX";
         PresetTimer       TimerQ   Store        80868400  "PVT"  0xCA  4 0 "if acc = 1, preset of timer XX := value, at least 0"
             engine_preset "XX.PT" "PRESET XX";
-        Add               Value    Operation    65686800  "ADD"  0xCB   1 0 "value := value + operand"
+        Add               Value    Operation    65686800  "ADD"  0xCB  1 0 "value := value + operand"
             engine_add "ADD operand" "ADD operand";
-        Subtract          Value    Operation    83856600  "SUB"  0xCC   1 0 "value := value - operand"
+        Subtract          Value    Operation    83856600  "SUB"  0xCC  1 0 "value := value - operand"
             engine_subtract "SUB operand" "SUB operand";
-        Multiply          Value    Operation    77857600  "MUL"  0xCD   2 0 "value := value * operand"
+        Multiply          Value    Operation    77857600  "MUL"  0xCD  2 0 "value := value * operand"
             engine_multiply "MUL operand" "MUL operand";
-        Divide            Value    Operation    68738600  "DIV"  0xCE   2 0 "value := value / operand, without the fraction; by 0: 0, and S 04 := 1"
+        Divide            Value    Operation    68738600  "DIV"  0xCE  2 0 "value := value / operand, without the fraction; by 0: 0, and S 04 := 1"
             engine_divide "DIV operand" "DIV operand";
-        Modulo            Value    Operation    77796800  "MOD"  0xCF   2 0 "value := rest of value / operand; by 0: 0, and S 04 := 1"
+        Modulo            Value    Operation    77796800  "MOD"  0xCF  2 0 "value := rest of value / operand; by 0: 0, and S 04 := 1"
             engine_modulo "MOD operand" "MOD operand";
-        AndWord           Value    Operation    65786800  "AND"  0xD0   2 0 "value := value AND operand, bit by bit"
+        AndWord           Value    Operation    65786800  "AND"  0xD0  2 0 "value := value AND operand, bit by bit"
             engine_and "AND operand" "AND operand";
-        OrWord            Value    Operation    798200    "OR"   0xD1   2 0 "value := value OR operand, bit by bit"
+        OrWord            Value    Operation    798200    "OR"   0xD1  2 0 "value := value OR operand, bit by bit"
             engine_or "OR operand" "OR operand";
-        XorWord           Value    Operation    88798200  "XOR"  0xD2   2 0 "value := value XOR operand, bit by bit"
+        XorWord           Value    Operation    88798200  "XOR"  0xD2  2 0 "value := value XOR operand, bit by bit"
             engine_exor "XOR operand" "XOR operand";
         ShiftLeft         Bit      Operation    83727600  "SHL"  0xD3  3 0 "value := value shifted left by XX bits"
             engine_shift_left "SHL XX" "SHL XX";
         ShiftRight        Bit      Operation    83728200  "SHR"  0xD4  3 0 "value := value shifted right by XX bits; zeros come in"
             engine_shift_right "SHR XX" "SHR XX";
-        Greater           Value    Comparison   718400    "GT"   0xD5   2 0 "comparison: acc := acc AND (value > operand)"
+        Greater           Value    Comparison   718400    "GT"   0xD5  2 0 "comparison: acc := acc AND (value > operand)"
             engine_greater "GT operand" "value > operand";
-        GreaterOrEqual    Value    Comparison   716900    "GE"   0xD6   2 0 "comparison: acc := acc AND (value >= operand)"
+        GreaterOrEqual    Value    Comparison   716900    "GE"   0xD6  2 0 "comparison: acc := acc AND (value >= operand)"
             engine_greater_or_equal "GE operand" "value >= operand";
-        Equal             Value    Comparison   698100    "EQ"   0xD7   2 0 "comparison: acc := acc AND (value = operand)"
+        Equal             Value    Comparison   698100    "EQ"   0xD7  2 0 "comparison: acc := acc AND (value = operand)"
             engine_equal "EQ operand" "value = operand";
-        NotEqual          Value    Comparison   786900    "NE"   0xD8   2 0 "comparison: acc := acc AND (value <> operand)"
+        NotEqual          Value    Comparison   786900    "NE"   0xD8  2 0 "comparison: acc := acc AND (value <> operand)"
             engine_not_equal "NE operand" "value <> operand";
-        LessOrEqual       Value    Comparison   766900    "LE"   0xD9   2 0 "comparison: acc := acc AND (value <= operand)"
+        LessOrEqual       Value    Comparison   766900    "LE"   0xD9  2 0 "comparison: acc := acc AND (value <= operand)"
             engine_less_or_equal "LE operand" "value <= operand";
-        Less              Value    Comparison   768400    "LT"   0xDA   2 0 "comparison: acc := acc AND (value < operand)"
+        Less              Value    Comparison   768400    "LT"   0xDA  2 0 "comparison: acc := acc AND (value < operand)"
             engine_less "LT operand" "value < operand";
         BitContact        Bit      ValueContact 66738400  "BIT"  0xDB  3 0 "contact: acc := acc AND bit XX of value"
             engine_bit "" "value.XX";
@@ -207,7 +207,7 @@ macro_rules! instructions {
             engine_end "" "INPUT FILTER XX ms";
         Label             Label    Label        766600    "LB"   0xE3  4 0 "label XX, at the head of a rung"
             engine_label "" "";
-        Jump              Jump     Leave        74778000  "JMP"  0xE4   8 0 "jump: if acc = 1, go on at label XX"
+        Jump              Jump     Leave        74778000  "JMP"  0xE4  8 0 "jump: if acc = 1, go on at label XX"
             engine_jump "JMPC XX" ">> XX";
         JumpNot           Jump     Leave        -74778000 "-JMP" 0xE5  8 0 "jump: if acc = 0, go on at label XX"
             engine_jump_not "JMPCN XX" ">> XX";

@@ -1,7 +1,8 @@
 //! The scan in assembly: direct threading, with the images in a register.
 //!
 //! Owns the linked form of a program and what runs it; must not know pins or clocks. Its `unsafe` is
-//! the call of the linker in [`link`]. A [scan](crate::scan) relies on this of linked code, which [`link`] alone makes, out of a checked program whose check sum it compares:
+//! the call of the linker in [`link`]. A [scan](crate::scan) relies on this of linked code, which [`link`] alone
+//! makes, out of a checked program whose check sum it compares:
 //!
 //! - **Each byte is that of a handler, or one of the operands that the handler before it takes.**
 //!   Points are cut to those that have a handler.

@@ -86,12 +86,8 @@ pub fn read(text: &str) -> Vec<Step> {
         lines.extend((0..count).map(|_| next()));
         let bytes = match row.bytes.as_str() {
             _ if takes_number && lines.is_empty() => 2,
-            // A constant takes as many bytes as it needs.
-            _ if takes_number => match lines[0] {
-                -128..=127 => 3,
-                -32_768..=32_767 => 4,
-                _ => 6,
-            },
+            // As a jump back counts it.
+            _ if takes_number => 6,
             "3 and 1 a step" => 3 + lines[0],
             bytes => bytes.parse().unwrap(),
         };
