@@ -56,11 +56,11 @@ macro_rules! faults {
             75 TooManyJumps "too many jumps back in one scan (NC-19)";
             81 NothingPushed "no value is pushed here (NC-22)";
             82 PushedTooDeep "more than 8 values pushed (NC-22)";
-            83 ValueLeftPushed "a value is still pushed where the rung ends (NC-22)";
-            84 NotReal "not the bits of a REAL number that is finite (NC-23)";
-            85 NoIf "no IF is open here, or it has its ELS (NC-28)";
+            83 ValueLeftPushed "a value is left pushed where the rung ends (NC-22)";
+            84 NotReal "not the bits of a finite REAL number (NC-23)";
+            85 NoIf "no IF is open for this (NC-28)";
             86 IfTooDeep "more than 8 IFs open (NC-28)";
-            87 IfLeftOpen "this IF has no END (NC-28)";
+            87 IfLeftOpen "an IF has no END (NC-28)";
         }
     };
 }

@@ -31,7 +31,7 @@ impl Rung {
     pub(crate) fn open(&mut self, line: u32) -> Result<(), Cause> {
         let place = self.open.get_mut(usize::from(self.depth));
         // Counted also where it is too deep, so that its 41 is not one too many.
-        self.depth = self.depth.saturating_add(1);
+        self.depth = self.depth.wrapping_add(1);
         *place.ok_or(Cause::NestedTooDeep)? = line as u16;
         Ok(())
     }
@@ -50,7 +50,7 @@ impl Rung {
     /// A value is pushed.
     pub(crate) fn push(&mut self) -> Result<(), Cause> {
         // Counted also where it is too deep, so that what takes it does not take one too many.
-        self.pushed = self.pushed.saturating_add(1);
+        self.pushed = self.pushed.wrapping_add(1);
         if self.pushed > DEEPEST {
             Err(Cause::PushedTooDeep)
         } else {
@@ -94,8 +94,9 @@ impl Rung {
         }
     }
 
-    /// The low half of the line of the innermost branch that the last faulty rung has left open.
-    pub(crate) fn left_open(&self) -> u16 {
-        self.open[0]
+    /// The line of the innermost branch that the last faulty rung has left open; the rung ends on
+    /// this line.
+    pub(crate) fn left_open(&self, end: u32) -> u32 {
+        end.wrapping_sub(u32::from((end as u16).wrapping_sub(self.open[0])))
     }
 }

@@ -30,12 +30,17 @@ macro_rules! numbered {
 }
 
 numbered! {
-    /// What stands in the last two digits of a code, and on the lines that follow it.
+    /// What stands in the last two digits of a code, and on the lines that follow it. Those without a number come
+    /// first, those that name registers last, so that one comparison tells them.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[repr(u8)]
     pub enum Kind {
         /// Nothing: the code is complete.
         None,
+        /// A timer block. Lines: preset, target.
+        Timer,
+        /// Lines: four bounds.
+        Scale,
         /// Input XX of the board.
         Input,
         /// Output XX of the board.
@@ -50,8 +55,8 @@ numbered! {
         TimerQ,
         /// Counter XX, 01–16.
         Counter,
-        /// Register XX, 01–98.
-        Register,
+        /// Counter XX. Line: preset.
+        Count,
         /// Analogue input A XX, 00–04.
         Analogue,
         /// The output with this number as PWM, 01 or 04.
@@ -68,45 +73,35 @@ numbered! {
         Label,
         /// A jump to label XX.
         Jump,
-        /// A timer block. Lines: preset, target.
-        Timer,
-        /// Counter XX. Line: preset.
-        Count,
+        /// Strength XX, 01–08. Line: time.
+        Filter,
+        /// Register XX, 01–98.
+        Register,
+        /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
+        Move,
+        /// Register XX tells the step. Lines: how many steps, then each.
+        Drum,
+        /// A table of registers from XX on. Line: how many.
+        Table,
         /// Register XX, 01–98; with XX = 99 what was pushed and the value; with XX = 00 a constant. Line then: the
         /// constant.
         Value,
         /// The same of REAL numbers: the line is the 32 bits of one.
         Real,
-        /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
-        Move,
-        /// Register XX tells the step. Lines: how many steps, then each.
-        Drum,
-        /// Lines: four bounds.
-        Scale,
-        /// Strength XX, 01–08. Line: time.
-        Filter,
-        /// A table of registers from XX on. Line: how many.
-        Table,
     }
 }
 
 numbered! {
-    /// A line that follows a code.
+    /// A line that follows a code, by the bytes that store it: 1, 2, 4.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[repr(u8)]
     pub enum Line {
-        /// A timer's preset in ms, 0 to 2147483647.
-        TimerPreset,
         /// What a timer drives: `79XX`, an output, or `77XX`, a marker.
         Target,
-        /// A counter's preset, 0 to 2147483647.
-        CounterPreset,
-        /// Any number.
-        Constant,
         /// `68XX`, a register.
         MoveTo,
         /// How many registers.
-        MoveCount,
+        Count,
         /// How many steps, 1–32.
         Steps,
         /// The outputs of a step: a 0 or 1 for each of 01 02 03 04.
@@ -121,10 +116,14 @@ numbered! {
         ToHigh,
         /// A filter's time in ms, 0–30000.
         FilterTime,
+        /// Any number.
+        Constant,
         /// The bits of a REAL number that is finite.
         Real,
-        /// How many registers a table has.
-        TableLength,
+        /// A timer's preset in ms, 0 to 2147483647.
+        TimerPreset,
+        /// A counter's preset, 0 to 2147483647.
+        CounterPreset,
     }
 }
 
@@ -133,7 +132,7 @@ impl Line {
     pub const fn bytes(self) -> u8 {
         match self {
             Line::TimerPreset | Line::CounterPreset | Line::Constant | Line::Real => 4,
-            Line::TableLength | Line::Target | Line::MoveTo | Line::MoveCount | Line::Steps | Line::Step => 1,
+            Line::Target | Line::MoveTo | Line::Count | Line::Steps | Line::Step => 1,
             Line::FromLow | Line::FromHigh | Line::ToLow | Line::ToHigh | Line::FilterTime => 2,
         }
     }
@@ -153,6 +152,11 @@ impl Kind {
     // Apart from `numbers`, of which a compiler makes more code where it has to know only this.
     pub const fn has_number(self) -> bool {
         !matches!(self, Kind::None | Kind::Timer | Kind::Scale)
+    }
+
+    /// Whether XX names a register, if it is one's number.
+    pub(crate) const fn names_registers(self) -> bool {
+        self as u8 >= Kind::Register as u8
     }
 
     /// Whether XX names where an operation takes its operand from: a register, a constant, what was pushed.
@@ -199,7 +203,7 @@ impl Kind {
             Kind::Count => (Some(Line::CounterPreset), 4),
             Kind::Value if xx == 0 => (Some(Line::Constant), 4),
             Kind::Real if xx == 0 => (Some(Line::Real), 4),
-            Kind::Table => (Some(Line::TableLength), 1),
+            Kind::Table => (Some(Line::Count), 1),
             Kind::Move => (Some(Line::MoveTo), 2),
             Kind::Drum => (Some(Line::Steps), 1),
             Kind::Scale => (Some(Line::FromLow), 8),
@@ -224,6 +228,8 @@ const _: () = {
     while index < Kind::ALL.len() {
         let kind = Kind::ALL[index];
         assert!(kind.has_number() == kind.numbers().is_some());
+        let registers = kind.is_value() || matches!(kind.numbers(), Some((_, REGISTERS)));
+        assert!(kind.names_registers() == registers);
         index += 1;
     }
 };

@@ -142,11 +142,15 @@ pub const fn stored_constant(number: i32) -> u8 {
 
 /// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
 pub const fn operand_run_bytes(xx: u8) -> u8 {
-    match constant_bytes(xx) {
-        0 if xx <= NEAR_REGISTERS => 2,
-        0 if xx <= REGISTERS => 3,
-        0 => 1,
-        bytes => 1 + bytes,
+    let bytes = constant_bytes(xx);
+    if bytes > 0 {
+        1 + bytes
+    } else if xx == POPPED {
+        1
+    } else if xx > NEAR_REGISTERS {
+        3
+    } else {
+        2
     }
 }
 

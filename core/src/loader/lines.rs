@@ -46,13 +46,13 @@ impl<B: Board> Loader<'_, B> {
         let size = self.line_bytes(line);
         let more = match line {
             // The room of all steps, taken at once.
-            Line::Steps => self.room.reserve(bytes[0].into(), bytes[0].into()),
+            Line::Steps => self.room.reserve(bytes[0], bytes[0]),
             Line::Target => self.room.target(bytes[0]),
-            Line::MoveCount => {
-                let highest = self.highest(1).max(self.highest(2));
-                self.room.register((highest + number as i16 - 1) as u8)
+            Line::Count => {
+                let last = self.highest() as u8 + bytes[0] - 1;
+                self.room.register(last);
+                self.room.reserve(0, 0)
             }
-            Line::TableLength => self.room.register((self.highest(1) + number as i16 - 1) as u8),
             _ => Ok(()),
         };
         for &byte in bytes.iter().take(size.into()) {
@@ -69,19 +69,21 @@ impl<B: Board> Loader<'_, B> {
         }
     }
 
-    /// The register that stands so many bytes ago; 1 where something else does, behind a line that was refused.
-    fn highest(&self, ago: usize) -> i16 {
-        match self.room.before(ago) {
-            Some(register @ 1..=isa::REGISTERS) => register.into(),
-            _ => 1,
-        }
+    /// The higher of the registers from which so many are counted: one, or behind the first of a move another.
+    fn highest(&self) -> i16 {
+        // The code of an instruction of one is no register's number.
+        let registers = [1, 2].map(|ago| match self.room.before(ago) {
+            Some(register) if register <= isa::REGISTERS => register,
+            _ => 0,
+        });
+        registers[0].max(registers[1]).into()
     }
 
     /// What is expected behind a line.
     pub(super) fn behind(&mut self, line: Line) -> Expect {
         Expect::Line(match line {
             Line::TimerPreset => Line::Target,
-            Line::MoveTo => Line::MoveCount,
+            Line::MoveTo => Line::Count,
             Line::FromLow => Line::FromHigh,
             Line::FromHigh => Line::ToLow,
             Line::ToLow => Line::ToHigh,
@@ -124,9 +126,8 @@ impl<B: Board> Loader<'_, B> {
             Line::Target => return self.check_target(small as u8),
             Line::MoveTo => (1, isa::REGISTERS.into()),
             Line::Steps => (1, STEPS),
-            // From and to, each with so many registers from it on.
-            Line::MoveCount => (1, BEHIND_REGISTERS - self.highest(1).max(self.highest(2))),
-            Line::TableLength => (1, BEHIND_REGISTERS - self.highest(1)),
+            // So many registers from each that stands before it on.
+            Line::Count => (1, BEHIND_REGISTERS - self.highest()),
             Line::Step => (0, 15),
             Line::FromHigh => match (self.room.before(2), self.room.before(1)) {
                 // Nothing is above the highest number.

@@ -71,10 +71,10 @@ fn stored_bytes(row: &Row) -> String {
     let lines: &[Line] = match row.kind {
         Kind::Timer => &[Line::TimerPreset, Line::Target],
         Kind::Count => &[Line::CounterPreset],
-        Kind::Move => &[Line::MoveTo, Line::MoveCount],
+        Kind::Move => &[Line::MoveTo, Line::Count],
         Kind::Scale => &[Line::FromLow, Line::FromHigh, Line::ToLow, Line::ToHigh],
         Kind::Filter => &[Line::FilterTime],
-        Kind::Table => &[Line::TableLength],
+        Kind::Table => &[Line::Count],
         // The line of the file.
         Kind::Jump => return "4".to_owned(),
         Kind::Drum => return "3 and 1 a step".to_owned(),

@@ -133,7 +133,7 @@ const _: () = {
     assert!(Kind::Real as u8 == Kind::Value as u8 + 1);
     assert!(isa::WORD_CONSTANT == isa::BYTE_CONSTANT + 1);
     // IF, ELS and END come last.
-    assert!(Opcode::If as u8 == 0xFD && Opcode::Else as u8 == 0xFE);
+    assert!(Opcode::If as u8 == 0xFA && Opcode::Else as u8 == 0xFB);
     // What is kept stands together, and its numbers where those of other instructions do.
     let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
     assert!(counter as usize == register as usize + 1);

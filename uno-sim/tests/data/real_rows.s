@@ -78,7 +78,6 @@ entries:
         rjmp    engine_real_subtract
         rjmp    engine_real_multiply
         rjmp    engine_real_divide
-        rjmp    engine_real_root
         rjmp    engine_real_from_signed
         rjmp    engine_real_from_unsigned
         rjmp    engine_real_round

@@ -37,7 +37,6 @@ pub fn change(name: &str, value: i64) -> Option<i64> {
         "TRC" => whole(f64::from(number).trunc()),
         "RNG" => bits(-number),
         "RAB" => bits(number.abs()),
-        "RRT" => bits(number.sqrt()),
         // It compares as the REAL does.
         "CMR" => Some(match value {
             0.. => value,
