@@ -131,12 +131,13 @@ pub const fn constant_bytes(xx: u8) -> u8 {
 
 /// How XX of this constant is stored.
 pub const fn stored_constant(number: i32) -> u8 {
-    if number as i8 as i32 == number {
-        BYTE_CONSTANT
-    } else if number as i16 as i32 == number {
-        WORD_CONSTANT
-    } else {
+    let (high, low) = ((number >> 16) as i16, number as i16);
+    if high != low >> 15 {
         0
+    } else if low as i8 as i16 == low {
+        BYTE_CONSTANT
+    } else {
+        WORD_CONSTANT
     }
 }
 

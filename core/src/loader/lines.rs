@@ -34,11 +34,12 @@ impl<B: Board> Loader<'_, B> {
     /// Takes an operand line as it is stored.
     #[inline(never)]
     pub(super) fn stored_line(&mut self, line: Line, number: i32) -> Result<(), Cause> {
-        if line == Line::Steps && number > 0 && number <= i32::from(STEPS) {
+        let checked = self.check_line(line, number);
+        if line == Line::Steps && checked.is_ok() {
             self.steps = number as u8;
         }
         self.expect = self.behind(line);
-        self.check_line(line, number)?;
+        checked?;
         let bytes = number.to_le_bytes();
         if matches!(line, Line::Constant | Line::Real) && !self.restores {
             self.room.constant(isa::stored_constant(number))?;
