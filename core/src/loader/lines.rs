@@ -72,12 +72,15 @@ impl<B: Board> Loader<'_, B> {
 
     /// The higher of the registers from which so many are counted: one, or behind the first of a move another.
     fn highest(&self) -> i16 {
-        // The code of an instruction of one is no register's number.
-        let registers = [1, 2].map(|ago| match self.room.before(ago) {
+        self.register_before(1).max(self.register_before(2)).into()
+    }
+
+    /// The register that was stored so many bytes ago. The code of an instruction is no register's number.
+    fn register_before(&self, ago: usize) -> u8 {
+        match self.room.before(ago) {
             Some(register) if register <= isa::REGISTERS => register,
             _ => 0,
-        });
-        registers[0].max(registers[1]).into()
+        }
     }
 
     /// What is expected behind a line.

@@ -84,7 +84,6 @@ unoclp_core::instructions!(assembly {
     KIND_TIMER = Kind::Timer as u8;
     KIND_COUNT = Kind::Count as u8;
     KIND_VALUE = Kind::Value as u8;
-    KIND_REAL = Kind::Real as u8;
     KIND_TABLE = Kind::Table as u8;
     KIND_MOVE = Kind::Move as u8;
     KIND_DRUM = Kind::Drum as u8;
@@ -129,8 +128,9 @@ const _: () = {
     assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
     // No kind is 0 but that of what has no operand.
     assert!(Kind::None as u8 == 0);
-    // Both say where an operand is from.
+    // Those of operations that take an operand come last.
     assert!(Kind::Real as u8 == Kind::Value as u8 + 1);
+    assert!(Kind::ALL.len() == Kind::Real as usize + 1);
     assert!(isa::WORD_CONSTANT == isa::BYTE_CONSTANT + 1);
     // IF, ELS and END come last.
     assert!(Opcode::If as u8 == 0xFA && Opcode::Else as u8 == 0xFB);

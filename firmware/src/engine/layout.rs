@@ -16,8 +16,6 @@ pub const SNAPSHOT_BYTES: usize = 4;
 /// What the linked form of a program refers to.
 pub struct Layout<'m> {
     pub data: &'m mut Data,
-    /// The registers behind those of `data`, in the order of their numbers.
-    pub more: &'m mut [u8],
     /// [`TIMER_DATA`] for each, in file order.
     pub timers: &'m mut [u8],
     /// [`COUNTER_DATA`] for each, up to the highest that is named.

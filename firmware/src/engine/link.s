@@ -4,7 +4,6 @@
 ; other registers are
 ;
 ;   r12      the kind of the instruction's operand
-;   r12-r13  of IF and ELS, where the target of their jump stands
 ;   r14-r15  its handler
 ;   r16      its first stored byte
 ;   r17      its number
@@ -23,7 +22,6 @@
         .type   engine_link, @function
 engine_link:
         push    r12
-        push    r13
         push    r14
         push    r15
         push    r16
@@ -46,7 +44,6 @@ link_all:
         pop     r16
         pop     r15
         pop     r14
-        pop     r13
         pop     r12
         ret
 
@@ -375,8 +372,6 @@ link_bracket:
         rcall   link_new_rung
         ldi     r24, pm_lo8(engine_jump)
         rcall   link_more
-        ldd     r12, Y+JOB_PUT
-        ldd     r13, Y+JOB_PUT+1
         rcall   link_address
         rcall   link_close
         rcall   link_open
@@ -389,8 +384,6 @@ link_bracket:
         rjmp    link_label_timer
 link_if:
         rcall   link_handler
-        ldd     r12, Y+JOB_PUT
-        ldd     r13, Y+JOB_PUT+1
         rcall   link_address
         rcall   link_open
         ldi     r24, RUNG
@@ -402,9 +395,11 @@ link_more:
         ldi     r24, 1
         mov     r15, r24
         rjmp    link_handler
-; The jump whose target stands at r13:r12 is open.
+; The jump whose target has just been put is open.
 link_open:
-        movw    r30, r12
+        ldd     r30, Y+JOB_PUT
+        ldd     r31, Y+JOB_PUT+1
+        sbiw    r30, 2
         ldd     r24, Y+JOB_OPEN
         ldd     r25, Y+JOB_OPEN+1
         std     Y+JOB_OPEN, r30
@@ -496,9 +491,7 @@ link_numbered:
         cpc     r15, r18
         breq    3f              ; of a counter or a reading too
         cpi     r25, KIND_VALUE
-        breq    3f
-        cpi     r25, KIND_REAL
-        brne    4f
+        brcs    4f
 3:      rjmp    link_operation
 4:      cpi     r16, OP_Store
         brne    1f
@@ -576,20 +569,17 @@ link_numbered:
 
 ; An operation: what it takes comes before it.
 link_operation:
-        push    r14
-        push    r15
         cpi     r25, KIND_VALUE
-        brcs    3f
-        cpi     r25, KIND_REAL + 1
-        brcc    3f
+        brcs    2f
         mov     r25, r17
         ldi     r17, 4
         ldi     r24, pm_lo8(engine_long)
         tst     r25
         breq    1f
+        ldi     r17, 0
         ldi     r24, pm_lo8(engine_popped)
         cpi     r25, POPPED
-        breq    2f
+        breq    1f
         ldi     r17, 1
         ldi     r24, pm_lo8(engine_byte)
         cpi     r25, BYTE_CONSTANT
@@ -598,21 +588,28 @@ link_operation:
         ldi     r24, pm_lo8(engine_word)
         brcc    1f
         mov     r17, r25
-3:      rcall   link_flush
+2:      rcall   link_flush
         rcall   link_find
         ldi     r18, pm_lo8(engine_near)
         cpi     r25, NEAR
-        breq    4f
+        breq    3f
         ldi     r18, pm_lo8(engine_far)
-4:      push    r24
-        push    r25
+3:      push    r24
         mov     r24, r18
-        rcall   link_fast
-        pop     r25
+        rcall   link_put
+        cpi     r25, NEAR
+        breq    4f
+        mov     r24, r25
+        rcall   link_put
+4:      pop     r24
+        rcall   link_put
+        rjmp    link_handler
+1:      push    r24
+        rcall   link_flush
         pop     r24
-        rcall   link_place_of
-        rjmp    5f
-1:      rcall   link_fast
+        rcall   link_put
+        tst     r17
+        breq    5f
         ldd     r24, Y+JOB_POSITION ; what a jump back costs counts it as 4 bytes
         ldd     r25, Y+JOB_POSITION+1
         adiw    r24, 4
@@ -621,11 +618,7 @@ link_operation:
         std     Y+JOB_POSITION, r24
         std     Y+JOB_POSITION+1, r25
         rcall   link_copy
-        rjmp    5f
-2:      rcall   link_fast
-5:      pop     r15
-        pop     r14
-        rjmp    link_handler
+5:      rjmp    link_handler
 
 link_label:
         rcall   link_flush

@@ -8,8 +8,8 @@ use unoclp_core::isa::{COUNTER_DATA, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA}
 pub struct Memory<'a> {
     /// Markers, registers and readings.
     pub data: &'a mut Data,
-    /// The registers behind those of `data`, where a program runs that names them: they follow in memory too.
-    pub more: &'a mut [u8],
+    /// The highest register that there is. Those that `data` does not have follow it in memory.
+    pub registers: u8,
     /// The data of the timers, and of the counters; empty where no program runs.
     pub timers: &'a mut [u8],
     /// See `timers`.
@@ -52,7 +52,7 @@ impl<'a> Memory<'a> {
     pub fn idle(data: &'a mut Data) -> Memory<'a> {
         Memory {
             data,
-            more: &mut [],
+            registers: NEAR_REGISTERS,
             timers: &mut [],
             counters: &mut [],
         }
@@ -70,27 +70,26 @@ impl<'a> Memory<'a> {
         write: bool,
         now: Millis,
     ) {
-        let near = usize::from(NEAR_REGISTERS) * 2;
-        let (bytes, size, preset, first) = match values {
-            Values::Registers if usize::from(first) >= near => {
-                (&mut *self.more, REGISTER_BYTES, 0, first - near as u16)
+        let (begin, length, size, preset) = match values {
+            Values::Registers => {
+                let length = usize::from(self.registers) * REGISTER_BYTES;
+                (self.data.registers.as_mut_ptr().cast(), length, REGISTER_BYTES, 0)
             }
-            Values::Registers => (self.data.registers.as_flattened_mut(), REGISTER_BYTES, 0, first),
-            Values::Timers => (&mut *self.timers, TIMER_DATA, 5, first),
-            Values::Counters => (&mut *self.counters, COUNTER_DATA, 4, first),
+            Values::Timers => (self.timers.as_mut_ptr(), self.timers.len(), TIMER_DATA, 5),
+            Values::Counters => (self.counters.as_mut_ptr(), self.counters.len(), COUNTER_DATA, 4),
         };
         let at = if presets { preset } else { 0 };
         let elapsed = !presets && values == Values::Timers;
-        let bytes = bytes.get_mut(usize::from(first >> 1) * size + at..);
-        let bytes = bytes.unwrap_or_default().as_mut_ptr_range();
+        let at = length.min(usize::from(first >> 1) * size + at);
         let how = u8::from(write) << WRITTEN | u8::from(elapsed) << ELAPSED;
-        // SAFETY: it reads or writes as many words as there are, and values from the first to the end of `bytes`;
-        // each of them that begins there is whole, since the data of each timer and counter are.
+        // SAFETY: it reads or writes as many words as there are, and values from the first to the end of their data;
+        // each of them that begins there is whole, since the data of each timer and counter are. Run memory comes
+        // right behind the registers of `data`, and begins with the others that the program has.
         unsafe {
             engine_words(
                 words.as_mut_ptr(),
-                bytes.start,
-                bytes.end,
+                begin.wrapping_add(at),
+                begin.wrapping_add(length),
                 words.len() as u8,
                 size as u8,
                 first as u8,

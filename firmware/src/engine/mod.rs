@@ -51,7 +51,7 @@ unsafe extern "C" {
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
     code: &'m [u8],
-    /// Run memory for both of these, until it is linked.
+    /// Run memory for what is linked; from then on the registers beyond those of [`Data`].
     memory: &'m mut [u8],
     /// Data of edges, filters and integrations.
     own: &'m mut [u8],
@@ -71,9 +71,7 @@ impl<'m> Linked<'m> {
     pub fn new(kept: &Kept, memory: &'m mut [u8], data: &'m mut Data) -> Linked<'m> {
         let timers = usize::from(kept.timers) * TIMER_DATA;
         let counters = usize::from(kept.counters) * COUNTER_DATA;
-        let registers = usize::from(kept.registers - NEAR_REGISTERS) * REGISTER_BYTES;
-        let (more, rest) = memory.split_at_mut_checked(registers).unwrap_or_default();
-        let (rest, timers) = split_end(rest, timers);
+        let (rest, timers) = split_end(memory, timers);
         let (rest, counters) = split_end(rest, counters);
         let numbers = usize::from(kept.numbers);
         let (rest, snapshot) = split_end(rest, numbers * SNAPSHOT_BYTES);
@@ -81,9 +79,8 @@ impl<'m> Linked<'m> {
         Linked {
             layout: Layout {
                 data,
-                more,
                 timers,
-                begin: rest.as_ptr() as usize as u16,
+                begin: (rest.as_ptr() as usize + far_bytes(kept)) as u16,
                 kept: numbers,
                 snapshot,
                 counters,
@@ -108,7 +105,10 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     pub fn link(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         let layout = &mut self.layout;
-        let memory = mem::take(&mut self.memory);
+        let (registers, memory) = mem::take(&mut self.memory)
+            .split_at_mut_checked(far_bytes(&layout.stored))
+            .ok_or(Cause::NoStoredProgram)?;
+        self.memory = registers;
         link::forget_labels(layout.data);
         let mut size = link::pass(layout, eeprom, memory)?;
         if link::has_labels(layout.data) {
@@ -146,7 +146,7 @@ impl<'m> Linked<'m> {
     pub fn memory(&mut self) -> Memory<'_> {
         Memory {
             data: self.layout.data,
-            more: self.layout.more,
+            registers: self.layout.stored.registers,
             timers: self.layout.timers,
             counters: self.layout.counters,
         }
@@ -193,7 +193,7 @@ impl<'m> Linked<'m> {
     fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
         self.layout.data.restart();
-        self.layout.more.fill(0);
+        self.memory.fill(0);
         *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();
@@ -282,6 +282,11 @@ impl<'m> Linked<'m> {
             line: Some(self.layout.data.line.into()),
         }
     }
+}
+
+/// Bytes of the registers beyond those of [`Data`].
+fn far_bytes(kept: &Kept) -> usize {
+    usize::from(kept.registers - NEAR_REGISTERS) * REGISTER_BYTES
 }
 
 /// Memory in two, the second part so long, where there is so much; else all of it and nothing.

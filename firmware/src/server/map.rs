@@ -18,6 +18,7 @@ const MARKER: u16 = coil::MARKERS.first;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
+const REGISTER: u16 = holding::REGISTERS.first;
 
 // Input and holding registers have these at the same addresses.
 const _: () = assert!(TIMER == holding::TIMERS.first && COUNTER == holding::COUNTERS.first);
@@ -275,8 +276,10 @@ impl Device for Map<'_, '_> {
     fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
-        if first < COMMAND && (!input || first >= TIMER) {
-            let (values, start) = if first >= COUNTER {
+        if first < COMMAND && (!input || first >= TIMER) || first >= REGISTER {
+            let (values, start) = if first >= REGISTER {
+                (Values::Registers, REGISTER)
+            } else if first >= COUNTER {
                 (Values::Counters, COUNTER)
             } else if first >= TIMER {
                 (Values::Timers, TIMER)
@@ -308,6 +311,9 @@ impl Device for Map<'_, '_> {
 
     #[inline(never)]
     fn check_words(&self, first: u16, words: &[Word]) -> Result<(), Exception> {
+        if first >= REGISTER {
+            return Ok(());
+        }
         if first < COMMAND {
             // A preset is not negative: its high word tells.
             let mut at = usize::from(first & 1);

@@ -74,17 +74,25 @@ lost:   clr     r1
         rjmp    done
 
 entries:
-        rjmp    engine_real_add
-        rjmp    engine_real_subtract
-        rjmp    engine_real_multiply
-        rjmp    engine_real_divide
-        rjmp    engine_real_from_signed
-        rjmp    engine_real_from_unsigned
-        rjmp    engine_real_round
-        rjmp    engine_real_cut
-        rjmp    engine_real_comparable
-        rjmp    engine_real_absolute
-        rjmp    engine_real_negate
+        rjmp    real_add
+        rjmp    real_subtract
+        rjmp    real_multiply
+        rjmp    real_divide
+        rjmp    real_from_signed
+        rjmp    real_from_unsigned
+        rjmp    real_round
+        rjmp    real_cut
+        rjmp    real_comparable
+        rjmp    absolute
+        rjmp    opposite
+
+; As in `first.s`.
+absolute:
+        andi    r25, 0x7F
+        rjmp    real_check
+opposite:
+        subi    r25, 0x80
+        rjmp    real_check
 
 ; As in `numbers.s`.
 negate:
