@@ -61,7 +61,7 @@ fn program(random: &mut Random) -> String {
     let mut text = String::from("0\n");
     let mut result = 3;
     let mut store = |text: &mut String| {
-        assert!(result < 32, "INT has D 32");
+        assert!(result < 98, "INT has D 98");
         *text += &format!("{}\n787600\n", STORE + result);
         result += 1;
     };
@@ -81,7 +81,7 @@ fn program(random: &mut Random) -> String {
         text += &format!("{load}{}\n", shift + random.below(32) as i32);
         store(&mut text);
     }
-    // SCL, FLT, INT into D 32.
+    // SCL, FLT, INT into D 98.
     let low = random.below(60_000) as i32 - 32_768;
     let high = low + 1 + random.below((32_767 - low) as u32) as i32;
     let bound = |random: &mut Random| random.below(65_536) as i32 - 32_768;
@@ -97,7 +97,7 @@ fn program(random: &mut Random) -> String {
         random.below(30)
     );
     store(&mut text);
-    text += &format!("787600\n827301\n{load}73788432\n");
+    text += &format!("787600\n827301\n{load}73788498\n");
     let mut marker = 1;
     for comparison in codes(Class::Comparison, Kind::Value) {
         for (code, line) in [
