@@ -121,9 +121,13 @@ multiply:
         mul_    23, 9
         movw    r14, r0
         mul_    22, 9
-        rcall   1f
+        add     r13, r0
+        adc     r14, r1
+        adc     r15, r21
         mul_    23, 8
-        rcall   1f
+        add     r13, r0
+        adc     r14, r1
+        adc     r15, r21
         mul_    22, 10
         add     r14, r0
         adc     r15, r1
@@ -141,10 +145,6 @@ multiply:
         clr     r1
         movw    r22, r12
         movw    r24, r14
-        ret
-1:      add     r13, r0
-        adc     r14, r1
-        adc     r15, r21
         ret
 
 ; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
