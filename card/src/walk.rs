@@ -106,12 +106,13 @@ impl Walk {
         if total == 0 {
             total = u32_at::<32>(block);
         }
-        self.clusters = total.checked_sub(before)?;
+        let mut clusters = total.checked_sub(before)?;
         let mut factor = self.cluster_blocks;
         while factor > 1 {
-            self.clusters >>= 1;
+            clusters >>= 1;
             factor >>= 1;
         }
+        self.clusters = clusters;
 
         if self.fat32 {
             self.enter_later(u32_at::<44>(block));
@@ -119,7 +120,7 @@ impl Walk {
             self.left = root_blocks;
             self.next = END;
             // Fewer are FAT12, more are no FAT16 (FAT, "FAT Type Determination").
-            if !(4085..65525).contains(&self.clusters) {
+            if !(4085..65525).contains(&clusters) {
                 return None;
             }
         }

@@ -4,57 +4,57 @@
 
 use crate::board::Board;
 use crate::board::watchdog;
-use core::{mem, slice};
+use core::mem;
 use unoclp_core::{Cause, Crc16};
 
 /// So many bytes of the program are gone through in a step: the largest in a quarter of a second.
 const BYTES: u8 = 4;
 
 /// What the diagnosis keeps from step to step.
-pub struct Diagnosis<'m> {
-    /// The linked program, and what of it is still to be checked.
-    program: &'m [u8],
-    rest: slice::Iter<'m, u8>,
+pub struct Diagnosis {
+    /// How many bytes of the linked program have been gone through.
+    at: u16,
     /// The check sum so far, and what it was when the program was taken into run memory.
     sum: Crc16,
     expected: Crc16,
 }
 
-impl<'m> Diagnosis<'m> {
+impl Diagnosis {
     /// Of a program that has just been taken into run memory.
-    pub fn new(program: &'m [u8]) -> Diagnosis<'m> {
+    pub fn new(program: &[u8]) -> Diagnosis {
         Diagnosis {
-            program,
-            rest: program.iter(),
+            at: 0,
             sum: Crc16::default(),
             expected: Crc16::of(program),
         }
     }
 
-    /// Looks at the stack, the supply, and some bytes of the program.
+    /// Looks at the stack, the supply, and some bytes of that program.
     ///
     /// # Errors
     /// The anomaly that it found.
     #[inline(never)]
-    pub fn step(&mut self, board: &Board) -> Result<(), Cause> {
+    pub fn step(&mut self, board: &Board, program: &[u8]) -> Result<(), Cause> {
         if !watchdog::guard_is_whole() {
             return Err(Cause::StackOverflow);
         }
         if board.analogue.is_low() {
             return Err(Cause::SupplyLow);
         }
-        for _ in 0..BYTES {
-            let Some(&byte) = self.rest.next() else {
-                return self.end();
-            };
-            self.sum.push(byte);
+        let rest = program.get(self.at.into()..).unwrap_or_default();
+        let next = rest.get(..BYTES.into()).unwrap_or(rest);
+        self.sum.extend(next);
+        self.at += u16::from(BYTES);
+        if next.len() < BYTES.into() {
+            self.end()
+        } else {
+            Ok(())
         }
-        Ok(())
     }
 
     /// All of the program has been gone through: its check sum is what it was.
     fn end(&mut self) -> Result<(), Cause> {
-        self.rest = self.program.iter();
+        self.at = 0;
         if mem::take(&mut self.sum) == self.expected {
             Ok(())
         } else {

@@ -40,7 +40,7 @@ mod store;
 core::arch::global_asm!(include_str!("runtime.s"));
 
 use board::Board;
-use board::watchdog::Start;
+use board::watchdog::{self, Start};
 use card::StateFile;
 use settings::Settings;
 use store::Kept;
@@ -64,7 +64,8 @@ fn main() -> ! {
 #[inline(never)]
 fn open_line(board: &mut Board) -> bool {
     let defaults = board.pins.ask_for_defaults();
-    let settings = Settings::load(&board.eeprom, defaults);
+    let mut settings = Settings::new();
+    settings.load(&board.eeprom, defaults);
     board.serial.open(&settings.line());
     defaults
 }
@@ -78,7 +79,7 @@ fn start(
     memory: &mut [u8],
     file: &mut StateFile,
 ) -> Result<Kept, Fault> {
-    match board.start {
+    match watchdog::started() {
         Start::Watchdog => return Err(Fault::without_line(Cause::ScanTooLong)),
         Start::Astray => return Err(Fault::without_line(Cause::ProgramDamaged)),
         Start::Power | Start::Reset | Start::Command => {}
@@ -91,15 +92,21 @@ fn start(
             store::save(&board.eeprom, program.stored()).map_err(Fault::without_line)?;
             None
         }
-        Err(fault) if matches!(fault.cause, Cause::NoCard | Cause::NoProgramFile) => Some(fault),
+        // Neither has a line.
+        Err(Fault {
+            cause: cause @ (Cause::NoCard | Cause::NoProgramFile),
+            ..
+        }) => Some(cause),
         Err(fault) => return Err(fault),
     };
     match missing {
-        Some(fault) if store::is_blank(&board.eeprom) => return Err(fault),
-        Some(fault) => report::without_card(&board.serial, fault.cause),
+        Some(cause) if store::is_blank(&board.eeprom) => return Err(Fault::without_line(cause)),
+        Some(cause) => report::without_card(&board.serial, cause),
         None => {}
     }
-    let kept = modes::check(board, memory)?;
-    report::program(&board.serial, &kept);
-    Ok(kept)
+    let program = modes::check(board, memory);
+    if let Ok(kept) = &program {
+        report::program(&board.serial, kept);
+    }
+    program
 }

@@ -23,17 +23,19 @@ use unoclp_core::{Cause, Fault, Image};
 use unoclp_modbus::Frame;
 
 /// The board at work: the scans with their operation, and what goes on beside them.
+// In this order: what lies beyond 63 bytes is reached by detours.
+#[repr(C)]
 struct Work<'b> {
+    scans: Scans,
     board: &'b Board,
-    scans: Scans<'b>,
     server: Server,
-    state: Keeper,
     retentive: Retentive,
     /// How many records there are of the numbers that are kept.
     places: u8,
     /// When the last second began, ms since start, wrapping; and how many have, of this minute.
     second: u16,
     seconds: u8,
+    state: Keeper,
 }
 
 /// ms.
@@ -56,7 +58,7 @@ pub fn serve(
         settings,
         ..
     } = page;
-    *settings = Settings::load(&board.eeprom, defaults);
+    settings.load(&board.eeprom, defaults);
     if program.is_ok() {
         report::state_file(&board.serial, &file);
     }
@@ -112,7 +114,7 @@ impl Work<'_> {
     ) -> Work<'b> {
         Work {
             board,
-            scans: Scans::new(board),
+            scans: Scans::new(),
             server: Server::new(frame, settings),
             state: Keeper::new(match file {
                 StateFile::Found(place) => Some(place),
@@ -173,7 +175,7 @@ impl Work<'_> {
     }
 
     /// A slice of a request.
-    fn answer(&mut self, memory: Memory<'_>) {
+    fn answer(&mut self, memory: &mut Memory<'_>) {
         let operation = &mut self.scans.operation;
         self.server.step(self.board, operation, memory, None);
     }
@@ -221,7 +223,7 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             take_coils(work, plc);
             work.scans.pause();
         }
-        let Ok(due) = work.scans.go_on(plc) else {
+        let Ok(due) = work.scans.go_on(board, plc) else {
             return Err(Cause::TooManyJumps);
         };
         // The EEPROM is read for an answer, and would keep the scan waiting while it is written.
@@ -238,12 +240,13 @@ fn scan(work: &mut Work<'_>, plc: &mut Linked<'_>) -> Result<(), Cause> {
             if work.state.is_sending() {
                 work.scans.hurry();
             }
-            diagnosis.step(board)?;
+            diagnosis.step(board, plc.code())?;
         }
     }
 }
 
 /// The next scan takes the coils that were written.
+#[inline(never)]
 fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
     let images = &mut work.scans.operation.images;
     let outputs = images.outputs();
@@ -308,7 +311,7 @@ fn show(work: &mut Work<'_>, cause: Cause, data: &mut Data) {
         // Which of the others are digital, a program would tell.
         work.scans.operation.read(pins.levels().inputs());
         work.look_after(data);
-        work.answer(Memory::idle(data));
+        work.answer(&mut Memory::idle(data));
         work.scans.operation.command == Some(Command::Upload)
     });
 }

@@ -7,6 +7,7 @@ use crate::board::allowance::{self, COST, NUMBERS_LEFT};
 use crate::board::eeprom::Eeprom;
 use crate::board::watchdog;
 use crate::engine::Linked;
+use crate::store;
 use unoclp_core::Crc16;
 use unoclp_modbus::eeprom::numbers;
 use unoclp_modbus::eeprom::program::END;
@@ -74,13 +75,9 @@ impl Numbers {
             ring.places += 1;
             address += size;
         }
-        let mut address = ring.address;
-        let found = address != END;
+        let found = ring.address != END;
         if found {
-            for byte in plc.snapshot() {
-                address += 1;
-                *byte = eeprom.read(address);
-            }
+            store::read(eeprom, ring.address + 1, plc.snapshot());
         }
         plc.keep(!found);
         ring

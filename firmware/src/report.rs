@@ -3,7 +3,7 @@
 use crate::board::Board;
 use crate::board::flash::{Codes, FlashText, flash_codes, flash_text};
 use crate::board::serial::Serial;
-use crate::board::watchdog::Start;
+use crate::board::watchdog::{self, Start};
 use crate::card::StateFile;
 use crate::decimal::{DIGITS, decimal};
 use crate::store::Kept;
@@ -20,10 +20,10 @@ pub fn banner(board: &Board) {
         env!("CARGO_PKG_VERSION"),
         "\r\n"
     )));
-    if board.start != Start::Power {
+    if watchdog::started() != Start::Power {
         value(serial, flash_text!("restart "), board.watchdog.restarts());
         serial.text(flash_text!(" since power-up, "));
-        serial.text(match board.start {
+        serial.text(match watchdog::started() {
             Start::Watchdog => flash_text!("by the watchdog, "),
             Start::Astray => flash_text!("without a reset, "),
             Start::Command => flash_text!("by command, "),

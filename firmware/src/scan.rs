@@ -21,8 +21,7 @@ const PREPARED: u8 = 1;
 pub struct TooManyJumps;
 
 /// The scans, and the operation that they are part of.
-pub struct Scans<'b> {
-    board: &'b Board,
+pub struct Scans {
     /// What they are to do, and what comes of them.
     pub operation: Operation,
     /// When the last one began.
@@ -42,11 +41,10 @@ const DUE: u8 = 1;
 /// A scan ends with more than outputs.
 const FINISHES: u8 = 2;
 
-impl<'b> Scans<'b> {
+impl Scans {
     /// Before the first of them.
-    pub fn new(board: &'b Board) -> Scans<'b> {
+    pub fn new() -> Scans {
         Scans {
-            board,
             operation: Operation::new(),
             begun: Moment::default(),
             before: FIRST,
@@ -81,7 +79,7 @@ impl<'b> Scans<'b> {
         named_asm_labels,
         reason = "a simulator stops at one of them, and this function is there once"
     )]
-    pub fn go_on(&mut self, plc: &mut Linked<'_>) -> Result<bool, TooManyJumps> {
+    pub fn go_on(&mut self, board: &Board, plc: &mut Linked<'_>) -> Result<bool, TooManyJumps> {
         let operation = &self.operation;
         let forced = operation.forces.any();
         let runs = operation.state == State::Run;
@@ -119,12 +117,12 @@ impl<'b> Scans<'b> {
                     out("r11r10") _,
                     out("r13r12") _,
                     out("r15r14") _,
-                    POINTS = const offset_of!(Scans<'_>, operation.images.points),
-                    LAST = const offset_of!(Scans<'_>, operation.times.last),
-                    LEAST = const offset_of!(Scans<'_>, operation.times.least),
-                    MOST = const offset_of!(Scans<'_>, operation.times.most),
-                    BEFORE = const offset_of!(Scans<'_>, before),
-                    BEHIND = const offset_of!(Scans<'_>, behind),
+                    POINTS = const offset_of!(Scans, operation.images.points),
+                    LAST = const offset_of!(Scans, operation.times.last),
+                    LEAST = const offset_of!(Scans, operation.times.least),
+                    MOST = const offset_of!(Scans, operation.times.most),
+                    BEFORE = const offset_of!(Scans, before),
+                    BEHIND = const offset_of!(Scans, behind),
                     DUE = const DUE,
                     FINISHES = const FINISHES,
                     INPUTS = const Images::INPUTS,
@@ -133,8 +131,8 @@ impl<'b> Scans<'b> {
             }
             match stage {
                 BEGINS => return Ok(mem::take(&mut self.behind) & DUE != 0),
-                PREPARED => millis = self.prepare(plc, count),
-                _ => self.finish(plc)?,
+                PREPARED => millis = self.prepare(board, plc, count),
+                _ => self.finish(board, plc)?,
             }
         }
     }
@@ -142,16 +140,16 @@ impl<'b> Scans<'b> {
     /// What comes before the program where that is more than to read inputs 01 to 04, or a millisecond has begun:
     /// gives the time stamp. Timer 1 stood at this count when the scan began.
     #[inline(never)]
-    fn prepare(&mut self, plc: &mut Linked<'_>, count: u16) -> Millis {
+    fn prepare(&mut self, board: &Board, plc: &mut Linked<'_>, count: u16) -> Millis {
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
-        let levels = self.board.pins.levels();
+        let levels = board.pins.levels();
         // Fed only then, the watchdog sees too that the clock goes on. Before the clock is read: a millisecond that
         // begins behind that is one for the next scan.
         if watchdog::is_hungry() {
             watchdog::feed();
             self.behind |= DUE;
         }
-        let (millis, now) = self.board.moment();
+        let (millis, now) = board.moment();
         let now = now.back_to(count);
         let begun = mem::replace(&mut self.begun, now);
         // The last one lasted from its beginning to this one's.
@@ -171,7 +169,7 @@ impl<'b> Scans<'b> {
 
     /// What comes behind it.
     #[inline(never)]
-    fn finish(&mut self, plc: &mut Linked<'_>) -> Result<(), TooManyJumps> {
+    fn finish(&mut self, board: &Board, plc: &mut Linked<'_>) -> Result<(), TooManyJumps> {
         if plc.jumps_too_often() {
             return Err(TooManyJumps);
         }
@@ -184,11 +182,11 @@ impl<'b> Scans<'b> {
         let outputs = forces.outputs(images.outputs());
         plc.take_outputs(images, outputs);
         if *state == State::Run {
-            self.board.pins.write_outputs(outputs);
+            board.pins.write_outputs(outputs);
             let pwm = plc.needs().pwm;
             let forced = forces.forced_outputs();
-            self.board.write_pwm(pwm & !forced, &plc.data().pwm);
-            self.board.write_pwm(pwm & forced, &[0; 4]);
+            board.write_pwm(pwm & !forced, &plc.data().pwm);
+            board.write_pwm(pwm & forced, &[0; 4]);
         } else {
             // A single scan.
             self.behind |= DUE;

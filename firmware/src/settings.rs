@@ -42,27 +42,32 @@ const DEFAULTS: Kept = 1;
 const CHANGED: Kept = 2;
 
 impl Settings {
-    /// What is kept, or the defaults.
-    #[inline(never)]
-    pub fn load(eeprom: &Eeprom, defaults: bool) -> Settings {
-        let mut settings = Settings {
+    /// None yet.
+    pub const fn new() -> Settings {
+        Settings {
             bytes: [0; BYTES],
             kept: AS_KEPT,
-        };
-        if !defaults
-            && (settings.read_slot(eeprom, FIRST)
-                || settings.read_slot(eeprom, SECOND)
-                || settings.read(eeprom, OLD, OLD_BYTES))
-        {
-            return settings;
         }
-        settings.bytes.fill(0);
-        settings.set(ADDRESS, setting::ADDRESS.default);
-        settings.set(RATE, setting::RATE.default);
-        settings.kept = DEFAULTS;
-        settings
     }
 
+    /// Takes what is kept, or the defaults. They are as they are [made](Settings::new), in their place: given back,
+    /// they would stand on the stack too.
+    #[inline(never)]
+    pub fn load(&mut self, eeprom: &Eeprom, defaults: bool) {
+        if !defaults
+            && (self.read_slot(eeprom, FIRST)
+                || self.read_slot(eeprom, SECOND)
+                || self.read(eeprom, OLD, OLD_BYTES))
+        {
+            return;
+        }
+        self.bytes.fill(0);
+        self.set(ADDRESS, setting::ADDRESS.default);
+        self.set(RATE, setting::RATE.default);
+        self.kept = DEFAULTS;
+    }
+
+    #[inline(always)]
     fn read_slot(&mut self, eeprom: &Eeprom, slot: u16) -> bool {
         eeprom.read(slot) == VALID && self.read(eeprom, slot + 1, BYTES)
     }
@@ -70,20 +75,15 @@ impl Settings {
     /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings behind it
     /// are 0.
     #[inline(never)]
-    fn read(&mut self, eeprom: &Eeprom, mut address: u16, bytes: usize) -> bool {
-        let mut sum = Crc16::default();
-        for (index, byte) in self.bytes.iter_mut().enumerate() {
-            *byte = 0;
-            if index < bytes {
-                let kept = eeprom.read(address);
-                sum = sum.then(kept);
-                address += 1;
-                if index + 2 < bytes {
-                    *byte = kept;
-                }
-            }
+    fn read(&mut self, eeprom: &Eeprom, address: u16, bytes: usize) -> bool {
+        self.bytes.fill(0);
+        let kept = self.bytes.get_mut(..bytes).unwrap_or_default();
+        store::read(eeprom, address, kept);
+        let is_sound = Crc16::of(kept).value() == 0;
+        if let [.., high, low] = kept {
+            (*high, *low) = (0, 0);
         }
-        sum.value() == 0 && self.address() != 0
+        is_sound && self.address() != 0
     }
 
     /// Keeps them, where they have changed. Takes 62 ms at most.
@@ -95,7 +95,7 @@ impl Settings {
         self.kept = AS_KEPT;
         SETTINGS_LEFT.set(allowance::behind(&SETTINGS_LEFT).unwrap_or(0));
         let [values @ .., high, low] = &mut self.bytes;
-        [*high, *low] = Crc16::of(values).value().to_be_bytes();
+        [*high, *low] = Crc16::of(values).to_be_bytes();
         let (slot, other) = if eeprom.read(FIRST) == VALID {
             (SECOND, FIRST)
         } else {
@@ -109,7 +109,6 @@ impl Settings {
     }
 
     /// A setting, by its number.
-    #[inline(never)]
     pub fn get(&self, number: u8) -> u16 {
         match self.bytes.get(usize::from(number) * 2..) {
             Some([low, high, ..]) => u16::from_le_bytes([*low, *high]),

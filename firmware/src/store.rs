@@ -22,17 +22,22 @@ const HEADER: usize = HEAD_BYTES + 2;
 /// [`Cause::StoreFailed`] where the EEPROM does not give back what was written.
 #[inline(never)]
 pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
-    let header = header(stored);
-    let whole = |write| pass(eeprom, HEAD, &header, write) && pass(eeprom, STORED, stored, write);
-    if eeprom.read(MARK) == VALID && whole(false) {
+    let header = &header(stored);
+    if eeprom.read(MARK) == VALID && whole(eeprom, header, stored, false) {
         return Ok(());
     }
     eeprom.write(MARK, INVALID);
-    if !(whole(true) && whole(false)) {
+    if !(whole(eeprom, header, stored, true) && whole(eeprom, header, stored, false)) {
         return Err(Cause::StoreFailed);
     }
     eeprom.write(MARK, VALID);
     Ok(())
+}
+
+/// Writes all behind the mark, or tells whether it stands there.
+#[inline(never)]
+fn whole(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8], write: bool) -> bool {
+    pass(eeprom, HEAD, header, write) && pass(eeprom, STORED, stored, write)
 }
 
 /// A program that is kept and has been checked: what is known of it since. Its check sum is compared
@@ -58,7 +63,6 @@ pub struct Kept {
 }
 
 /// Checks the program that is kept, in this memory; none where there is none, or it is damaged.
-#[inline(never)]
 pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
     restore(eeprom, &mut Loader::new(memory, Uno))
 }
@@ -67,8 +71,7 @@ pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
 /// reached only by detours.
 #[inline(never)]
 fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
-    let [length, sum] =
-        [LENGTH, SUM].map(|at| u16::from_le_bytes([eeprom.read(at), eeprom.read(at + 1)]));
+    let (length, sum) = (word(eeprom, LENGTH), word(eeprom, SUM));
     if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
         return None;
     }
@@ -110,7 +113,6 @@ pub struct Reader<'e> {
 
 impl Reader<'_> {
     /// The next byte.
-    #[inline(never)]
     pub fn next(&mut self) -> Option<u8> {
         if self.position == self.stored.length {
             return None;
@@ -151,7 +153,7 @@ fn header(stored: &[u8]) -> [u8; HEADER] {
     let mut header = [0; HEADER];
     let [head @ .., low, high] = &mut header;
     *head = program::head(stored.len() as u16);
-    [*low, *high] = program::sum(stored).value().to_le_bytes();
+    [*high, *low] = program::sum(stored).to_be_bytes();
     header
 }
 
@@ -167,6 +169,15 @@ fn pass(eeprom: &Eeprom, mut address: u16, bytes: &[u8], write: bool) -> bool {
         address += 1;
     }
     true
+}
+
+/// Reads the bytes that stand here.
+#[inline(never)]
+pub fn read(eeprom: &Eeprom, mut address: u16, bytes: &mut [u8]) {
+    for byte in bytes {
+        *byte = eeprom.read(address);
+        address += 1;
+    }
 }
 
 /// Writes bytes where they differ from what is there.

@@ -30,6 +30,19 @@ pub enum Access {
     Write,
 }
 
+/// Addresses of a table that a request is about, in a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Addresses {
+    /// Whose they are.
+    pub table: Table,
+    /// What is to be done with them.
+    pub access: Access,
+    /// The first of them.
+    pub first: u16,
+    /// How many there are.
+    pub count: u16,
+}
+
 /// Why a request is refused: the exception codes of section 7.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
@@ -67,7 +80,7 @@ pub type Word = [u8; 2];
 
 /// What the server reads and writes.
 ///
-/// [`begin`](crate::begin) first asks [`has`](Device::has); it and [`Exchange::fill`](crate::Exchange::fill)
+/// [`Exchange::begin`](crate::Exchange::begin) first asks [`has`](Device::has); it and [`Exchange::fill`](crate::Exchange::fill)
 /// then read and write only within what it has affirmed. So every call must be short and none but a check can fail;
 /// but between two slices a scan may have run, so a write must bear that what
 /// [`check_words`](Device::check_words) saw has changed.
@@ -75,18 +88,17 @@ pub type Word = [u8; 2];
 /// A 32-bit value that takes two words is read and written without a scan between them where
 /// [`words`](Device::words) does both at once.
 pub trait Device {
-    /// Whether all of the addresses `first` to `first + (count - 1)` of `table` exist for `access`.
-    /// There is at least one, and the last is at most 65535.
-    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool;
+    /// Whether all of these addresses exist. There is at least one, and the last is at most 65535.
+    fn has(&self, addresses: &Addresses) -> bool;
 
-    /// Reads the bits of `table` from `first` on, 1 to 8 of them, the first as bit 0; or writes them to coils. What it
+    /// Reads the first of these bits, 1 to 8 of them, the first as bit 0; or writes them to coils. What it
     /// gives for a write, and the bits behind the last, mean nothing.
-    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8;
+    fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8;
 
-    /// Reads the words of `table` from `first` on into `words`; or writes `words` to holding registers from
-    /// `first` on, which [`check_words`](Device::check_words) has accepted, and leaves them as they are. Gives how many
+    /// Reads these words, as many as `words` has; or writes `words` to holding registers, which
+    /// [`check_words`](Device::check_words) has accepted, and leaves them as they are. Gives how many
     /// it has done, at least one; the others follow in other calls, before or behind a scan.
-    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8;
+    fn words(&mut self, addresses: &Addresses, words: &mut [Word]) -> u8;
 
     /// Whether the holding registers from `first` on may take these words: all of a request.
     ///
@@ -101,7 +113,7 @@ pub trait Device {
     /// high byte first. `None`: no window for blocks begins there, so these are registers, and
     /// [`has`](Device::has) is asked about them.
     ///
-    /// It is called once for each request, in [`begin`](crate::begin), before anything else is asked.
+    /// It is called once for each request, in [`Exchange::begin`](crate::Exchange::begin), before anything else is asked.
     fn take(&mut self, first: u16, data: &[u8]) -> Option<Result<(), Exception>> {
         let _ = (first, data);
         None

@@ -1,22 +1,31 @@
 //! A request that is done in slices.
 
 use crate::frame::{FIXED, Frame};
-use crate::{Access, Device, Table};
+use crate::{Access, Addresses, Device, Table};
 
-/// A valid request that is being done.
-#[derive(Debug, PartialEq, Eq)]
+/// A valid request that is being done; at first none.
+#[derive(Debug)]
 pub struct Exchange {
-    pub(crate) table: Table,
-    pub(crate) access: Access,
-    /// The next address, and how many there are from it on.
-    pub(crate) address: u16,
-    pub(crate) left: u16,
-    /// Where they stand in the frame.
+    /// What is left of it.
+    pub(crate) addresses: Addresses,
+    /// Where that stands in the frame.
     pub(crate) at: u8,
 }
 
 /// Bytes of 8 bits in a slice.
 const SLICE: u8 = 4;
+
+impl Default for Exchange {
+    fn default() -> Exchange {
+        let addresses = Addresses {
+            table: Table::Coils,
+            access: Access::Read,
+            first: 0,
+            count: 0,
+        };
+        Exchange { addresses, at: 0 }
+    }
+}
 
 impl Exchange {
     /// Does the next slice: at most 32 bits, or as many words as the [device](Device::words) does at once. `Some` once
@@ -27,18 +36,25 @@ impl Exchange {
     /// written stays. A write of several slices takes effect over several scans.
     #[inline(never)]
     pub fn fill<D: Device>(&mut self, frame: &mut Frame, device: &mut D) -> Option<u8> {
-        if self.left != 0 {
-            if self.table.has_words() {
-                self.words(frame, device);
-            } else {
-                self.bits(frame, device);
-            }
-            if self.left != 0 {
+        let mut slice = SLICE;
+        while self.addresses.count != 0 {
+            if slice == 0 {
                 return None;
             }
+            let (done, bytes) = if self.addresses.table.has_words() {
+                slice = 0;
+                self.words(frame, device)
+            } else {
+                slice = slice.wrapping_sub(1);
+                self.bits(frame, device)
+            };
+            self.at = self.at.wrapping_add(bytes);
+            let Addresses { first, count, .. } = &mut self.addresses;
+            *first = first.wrapping_add(done.into());
+            *count = count.wrapping_sub(done.into());
         }
         let mut length = self.at;
-        if self.access == Access::Write {
+        if self.addresses.access == Access::Write {
             device.is_written();
             // The reply is what the request began with: function, first address, quantity.
             length = FIXED;
@@ -47,37 +63,26 @@ impl Exchange {
         Some(if broadcast { 0 } else { length })
     }
 
-    /// Does a slice of words. There is one left.
-    fn words<D: Device>(&mut self, frame: &mut Frame, device: &mut D) {
-        let at = usize::from(self.at);
-        let bytes = frame.get_mut(at..at + 2 * usize::from(self.left));
-        let words = bytes.unwrap_or_default().as_chunks_mut().0;
-        let done = device.words(self.table, self.address, self.access, words);
+    /// Does words, as many as the device does at once: gives how many, and their bytes. There is one left.
+    fn words<D: Device>(&self, frame: &mut Frame, device: &mut D) -> (u8, u8) {
+        let words = frame[self.at.into()..].as_chunks_mut().0;
+        let words = words
+            .get_mut(..self.addresses.count.into())
+            .unwrap_or_default();
+        let done = device.words(&self.addresses, words);
         // A device that does none would never be done.
-        self.advance(done.max(1).into());
-        self.at = self.at.wrapping_add(done.wrapping_mul(2));
+        (done.max(1), done.wrapping_mul(2))
     }
 
-    /// Does a slice of bits.
-    fn bits<D: Device>(&mut self, frame: &mut Frame, device: &mut D) {
-        let mut bytes = SLICE;
-        while bytes != 0 && self.left != 0 {
-            bytes = bytes.wrapping_sub(1);
-            let count = self.left.min(8) as u8;
-            let byte = &mut frame[usize::from(self.at)];
-            let bits = device.bits(self.table, self.address, self.access, count, *byte);
-            if self.access == Access::Read {
-                // Those behind the last are 0.
-                *byte = bits & u8::MAX >> 8_u8.wrapping_sub(count);
-            }
-            self.at = self.at.wrapping_add(1);
-            self.advance(count.into());
+    /// The same of the bits in a byte.
+    fn bits<D: Device>(&self, frame: &mut Frame, device: &mut D) -> (u8, u8) {
+        let count = self.addresses.count.min(8) as u8;
+        let byte = &mut frame[usize::from(self.at)];
+        let bits = device.bits(&self.addresses, count, *byte);
+        if self.addresses.access == Access::Read {
+            // Those behind the last are 0.
+            *byte = bits & u8::MAX >> 8_u8.wrapping_sub(count);
         }
-    }
-
-    /// Goes on by so many addresses; behind 65535 none is left.
-    fn advance(&mut self, by: u16) {
-        self.address = self.address.wrapping_add(by);
-        self.left = self.left.saturating_sub(by);
+        (count, 1)
     }
 }

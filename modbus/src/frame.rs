@@ -15,6 +15,7 @@ pub type Frame = [u8; FRAME_BYTES];
 pub(crate) const FIXED: u8 = 6;
 
 /// The two bytes from `at` on, high byte first, as Modbus sends all words.
+#[inline(never)]
 pub(crate) fn word(frame: &Frame, at: u8) -> u16 {
     let high = frame[usize::from(at)];
     let low = frame[usize::from(at.wrapping_add(1))];
@@ -30,11 +31,13 @@ pub(crate) fn operands(frame: &Frame) -> (u16, u8) {
     }
 }
 
-/// Turns the request into an exception response of the length that is returned (section 7).
+/// Turns the request into an exception response (section 7) of the length that is returned: 0 for a broadcast, which
+/// gets none.
+#[inline(never)]
 pub fn refuse(frame: &mut Frame, exception: Exception) -> u8 {
     frame[1] |= 0x80;
     frame[2] = exception as u8;
-    3
+    if frame[0] == 0 { 0 } else { 3 }
 }
 
 /// A request that is not `sound` has a quantity, value or length that is not allowed.

@@ -1,6 +1,6 @@
 //! Modbus RTU, server and client, and what a board's addresses stand for. No I/O, no clock.
 //!
-//! - [`begin`], [`Exchange`], [`Device`] or [`Points`]: the server, below
+//! - [`Exchange`], [`Device`] or [`Points`]: the server, below
 //! - [`client`]: requests, and what is an answer to them
 //! - [`map`]: every address that a board has
 //! - [`lock`]: what a board may refuse, whoever asks
@@ -10,14 +10,14 @@
 //!
 //! 1. The serial driver receives a frame, checks its CRC by [`Crc`] and its address, and leaves it
 //!    in a [`Frame`] without the CRC.
-//! 2. [`begin`] validates it, and checks what it writes.
+//! 2. [`Exchange::begin`] validates it, and checks what it writes.
 //! 3. [`Exchange::fill`] reads or writes in slices, so that no scan waits for a whole request.
 //! 4. The reply stands in the same [`Frame`], from its address on; the driver appends the CRC.
 //!
 //! What there is to read and write, a [`Device`] says.
 //!
 //! ```
-//! # use unoclp_modbus::{Access, Answer, Exception, FRAME_BYTES, Points, Table, begin};
+//! # use unoclp_modbus::{Access, Exception, Exchange, FRAME_BYTES, Points, Table};
 //! # struct Plc;
 //! # impl Points for Plc {
 //! #     fn has(&self, _: Table, first: u16, count: u16, _: Access) -> bool { first + (count - 1) < 8 }
@@ -31,16 +31,13 @@
 //! # let mut plc = Plc;
 //! let mut frame = [0; FRAME_BYTES];
 //! frame[..6].copy_from_slice(&[1, 3, 0, 5, 0, 2]); // of server 1: 2 holding registers from 5 on
-//! let length = match begin(&mut frame, 6, &mut plc) {
-//!     Answer::Silence => 0,
-//!     Answer::Ready(length) => length,
-//!     Answer::Filling(mut exchange) => loop {
-//!         // One slice; a scan would run between two of them.
-//!         if let Some(length) = exchange.fill(&mut frame, &mut plc) {
-//!             break length;
-//!         }
-//!     },
-//! };
+//! let mut exchange = Exchange::default();
+//! let mut length = exchange.begin(&mut frame, 6, &mut plc);
+//! while length.is_none() {
+//!     // One slice; a scan would run between two of them.
+//!     length = exchange.fill(&mut frame, &mut plc);
+//! }
+//! let length = length.unwrap_or_default();
 //! assert_eq!(frame[..length.into()], [1, 3, 4, 0x12, 0x05, 0x12, 0x06]);
 //! ```
 //!
@@ -77,8 +74,7 @@ mod points;
 mod request;
 
 pub use crc::Crc;
-pub use device::{Access, Device, Exception, Table, Word};
+pub use device::{Access, Addresses, Device, Exception, Table, Word};
 pub use exchange::Exchange;
 pub use frame::{FRAME_BYTES, Frame, refuse};
 pub use points::Points;
-pub use request::{Answer, begin};

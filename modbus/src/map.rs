@@ -281,7 +281,11 @@ impl Command {
     /// The command of a value of [`holding::COMMAND`].
     #[inline(always)]
     pub const fn of(word: u16) -> Option<Command> {
-        match word {
+        // One byte to compare, where that costs room.
+        if word > 0xFF {
+            return None;
+        }
+        match word as u8 {
             1 => Some(Command::Run),
             2 => Some(Command::Stop),
             3 => Some(Command::SingleScan),

@@ -1,6 +1,6 @@
 //! A server that tells its bits and words one by one, where nobody counts cycles.
 
-use crate::{Access, Device, Exception, Table, Word};
+use crate::{Access, Addresses, Device, Exception, Table, Word};
 
 /// Bits and words, one by one: whatever has these is a [`Device`].
 pub trait Points {
@@ -44,11 +44,23 @@ pub trait Points {
 }
 
 impl<P: Points> Device for P {
-    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
+    fn has(&self, addresses: &Addresses) -> bool {
+        let Addresses {
+            table,
+            access,
+            first,
+            count,
+        } = *addresses;
         Points::has(self, table, first, count, access)
     }
 
-    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8 {
+    fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let mut read = 0;
         for (n, address) in (0..count).zip(first..=u16::MAX) {
             match access {
@@ -59,7 +71,13 @@ impl<P: Points> Device for P {
         read
     }
 
-    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
+    fn words(&mut self, addresses: &Addresses, words: &mut [Word]) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let mut count = 0;
         let most = usize::from(self.at_once().max(2) & 0xFE) - usize::from(first % 2);
         for (word, address) in words.iter_mut().take(most).zip(first..=u16::MAX) {

@@ -6,7 +6,7 @@ mod device;
 pub use device::{Board, FAULT, RUN, STOP, kept};
 
 use unoclp_modbus::map::holding;
-use unoclp_modbus::{Answer, Crc, Exception, FRAME_BYTES, begin, lock, refuse};
+use unoclp_modbus::{Crc, Exception, Exchange, FRAME_BYTES, lock, refuse};
 
 /// What becomes of a request, before the board or behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,15 +69,12 @@ fn handle(board: &mut Board, request: &[u8]) -> Vec<u8> {
     } else if lock::refuses(&frame, board.settings[4] as u8) {
         refuse(&mut frame, Exception::IllegalFunction)
     } else {
-        match begin(&mut frame, request.len() as u8, board) {
-            Answer::Silence => 0,
-            Answer::Ready(length) => length,
-            Answer::Filling(mut exchange) => loop {
-                if let Some(length) = exchange.fill(&mut frame, board) {
-                    break length;
-                }
-            },
+        let mut exchange = Exchange::default();
+        let mut length = exchange.begin(&mut frame, request.len() as u8, board);
+        while length.is_none() {
+            length = exchange.fill(&mut frame, board);
         }
+        length.unwrap_or_default()
     };
     let mut reply = frame[..length.into()].to_vec();
     reply.extend(Crc::of(&reply).to_bytes());

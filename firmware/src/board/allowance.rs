@@ -41,7 +41,6 @@ pub fn fill() {
 }
 
 /// What is left behind one more writing, if that is allowed.
-#[inline(never)]
 pub fn behind(left: &Shared<u16>) -> Option<u16> {
     left.get().checked_sub(COST)
 }

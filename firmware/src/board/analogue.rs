@@ -4,8 +4,8 @@
 //! first reading dropped, because the sample capacitor still holds something of the channel before, and
 //! the reference takes 70 µs to appear.
 
+use super::shared::Shared;
 use avr_device::atmega328p::ADC;
-use core::cell::Cell;
 use unoclp_core::isa::ANALOGUE;
 
 /// The readings of A 00 … A 04, 0 to 1023.
@@ -23,17 +23,20 @@ const SUPPLY: u8 = 1 << 6;
 /// Behind the last analogue input comes the reference.
 const LAST: u8 = ANALOGUE;
 
+// Static, so that nobody has to carry a pointer to them along.
+
+/// The analogue inputs that are measured, bit 0 A 00.
+static CHANNELS: Shared<u8> = Shared::new(0);
+/// The one that is being measured; [`LAST`] is the reference.
+static CHANNEL: Shared<u8> = Shared::new(0);
+/// Whether it is being measured for the second time.
+static SETTLED: Shared<bool> = Shared::new(false);
+/// The last reading of the reference.
+static READING: Shared<u16> = Shared::new(0);
+
 /// The converter.
 pub struct Analogue {
     adc: ADC,
-    /// The analogue inputs that are measured, bit 0 A 00.
-    channels: Cell<u8>,
-    /// The one that is being measured; [`LAST`] is the reference.
-    channel: Cell<u8>,
-    /// Whether it is being measured for the second time.
-    settled: Cell<bool>,
-    /// The last reading of the reference.
-    reference: Cell<u16>,
 }
 
 impl Analogue {
@@ -41,13 +44,8 @@ impl Analogue {
     pub fn start(adc: ADC) -> Analogue {
         adc.adcsra()
             .write(|w| w.aden().set_bit().adps().prescaler_128());
-        let analogue = Analogue {
-            adc,
-            channels: Cell::new(0),
-            channel: Cell::new(LAST),
-            settled: Cell::new(false),
-            reference: Cell::new(0),
-        };
+        let analogue = Analogue { adc };
+        CHANNEL.set(LAST);
         analogue.begin();
         analogue.go_on_to_reference(&mut Readings::default());
         analogue
@@ -57,7 +55,7 @@ impl Analogue {
     /// measured once before this returns, which takes 0.2 ms each.
     pub fn measure(&self, channels: u8, readings: &mut Readings) {
         readings.fill(0);
-        self.channels.set(channels);
+        CHANNELS.set(channels);
         // The first time, those before the one that was being measured may have been passed over.
         self.go_on_to_reference(readings);
         self.go_on_to_reference(readings);
@@ -65,14 +63,13 @@ impl Analogue {
 
     /// Measures until the reference has been.
     fn go_on_to_reference(&self, readings: &mut Readings) {
-        self.reference.set(0);
-        while self.reference.get() == 0 {
+        READING.set(0);
+        while READING.get() == 0 {
             self.step(readings);
         }
     }
 
     /// Takes a reading where one is ready, and begins the next, which takes 0.1 ms.
-    #[inline(always)]
     pub fn step(&self, readings: &mut Readings) {
         // Set by the end of a conversion alone, so a converter that is off changes no reading.
         if self.adc.adcsra().read().adif().bit_is_set() {
@@ -82,32 +79,32 @@ impl Analogue {
 
     #[inline(never)]
     fn take(&self, readings: &mut Readings) {
-        if self.settled.get() {
+        if SETTLED.get() {
             let reading = self.adc.adc().read().bits();
-            match readings.get_mut(usize::from(self.channel.get())) {
+            match readings.get_mut(usize::from(CHANNEL.get())) {
                 Some(place) => *place = reading,
-                None => self.reference.set(reading.max(1)),
+                None => READING.set(reading.max(1)),
             }
             self.next();
         }
-        self.settled.set(!self.settled.get());
+        SETTLED.set(!SETTLED.get());
         self.begin();
     }
 
     /// Goes on to the next channel that is measured.
     fn next(&self) {
-        let mut channel = self.channel.get();
+        let mut channel = CHANNEL.get();
         loop {
             channel = if channel >= LAST { 0 } else { channel + 1 };
-            if channel == LAST || self.channels.get() >> channel & 1 != 0 {
-                self.channel.set(channel);
+            if channel == LAST || CHANNELS.get() >> channel & 1 != 0 {
+                CHANNEL.set(channel);
                 return;
             }
         }
     }
 
     fn begin(&self) {
-        let mux = match self.channel.get() {
+        let mux = match CHANNEL.get() {
             LAST => REFERENCE,
             channel => channel,
         };
@@ -121,18 +118,18 @@ impl Analogue {
 
     /// The last reading of the reference: 1.1 V in 1024ths of the supply.
     pub fn reference(&self) -> u16 {
-        self.reference.get()
+        READING.get()
     }
 
     /// Whether the supply is below 4.3 V.
     pub fn is_low(&self) -> bool {
-        self.reference.get() > LOW
+        READING.get() > LOW
     }
 
     /// The supply in hundredths of a volt; by subtraction, since a division takes 1.5 KB of flash.
     pub fn centivolts(&self) -> u16 {
         let (mut rest, mut centivolts) = (CENTIVOLTS, 0);
-        let reference = u32::from(self.reference.get());
+        let reference = u32::from(READING.get());
         while rest >= reference && centivolts < 1000 {
             rest -= reference;
             centivolts += 1;

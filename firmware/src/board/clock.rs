@@ -67,7 +67,6 @@ pub struct Deadline(u16);
 
 impl Deadline {
     /// So many ms from now, 32,767 at most.
-    #[inline(never)]
     pub fn after(time: u16) -> Deadline {
         Deadline((now() as u16).wrapping_add(time))
     }

@@ -200,7 +200,7 @@ fn load(place: *const u8) -> u8 {
 }
 
 /// Copies bytes of program memory, from this address on: 9 cycles each.
-#[inline(always)]
+#[inline(never)]
 fn load_all(place: *const u8, bytes: &mut [u8]) {
     // SAFETY: as above; and the bytes written are those that are lent.
     unsafe {

@@ -25,7 +25,7 @@ pub mod spi;
 pub mod stack;
 pub mod watchdog;
 
-use avr_device::atmega328p::{Peripherals, SPI, TC0, TC1};
+use avr_device::atmega328p::{PORTC, Peripherals, SPI, TC0, TC1};
 use unoclp_core::{Image, Millis};
 
 /// The parts of the board, ready to use.
@@ -40,8 +40,6 @@ pub struct Board {
     pub analogue: analogue::Analogue,
     /// The watchdog.
     pub watchdog: watchdog::Watchdog,
-    /// Why the board has started.
-    pub start: watchdog::Start,
     spi: SPI,
     timer: TC1,
     pwm: TC0,
@@ -55,18 +53,16 @@ impl Board {
         let chip = unsafe { Peripherals::steal() };
         let pins = pins::Pins::new(chip.PORTB, chip.PORTC, chip.PORTD);
         stack::paint();
-        let (watchdog, start) =
-            watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
+        let watchdog = watchdog::Watchdog::take(chip.WDT, &chip.CPU, clock::is_on(&chip.TC1));
         clock::start(&chip.TC1);
         // SAFETY: the port of `pins`; the serial port changes one bit of it, in single instructions.
-        let direction = unsafe { Peripherals::steal() }.PORTC;
+        let direction = unsafe { PORTC::steal() };
         Board {
             pins,
             serial: serial::Serial::new(chip.USART0, chip.TC2, direction),
             eeprom: eeprom::Eeprom::new(chip.EEPROM),
             analogue: analogue::Analogue::start(chip.ADC),
             watchdog,
-            start,
             spi: chip.SPI,
             timer: chip.TC1,
             pwm: chip.TC0,
@@ -102,7 +98,7 @@ impl Board {
     /// The bus to the card, which still sleeps.
     pub fn card_bus(&self) -> spi::CardBus<'_> {
         let bus = spi::CardBus::new(&self.spi, &self.pins);
-        if self.start != watchdog::Start::Power {
+        if watchdog::started() != watchdog::Start::Power {
             // The card has kept its power, and is long out of its idle state.
             bus.end_packet();
         }
@@ -110,6 +106,7 @@ impl Board {
     }
 
     /// The bus to the card, at full speed, with the card selected: for what comes after start-up.
+    #[inline(always)]
     pub fn resume_card(&self) -> spi::CardBus<'_> {
         let bus = spi::CardBus::new(&self.spi, &self.pins);
         bus.full_speed();

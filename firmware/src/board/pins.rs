@@ -55,6 +55,7 @@ pub struct Pins {
 
 impl Pins {
     /// Outputs low before they are driven, pull-ups on inputs and STOP, the card not selected.
+    #[inline(never)]
     pub fn new(b: PORTB, c: PORTC, d: PORTD) -> Pins {
         // SAFETY: any value may be written to the data and direction registers of a port; these
         // drive only pins that the wiring has as outputs.

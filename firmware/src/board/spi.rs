@@ -39,7 +39,6 @@ impl<'b> CardBus<'b> {
 
     /// Goes to 4 MHz, which wires on a breadboard carry, once the card is out of its idle state; and
     /// selects it.
-    #[inline(never)]
     pub fn full_speed(self) {
         // In this order: LED L leaves the clock line before the card listens.
         self.spi

@@ -67,6 +67,14 @@ pub enum Start {
     Command,
 }
 
+/// See [`started`].
+static STARTED: Shared<Start> = Shared::new(Start::Power);
+
+/// Why the board has started.
+pub fn started() -> Start {
+    STARTED.get()
+}
+
 /// The watchdog.
 pub struct Watchdog {
     timer: WDT,
@@ -75,7 +83,7 @@ pub struct Watchdog {
 impl Watchdog {
     /// Stops the watchdog, which goes on after a reset that it made, and finds out why the board
     /// has started: `astray` if it has done so without a reset.
-    pub fn take(timer: WDT, cpu: &CPU, astray: bool) -> (Watchdog, Start) {
+    pub fn take(timer: WDT, cpu: &CPU, astray: bool) -> Watchdog {
         let record = cpu.mcusr().read();
         // The watchdog cannot be stopped while the record says that it was the cause.
         cpu.mcusr().reset();
@@ -90,18 +98,19 @@ impl Watchdog {
             RESTARTS.set(0);
             FAULTS.set(0);
             allowance::fill();
-            return (watchdog, Start::Power);
+            return watchdog;
         }
         RESTARTS.set(watchdog.restarts().saturating_add(1));
-        if astray {
-            (watchdog, Start::Astray)
+        STARTED.set(if astray {
+            Start::Astray
         } else if commanded {
-            (watchdog, Start::Command)
+            Start::Command
         } else if record.wdrf().bit_is_set() || overdue {
-            (watchdog, Start::Watchdog)
+            Start::Watchdog
         } else {
-            (watchdog, Start::Reset)
-        }
+            Start::Reset
+        });
+        watchdog
     }
 
     /// Restarts since power-up.

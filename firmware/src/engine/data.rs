@@ -33,6 +33,9 @@ pub struct Data {
     pub registers: [[u8; REGISTER_BYTES]; NEAR_REGISTERS as usize],
 }
 
+/// The first of the retentive markers, counted from 0.
+const KEPT: usize = RETENTIVE as usize - 1;
+
 const _: () = assert!(size_of::<Data>() <= 232);
 
 impl Data {
@@ -40,11 +43,7 @@ impl Data {
     pub fn restart(&mut self) {
         self.budget = 0;
         self.pwm.fill(0);
-        let kept = usize::from(RETENTIVE) - 1;
-        self.markers
-            .iter_mut()
-            .take(kept)
-            .for_each(|cell| *cell = 0);
+        self.markers[..KEPT].fill(0);
         self.registers.as_flattened_mut().fill(0);
     }
 
@@ -55,15 +54,13 @@ impl Data {
 
     /// The retentive markers, bit 0 M 57.
     pub fn retained(&self) -> u8 {
-        let kept = self.markers.last_chunk::<8>();
-        kept.into_iter()
-            .flatten()
-            .fold(0, |bits, cell| bits >> 1 | cell & ON)
+        let kept = &self.markers[KEPT..];
+        kept.iter().fold(0, |bits, cell| bits >> 1 | cell & ON)
     }
 
     /// Brings back what was kept over a power cut, before the first scan.
     pub fn retain(&mut self, mut bits: u8) {
-        for cell in self.markers.last_chunk_mut::<8>().into_iter().flatten() {
+        for cell in &mut self.markers[KEPT..] {
             *cell = if bits & 1 != 0 { ON } else { 0 };
             bits >>= 1;
         }

@@ -1,6 +1,6 @@
 //! Where everything is that a program in its linked form refers to.
 
-use super::data::Data;
+use super::memory::Memory;
 use crate::operation::Images;
 use crate::store::Kept;
 use unoclp_core::isa::TIMER_DATA;
@@ -15,11 +15,8 @@ pub const SNAPSHOT_BYTES: usize = 4;
 
 /// What the linked form of a program refers to.
 pub struct Layout<'m> {
-    pub data: &'m mut Data,
-    /// [`TIMER_DATA`] for each, in file order.
-    pub timers: &'m mut [u8],
-    /// [`COUNTER_DATA`] for each, up to the highest that is named.
-    pub counters: &'m mut [u8],
+    /// [`Data`](super::Data), timers and counters.
+    pub memory: Memory<'m>,
     /// The address of each number that is kept, and the snapshot of them.
     pub kept: &'m mut [u8],
     /// See `kept`.
@@ -40,6 +37,6 @@ impl Layout<'_> {
 
     /// The address of the timer with this index.
     pub fn timer(&self, index: u8) -> u16 {
-        self.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16
+        self.memory.timers.as_ptr() as usize as u16 + u16::from(index) * TIMER_DATA as u16
     }
 }

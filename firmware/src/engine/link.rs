@@ -76,11 +76,11 @@ unsafe extern "C" fn engine_next(reader: *mut c_void) -> i16 {
 /// [`Cause::NoStoredProgram`] where the EEPROM does not hold what was checked.
 #[inline(never)]
 pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result<Size, Cause> {
-    layout.counters.fill(0);
+    layout.memory.counters.fill(0);
     let mut reader = layout.stored.read(eeprom);
     let timers = layout.timer(0);
     let own_end = layout.own_end();
-    let counters = layout.counters.as_ptr() as usize as u16;
+    let counters = layout.memory.counters.as_ptr() as usize as u16;
     let mut job = Job {
         reader: (&raw mut reader).cast(),
         put: layout.begin,
@@ -91,9 +91,9 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         own: own_end,
         timer: timers,
         timers,
-        timers_end: timers + layout.timers.len() as u16,
+        timers_end: timers + layout.memory.timers.len() as u16,
         counters,
-        counters_end: counters + layout.counters.len() as u16,
+        counters_end: counters + layout.memory.counters.len() as u16,
         kept: own_end,
         kept_end: own_end + 2 * u16::from(layout.stored.numbers),
         position: 0,

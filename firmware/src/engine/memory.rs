@@ -2,15 +2,16 @@
 
 use super::data::Data;
 use unoclp_core::Millis;
-use unoclp_core::isa::{COUNTER_DATA, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA};
+use unoclp_core::isa::{COUNTER_DATA, REGISTER_BYTES, TIMER_DATA};
 
 /// What the program works on.
 pub struct Memory<'a> {
     /// Markers, registers and readings.
     pub data: &'a mut Data,
-    /// The highest register that there is. Those that `data` does not have follow it in memory.
-    pub registers: u8,
-    /// The data of the timers, and of the counters; empty where no program runs.
+    /// The registers beyond those of `data`, which they follow in memory; empty where no program runs that names them.
+    pub far: &'a mut [u8],
+    /// The data of the timers, in file order, and of the counters, up to the highest that is named; empty where no
+    /// program runs.
     pub timers: &'a mut [u8],
     /// See `timers`.
     pub counters: &'a mut [u8],
@@ -52,7 +53,7 @@ impl<'a> Memory<'a> {
     pub fn idle(data: &'a mut Data) -> Memory<'a> {
         Memory {
             data,
-            registers: NEAR_REGISTERS,
+            far: &mut [],
             timers: &mut [],
             counters: &mut [],
         }
@@ -65,14 +66,14 @@ impl<'a> Memory<'a> {
         &mut self,
         values: Values,
         presets: bool,
-        first: u16,
+        first: u8,
         words: &mut [[u8; 2]],
         write: bool,
         now: Millis,
     ) {
         let (begin, length, size, preset) = match values {
             Values::Registers => {
-                let length = usize::from(self.registers) * REGISTER_BYTES;
+                let length = size_of_val(&self.data.registers) + self.far.len();
                 (self.data.registers.as_mut_ptr().cast(), length, REGISTER_BYTES, 0)
             }
             Values::Timers => (self.timers.as_mut_ptr(), self.timers.len(), TIMER_DATA, 5),
@@ -92,7 +93,7 @@ impl<'a> Memory<'a> {
                 begin.wrapping_add(length),
                 words.len() as u8,
                 size as u8,
-                first as u8,
+                first,
                 how,
                 now,
             );

@@ -51,9 +51,7 @@ unsafe extern "C" {
 /// A program in its linked form, with everything that it needs to run.
 pub struct Linked<'m> {
     code: &'m [u8],
-    /// Run memory for what is linked; from then on the registers beyond those of [`Data`].
-    memory: &'m mut [u8],
-    /// Data of edges, filters and integrations.
+    /// Data of edges, filters and integrations; until it is linked, run memory for both of these.
     own: &'m mut [u8],
     layout: Layout<'m>,
     /// Whether a scan needs more than the images of inputs 01 to 04.
@@ -69,27 +67,17 @@ impl<'m> Linked<'m> {
     /// comes back would be a copy on a stack that has no room for one.
     #[inline(always)]
     pub fn new(kept: &Kept, memory: &'m mut [u8], data: &'m mut Data) -> Linked<'m> {
-        let timers = usize::from(kept.timers) * TIMER_DATA;
-        let counters = usize::from(kept.counters) * COUNTER_DATA;
-        let (rest, timers) = split_end(memory, timers);
-        let (rest, counters) = split_end(rest, counters);
-        let numbers = usize::from(kept.numbers);
-        let (rest, snapshot) = split_end(rest, numbers * SNAPSHOT_BYTES);
-        let (rest, numbers) = split_end(rest, numbers * ADDRESS_BYTES);
         Linked {
             layout: Layout {
-                data,
-                timers,
-                begin: (rest.as_ptr() as usize + far_bytes(kept)) as u16,
-                kept: numbers,
-                snapshot,
-                counters,
+                memory: Memory::idle(data),
+                begin: 0,
+                kept: &mut [],
+                snapshot: &mut [],
                 stored: *kept,
                 jumps_back: false,
             },
             code: &[],
-            memory: rest,
-            own: &mut [],
+            own: memory,
             prepares: false,
             first: true,
             clocks: Clocks::new(),
@@ -105,20 +93,36 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     pub fn link(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
         let layout = &mut self.layout;
-        let (registers, memory) = mem::take(&mut self.memory)
-            .split_at_mut_checked(far_bytes(&layout.stored))
-            .ok_or(Cause::NoStoredProgram)?;
-        self.memory = registers;
-        link::forget_labels(layout.data);
+        let Kept {
+            timers,
+            counters,
+            registers,
+            numbers,
+            ..
+        } = layout.stored;
+        let numbers = usize::from(numbers);
+        let far = usize::from(registers - NEAR_REGISTERS) * REGISTER_BYTES;
+        let (far, rest) = mem::take(&mut self.own)
+            .split_at_mut_checked(far)
+            .unwrap_or_default();
+        layout.memory.far = far;
+        layout.begin = rest.as_ptr() as usize as u16;
+        self.own = rest;
+        layout.memory.timers = cut_end(&mut self.own, usize::from(timers) * TIMER_DATA);
+        layout.memory.counters = cut_end(&mut self.own, usize::from(counters) * COUNTER_DATA);
+        layout.snapshot = cut_end(&mut self.own, numbers * SNAPSHOT_BYTES);
+        layout.kept = cut_end(&mut self.own, numbers * ADDRESS_BYTES);
+        let memory = mem::take(&mut self.own);
+        link::forget_labels(layout.memory.data);
         let mut size = link::pass(layout, eeprom, memory)?;
-        if link::has_labels(layout.data) {
+        if link::has_labels(layout.memory.data) {
             // Those that stand further on are known now.
             size = link::pass(layout, eeprom, memory)?;
         }
-        let (code, rest) = memory
+        let (code, mut rest) = memory
             .split_at_mut_checked(size.code.into())
             .ok_or(Cause::NoStoredProgram)?;
-        self.own = split_end(rest, size.own.into()).1;
+        self.own = cut_end(&mut rest, size.own.into());
         self.code = code;
         let needs = layout.stored.needs;
         self.prepares =
@@ -139,17 +143,12 @@ impl<'m> Linked<'m> {
 
     /// Images, markers, registers and readings.
     pub fn data(&mut self) -> &mut Data {
-        self.layout.data
+        self.layout.memory.data
     }
 
     /// What a program works on, for one step of the server.
-    pub fn memory(&mut self) -> Memory<'_> {
-        Memory {
-            data: self.layout.data,
-            registers: self.layout.stored.registers,
-            timers: self.layout.timers,
-            counters: self.layout.counters,
-        }
+    pub fn memory(&mut self) -> &mut Memory<'m> {
+        &mut self.layout.memory
     }
 
     /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
@@ -159,7 +158,7 @@ impl<'m> Linked<'m> {
     /// [`Cause::NoStoredProgram`] where the EEPROM has another program now.
     #[inline(never)]
     pub fn restart(&mut self, eeprom: &Eeprom, images: &mut Images) -> Result<(), Cause> {
-        link::forget_labels(self.layout.data);
+        link::forget_labels(self.layout.memory.data);
         link::pass(&mut self.layout, eeprom, &mut [])?;
         self.clear(images);
         self.keep(false);
@@ -192,8 +191,8 @@ impl<'m> Linked<'m> {
 
     fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
-        self.layout.data.restart();
-        self.memory.fill(0);
+        self.layout.memory.data.restart();
+        self.layout.memory.far.fill(0);
         *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();
@@ -202,7 +201,7 @@ impl<'m> Linked<'m> {
     /// Whether a scan needs to [`prepare`](Linked::prepare).
     pub fn has_to_prepare(&self) -> bool {
         // Inputs from 05 on that were forced, and are no more, are still to be forgotten.
-        self.prepares || self.layout.data.more_inputs != 0
+        self.prepares || self.layout.memory.data.more_inputs != 0
     }
 
     /// The input image as the input filter of the program has it (NC-18).
@@ -216,7 +215,7 @@ impl<'m> Linked<'m> {
     /// What comes before the program in a scan that needs more than the image of inputs 01 to 04.
     pub fn prepare(&mut self, inputs: Image, now: Millis) {
         let needs = self.needs();
-        let data = &mut *self.layout.data;
+        let data = &mut *self.layout.memory.data;
         let bits = inputs.0 as u8;
         data.more_inputs = bits & !Images::INPUTS;
         if needs.inputs >> POINTS != 0 {
@@ -242,7 +241,7 @@ impl<'m> Linked<'m> {
     #[inline(never)]
     fn prepare_system(&mut self, now: Millis) {
         self.clocks.scan(self.first, now);
-        let data = &mut *self.layout.data;
+        let data = &mut *self.layout.memory.data;
         data.system = [
             on(self.first),
             on(self.clocks.slow()),
@@ -262,7 +261,7 @@ impl<'m> Linked<'m> {
     /// timers, counters and other instructions, and `Data`: all are reached from `self`.
     #[inline(always)]
     pub fn entry(&mut self) -> (*const u8, *mut u8) {
-        (self.code.as_ptr(), self.layout.timers.as_mut_ptr())
+        (self.code.as_ptr(), self.layout.memory.timers.as_mut_ptr())
     }
 
     /// Whether the program jumps back: a scan may do that [too often](Linked::jumps_too_often).
@@ -272,27 +271,27 @@ impl<'m> Linked<'m> {
 
     /// Whether the last scan has made too many jumps back (NC-19).
     pub fn jumps_too_often(&self) -> bool {
-        self.layout.data.budget < 0
+        self.layout.memory.data.budget < 0
     }
 
     /// The fault that this is, with the line of the jump.
     pub fn too_many_jumps(&self) -> Fault {
         Fault {
             cause: Cause::TooManyJumps,
-            line: Some(self.layout.data.line.into()),
+            line: Some(self.layout.memory.data.line.into()),
         }
     }
 }
 
-/// Bytes of the registers beyond those of [`Data`].
-fn far_bytes(kept: &Kept) -> usize {
-    usize::from(kept.registers - NEAR_REGISTERS) * REGISTER_BYTES
-}
-
-/// Memory in two, the second part so long, where there is so much; else all of it and nothing.
-fn split_end(memory: &mut [u8], length: usize) -> (&mut [u8], &mut [u8]) {
+/// Takes so much from the end of the memory; nothing, and leaves nothing, where there is less.
+#[inline(never)]
+fn cut_end<'m>(memory: &mut &'m mut [u8], length: usize) -> &'m mut [u8] {
     let middle = memory.len().wrapping_sub(length);
-    memory.split_at_mut_checked(middle).unwrap_or_default()
+    let (rest, end) = mem::take(memory)
+        .split_at_mut_checked(middle)
+        .unwrap_or_default();
+    *memory = rest;
+    end
 }
 
 /// The cell of a bit.

@@ -2,7 +2,7 @@
 
 use super::upload::Upload;
 use crate::board::flash::{self, Codes, flash_codes};
-use crate::board::{Board, stack};
+use crate::board::{Board, stack, watchdog};
 use crate::engine::data::ON;
 use crate::engine::memory::{Memory, Values};
 use crate::operation::{Command, Operation, State};
@@ -12,9 +12,10 @@ use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 use unoclp_core::{Image, Millis};
 use unoclp_modbus::eeprom::program;
 use unoclp_modbus::map::{AREA, AREAS, PRODUCT, Span, VENDOR, coil, flag, form, holding, input};
-use unoclp_modbus::{Access, Device, Exception, Table, Word};
+use unoclp_modbus::{Access, Addresses, Device, Exception, Table, Word};
 
-const MARKER: u16 = coil::MARKERS.first;
+const MARKER: u8 = coil::MARKERS.first as u8;
+const MARKERS: usize = coil::MARKERS.values as usize;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
@@ -56,19 +57,19 @@ mod number {
 }
 
 /// The board as the server shows it, for one step.
-pub struct Map<'a, 'm> {
+pub struct Map<'a, 'm, 'u> {
     pub board: &'a Board,
     pub operation: &'a mut Operation,
     pub settings: &'a mut Settings,
     /// The time of this step, ms since start.
     pub now: Millis,
-    pub memory: Memory<'a>,
-    pub upload: Option<&'a mut Upload<'m>>,
+    pub memory: &'a mut Memory<'m>,
+    pub upload: Option<&'a mut Upload<'u>>,
     /// The number of the block that ended the last upload, where its program was stored.
     pub ended: Option<u8>,
 }
 
-impl Map<'_, '_> {
+impl Map<'_, '_, '_> {
     /// A word of the diagnostics.
     #[inline(never)]
     fn diagnostic(&self, number: u8) -> u16 {
@@ -84,7 +85,7 @@ impl Map<'_, '_> {
                     .fault
                     .map_or(0, |fault| fault.cause.number().into());
             }
-            number::CAUSE => return board.start as u16 + 1,
+            number::CAUSE => return watchdog::started() as u16 + 1,
             number::LINE..number::UPTIME => line,
             number::UPTIME..number::LAST => self.now,
             number::LAST => return operation.times.last(),
@@ -213,8 +214,15 @@ impl Map<'_, '_> {
 #[unsafe(link_section = ".progmem.data")]
 static AREAS_IN_FLASH: flash::Table<u8, { AREAS.len() }> = flash::Table::new(AREAS);
 
-impl Device for Map<'_, '_> {
-    fn has(&self, table: Table, first: u16, count: u16, access: Access) -> bool {
+impl Device for Map<'_, '_, '_> {
+    #[inline(never)]
+    fn has(&self, addresses: &Addresses) -> bool {
+        let Addresses {
+            table,
+            access,
+            first,
+            count,
+        } = *addresses;
         let mut at = 0;
         while at < AREAS.len() {
             let mut area = [0; AREA];
@@ -235,33 +243,39 @@ impl Device for Map<'_, '_> {
     }
 
     #[inline(never)]
-    fn bits(&mut self, table: Table, first: u16, access: Access, count: u8, bits: u8) -> u8 {
+    fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let write = access == Access::Write;
-        let mut mask = 1;
+        // All that there is stands at addresses of one byte.
+        let first = first as u8;
         if table == Table::Coils && first >= MARKER {
-            let first = usize::from(first - MARKER);
-            let mut read = 0;
-            let markers = self.memory.data.markers.get_mut(first..);
-            for cell in markers.unwrap_or_default().iter_mut().take(count.into()) {
+            let (mut at, mut mask, mut read) = (first - MARKER, 1, 0);
+            for _ in 0..count {
+                let cell = &mut self.memory.data.markers[usize::from(at) % MARKERS];
                 if write {
                     *cell = if bits & mask != 0 { ON } else { 0 };
                 } else if *cell & ON != 0 {
                     read |= mask;
                 }
                 mask <<= 1;
+                at += 1;
             }
             return read;
         }
         let operation = &mut *self.operation;
         if write {
-            let Image(outputs) = operation.images.outputs();
-            let mut outputs = outputs as u8;
-            mask <<= first & 7;
-            let bits = bits << (first & 7);
-            for _ in 0..count {
-                outputs = outputs & !mask | bits & mask;
+            let (mut bits, mut mask) = (bits, u8::MAX >> (8 - count));
+            for _ in 0..first & 7 {
+                bits <<= 1;
                 mask <<= 1;
             }
+            let Image(outputs) = operation.images.outputs();
+            let outputs = outputs as u8 & !mask | bits & mask;
             operation.images.set_outputs(Image(outputs.into()));
             return 0;
         }
@@ -273,24 +287,33 @@ impl Device for Map<'_, '_> {
         (image.0 as u8) >> (first & 7)
     }
 
-    fn words(&mut self, table: Table, first: u16, access: Access, words: &mut [Word]) -> u8 {
+    #[inline(never)]
+    fn words(&mut self, addresses: &Addresses, words: &mut [Word]) -> u8 {
+        let Addresses {
+            table,
+            access,
+            first,
+            ..
+        } = *addresses;
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
         if first < COMMAND && (!input || first >= TIMER) || first >= REGISTER {
+            // None has more than 256 words.
             let (values, start) = if first >= REGISTER {
-                (Values::Registers, REGISTER)
+                (Values::Registers, REGISTER as u8)
             } else if first >= COUNTER {
-                (Values::Counters, COUNTER)
+                (Values::Counters, COUNTER as u8)
             } else if first >= TIMER {
-                (Values::Timers, TIMER)
+                (Values::Timers, TIMER as u8)
             } else {
                 (Values::Registers, 0)
             };
+            let from = (first as u8).wrapping_sub(start);
             // To an even address, since each value has two words.
             let most = words.len().min(64 - usize::from(first & 1));
             let words = words.get_mut(..most).unwrap_or_default();
             let memory = &mut self.memory;
-            memory.words(values, !input, first - start, words, write, self.now);
+            memory.words(values, !input, from, words, write, self.now);
             return most as u8;
         }
         // Others take longer.

@@ -12,7 +12,7 @@ use crate::engine::memory::Memory;
 use crate::operation::{Command, Operation};
 use crate::settings::Settings;
 use map::Map;
-use unoclp_modbus::{Answer, Exception, Exchange, Frame, begin, lock, refuse};
+use unoclp_modbus::{Exception, Exchange, Frame, lock, refuse};
 use upload::Upload;
 
 /// Where the text of a block of an upload stands in the frame: behind the head of function 16, and the
@@ -22,8 +22,9 @@ const TEXT: usize = 9;
 /// The server.
 pub struct Server {
     frame: &'static mut Frame,
-    /// The request that is being done.
-    exchange: Option<Exchange>,
+    /// The last request, and whether it is being done.
+    exchange: Exchange,
+    fills: bool,
     /// How many seconds ago the last one came.
     pub silence: u8,
     /// The settings that are kept.
@@ -35,11 +36,11 @@ pub struct Server {
 impl Server {
     /// A server with this memory for its frames, before the first scan.
     // Apart from who makes it, whose frame is large.
-    #[inline(never)]
     pub fn new(frame: &'static mut Frame, settings: &'static mut Settings) -> Server {
         Server {
             frame,
-            exchange: None,
+            exchange: Exchange::default(),
+            fills: false,
             silence: 0,
             settings,
             ended: None,
@@ -53,12 +54,9 @@ impl Server {
 
     /// Answers the request that is being done by an exception.
     fn refuse(&mut self, board: &Board, exception: Exception) {
-        self.exchange = None;
-        let broadcast = self.frame[0] == 0;
+        self.fills = false;
         let length = refuse(self.frame, exception);
-        board
-            .serial
-            .send(self.frame, if broadcast { 0 } else { length });
+        board.serial.send(self.frame, length);
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. Where an
@@ -68,11 +66,11 @@ impl Server {
         &mut self,
         board: &Board,
         operation: &mut Operation,
-        memory: Memory<'_>,
+        memory: &mut Memory<'_>,
         upload: Option<&mut Upload<'_>>,
     ) {
         let mut length = 0;
-        if self.exchange.is_none() {
+        if !self.fills {
             // Nearly always there is nothing to do.
             let Some(received) = board.serial.received() else {
                 return;
@@ -88,28 +86,18 @@ impl Server {
             upload,
             ended: self.ended,
         };
-        let length = match &mut self.exchange {
-            Some(exchange) => {
-                let Some(length) = exchange.fill(self.frame, &mut map) else {
-                    return;
-                };
-                self.exchange = None;
-                length
+        let answered = if self.fills {
+            self.exchange.fill(self.frame, &mut map)
+        } else {
+            self.silence = 0;
+            if lock::refuses(self.frame, map.settings.locks()) {
+                return self.refuse(board, Exception::IllegalFunction);
             }
-            None => {
-                self.silence = 0;
-                if lock::refuses(self.frame, map.settings.locks()) {
-                    return self.refuse(board, Exception::IllegalFunction);
-                }
-                match begin(self.frame, length, &mut map) {
-                    Answer::Silence => 0,
-                    Answer::Ready(length) => length,
-                    Answer::Filling(exchange) => {
-                        self.exchange = Some(exchange);
-                        return;
-                    }
-                }
-            }
+            self.exchange.begin(self.frame, length, &mut map)
+        };
+        self.fills = answered.is_none();
+        let Some(length) = answered else {
+            return;
         };
         board.serial.send(self.frame, length);
         if operation.command == Some(Command::Restart) {
@@ -134,7 +122,7 @@ impl Server {
         operation.fault = None;
         let mut upload = Upload::new(memory);
         while operation.uploading && operation.command.is_none() && !upload.is_forsaken() {
-            let idle = Memory::idle(data);
+            let idle = &mut Memory::idle(data);
             self.step(board, operation, idle, Some(&mut upload));
             // Here and not in the step: the loader goes deep, and the stack has no room for both.
             if let Some(count) = upload.comes() {

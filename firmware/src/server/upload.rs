@@ -14,8 +14,9 @@ use unoclp_modbus::Exception;
 const PATIENCE: u16 = 10_000;
 
 /// An upload that is under way.
+// In this order: what lies beyond 63 bytes is reached by detours.
+#[repr(C)]
 pub struct Upload<'m> {
-    loader: Loader<'m, Uno>,
     /// The number of the last block, before the first none.
     last: Option<u8>,
     /// The check sum of its text.
@@ -27,21 +28,20 @@ pub struct Upload<'m> {
     first: Option<Crc16>,
     /// How many bytes of text the block in the frame has, which is still to be loaded.
     block: Option<u8>,
+    loader: Loader<'m, Uno>,
 }
 
 impl<'m> Upload<'m> {
     /// Before its first block, with this memory.
-    // Apart, as the loader in it: the frame of who makes it is large.
-    #[inline(never)]
     pub fn new(memory: &'m mut [u8]) -> Upload<'m> {
         Upload {
-            loader: Loader::new(memory, Uno),
             last: None,
             last_sum: Crc16::default(),
             until: Deadline::after(PATIENCE),
             sum: Crc16::default(),
             first: None,
             block: None,
+            loader: Loader::new(memory, Uno),
         }
     }
 

@@ -3,7 +3,7 @@
 use rmodbus::client::ModbusRequest;
 use rmodbus::{ModbusProto, guess_response_frame_len};
 use unoclp_modbus::client::{MOST_WORDS, NoReply, Request};
-use unoclp_modbus::{Access, Answer, Crc, Exception, FRAME_BYTES, Points, Table, begin, refuse};
+use unoclp_modbus::{Access, Crc, Exception, Exchange, FRAME_BYTES, Points, Table, refuse};
 
 const SERVER: u8 = 17;
 
@@ -40,16 +40,12 @@ fn answer(request: &Request) -> Vec<u8> {
     assert_eq!(sum, Crc::of(body).to_bytes());
     let mut frame = [0; FRAME_BYTES];
     frame[..body.len()].copy_from_slice(body);
-    let length = match begin(&mut frame, body.len() as u8, &mut Plain) {
-        Answer::Silence => 0,
-        Answer::Ready(length) => length,
-        Answer::Filling(mut exchange) => loop {
-            if let Some(length) = exchange.fill(&mut frame, &mut Plain) {
-                break length;
-            }
-        },
-    };
-    with_sum(&frame[..length.into()])
+    let mut exchange = Exchange::default();
+    let mut length = exchange.begin(&mut frame, body.len() as u8, &mut Plain);
+    while length.is_none() {
+        length = exchange.fill(&mut frame, &mut Plain);
+    }
+    with_sum(&frame[..length.unwrap_or_default().into()])
 }
 
 fn with_sum(frame: &[u8]) -> Vec<u8> {
@@ -188,8 +184,10 @@ fn a_refusal_is_told_by_its_code() {
     let came = answer(&refused);
     let failure = NoReply::Refused(Exception::ServerDeviceFailure);
     assert_eq!(refused.answer(&came), Some(Err(failure)));
-    let mut frame = [0; FRAME_BYTES];
-    assert_eq!(refuse(&mut frame, Exception::IllegalFunction), 3);
+    for (server, length) in [(SERVER, 3), (0, 0)] {
+        let mut frame = [server; FRAME_BYTES];
+        assert_eq!(refuse(&mut frame, Exception::IllegalFunction), length);
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ pub mod uno;
 
 use oracle::oracle;
 use recorder::Recorder;
-use unoclp_modbus::{Answer, Device, FRAME_BYTES, Frame, begin};
+use unoclp_modbus::{Device, Exchange, FRAME_BYTES, Frame};
 
 /// What stands in the frame behind the request: nothing may depend on it.
 pub const LEFTOVER: u8 = 0xA5;
@@ -26,21 +26,16 @@ pub fn answer_scanning<D: Device>(
     mut scan: impl FnMut(&mut D),
 ) -> Option<Vec<u8>> {
     let mut frame = frame(request);
-    let length = match begin(&mut frame, request.len() as u8, device) {
-        Answer::Silence => 0,
-        Answer::Ready(length) => length,
-        Answer::Filling(mut exchange) => {
-            let mut slices = 0;
-            loop {
-                scan(device);
-                if let Some(length) = exchange.fill(&mut frame, device) {
-                    break length;
-                }
-                slices += 1;
-                assert!(slices < 300, "no end: {request:02x?}");
-            }
-        }
-    };
+    let mut exchange = Exchange::default();
+    let mut length = exchange.begin(&mut frame, request.len() as u8, device);
+    let mut slices = 0;
+    while length.is_none() {
+        scan(device);
+        length = exchange.fill(&mut frame, device);
+        slices += 1;
+        assert!(slices <= 300, "no end: {request:02x?}");
+    }
+    let length = length.unwrap_or_default();
     (length > 0).then(|| frame[..length.into()].to_vec())
 }
 
