@@ -2,7 +2,7 @@
 //!
 //! Each operation gives the bits of its result, and whether it was an arithmetic error: a result that is
 //! not finite is 0 and an error, and so is a number that does not fit an integer. So x / ∞ is 0 without
-//! an error, as IEEE 754 has it.
+//! an error, as IEEE 754 has it, and √-0 is -0.
 //!
 //! Bit by bit this is what the UNO gives. Its library rounds to nearest, halves to even, and differs from
 //! IEEE 754 in one place: of a product or quotient below the least normal number it forgets digits before
@@ -58,6 +58,26 @@ pub fn divide(value: i32, operand: i32) -> (i32, bool) {
         }
     }
     finite(real(value) / real(operand))
+}
+
+/// The square root; of what is less than 0 it is 0 and an error.
+pub fn square_root(value: i32) -> (i32, bool) {
+    let parts = Parts::of(value);
+    if parts.digits == 0 {
+        return (value, false);
+    }
+    if value < 0 || !parts.is_finite() {
+        return (0, true);
+    }
+    let Parts { digits, exponent } = parts.normal();
+    // digits × 2^(exponent - 150), with an even power of 2.
+    let odd = exponent & 1;
+    let square = digits << (26 + odd);
+    let root = square.isqrt();
+    let digits = root << 1 | u64::from(root * root != square);
+    let power = (exponent - odd - 150 - 26) / 2 - 1;
+    let scale = f32::from_bits(((power + Parts::BIAS) as u32) << 23);
+    finite(digits as f32 * scale)
 }
 
 /// A signed integer becomes a REAL; it always fits.

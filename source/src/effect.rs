@@ -156,6 +156,7 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         Opcode::RealCut => "valor := valor, um REAL, sem a fração; além de 32 bits: 0, e S 04 := 1",
         Opcode::RealNegate => "REAL: valor := -valor",
         Opcode::RealAbsolute => "REAL: valor := valor sem o sinal",
+        Opcode::RealRoot => "REAL: valor := raiz quadrada do valor; de um negativo, 0, e S 04 := 1",
         Opcode::RealComparable => "valor := um inteiro que se compara com outros como o REAL",
         Opcode::LoadTable => "valor := registrador XX + valor; fora da tabela 0, e S 04 := 1",
         Opcode::StoreTable => {
@@ -163,6 +164,12 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         }
         Opcode::ExtendSign => "valor := os seus XX bits baixos, com o mais alto deles como sinal",
         Opcode::ExtendZero => "valor := os seus XX bits baixos",
+        Opcode::UnsignedDivide => {
+            "valor := valor / operando, ambos sem sinal; por 0: 0, e S 04 := 1"
+        }
+        Opcode::UnsignedModulo => {
+            "valor := resto de valor / operando, ambos sem sinal; por 0: 0, e S 04 := 1"
+        }
         Opcode::UnsignedGreaterOrEqual => {
             "comparação: acc := acc AND (valor >= operando), ambos sem sinal"
         }

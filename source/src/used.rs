@@ -11,6 +11,7 @@ const TAKE_REAL: &[Opcode] = &[
     Opcode::RealCut,
     Opcode::RealNegate,
     Opcode::RealAbsolute,
+    Opcode::RealRoot,
     Opcode::RealComparable,
 ];
 /// What makes a REAL of value alone.
@@ -19,6 +20,7 @@ const GIVE_REAL: &[Opcode] = &[
     Opcode::RealFromUnsigned,
     Opcode::RealNegate,
     Opcode::RealAbsolute,
+    Opcode::RealRoot,
 ];
 
 /// The bits of a REAL number as people read it: `0.5`, `1e30`; those of none as `inf` or `NaN`.

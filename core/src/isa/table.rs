@@ -237,25 +237,31 @@ macro_rules! instructions {
             engine_real_negate "REAL_NEG" "REAL NEG";
         RealAbsolute      None     Operation    826566    "RAB"  0xF2  2 0 "REAL: value := value without its sign"
             engine_real_absolute "REAL_ABS" "REAL ABS";
-        RealComparable    None     Operation    677782    "CMR"  0xF3  2 0 "value := a whole number that compares with others as the REAL did"
+        RealRoot          None     Operation    828284    "RRT"  0xF3  2 0 "REAL: value := square root of value; of a negative one 0, and S 04 := 1"
+            engine_real_root "REAL_SQRT" "REAL SQRT";
+        RealComparable    None     Operation    677782    "CMR"  0xF4  2 0 "value := a whole number that compares with others as the REAL did"
             engine_real_comparable "REAL_ORDER" "REAL ORDER";
-        LoadTable         Table    Operation    76688800  "LDX"  0xF4  5 0 "value := register XX + value; outside the table 0, and S 04 := 1"
+        LoadTable         Table    Operation    76688800  "LDX"  0xF5  5 0 "value := register XX + value; outside the table 0, and S 04 := 1"
             engine_load_table "TABLE_LD operand" "TABLE operand";
-        StoreTable        Table    Store        83848800  "STX"  0xF5  5 0 "if acc = 1, register XX + the pushed value := value; outside the table S 04 := 1"
+        StoreTable        Table    Store        83848800  "STX"  0xF6  5 0 "if acc = 1, register XX + the pushed value := value; outside the table S 04 := 1"
             engine_store_table "TABLE_ST operand" "ST TABLE operand";
-        ExtendSign        Bit      Operation    83888400  "SXT"  0xF6  3 0 "value := its low XX bits, the highest of them as the sign"
+        ExtendSign        Bit      Operation    83888400  "SXT"  0xF7  3 0 "value := its low XX bits, the highest of them as the sign"
             engine_extend_sign "SIGNED XX" "SIGNED XX";
-        ExtendZero        Bit      Operation    90888400  "ZXT"  0xF7  3 0 "value := its low XX bits"
+        ExtendZero        Bit      Operation    90888400  "ZXT"  0xF8  3 0 "value := its low XX bits"
             engine_extend_zero "UNSIGNED XX" "UNSIGNED XX";
-        UnsignedGreaterOrEqual Value Comparison 85716900  "UGE"  0xF8  2 0 "comparison: acc := acc AND (value >= operand), both without signs"
+        UnsignedDivide    Value    Operation    85688600  "UDV"  0xF9  2 0 "value := value / operand, both without signs; by 0: 0, and S 04 := 1"
+            engine_unsigned_divide "UDIV operand" "UDIV operand";
+        UnsignedModulo    Value    Operation    85777900  "UMO"  0xFA  2 0 "value := rest of value / operand, both without signs; by 0: 0, and S 04 := 1"
+            engine_unsigned_modulo "UMOD operand" "UMOD operand";
+        UnsignedGreaterOrEqual Value Comparison 85716900  "UGE"  0xFB  2 0 "comparison: acc := acc AND (value >= operand), both without signs"
             engine_unsigned_greater_or_equal "UGE operand" "value >= operand";
-        UnsignedLess      Value    Comparison   85768400  "ULT"  0xF9  2 0 "comparison: acc := acc AND (value < operand), both without signs"
+        UnsignedLess      Value    Comparison   85768400  "ULT"  0xFC  2 0 "comparison: acc := acc AND (value < operand), both without signs"
             engine_unsigned_less "ULT operand" "value < operand";
-        If                None     If           7370      "IF"   0xFA  4 0 "if acc = 1, go on here, else behind the ELS or END that belongs to it; a new rung"
+        If                None     If           7370      "IF"   0xFD  4 0 "if acc = 1, go on here, else behind the ELS or END that belongs to it; a new rung"
             engine_jump_not "IF" "IF";
-        Else              None     Part         697683    "ELS"  0xFB  9 0 "from here on if acc at its IF was 0; a new rung"
+        Else              None     Part         697683    "ELS"  0xFE  9 0 "from here on if acc at its IF was 0; a new rung"
             engine_jump "ELSE" "ELSE";
-        EndIf             None     Part         697868    "END"  0xFC  4 0 "the end of an IF; a new rung"
+        EndIf             None     Part         697868    "END"  0xFF  4 0 "the end of an IF; a new rung"
             engine_label "END_IF" "END_IF";
     } };
 }

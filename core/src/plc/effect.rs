@@ -2,7 +2,7 @@
 
 use super::scan::{Next, Pass};
 use super::value::{
-    divide, extend_sign, extend_zero, modulo, scale, square_root,
+    divide, extend_sign, extend_zero, modulo, scale, square_root, unsigned_divide, unsigned_modulo,
 };
 use super::{Plc, smooth};
 use crate::isa::{Opcode, Operand, Value};
@@ -162,6 +162,7 @@ impl Plc<'_> {
             Opcode::RealCut => pass.take(real::cut(value)),
             Opcode::RealNegate => pass.take(real::negate(value)),
             Opcode::RealAbsolute => pass.take(real::absolute(value)),
+            Opcode::RealRoot => pass.take(real::square_root(value)),
             Opcode::RealComparable => pass.value = real::comparable(value),
             Opcode::LoadTable => {
                 let found = self.place(operand, value).map(|place| self.register(place));
@@ -177,6 +178,8 @@ impl Plc<'_> {
             }
             Opcode::ExtendSign => pass.value = extend_sign(value, xx),
             Opcode::ExtendZero => pass.value = extend_zero(value, xx),
+            Opcode::UnsignedDivide => pass.take(unsigned_divide(value, number)),
+            Opcode::UnsignedModulo => pass.take(unsigned_modulo(value, number)),
             Opcode::UnsignedGreaterOrEqual => {
                 pass.acc &= value.cast_unsigned() >= number.cast_unsigned();
             }

@@ -20,7 +20,7 @@ fn what_is_not_finite_is_0_and_an_error() {
             assert_eq!(operation(x, one), ERROR);
             assert_eq!(operation(one, x), ERROR);
         }
-        for operation in [round, cut, negate, absolute] {
+        for operation in [square_root, round, cut, negate, absolute] {
             assert_eq!(operation(x), ERROR);
         }
         assert_eq!(divide(x, one), ERROR);
@@ -29,6 +29,7 @@ fn what_is_not_finite_is_0_and_an_error() {
     assert_eq!(add(bits(f32::MAX), bits(f32::MAX)), ERROR);
     assert_eq!(divide(one, zero), ERROR);
     assert_eq!(divide(zero, zero), ERROR);
+    assert_eq!(square_root(bits(-1.0)), ERROR);
 }
 
 #[test]
@@ -38,6 +39,7 @@ fn zeros_and_infinities_have_signs() {
     assert_eq!(add(bits(-0.0), bits(-0.0)), is(-0.0));
     assert_eq!(subtract(bits(1.0), bits(1.0)), is(0.0));
     assert_eq!(multiply(bits(-1.0), 0), is(-0.0));
+    assert_eq!(square_root(bits(-0.0)), is(-0.0));
     assert_eq!(negate(0), is(-0.0));
     assert_eq!(absolute(bits(-0.0)), is(0.0));
 }
@@ -72,6 +74,21 @@ fn integers_become_the_nearest_real() {
     assert_eq!(from_signed(i32::MIN), is(-2_147_483_648.0));
     assert_eq!(from_unsigned(-1), is(4_294_967_296.0));
     assert_eq!(from_unsigned(0), is(0.0));
+}
+
+#[test]
+fn roots_of_squares_are_exact() {
+    for root in (1..16_777_216).step_by(997) {
+        let root = root as f32;
+        for root in [root, root / 1_048_576.0] {
+            let (square, error) = multiply(bits(root), bits(root));
+            assert!(!error);
+            let came = real(square_root(square).0);
+            assert!((came - root).abs() <= root * f32::EPSILON, "{root}: {came}");
+        }
+    }
+    assert_eq!(square_root(bits(2.0)), is(core::f32::consts::SQRT_2));
+    assert_eq!(square_root(1), is(3.743_392e-23));
 }
 
 #[test]

@@ -70,7 +70,7 @@ fn constants_of_older_versions_come_back() {
 #[test]
 fn brackets_and_pushed_values_are_checked_again() {
     let (mut first, mut second) = ([0; 1900], [0; 1900]);
-    let stored = [0x10, 0xFA, 0xE8, 0xE9, 99, 0xFB, 0xE8, 0xF5, 90, 9, 0xFC];
+    let stored = [0x10, 0xFD, 0xE8, 0xE9, 99, 0xFE, 0xE8, 0xF6, 90, 9, 0xFF];
     let program = restored(&mut first, &stored);
     assert_eq!(program.stored(), stored);
     assert_eq!(program.registers(), 98);
@@ -78,9 +78,9 @@ fn brackets_and_pushed_values_are_checked_again() {
         (&[0xE9, 99][..], Cause::NothingPushed),
         (&[0xE8, 1], Cause::ValueLeftPushed),
         (&[0xE9, 0, 0, 0, 0x80, 0x7F], Cause::NotReal),
-        (&[0xFC], Cause::NoIf),
-        (&[0xF4, 90, 10], Cause::BadOperand),
-        (&[0xFA], Cause::IfLeftOpen),
+        (&[0xFF], Cause::NoIf),
+        (&[0xF5, 90, 10], Cause::BadOperand),
+        (&[0xFD], Cause::IfLeftOpen),
         // No constant takes 3 bytes.
         (&[0xBB, 102, 1, 2, 3], Cause::NoSuchPoint),
     ] {

@@ -111,6 +111,10 @@ unoclp_core::instructions!(assembly {
     JOB_ZEROS = offset_of!(Job, zeros);
     JOB_COUNT = offset_of!(Job, count);
     RUNG = link::RUNG;
+    HEAD = link::HEAD;
+    JOB_BASE = offset_of!(Job, base);
+    JOB_LAST = offset_of!(Job, last);
+    JOB_OPEN_CONTACT = offset_of!(Job, normally_open);
 
     WORDS_WRITTEN = memory::WRITTEN;
     WORDS_ELAPSED = memory::ELAPSED;
@@ -133,7 +137,7 @@ const _: () = {
     assert!(Kind::ALL.len() == Kind::Real as usize + 1);
     assert!(isa::WORD_CONSTANT == isa::BYTE_CONSTANT + 1);
     // IF, ELS and END come last.
-    assert!(Opcode::If as u8 == 0xFA && Opcode::Else as u8 == 0xFB);
+    assert!(Opcode::If as u8 == 0xFD && Opcode::Else as u8 == 0xFE);
     // What is kept stands together, and its numbers where those of other instructions do.
     let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
     assert!(counter as usize == register as usize + 1);

@@ -13,6 +13,8 @@ engine_real_multiply:
         rjmp    real_multiply
 engine_real_divide:
         rjmp    real_divide
+engine_real_root:
+        rjmp    real_root
 engine_real_from_signed:
         rjmp    real_from_signed
 engine_real_from_unsigned:
@@ -31,6 +33,10 @@ engine_real_negate:
         rjmp    real_check
 
 ; Numbers without signs.
+engine_unsigned_divide:
+        rjmp    unsigned_divide
+engine_unsigned_modulo:
+        rjmp    unsigned_modulo
 engine_unsigned_greater_or_equal:
         rcall   compare_b
         brcc    1f

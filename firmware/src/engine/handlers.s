@@ -25,6 +25,16 @@ engine_contacts:
         clt
         next
 
+; Contacts in parallel: one of them is 1. Two bytes follow: those that must be 0, and all of them. 12 cycles.
+engine_any:
+        ld      r21, X+
+        eor     r21, r18
+        ld      r30, X+
+        and     r21, r30
+        brne    1f
+        clt
+1:      next
+
 ; Coils, by output. 5 cycles; with a new rung behind it 6.
 engine_coil:
 .irp    bit, 4, 5, 6, 7
@@ -78,8 +88,7 @@ engine_close_branch:
 
 ; 5 cycles.
 engine_new_rung:
-        set
-        next
+        rjmp    new_rung
 
 ; Timers. A coil follows.
 engine_on_delay:
@@ -144,11 +153,7 @@ engine_add:
         adc     r25, r11
         next
 engine_subtract:
-        sub     r22, r8
-        sbc     r23, r9
-        sbc     r24, r10
-        sbc     r25, r11
-        next
+        rjmp    subtract
 engine_store_near:
         ld      r30, X+
         brtc    1f
@@ -171,6 +176,9 @@ engine_end:
         ret
 engine_page_end:
 
+new_rung:
+        set
+        next
 escape_first:
         ld      r30, X+
         ldi     r31, 0
@@ -214,6 +222,12 @@ long_constant:
         ld      r9, X+
         ld      r10, X+
         ld      r11, X+
+        next
+subtract:
+        sub     r22, r8
+        sbc     r23, r9
+        sbc     r24, r10
+        sbc     r25, r11
         next
 popped:
         movw    r8, r22

@@ -48,10 +48,17 @@ pub(super) struct Job {
     pub(super) ones: u8,
     pub(super) zeros: u8,
     pub(super) count: u8,
+    /// Where acc was last known to be: a branch point from 0, [`HEAD`], or none.
+    pub(super) base: u8,
+    /// The contact that came last: its bit, and whether it is normally open.
+    pub(super) last: u8,
+    pub(super) normally_open: u8,
 }
 
 /// [`Job::pending`] where a rung has begun.
 pub(super) const RUNG: u8 = 1;
+/// The head of a rung, beside the branch points.
+pub(super) const HEAD: u8 = 8;
 /// Of a label that is not known yet, so it stands further on.
 const AHEAD: u8 = 0xFF;
 
@@ -105,6 +112,9 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         ones: 0,
         zeros: 0,
         count: 0,
+        base: HEAD,
+        last: 0,
+        normally_open: 0,
     };
     // SAFETY: it writes linked bytes from the first up to the limit, which are those of `code`; the
     // data of timers and counters and the addresses of what is kept, which are those of the layout; and the registers, by their own

@@ -147,6 +147,23 @@ multiply:
         movw    r24, r14
         ret
 
+; The same of numbers without signs. By 0: an error.
+unsigned_modulo:
+        rcall   unsigned_division
+        movw    r22, r12
+        movw    r24, r14
+        rjmp    back
+unsigned_divide:
+        rcall   unsigned_division
+        rjmp    back
+unsigned_division:
+        mov     r0, r8
+        or      r0, r9
+        or      r0, r10
+        or      r0, r11
+        breq    no_quotient
+        rjmp    divide_unsigned
+
 ; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
 divide:
         mov     r0, r8

@@ -43,6 +43,74 @@ real_error:
         rcall   no_quotient
 1:      rjmp    back
 
+; The root: half the exponent, and a digit of the mantissa at a time. r12 to r15 hold the digit that is
+; tried and the one behind it, r8 to r11 the root with the latter.
+real_root:
+        mov     r21, r25
+        lsl     r21
+        or      r21, r24
+        or      r21, r23
+        or      r21, r22
+        breq    1b              ; of -0 it is -0
+        lsl     r24
+        rol     r25
+        brcs    real_error
+        cpi     r25, 0xFF
+        breq    real_error
+        subi    r25, 1          ; carry: a subnormal, with the exponent of the least normal
+        adc     r25, r1
+        ror     r24
+        subi    r24, 0x80       ; the first digit of the others
+        mov     r30, r25
+        clr     r25
+        lsr     r30
+        brcc    2f
+        rcall   real_double
+2:      cpi     r25, 0x20
+        brcc    3f
+        rcall   real_double
+        rcall   real_double
+        dec     r30
+        rjmp    2b
+3:      subi    r30, 0x100 - 68
+        clr     r8
+        clr     r9
+        mov     r10, r8
+        movw    r12, r8
+        mov     r14, r8
+        ldi     r21, 0x20
+        mov     r11, r21
+        ldi     r21, 0x60
+        mov     r15, r21
+4:      cp      r22, r8
+        cpc     r23, r9
+        cpc     r24, r10
+        cpc     r25, r11
+        brcs    5f
+        sub     r22, r8
+        sbc     r23, r9
+        sbc     r24, r10
+        sbc     r25, r11
+        or      r8, r12
+        or      r9, r13
+        or      r10, r14
+        or      r11, r15
+5:      rcall   real_double
+        lsr     r15
+        ror     r14
+        ror     r13
+        ror     r12
+        eor     r8, r12
+        eor     r9, r13
+        eor     r10, r14
+        eor     r11, r15
+        brcc    4b
+        movw    r22, r8
+        movw    r24, r10
+        ori     r22, 1          ; a root is never a half
+        clr     r31
+        rjmp    real_pack
+
 ; value := value * 2.
 real_double:
         lsl     r22

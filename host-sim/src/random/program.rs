@@ -219,7 +219,7 @@ impl Draft<'_> {
                 Opcode::XorWord,
                 Opcode::Load,
                 Opcode::RealAdd,
-                Opcode::UnsignedLess,
+                Opcode::UnsignedDivide,
                 Opcode::Greater,
             ]);
             self.put(popping(opcode.unwrap_or(Opcode::Add)));

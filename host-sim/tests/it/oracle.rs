@@ -146,13 +146,14 @@ fn real_numbers_are_what_the_page_says() {
         ("RMU", real::multiply),
         ("RDI", real::divide),
     ];
-    let changes: [(&str, Change); 6] = [
+    let changes: [(&str, Change); 7] = [
         ("ITR", real::from_signed),
         ("UTR", real::from_unsigned),
         ("RND", real::round),
         ("TRC", real::cut),
         ("RNG", real::negate),
         ("RAB", real::absolute),
+        ("RRT", real::square_root),
     ];
     let told = |(value, error): (i32, bool)| (!error).then_some(i64::from(value));
     let random = &mut Random::new(SEED);

@@ -78,6 +78,7 @@ entries:
         rjmp    real_subtract
         rjmp    real_multiply
         rjmp    real_divide
+        rjmp    real_root
         rjmp    real_from_signed
         rjmp    real_from_unsigned
         rjmp    real_round

@@ -21,11 +21,12 @@ type Operation = (&'static str, fn(i32, i32) -> (i32, bool));
 
 /// By their numbers in `real_rows.s`: those of two operands, then those of one.
 const PAIRS: usize = 4;
-const OPERATIONS: [Operation; 11] = [
+const OPERATIONS: [Operation; 12] = [
     ("add", real::add),
     ("subtract", real::subtract),
     ("multiply", real::multiply),
     ("divide", real::divide),
+    ("root", |value, _| real::square_root(value)),
     ("from signed", |value, _| real::from_signed(value)),
     ("from unsigned", |value, _| real::from_unsigned(value)),
     ("round", |value, _| real::round(value)),

@@ -342,7 +342,7 @@ impl Naive {
             "SHL" => pass.value = wrap(pass.value << xx),
             "SHR" => pass.value = wrap((pass.value & 0xFFFF_FFFF) >> xx),
             "PSH" => pass.pushed.push(pass.value),
-            "ITR" | "UTR" | "RND" | "TRC" | "RNG" | "RAB" | "CMR" => {
+            "ITR" | "UTR" | "RND" | "TRC" | "RNG" | "RAB" | "RRT" | "CMR" => {
                 pass.take(real::change(name, pass.value));
             }
             "SXT" if xx == 0 => pass.value = 0,
@@ -471,12 +471,14 @@ impl Pass<'_> {
             "ADD" => value + operand,
             "SUB" => value - operand,
             "MUL" => value * operand,
-            "DIV" | "MOD" if operand == 0 => {
+            "DIV" | "MOD" | "UDV" | "UMO" if operand == 0 => {
                 self.error = true;
                 0
             }
             "DIV" => value / operand,
             "MOD" => value % operand,
+            "UDV" => unsigned(value) / unsigned(operand),
+            "UMO" => unsigned(value) % unsigned(operand),
             "AND" => value & operand,
             "OR" => value | operand,
             "XOR" => value ^ operand,

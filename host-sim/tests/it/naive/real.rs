@@ -37,6 +37,7 @@ pub fn change(name: &str, value: i64) -> Option<i64> {
         "TRC" => whole(f64::from(number).trunc()),
         "RNG" => bits(-number),
         "RAB" => bits(number.abs()),
+        "RRT" => bits(number.sqrt()),
         // It compares as the REAL does.
         "CMR" => Some(match value {
             0.. => value,
