@@ -60,7 +60,7 @@ macro_rules! faults {
             84 NotReal "not the bits of a finite REAL number (NC-23)";
             85 NoIf "no IF is open for this (NC-28)";
             86 IfTooDeep "more than 8 IFs open (NC-28)";
-            87 IfLeftOpen "an IF has no END (NC-28)";
+            87 IfLeftOpen "this IF has no END (NC-28)";
         }
     };
 }

@@ -94,9 +94,8 @@ impl Rung {
         }
     }
 
-    /// The line of the innermost branch that the last faulty rung has left open; the rung ends on
-    /// this line.
-    pub(crate) fn left_open(&self, end: u32) -> u32 {
-        end.wrapping_sub(u32::from((end as u16).wrapping_sub(self.open[0])))
+    /// The low half of the line of the innermost branch that the last faulty rung has left open.
+    pub(crate) fn left_open(&self) -> u16 {
+        self.open[0]
     }
 }

@@ -50,8 +50,9 @@ pub struct Loader<'m, B = Profile> {
     timer_line: u32,
     /// Steps of a drum that are still to come.
     steps: u8,
-    /// The IFs that are open behind the highest 1, a bit for each: whether its ELS has come (NC-28).
-    ifs: u16,
+    /// How many IFs are open, and of which the ELS has come: the innermost in the lowest bit (NC-28).
+    ifs: u8,
+    elses: u8,
     /// Whether constants keep the size that they are stored in.
     restores: bool,
     room: Room<'m>,
@@ -86,7 +87,8 @@ impl<'m, B: Board> Loader<'m, B> {
             timer_line: 0,
             steps: 0,
             codes: 0,
-            ifs: 1,
+            ifs: 0,
+            elses: 0,
             restores: false,
         }
     }
@@ -129,7 +131,8 @@ impl<'m, B: Board> Loader<'m, B> {
                 _ => self.rung.end(),
             };
         }
-        if checked.is_ok() && mem::replace(&mut self.ifs, 1) > 1 {
+        if checked.is_ok() && self.ifs > 0 {
+            self.ifs -= 1;
             checked = Err(Cause::IfLeftOpen);
         }
         if checked.is_ok() {
@@ -189,7 +192,11 @@ impl<'m, B: Board> Loader<'m, B> {
         let Err(cause) = checked else { return Ok(()) };
         let line = match cause {
             Cause::EmptyFile => None,
-            Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
+            Cause::BranchLeftOpen => Some(self.line_before(self.rung.left_open())),
+            Cause::IfLeftOpen => {
+                let low = self.room.noted(self.ifs);
+                Some(self.line_before(low))
+            }
             Cause::OperandsMissing => Some(self.block),
             // At the end of the file; a timer 00 is told where it stands.
             Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
@@ -199,6 +206,12 @@ impl<'m, B: Board> Loader<'m, B> {
         let fault = Fault { cause, line };
         self.first_fault.get_or_insert(fault);
         Err(fault)
+    }
+
+    /// The last line up to this one whose number has this low half.
+    fn line_before(&self, low: u16) -> u32 {
+        let ago = (self.line as u16).wrapping_sub(low);
+        self.line.wrapping_sub(ago.into())
     }
 
     fn code(&mut self, code: i32) -> Result<(), Cause> {
@@ -372,23 +385,26 @@ impl<'m, B: Board> Loader<'m, B> {
         self.expect = Expect::Head;
         self.rung.end()?;
         if stored == Opcode::If as u8 {
+            self.room.note(self.ifs, self.line as u16);
             // Counted also where it is too deep, so that its END is not one too many.
-            self.ifs <<= 1;
-            return match self.ifs >> (isa::DEEPEST + 1) {
-                0 => Ok(()),
-                _ => Err(Cause::IfTooDeep),
+            self.ifs = self.ifs.wrapping_add(1);
+            self.elses <<= 1;
+            return if self.ifs > isa::DEEPEST {
+                Err(Cause::IfTooDeep)
+            } else {
+                Ok(())
             };
         }
-        if stored == Opcode::Else as u8 {
-            // The 1 that stands before all IFs tells that there is none.
-            let mends = self.ifs & 1 == 0;
-            self.ifs |= 1;
-            return if mends { Ok(()) } else { Err(Cause::NoIf) };
-        }
-        if self.ifs <= 1 {
+        if self.ifs == 0 {
             return Err(Cause::NoIf);
         }
-        self.ifs >>= 1;
+        if stored == Opcode::Else as u8 {
+            let first = self.elses & 1 == 0;
+            self.elses |= 1;
+            return if first { Ok(()) } else { Err(Cause::NoIf) };
+        }
+        self.ifs -= 1;
+        self.elses >>= 1;
         Ok(())
     }
 

@@ -157,6 +157,23 @@ impl<'m> Room<'m> {
         self.reserve(more, more)
     }
 
+    /// Notes a line where no stored byte comes, at the end of the memory.
+    pub(super) fn note(&mut self, index: u8, line: u16) {
+        if let Some([low, high]) = self.noted_at(index) {
+            [*low, *high] = line.to_le_bytes();
+        }
+    }
+
+    /// The line that was noted.
+    pub(super) fn noted(&mut self, index: u8) -> u16 {
+        self.noted_at(index).map_or(0, |line| u16::from_le_bytes(*line))
+    }
+
+    fn noted_at(&mut self, index: u8) -> Option<&mut [u8; 2]> {
+        let (_, free) = self.memory.split_at_mut_checked(self.stored_most)?;
+        free.as_chunks_mut().0.get_mut(usize::from(index))
+    }
+
     /// Another number is kept: before it stand no other codes (NC-21).
     pub(super) fn keep(&mut self) -> Result<(), Cause> {
         if self.full {

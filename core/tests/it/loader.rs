@@ -182,9 +182,12 @@ fn brackets_are_balanced() {
         faults_of(&[IF, ELS, IF, ELS, END, ELS, END]),
         [(85, Some(7))]
     );
-    // At the end of the file, once.
-    assert_eq!(faults_of(&[787600, IF, 787600]), [(87, Some(5))]);
-    assert_eq!(faults_of(&[IF, IF, END, IF]), [(87, Some(6))]);
+    // The line of the IF, the innermost first.
+    assert_eq!(faults_of(&[787600, IF, 787600]), [(87, Some(3))]);
+    assert_eq!(
+        faults_of(&[IF, IF, END, IF]),
+        [(87, Some(5)), (87, Some(2))]
+    );
     assert_eq!(faults_of(&[[IF; 8], [END; 8]].concat()), []);
     assert_eq!(faults_of(&[[IF; 9], [END; 9]].concat()), [(86, Some(10))]);
     // A rung ends at each of them, and no branch or value goes on behind it.
@@ -243,6 +246,8 @@ fn large_programs_fit_the_board() {
 fn lines_are_counted_beyond_16_bits() {
     let text = "0\n".to_string() + &"\n".repeat(70_000) + "5\n";
     assert_eq!(faults(text.as_bytes()), [(24, Some(70_002))]);
+    let text = "0\n".to_string() + &"\n".repeat(70_000) + "7370\n827301\n";
+    assert_eq!(faults(text.as_bytes()), [(87, Some(70_002))]);
     let text = "0\n".to_string() + &"\n".repeat(65_000) + "40\n" + &"\n".repeat(5_000);
     assert_eq!(faults(text.as_bytes()), [(32, Some(65_002))]);
 }

@@ -71,6 +71,6 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::NotReal => "não são os bits de um número REAL finito (NC-23)",
         Cause::NoIf => "nenhum IF está aberto para isto (NC-28)",
         Cause::IfTooDeep => "mais de 8 IFs abertos (NC-28)",
-        Cause::IfLeftOpen => "falta o END de um IF (NC-28)",
+        Cause::IfLeftOpen => "este IF não tem END (NC-28)",
     }
 }
