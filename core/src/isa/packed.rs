@@ -1,7 +1,8 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
 use super::{
-    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point, xx,
+    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point,
+    xx,
 };
 use crate::{Board, Profile};
 

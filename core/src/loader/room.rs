@@ -166,7 +166,8 @@ impl<'m> Room<'m> {
 
     /// The line that was noted.
     pub(super) fn noted(&mut self, index: u8) -> u16 {
-        self.noted_at(index).map_or(0, |line| u16::from_le_bytes(*line))
+        self.noted_at(index)
+            .map_or(0, |line| u16::from_le_bytes(*line))
     }
 
     fn noted_at(&mut self, index: u8) -> Option<&mut [u8; 2]> {

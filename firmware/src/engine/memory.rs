@@ -74,10 +74,20 @@ impl<'a> Memory<'a> {
         let (begin, length, size, preset) = match values {
             Values::Registers => {
                 let length = size_of_val(&self.data.registers) + self.far.len();
-                (self.data.registers.as_mut_ptr().cast(), length, REGISTER_BYTES, 0)
+                (
+                    self.data.registers.as_mut_ptr().cast(),
+                    length,
+                    REGISTER_BYTES,
+                    0,
+                )
             }
             Values::Timers => (self.timers.as_mut_ptr(), self.timers.len(), TIMER_DATA, 5),
-            Values::Counters => (self.counters.as_mut_ptr(), self.counters.len(), COUNTER_DATA, 4),
+            Values::Counters => (
+                self.counters.as_mut_ptr(),
+                self.counters.len(),
+                COUNTER_DATA,
+                4,
+            ),
         };
         let at = if presets { preset } else { 0 };
         let elapsed = !presets && values == Values::Timers;

@@ -131,7 +131,12 @@ fn instructions(scans: &Scans) -> String {
 fn pieces(work: &[Done]) -> String {
     let mut table = Table::new(&["work", "unoclp", "µs", "target", "", "compiled C"]);
     for done in work {
-        let Done { cycles, compiled, target, .. } = *done;
+        let Done {
+            cycles,
+            compiled,
+            target,
+            ..
+        } = *done;
         table.row([
             done.name.to_owned(),
             number(cycles),

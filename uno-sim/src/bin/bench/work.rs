@@ -88,9 +88,21 @@ const PIECES: [Piece; 6] = [
             // D 03 is the sum, D 04 the index, D 11 to D 20 the table.
             let first = [766_800, 0, 838_403, 838_404];
             let sum = [766_804, 76_688_811, 10, 65_686_803, 838_403];
-            let next = [766_804, 65_686_800, 1, 838_404, 768_400, 10, 74_778_000 + label];
+            let next = [
+                766_804,
+                65_686_800,
+                1,
+                838_404,
+                768_400,
+                10,
+                74_778_000 + label,
+            ];
             let round = [766_600 + label].into_iter().chain(sum).chain(next);
-            rung(first).into_iter().chain([NEW_RUNG]).chain(round).collect()
+            rung(first)
+                .into_iter()
+                .chain([NEW_RUNG])
+                .chain(round)
+                .collect()
         },
         c: "{ d[3] = 0; for (d[4] = 0; d[4] < 10; d[4]++) d[3] += d[11 + d[4]]; }",
         target: Target::Compiled(5.0),
@@ -119,7 +131,10 @@ fn rung(codes: impl IntoIterator<Item = i64>) -> Codes {
 
 /// Measures all.
 pub fn measure(firmware: &Program, workshop: &Workshop) -> Result<Vec<Done>> {
-    PIECES.iter().map(|piece| done(piece, firmware, workshop)).collect()
+    PIECES
+        .iter()
+        .map(|piece| done(piece, firmware, workshop))
+        .collect()
 }
 
 fn done(piece: &Piece, firmware: &Program, workshop: &Workshop) -> Result<Done> {

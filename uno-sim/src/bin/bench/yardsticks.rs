@@ -118,7 +118,12 @@ impl Workshop {
     /// The program that does this work, statements in C.
     pub fn work(&self, statements: &str) -> Result<Program> {
         let folder = self.folder.join("work");
-        self.build("work.c", &[], &folder, &[("work.inc", statements.to_owned())])
+        self.build(
+            "work.c",
+            &[],
+            &folder,
+            &[("work.inc", statements.to_owned())],
+        )
     }
 
     fn build(
@@ -147,11 +152,7 @@ impl Workshop {
         let status = gcc
             .status()
             .context("avr-gcc does not start; `cargo xtask setup` installs it")?;
-        ensure!(
-            status.success(),
-            "avr-gcc failed on {}: {status}",
-            source
-        );
+        ensure!(status.success(), "avr-gcc failed on {}: {status}", source);
         Ok(Program::read(&elf)?)
     }
 }
