@@ -9,7 +9,7 @@ macro_rules! pictures {
     ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
         $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
         /// How the instruction table pictures an instruction: `XX`, `operand` and `value` stand for what
-        /// [`words`] puts in.
+        /// `words` puts in.
         pub const fn picture(opcode: Opcode) -> &'static str {
             match opcode {
                 $(Opcode::$name => $picture,)*

@@ -3,7 +3,7 @@
 //! A value is the 32 bits of a REAL, with a sign. None is an arithmetic error.
 
 /// The least number above 0, of which all others are multiples.
-const STEP: f64 = 1.401_298_464_324_817_1e-45;
+const STEP: f64 = 1.401_298_464_324_817e-45;
 /// What is less than so many steps is subnormal.
 const NORMAL: f64 = 8_388_608.0;
 
@@ -59,7 +59,7 @@ fn product(a: f32, b: f32) -> f32 {
     // 48 digits: 64 bits hold them all.
     let exact = f64::from(a) * f64::from(b);
     let steps = exact.abs() / STEP;
-    if !(steps < NORMAL) {
+    if steps.is_nan() || steps >= NORMAL {
         return exact as f32;
     }
     let kept = (steps * 16_777_216.0).floor() / 16_777_216.0;
@@ -71,7 +71,7 @@ fn product(a: f32, b: f32) -> f32 {
 fn quotient(a: f32, b: f32) -> f32 {
     let plain = a / b;
     let about = f64::from(a).abs() / f64::from(b).abs();
-    if !(plain.abs() <= f32::MIN_POSITIVE) || about == 0.0 || about / STEP > NORMAL {
+    if plain.is_nan() || plain.abs() > f32::MIN_POSITIVE || about == 0.0 || about / STEP > NORMAL {
         return plain;
     }
     // Exactly dividend / divisor, with 24 digits before the point.
