@@ -138,7 +138,7 @@ const fn portuguese(opcode: Opcode) -> &'static str {
             "o número do contador XX se mantém em STOP e em uma queda de energia"
         }
         Opcode::Push => {
-            "empilha o valor; uma operação com XX = 99 o toma como seu operando esquerdo"
+            "empilha o valor; uma operação com o número 99 o toma como seu operando esquerdo"
         }
         Opcode::RealAdd => "REAL: valor := valor + operando; se não for finito: 0, e S 04 := 1",
         Opcode::RealSubtract => {

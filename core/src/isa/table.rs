@@ -215,7 +215,7 @@ macro_rules! instructions {
             engine_end "" "KEEP XX";
         KeepCounter       Counter  Setting      756700    "KC"   0xE7  6 6 "the number of counter XX is kept over STOP and over a power cut"
             engine_end "" "KEEP XX";
-        Push              None     Operation    808372    "PSH"  0xE8  2 0 "push value; an operation with XX = 99 takes it as its left operand"
+        Push              None     Operation    808372    "PSH"  0xE8  2 0 "push value; an operation with number 99 takes it as its left operand"
             engine_push "PUSH" "PUSH";
         RealAdd           Real     Operation    82656800  "RAD"  0xE9  2 0 "REAL: value := value + operand; not finite: 0, and S 04 := 1"
             engine_real_add "REAL_ADD operand" "REAL ADD operand";
