@@ -6,6 +6,8 @@ use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
 use std::time::Duration;
+use unoclp_core::isa::{NEAR_REGISTERS, Opcode, Operand, POPPED, Value};
+use unoclp_core::{Instruction, Program};
 use unoclp_modbus::Exception;
 
 /// How far an upload is.
@@ -40,6 +42,13 @@ pub enum Broken {
     NotBegun,
     /// The board is locked against it.
     Locked,
+    /// The firmware of the board knows not all instructions of the program.
+    TooOld {
+        /// The form in which the board keeps programs.
+        board: u8,
+        /// The first form that has all instructions of the program.
+        needs: u8,
+    },
     /// The board has found a fault in the text.
     Fault(Trouble),
     /// Another client has ended it, or begun one of its own.
@@ -66,6 +75,23 @@ pub enum Broken {
         /// What has happened.
         failure: Failure,
     },
+}
+
+/// The first form of stored programs whose boards know all instructions of this one.
+pub fn needs(program: &Program<'_>) -> u8 {
+    let is_new = |step: Instruction<'_>| {
+        let value = match step.operand {
+            Operand::Value(Value::Popped) => Some(POPPED),
+            Operand::Value(Value::Register(register)) => Some(register),
+            _ => None,
+        };
+        step.opcode as u8 >= Opcode::Push as u8 || value > Some(NEAR_REGISTERS)
+    };
+    let many = program.registers() > usize::from(NEAR_REGISTERS);
+    match many || program.steps().any(is_new) {
+        true => 2,
+        false => 1,
+    }
 }
 
 /// Uploads the text of a program, which a board of this version will keep as `sent`; gives how the board keeps it.

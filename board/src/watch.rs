@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
+use unoclp_core::isa::NEAR_REGISTERS;
 use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
@@ -139,6 +140,8 @@ pub struct Meter {
 /// How much there is to read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scope {
+    /// Registers, from D 01 on; at least those that every board has.
+    pub registers: u16,
     /// Timers, from T 01 on.
     pub timers: u16,
     /// Counters, from C 01 on.
@@ -197,7 +200,12 @@ impl Reading {
             ..
         } = input::ANALOGUE;
         let analogue = if_there(client.words(table, first, values).await)?;
-        let registers = holding::REGISTERS;
+        let count = scope.registers.max(NEAR_REGISTERS.into());
+        // Older firmware has only the first.
+        let registers = match count <= holding::FIRST_REGISTERS.values {
+            true => holding::FIRST_REGISTERS,
+            false => holding::REGISTERS,
+        };
         let forced = Forced::read(client).await?;
         Ok(Reading {
             diagnostics,
@@ -208,7 +216,7 @@ impl Reading {
             forcing_ends: forced.ends,
             markers: markers.map(|markers| pack(&markers)),
             analogue: analogue.unwrap_or_default(),
-            registers: longs(client, registers, registers.values).await?,
+            registers: longs(client, registers, count).await?,
             timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers).await?,
             counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters).await?,
         })

@@ -1,7 +1,7 @@
 //! Everything that can be wrong, each with a stable number and one line of text (NC-11).
 //!
 //! The tens tell the area: 1 the text of the file, 2 its codes, 3 its structure, 4 its size,
-//! 5 the card, 6 the board itself, 7 jumps. LED L flashes the tens long and the units short, so no number ends in 0.
+//! 5 the card, 6 the board itself, 7 jumps, 8 pushed values and IFs. LED L flashes the tens long and the units short, so no number ends in 0.
 //! A number that has been published never changes its meaning.
 
 use core::fmt;
@@ -52,8 +52,15 @@ macro_rules! faults {
             71 LabelTwice "this label stands twice (NC-19)";
             72 NoSuchLabel "the program has no such label (NC-19)";
             73 LabelInRung "a label stands at the head of a rung (NC-19)";
-            74 JumpInBranch "no jump or return between 40 and 41 (NC-19)";
+            74 JumpInBranch "no jump, return or IF between 40 and 41 or behind PSH (NC-19)";
             75 TooManyJumps "too many jumps back in one scan (NC-19)";
+            81 NothingPushed "no value is pushed here (NC-22)";
+            82 PushedTooDeep "more than 8 values pushed (NC-22)";
+            83 ValueLeftPushed "a value is left pushed where the rung ends (NC-22)";
+            84 NotReal "not the bits of a finite REAL number (NC-23)";
+            85 NoIf "no IF is open for this (NC-28)";
+            86 IfTooDeep "more than 8 IFs open (NC-28)";
+            87 IfLeftOpen "this IF has no END (NC-28)";
         }
     };
 }

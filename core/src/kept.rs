@@ -34,9 +34,9 @@ pub(crate) const fn declares(stored: u8) -> bool {
 }
 
 /// Bytes of program memory that another number to be kept leaves free for records.
-pub(crate) fn ring_bytes(first: bool) -> usize {
+pub(crate) fn ring_bytes(first: bool) -> u8 {
     let more = if first { RECORD_BYTES } else { 0 };
-    RECORDS * usize::from(NUMBER_BYTES + more)
+    RECORDS as u8 * (NUMBER_BYTES + more)
 }
 
 /// What a program in its stored form keeps, in its order.

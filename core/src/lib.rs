@@ -15,13 +15,14 @@
 //! This crate knows no pin, no file system and no printing. It needs neither `std` nor an
 //! allocator, contains no `unsafe`, and no input makes it panic.
 //!
-//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-21.
+//! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-28.
 
 #![no_std]
 #![forbid(unsafe_code)]
 
 pub mod fault;
 pub mod isa;
+pub mod real;
 
 mod board;
 mod crc;

@@ -45,7 +45,7 @@ impl Needs {
             Kind::None | Kind::Branch | Kind::Marker | Kind::TimerQ | Kind::Counter => {}
             Kind::Register | Kind::Group | Kind::Bit | Kind::Label | Kind::Jump => {}
             Kind::Timer | Kind::Count | Kind::Value | Kind::Move | Kind::Drum => {}
-            Kind::Scale | Kind::Filter => {}
+            Kind::Scale | Kind::Filter | Kind::Real | Kind::Table => {}
         }
         if self.twice() != before {
             return Err(Cause::PinUsedTwice);

@@ -10,7 +10,8 @@ const CONSTANT_COST: usize = 6;
 ///
 /// Only a [`Loader`](crate::Loader) makes one, so it holds these for everyone after it:
 /// **every stored byte begins or continues an instruction of the table; every point exists on the
-/// board; every branch is closed in its rung, at most 8 deep; every recalled branch point was
+/// board; every branch is closed in its rung and
+/// every pushed value taken in it, at most 8 deep; every IF has its END; every recalled branch point was
 /// stored before in its rung; every jump leads to the head of a rung; every timer that is named
 /// exists; the linked form and all data fit run memory.**
 #[derive(Debug)]
@@ -21,6 +22,7 @@ pub struct Program<'m> {
     pub(crate) run_bytes: usize,
     pub(crate) timers: u8,
     pub(crate) counters: u8,
+    pub(crate) registers: u8,
     pub(crate) kept: u8,
     pub(crate) codes: u16,
     pub(crate) needs: Needs,
@@ -45,6 +47,12 @@ impl<'m> Program<'m> {
     /// The highest counter that the program names; 0 where it names none.
     pub fn counters(&self) -> usize {
         self.counters.into()
+    }
+
+    /// The highest register that there is: that of the highest that the program names, and at least
+    /// [`NEAR_REGISTERS`](crate::isa::NEAR_REGISTERS).
+    pub fn registers(&self) -> usize {
+        self.registers.into()
     }
 
     /// Bytes of run memory that are set aside for the linked form and all data.

@@ -1,6 +1,6 @@
-//! Whether a rung is balanced (NC-8).
+//! Whether a rung is balanced (NC-8, NC-22).
 //!
-//! Owns open branches and stored branch points while a program loads; knows nothing of bytes.
+//! Owns open branches, stored branch points and pushed values while a program loads; knows nothing of bytes.
 
 use crate::isa::DEEPEST;
 use crate::{Cause, Image, Point};
@@ -11,6 +11,8 @@ pub(crate) struct Rung {
     /// the rung's end: no rung goes over 65,536 lines, or its lines are told so much too high.
     open: [u16; DEEPEST as usize],
     depth: u8,
+    /// How many values are pushed.
+    pushed: u8,
     /// The branch points that this rung has stored.
     stored: Image,
 }
@@ -20,6 +22,7 @@ impl Rung {
         Rung {
             open: [0; DEEPEST as usize],
             depth: 0,
+            pushed: 0,
             stored: Image(0),
         }
     }
@@ -28,7 +31,7 @@ impl Rung {
     pub(crate) fn open(&mut self, line: u32) -> Result<(), Cause> {
         let place = self.open.get_mut(usize::from(self.depth));
         // Counted also where it is too deep, so that its 41 is not one too many.
-        self.depth = self.depth.saturating_add(1);
+        self.depth = self.depth.wrapping_add(1);
         *place.ok_or(Cause::NestedTooDeep)? = line as u16;
         Ok(())
     }
@@ -39,9 +42,26 @@ impl Rung {
         Ok(())
     }
 
-    /// Whether a branch is open.
+    /// Whether a branch is open or a value pushed.
     pub(crate) fn is_open(&self) -> bool {
-        self.depth > 0
+        self.depth | self.pushed > 0
+    }
+
+    /// A value is pushed.
+    pub(crate) fn push(&mut self) -> Result<(), Cause> {
+        // Counted also where it is too deep, so that what takes it does not take one too many.
+        self.pushed = self.pushed.wrapping_add(1);
+        if self.pushed > DEEPEST {
+            Err(Cause::PushedTooDeep)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The value that was pushed last is taken.
+    pub(crate) fn pop(&mut self) -> Result<(), Cause> {
+        self.pushed = self.pushed.checked_sub(1).ok_or(Cause::NothingPushed)?;
+        Ok(())
     }
 
     /// `4041XX` that stores.
@@ -61,8 +81,10 @@ impl Rung {
     /// The end of the rung.
     pub(crate) fn end(&mut self) -> Result<(), Cause> {
         self.stored = Image(0);
+        let pushed = core::mem::take(&mut self.pushed);
         let depth = usize::from(core::mem::take(&mut self.depth));
         match self.open.get(depth.wrapping_sub(1)) {
+            None if pushed > 0 => Err(Cause::ValueLeftPushed),
             None => Ok(()),
             Some(&line) => {
                 // The rung has no more use for the place: it is kept for `left_open`.
@@ -72,9 +94,8 @@ impl Rung {
         }
     }
 
-    /// The line of the innermost branch that the last faulty rung has left open; the rung ends on
-    /// this line.
-    pub(crate) fn left_open(&self, end: u32) -> u32 {
-        end.wrapping_sub(u32::from((end as u16).wrapping_sub(self.open[0])))
+    /// The low half of the line of the innermost branch that the last faulty rung has left open.
+    pub(crate) fn left_open(&self) -> u16 {
+        self.open[0]
     }
 }

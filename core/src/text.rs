@@ -3,6 +3,7 @@
 //! Owns line ends, marks, comments and digits; must not know what a code means.
 
 use crate::Cause;
+use core::mem;
 
 /// What a byte of a file belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,13 +23,8 @@ pub enum Part {
 enum At {
     /// The first byte of the file, where a mark may stand.
     Start,
-    /// After the first byte of a UTF-8 mark.
-    Utf8Mark1,
-    /// After the first two.
-    Utf8Mark2,
-    /// After the first byte of a UTF-16 mark: low byte first, or high byte first.
-    Utf16LeMark,
-    Utf16BeMark,
+    /// In a mark of UTF-8 or UTF-16, whose last byte is the magnitude.
+    Mark,
     /// Before the code.
     Blank,
     /// After a `-`, before its digits.
@@ -95,11 +91,9 @@ impl Text {
 
     /// The end of the file: true where a last line that no LF ended holds a code.
     pub(crate) fn end(&mut self) -> Result<bool, Cause> {
-        match core::mem::replace(&mut self.at, At::End) {
+        match mem::replace(&mut self.at, At::End) {
             At::Return => Err(Cause::StrayCarriageReturn),
-            At::Minus | At::Utf8Mark1 | At::Utf8Mark2 | At::Utf16LeMark | At::Utf16BeMark => {
-                Err(Cause::StrayCharacter)
-            }
+            At::Minus | At::Mark => Err(Cause::StrayCharacter),
             _ => self.end_of_line(),
         }
     }
@@ -125,31 +119,21 @@ impl Text {
     }
 
     fn next(&mut self, byte: u8) -> Result<At, Cause> {
+        if self.at == At::Mark || self.at == At::Start && byte >= 0xEF {
+            return self.mark(byte);
+        }
+        if matches!(self.at, At::Start | At::Blank) {
+            self.negative = byte == b'-';
+            self.magnitude = 0;
+        }
         Ok(match (self.at, byte) {
             (At::End, _) => At::End,
-            (At::Start, 0xEF) => At::Utf8Mark1,
-            (At::Start, 0xFF) => At::Utf16LeMark,
-            (At::Start, 0xFE) => At::Utf16BeMark,
-            (At::Utf8Mark1, 0xBB) => At::Utf8Mark2,
-            (At::Utf8Mark2, 0xBF) => At::Blank,
-            (At::Utf16LeMark, 0xFE) | (At::Utf16BeMark, 0xFF) => return Err(Cause::Utf16),
-            (At::Minus, b'0'..=b'9') => self.digit(byte)?,
-            (At::Utf8Mark1 | At::Utf8Mark2 | At::Utf16LeMark | At::Utf16BeMark | At::Minus, _) => {
-                return Err(Cause::StrayCharacter);
-            }
+            (At::Minus | At::Digits | At::Start | At::Blank, b'0'..=b'9') => self.digit(byte)?,
+            (At::Minus, _) => return Err(Cause::StrayCharacter),
             (_, b'\n') => At::Blank,
             (At::Comment | At::Faulty, _) => self.at,
             (At::Return, _) => return Err(Cause::StrayCarriageReturn),
-            (At::Digits, b'0'..=b'9') => self.digit(byte)?,
-            (At::Start | At::Blank, b'-' | b'0'..=b'9') => {
-                self.negative = byte == b'-';
-                self.magnitude = 0;
-                if self.negative {
-                    At::Minus
-                } else {
-                    self.digit(byte)?
-                }
-            }
+            (At::Start | At::Blank, b'-') => At::Minus,
             (_, b'/') => At::Comment,
             (_, b'\r') => At::Return,
             (At::Digits | At::After, b' ' | b'\t') => At::After,
@@ -158,13 +142,26 @@ impl Text {
         })
     }
 
+    /// The next byte of a mark: EF BB BF is one of UTF-8, FF FE and FE FF are those of UTF-16.
+    #[inline(never)]
+    fn mark(&mut self, byte: u8) -> Result<At, Cause> {
+        let before = mem::replace(&mut self.magnitude, byte.into()) as u8;
+        match (before, byte) {
+            (0, 0xEF | 0xFE | 0xFF) | (0xEF, 0xBB) => Ok(At::Mark),
+            (0xBB, 0xBF) => Ok(At::Blank),
+            (0xFF, 0xFE) | (0xFE, 0xFF) => Err(Cause::Utf16),
+            _ => Err(Cause::StrayCharacter),
+        }
+    }
+
     fn digit(&mut self, byte: u8) -> Result<At, Cause> {
-        let most = i32::MAX.unsigned_abs() + u32::from(self.negative);
         if self.magnitude > BEFORE_LAST_DIGIT {
             return Err(Cause::NumberTooLarge);
         }
         self.magnitude = self.magnitude * 10 + u32::from(byte - b'0');
-        if self.magnitude > most {
+        // -2147483648 is a number, 2147483648 is none.
+        let less = self.magnitude.wrapping_sub(self.negative.into());
+        if (self.magnitude & less).cast_signed() < 0 {
             return Err(Cause::NumberTooLarge);
         }
         self.has_code = true;
@@ -172,7 +169,7 @@ impl Text {
     }
 
     fn end_of_line(&mut self) -> Result<bool, Cause> {
-        let has_code = core::mem::take(&mut self.has_code);
+        let has_code = mem::take(&mut self.has_code);
         if has_code && self.negative && self.magnitude == 0 {
             return Err(Cause::MinusZero);
         }

@@ -56,6 +56,8 @@ pub struct Kept {
     pub timers: u8,
     /// The highest counter that it names.
     pub counters: u8,
+    /// The highest register that there is.
+    pub registers: u8,
     /// How many numbers it keeps.
     pub numbers: u8,
 }
@@ -84,6 +86,7 @@ fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
         needs: program.needs(),
         timers: program.timers() as u8,
         counters: program.counters() as u8,
+        registers: program.registers() as u8,
         numbers: program.kept_count(),
     })
 }

@@ -41,8 +41,8 @@ impl Address {
             Kind::System => Address::System,
             Kind::TimerQ => Address::Timer,
             Kind::Counter | Kind::Count => Address::Counter,
-            Kind::Register | Kind::Move | Kind::Drum => Address::Register,
-            Kind::Value => {
+            Kind::Register | Kind::Move | Kind::Drum | Kind::Table => Address::Register,
+            Kind::Value | Kind::Real => {
                 return match instruction.operand {
                     Operand::Value(Value::Register(register)) => Some(Address::Register(register)),
                     _ => None,

@@ -88,9 +88,10 @@ impl<'e> Builder<'e> {
             | Class::Operation
             | Class::Store
             | Class::Leave
+            | Class::If
             | Class::Setting => self.element(step, instruction, timer),
             // At the head of the rung, where the ladder has them.
-            Class::Rung | Class::Label => {}
+            Class::Rung | Class::Label | Class::Part => {}
         }
     }
 

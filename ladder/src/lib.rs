@@ -60,12 +60,13 @@ pub use element::{Element, Symbol};
 pub use listing::{Title, listing};
 pub use power::{Net, Nets, Power};
 pub use svg_page::to_svg;
+pub use words::picture;
 
 use build::Builder;
 use power::Feed;
 use tree::{Node, Origin, Series, Start};
 use unoclp_core::Instruction;
-use unoclp_core::isa::Class;
+use unoclp_core::isa::{Class, Opcode};
 
 /// A program as rungs of elements.
 #[derive(Clone, Debug)]
@@ -87,6 +88,8 @@ pub struct Rung {
     pub steps: usize,
     /// The labels at its head.
     pub labels: Vec<u8>,
+    /// The ELS or END at its head.
+    pub part: Option<Opcode>,
     /// The net of its left rail.
     pub(crate) rail: Net,
     /// The steps that begin it: its code and its labels.
@@ -106,9 +109,12 @@ impl Ladder {
         let mut timers = 0;
         let mut first = 0;
         while first < steps.len() {
-            let begins = |step: &Instruction<'_>| step.opcode.class() == Class::Rung;
-            let behind = &steps[first + 1..];
-            let count = 1 + behind.iter().position(begins).unwrap_or(behind.len());
+            let rest = &steps[first..];
+            let ends = |pair: &[Instruction<'_>]| ends_between(pair[0], pair[1]);
+            let count = rest
+                .windows(2)
+                .position(ends)
+                .map_or(rest.len(), |at| at + 1);
             ladder.rung(first, &steps[first..first + count], &mut timers);
             first += count;
         }
@@ -117,13 +123,17 @@ impl Ladder {
 
     fn rung(&mut self, first: usize, steps: &[Instruction<'_>], timers: &mut u8) {
         let (mut heads, mut labels) = (Vec::new(), Vec::new());
+        let mut part = None;
         let mut rail = Nets::RAIL;
         let mut builder = Builder::new(&mut self.elements);
         for (step, instruction) in (first..).zip(steps) {
             let class = instruction.opcode.class();
-            if class == Class::Rung || class == Class::Label {
+            if matches!(class, Class::Rung | Class::Label | Class::Part) {
                 if class == Class::Label {
                     labels.extend(instruction.number());
+                }
+                if class == Class::Part {
+                    part = Some(instruction.opcode);
                 }
                 heads.push(step);
                 // A jump comes to a label, and not to the code before it.
@@ -138,6 +148,7 @@ impl Ladder {
             first,
             steps: steps.len(),
             labels,
+            part,
             rail,
             heads,
             series,
@@ -188,4 +199,9 @@ impl Ladder {
         }
         name
     }
+}
+
+/// Whether a rung ends between these two (NC-8, NC-28).
+fn ends_between(one: Instruction<'_>, next: Instruction<'_>) -> bool {
+    one.opcode.class() == Class::If || matches!(next.opcode.class(), Class::Rung | Class::Part)
 }

@@ -1,5 +1,6 @@
 //! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
 
+use crate::words::picture;
 use crate::{Address, Drawing, Names};
 use unicode_width::UnicodeWidthStr;
 use unoclp_checked::SourceMap;
@@ -52,6 +53,7 @@ pub(crate) fn heading(
         first += &about.join(" ");
     }
     let mut lines = wrapped(&first, drawing.limit);
+    lines.extend(rung.part.map(|part| format!("{}:", picture(part))));
     lines.extend(rung.labels.iter().map(|&label| {
         let point = Address::Label(label);
         match names.get(&point) {

@@ -63,6 +63,8 @@ impl Element {
                 };
                 Element::new(step, Role::Output, symbol, point)
             }
+            // It ends its rung, as a jump does.
+            Class::If => boxed(Role::Output, words),
             Class::Count | Class::Store => {
                 let mut element = boxed(Role::Function, words);
                 if let (Symbol::Box { notes, .. }, Operand::Drum { steps, .. }) =
@@ -73,7 +75,10 @@ impl Element {
                 element
             }
             // These are wires, and a timer has its box and its coil.
-            Class::Rung | Class::Label | Class::OpenOr | Class::OpenAnd | Class::OpenXor => {
+            Class::Rung | Class::Label | Class::Part => {
+                boxed(Role::Function, instruction.to_string())
+            }
+            Class::OpenOr | Class::OpenAnd | Class::OpenXor => {
                 boxed(Role::Function, instruction.to_string())
             }
             Class::Close | Class::StorePoint | Class::RecallPoint | Class::Timer => {

@@ -1,6 +1,7 @@
 //! The words of a symbol: those of the instruction table, with the operands put in.
 
 use crate::Address;
+use crate::value::VALUE;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
 
@@ -8,8 +9,8 @@ macro_rules! pictures {
     ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
         $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
         /// How the instruction table pictures an instruction: `XX`, `operand` and `value` stand for what
-        /// [`words`] puts in.
-        pub(crate) const fn picture(opcode: Opcode) -> &'static str {
+        /// `words` puts in.
+        pub const fn picture(opcode: Opcode) -> &'static str {
             match opcode {
                 $(Opcode::$name => $picture,)*
             }
@@ -22,7 +23,7 @@ unoclp_core::instructions!(pictures);
 pub(crate) fn words(instruction: Instruction<'_>, value: &str) -> String {
     picture(instruction.opcode)
         .replace("XX", &point(instruction))
-        .replace("operand", &operand(instruction.operand))
+        .replace("operand", &operand(instruction))
         .replace("value", value)
 }
 
@@ -46,7 +47,7 @@ fn point(instruction: Instruction<'_>) -> String {
         Kind::Register | Kind::Analogue | Kind::Pwm | Kind::Label | Kind::Jump | Kind::Count => {
             address(instruction)
         }
-        Kind::Value | Kind::Move | Kind::Drum => address(instruction),
+        Kind::Value | Kind::Real | Kind::Move | Kind::Drum | Kind::Table => address(instruction),
     }
 }
 
@@ -55,10 +56,20 @@ fn address(instruction: Instruction<'_>) -> String {
 }
 
 /// What follows the code.
-fn operand(operand: Operand<'_>) -> String {
-    match operand {
+fn operand(instruction: Instruction<'_>) -> String {
+    match instruction.operand {
         Operand::Value(Value::Register(register)) => Address::Register(register).to_string(),
+        Operand::Value(Value::Constant(number)) if instruction.opcode.row().kind == Kind::Real => {
+            format!("{:?}", f32::from_bits(number.cast_unsigned()))
+        }
         Operand::Value(Value::Constant(number)) => number.to_string(),
+        Operand::Value(Value::Popped) => VALUE.to_owned(),
+        Operand::Table { first, length } => {
+            format!(
+                "D{first}-{}",
+                first.saturating_add(length).saturating_sub(1)
+            )
+        }
         Operand::Count { preset, .. } => preset.to_string(),
         Operand::Move { from, to, count } => {
             let last = |first: u8| first.saturating_add(count).saturating_sub(1);

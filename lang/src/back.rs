@@ -5,7 +5,7 @@
 
 use crate::spell::rung;
 use crate::{Compiled, Dialect, Options, compile};
-use unoclp_core::isa::Opcode;
+use unoclp_core::isa::Class;
 use unoclp_core::{Fault, Instruction, Loader, Profile};
 
 /// Reads a program file back as Instruction List, which compiles to the same codes.
@@ -70,10 +70,12 @@ struct Rung {
 
 fn split<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> Vec<Rung> {
     let mut rungs: Vec<Vec<Instruction<'c>>> = vec![Vec::new()];
+    let mut ended = false;
     for step in steps {
-        if step.opcode == Opcode::NewRung {
+        if ended || matches!(step.opcode.class(), Class::Rung | Class::Part) {
             rungs.push(Vec::new());
         }
+        ended = step.opcode.class() == Class::If;
         if let Some(rung) = rungs.last_mut() {
             rung.push(step);
         }

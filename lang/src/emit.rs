@@ -68,6 +68,9 @@ pub(crate) fn emit(
             Written::Plain(opcode) => Instruction::plain(opcode),
             Written::Numbered(opcode, number) => Instruction::numbered(opcode, number),
             Written::Value(opcode, value) => operand(Operand::Value(value))(opcode),
+            Written::Table(opcode, first, length) => {
+                operand(Operand::Table { first, length })(opcode)
+            }
             Written::OfTimer(opcode, _, block) => Instruction::numbered(opcode, block.unwrap_or(1)),
             Written::Timer(opcode, preset, target) => {
                 let target = target.unwrap_or_else(|| {

@@ -266,8 +266,19 @@ impl Lexer<'_, '_> {
         self.decimal_comma();
         while matches!(self.bytes.get(self.at), Some(byte) if byte.is_ascii_alphanumeric()) {
             self.at += 1;
+            self.minus_of_exponent();
         }
         Kind::Number
+    }
+
+    /// The minus of `1E-3`.
+    fn minus_of_exponent(&mut self) {
+        let before = self.bytes.get(self.at - 1);
+        let [minus, digit] = [self.at, self.at + 1].map(|at| self.bytes.get(at));
+        let exponent = matches!(before, Some(b'e' | b'E')) && minus == Some(&b'-');
+        if exponent && digit.is_some_and(u8::is_ascii_digit) {
+            self.at += 1;
+        }
     }
 
     /// A comma within a time, `1,5s`, belongs to its number: behind it stand digits and a unit.
@@ -293,6 +304,7 @@ impl Lexer<'_, '_> {
         };
         while part(self) {
             self.at += 1;
+            self.minus_of_exponent();
             let before = self.bytes.get(self.at - 1);
             if before.is_some_and(u8::is_ascii_digit) {
                 self.decimal_comma();

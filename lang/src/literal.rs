@@ -13,10 +13,20 @@ pub(crate) fn value(text: &str) -> Option<i32> {
         "10" => whole(rest, 10),
         "16" => whole(rest, 16),
         "T" | "TIME" => time(rest),
+        "REAL" => real(rest),
         "INT" | "DINT" | "UINT" | "WORD" | "BYTE" => value(rest),
         "BOOL" => value(rest).filter(|number| (0..=1).contains(number)),
         _ => None,
     }
+}
+
+/// The bits of a REAL number, which has a fraction, an exponent, or neither: `0.5`, `1.5E3`, `2`.
+pub(crate) fn real(text: &str) -> Option<i32> {
+    let digits: String = text.chars().filter(|&c| c != '_').collect();
+    let digit = |c: char| c.is_ascii_digit();
+    let number = digits.strip_prefix('-').unwrap_or(&digits);
+    let number: f32 = number.starts_with(digit).then(|| digits.parse().ok())??;
+    number.is_finite().then(|| number.to_bits().cast_signed())
 }
 
 /// What is wrong with a literal that has no value, and how it may have been meant.
@@ -124,6 +134,10 @@ mod tests {
             ("99999999999", None),
             ("2#3", None),
             ("7#3", None),
+            ("REAL#0.5", Some(0x3F00_0000)),
+            ("REAL#-1.5E3", Some(0xC4BB_8000_u32.cast_signed())),
+            ("REAL#1E39", None),
+            ("REAL#inf", None),
         ];
         for (text, expected) in cases {
             assert_eq!(value(text), expected, "{text}");
@@ -139,7 +153,6 @@ mod tests {
             ("T#1,5s", Code::DecimalComma, "T#1.5s"),
             ("2.5", Code::Fraction, "2.5"),
             ("1E3", Code::Fraction, "1E3"),
-            ("REAL#2.5", Code::Fraction, "REAL#2.5"),
             ("2#123", Code::BadNumber, "2#123"),
             ("T#s", Code::BadNumber, "T#s"),
         ] {

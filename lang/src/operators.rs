@@ -23,6 +23,12 @@ pub(crate) enum Op {
     Shift(Opcode),
     /// NEG, SQRT
     Unary(Opcode),
+    /// PUSH
+    Push,
+    /// TABLE_LD, TABLE_ST: a table of registers, the first and how many.
+    Table(Opcode),
+    /// IF, ELSE, END_IF
+    Part(Opcode),
     /// EU, ED: made of the accumulator alone.
     Edge(Opcode),
     Jump,
@@ -69,6 +75,8 @@ impl Op {
             self,
             Op::Not
                 | Op::Unary(_)
+                | Op::Push
+                | Op::Part(_)
                 | Op::Edge(_)
                 | Op::Return
                 | Op::AndBlock
@@ -82,8 +90,19 @@ impl Op {
     pub(crate) fn may_have_more(self) -> bool {
         matches!(
             self,
-            Op::Timer(_) | Op::CountUp | Op::CountDown | Op::CountUpDown | Op::Function | Op::Code
+            Op::Timer(_)
+                | Op::CountUp
+                | Op::CountDown
+                | Op::CountUpDown
+                | Op::Function
+                | Op::Code
+                | Op::Table(_)
         )
+    }
+
+    /// Whether its operand is a REAL number.
+    pub(crate) fn is_real(self) -> bool {
+        matches!(self, Op::Number(opcode) if opcode.row().kind == Kind::Real)
     }
 
     /// Whether a parenthesis may follow.
@@ -161,7 +180,13 @@ fn of_table(word: &str) -> Option<Op> {
         Op::Timer(opcode)
     } else if opcode.class() == Class::Logic {
         Op::Edge(opcode)
-    } else if kind == Kind::Value {
+    } else if matches!(opcode.class(), Class::If | Class::Part) {
+        Op::Part(opcode)
+    } else if opcode == Opcode::Push {
+        Op::Push
+    } else if kind == Kind::Table {
+        Op::Table(opcode)
+    } else if matches!(kind, Kind::Value | Kind::Real) {
         Op::Number(opcode)
     } else if kind == Kind::Bit {
         Op::Shift(opcode)
@@ -177,9 +202,12 @@ fn own_words() -> impl Iterator<Item = Opcode> {
         Class::Timer,
         Class::Logic,
         Class::Operation,
+        Class::If,
+        Class::Part,
     ];
     let all = Opcode::ALL.iter().copied();
-    all.filter(move |opcode| own.contains(&opcode.class()) && !operator(*opcode).is_empty())
+    let own = move |opcode: &Opcode| own.contains(&opcode.class()) || *opcode == Opcode::StoreTable;
+    all.filter(move |opcode| own(opcode) && !operator(*opcode).is_empty())
 }
 
 fn spelling(op: Op, negated: bool, conditional: bool, dialect: Option<Dialect>) -> Spelling {
@@ -202,8 +230,9 @@ const SPELLINGS: &[&str] = &[
 
 /// The spelling that is one slip of the hand away: a letter wrong, missing or too many.
 pub(crate) fn nearest(word: &str) -> Option<&'static str> {
-    // EU and ED are one slip away from too much.
-    let more = own_words().filter(|opcode| opcode.class() != Class::Logic);
+    // EU, ED and IF are one slip away from too much.
+    let short = |opcode: &Opcode| matches!(opcode.class(), Class::Logic | Class::If | Class::Part);
+    let more = own_words().filter(|opcode| !short(opcode));
     let mut spellings = SPELLINGS.iter().copied().chain(more.map(operator));
     spellings.find(|known| one_slip(known.as_bytes(), word.as_bytes()))
 }

@@ -1,7 +1,7 @@
 //! A rung of instructions as lines of Instruction List.
 
 use crate::words::{named, operator, words};
-use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::isa::{Class, Opcode, Operand, Value};
 use unoclp_core::{Instruction, Target};
 
 /// The lines of a rung; none where Instruction List has no words for it. Timers are named in file order, so
@@ -16,6 +16,7 @@ pub(crate) fn rung(steps: &[Instruction<'_>], timers: &mut u8) -> Option<Vec<Str
         steps,
         at: 0,
         timers: *timers,
+        pushed: 0,
         lines: Vec::new(),
     };
     *timers = timers.saturating_add(own);
@@ -27,6 +28,8 @@ struct Speller<'s, 'c> {
     steps: &'s [Instruction<'c>],
     at: usize,
     timers: u8,
+    /// How many values are pushed.
+    pushed: u8,
     lines: Vec<String>,
 }
 
@@ -134,28 +137,49 @@ impl<'c> Speller<'_, 'c> {
     fn operations(&mut self) -> Option<()> {
         loop {
             let step = self.next()?;
-            let (operator, operand) = operation(step)?;
+            let (operator, operand) = match load(step) {
+                Some(name) if self.pushed > 0 => ("LD", name),
+                _ => operation(step)?,
+            };
             self.line(operator, &operand);
+            self.count_pushed(step)?;
             if comparison(step) {
                 return Some(());
             }
         }
     }
 
+    /// Counts what an operation pushes or takes.
+    fn count_pushed(&mut self, step: Instruction<'_>) -> Option<()> {
+        let takes = step.operand == Operand::Value(Value::Popped);
+        match step.opcode {
+            Opcode::Push => self.pushed += 1,
+            opcode if takes || opcode == Opcode::StoreTable => {
+                self.pushed = self.pushed.checked_sub(1)?;
+            }
+            _ => {}
+        }
+        Some(())
+    }
+
     /// Operations up to a comparison or the last of the stores.
     fn operations_or_store(&mut self) -> Option<()> {
         let mut stored = false;
+        self.pushed = 0;
         loop {
             let step = *self.steps.get(self.at)?;
             if let Some(name) = number_target(step) {
                 self.line("ST", &name);
                 stored = true;
+            } else if self.pushed > 0 && load(step).is_some() {
+                self.line("LD", &load(step)?);
             } else if stored && (load(step).is_some() || contact(step).is_some()) {
                 return Some(());
             } else {
                 let (operator, operand) = operation(step)?;
                 self.line(operator, &operand);
-                stored = false;
+                self.count_pushed(step)?;
+                stored = step.opcode == Opcode::StoreTable;
                 if comparison(step) {
                     self.at += 1;
                     return Some(());
@@ -171,6 +195,10 @@ impl<'c> Speller<'_, 'c> {
     /// What is neither contact nor branch nor number.
     fn other(&mut self, step: Instruction<'_>, first: &mut bool) -> Option<()> {
         let class = step.opcode.class();
+        if class == Class::Part {
+            self.line(words(step)?.0, "");
+            return first.then_some(());
+        }
         if class == Class::Label {
             let number = step.number().filter(|_| *first)?;
             self.lines.push(format!("L{number:02}:"));
@@ -178,11 +206,14 @@ impl<'c> Speller<'_, 'c> {
         }
         let (operator, operand) = match class {
             Class::Logic | Class::Xor | Class::Coil | Class::Leave | Class::Count => words(step)?,
+            Class::If => words(step)?,
             Class::Timer => (operator(step.opcode), String::new()),
             Class::Rung | Class::Label | Class::OpenOr | Class::OpenAnd | Class::OpenXor => {
                 return None;
             }
-            Class::Close | Class::StorePoint | Class::RecallPoint => return None,
+            Class::Close | Class::StorePoint | Class::RecallPoint | Class::Part => {
+                return None;
+            }
             Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => {
                 return None;
             }
@@ -224,12 +255,14 @@ fn load(step: Instruction<'_>) -> Option<String> {
 
 /// Where a number is stored.
 fn number_target(step: Instruction<'_>) -> Option<String> {
-    named(step).filter(|_| step.opcode.class() == Class::Store)
+    let place = step.opcode.class() == Class::Store && step.opcode != Opcode::StoreTable;
+    named(step).filter(|_| place)
 }
 
 /// An operation on a number, and its operand.
 fn operation(step: Instruction<'_>) -> Option<(&'static str, String)> {
-    let works = matches!(step.opcode.class(), Class::Operation | Class::Comparison);
+    let works = matches!(step.opcode.class(), Class::Operation | Class::Comparison)
+        || step.opcode == Opcode::StoreTable;
     words(step).filter(|_| works)
 }
 

@@ -1,6 +1,6 @@
 //! Markers and registers that the program does not name.
 
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::isa::{NEAR_REGISTERS, REGISTERS, RETENTIVE};
 
 /// Which markers and registers are in use.
 #[derive(Clone, Copy, Debug, Default)]
@@ -8,12 +8,12 @@ pub(crate) struct Temps {
     /// Bit 0 is M 01.
     pub markers: u64,
     /// Bit 0 is D 01.
-    pub registers: u32,
+    pub registers: u128,
     /// Those that have ever held an intermediate result; no name may have one of them.
     temp_markers: u64,
-    temp_registers: u32,
+    temp_registers: u128,
     busy_markers: u64,
-    busy_registers: u32,
+    busy_registers: u128,
     /// Which kind has run out.
     pub none_left: Option<(&'static str, &'static str)>,
 }
@@ -83,7 +83,10 @@ impl Temps {
     /// Likewise a register.
     pub(crate) fn register(&mut self) -> u8 {
         let used = self.registers | self.busy_registers;
-        match (1..=REGISTERS).rev().find(|n| used >> (n - 1) & 1 == 0) {
+        // Those beyond take run memory, the fewer the lower they are.
+        let near = (1..=NEAR_REGISTERS).rev();
+        let mut all = near.chain(NEAR_REGISTERS + 1..=REGISTERS);
+        match all.find(|n| used >> (n - 1) & 1 == 0) {
             Some(n) => {
                 self.busy_registers |= 1 << (n - 1);
                 self.temp_registers |= self.busy_registers;

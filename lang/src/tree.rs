@@ -308,14 +308,17 @@ fn opposite(op: Opcode) -> Opcode {
 }
 
 /// The comparison that holds where this one holds of the operands exchanged.
-pub(crate) fn exchanged(op: Opcode) -> Opcode {
-    partner(op, &EXCHANGED)
+pub(crate) fn exchanged(op: Opcode) -> Option<Opcode> {
+    // Of those without signs there are only two.
+    let unsigned = [Opcode::UnsignedGreaterOrEqual, Opcode::UnsignedLess].contains(&op);
+    (!unsigned).then(|| partner(op, &EXCHANGED))
 }
 
-const OPPOSITES: [(Opcode, Opcode); 3] = [
+const OPPOSITES: [(Opcode, Opcode); 4] = [
     (Opcode::Greater, Opcode::LessOrEqual),
     (Opcode::GreaterOrEqual, Opcode::Less),
     (Opcode::Equal, Opcode::NotEqual),
+    (Opcode::UnsignedGreaterOrEqual, Opcode::UnsignedLess),
 ];
 
 /// The others are their own.

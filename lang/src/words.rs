@@ -44,7 +44,7 @@ pub(crate) fn named(step: Instruction<'_>) -> Option<String> {
 fn with_operands(text: &str, step: Instruction<'_>) -> Option<String> {
     let mut text = text.to_owned();
     if text.contains("operand") {
-        text = text.replace("operand", &operand(step.operand)?);
+        text = text.replace("operand", &operand(step)?);
     }
     if text.contains("XX") {
         text = text.replace("XX", &point(step)?);
@@ -62,7 +62,9 @@ fn point(step: Instruction<'_>) -> Option<String> {
         Kind::System => format!("S{n}"),
         Kind::TimerQ => format!("T{n}"),
         Kind::Counter | Kind::Count => format!("C{n}"),
-        Kind::Register | Kind::Value | Kind::Move | Kind::Drum => format!("D{n}"),
+        Kind::Register | Kind::Value | Kind::Real | Kind::Move | Kind::Drum | Kind::Table => {
+            format!("D{n}")
+        }
         Kind::Analogue => format!("IW{n}"),
         Kind::Pwm => format!("QW{n}"),
         Kind::Group => format!("MB{n}"),
@@ -75,14 +77,24 @@ fn point(step: Instruction<'_>) -> Option<String> {
 }
 
 /// What follows a code: a register, a constant, a preset.
-fn operand(operand: Operand<'_>) -> Option<String> {
-    Some(match operand {
+fn operand(step: Instruction<'_>) -> Option<String> {
+    Some(match step.operand {
         Operand::Value(Value::Register(register)) => format!("D{register}"),
+        Operand::Value(Value::Constant(number)) if step.opcode.row().kind == Kind::Real => {
+            real(number)
+        }
         Operand::Value(Value::Constant(number)) => number.to_string(),
+        Operand::Value(Value::Popped) => "POP".to_owned(),
+        Operand::Table { first, length } => format!("D{first}, {length}"),
         Operand::Count { preset, .. } => preset.to_string(),
         Operand::Timer(block) => block.preset.to_string(),
         Operand::None | Operand::Number(_) | Operand::Jump { .. } => return None,
         Operand::Move { .. } | Operand::Drum { .. } => return None,
         Operand::Scale { .. } | Operand::Filter { .. } => return None,
     })
+}
+
+/// The shortest literal of this REAL number: `0.5`, `1E30`.
+fn real(bits: i32) -> String {
+    format!("{:?}", f32::from_bits(bits.cast_unsigned())).replace('e', "E")
 }

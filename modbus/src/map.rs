@@ -136,8 +136,8 @@ spans! {
 
     /// Holding registers.
     holding: HoldingRegisters {
-        /// The registers D.
-        REGISTERS = 0, super::REGISTERS, Long, Write, "register D 01–32";
+        /// The registers D that clients have always found here, and as many more as there is room for.
+        FIRST_REGISTERS = 0, 64, Long, Write, "register D 01–64";
         /// The presets of the timers, ms.
         TIMERS = 128, super::TIMERS, Long, Write, "timer T 01–87: preset";
         /// The presets of the counters.
@@ -158,6 +158,8 @@ spans! {
         SETTINGS = 410, setting::ALL.len(), Word, Write, "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.
         UPLOAD = 1000, 123, Word, Window, "[upload](#upload)";
+        /// All registers D.
+        REGISTERS = 2000, super::REGISTERS, Long, Write, "register D 01–98";
     }
 }
 
@@ -170,7 +172,8 @@ pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;
 /// Bytes of an area in [`AREAS`]: its table, its first address, low byte first, and how many it has.
 pub const AREA: usize = 4;
 
-/// Whether a span begins an area of its own: what lies side by side is one area, and a window is none.
+/// Whether a span begins an area of its own: what lies side by side is one area, but for a span of very many addresses;
+/// a window is none.
 const fn begins_area(index: usize) -> bool {
     let span = ALL[index];
     let before = if index == 0 {
@@ -182,7 +185,7 @@ const fn begins_area(index: usize) -> bool {
         Some(before) => before.table as u8 == span.table as u8 && before.end() == span.first,
         None => false,
     };
-    !joined && !matches!(span.rights, Rights::Window)
+    (!joined || span.addresses() > 128) && !matches!(span.rights, Rights::Window)
 }
 
 const AREAS_BYTES: usize = {

@@ -137,6 +137,48 @@ const fn portuguese(opcode: Opcode) -> &'static str {
         Opcode::KeepCounter => {
             "o número do contador XX se mantém em STOP e em uma queda de energia"
         }
+        Opcode::Push => {
+            "empilha o valor; uma operação com o número 99 o toma como seu operando esquerdo"
+        }
+        Opcode::RealAdd => "REAL: valor := valor + operando; se não for finito: 0, e S 04 := 1",
+        Opcode::RealSubtract => {
+            "REAL: valor := valor - operando; se não for finito: 0, e S 04 := 1"
+        }
+        Opcode::RealMultiply => {
+            "REAL: valor := valor * operando; se não for finito: 0, e S 04 := 1"
+        }
+        Opcode::RealDivide => "REAL: valor := valor / operando; se não for finito: 0, e S 04 := 1",
+        Opcode::RealFromSigned => "valor := valor, um inteiro com sinal, como REAL",
+        Opcode::RealFromUnsigned => "valor := valor, um inteiro sem sinal, como REAL",
+        Opcode::RealRound => {
+            "valor := valor, um REAL, como o inteiro mais próximo, metades para o par; além de 32 bits: 0, e S 04 := 1"
+        }
+        Opcode::RealCut => "valor := valor, um REAL, sem a fração; além de 32 bits: 0, e S 04 := 1",
+        Opcode::RealNegate => "REAL: valor := -valor",
+        Opcode::RealAbsolute => "REAL: valor := valor sem o sinal",
+        Opcode::RealRoot => "REAL: valor := raiz quadrada do valor; de um negativo, 0, e S 04 := 1",
+        Opcode::RealComparable => "valor := um inteiro que se compara com outros como o REAL",
+        Opcode::LoadTable => "valor := registrador XX + valor; fora da tabela 0, e S 04 := 1",
+        Opcode::StoreTable => {
+            "se acc = 1, registrador XX + o valor empilhado := valor; fora da tabela S 04 := 1"
+        }
+        Opcode::ExtendSign => "valor := os seus XX bits baixos, com o mais alto deles como sinal",
+        Opcode::ExtendZero => "valor := os seus XX bits baixos",
+        Opcode::UnsignedDivide => {
+            "valor := valor / operando, ambos sem sinal; por 0: 0, e S 04 := 1"
+        }
+        Opcode::UnsignedModulo => {
+            "valor := resto de valor / operando, ambos sem sinal; por 0: 0, e S 04 := 1"
+        }
+        Opcode::UnsignedGreaterOrEqual => {
+            "comparação: acc := acc AND (valor >= operando), ambos sem sinal"
+        }
+        Opcode::UnsignedLess => "comparação: acc := acc AND (valor < operando), ambos sem sinal",
+        Opcode::If => {
+            "se acc = 1, continua aqui; senão, depois do ELS ou END que lhe pertence; novo degrau"
+        }
+        Opcode::Else => "daqui em diante se acc no seu IF era 0; novo degrau",
+        Opcode::EndIf => "o fim de um IF; novo degrau",
     }
 }
 

@@ -2,8 +2,31 @@
 
 use std::collections::BTreeSet;
 use std::fmt;
-use unoclp_core::isa::{Kind, Operand, Value};
+use unoclp_core::isa::{Class, Kind, Opcode, Operand, Value};
 use unoclp_core::{Inputs, Instruction, Plc, Program, Target};
+
+/// What takes a REAL from value alone.
+const TAKE_REAL: &[Opcode] = &[
+    Opcode::RealRound,
+    Opcode::RealCut,
+    Opcode::RealNegate,
+    Opcode::RealAbsolute,
+    Opcode::RealRoot,
+    Opcode::RealComparable,
+];
+/// What makes a REAL of value alone.
+const GIVE_REAL: &[Opcode] = &[
+    Opcode::RealFromSigned,
+    Opcode::RealFromUnsigned,
+    Opcode::RealNegate,
+    Opcode::RealAbsolute,
+    Opcode::RealRoot,
+];
+
+/// The bits of a REAL number as people read it: `0.5`, `1e30`; those of none as `inf` or `NaN`.
+pub fn real(bits: i32) -> String {
+    format!("{:?}", f32::from_bits(bits.cast_unsigned()))
+}
 
 /// The numbers that a program names, in rising order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -20,6 +43,8 @@ pub struct Used {
     pub markers: BTreeSet<u8>,
     /// Registers, those of block moves among them.
     pub registers: BTreeSet<u8>,
+    /// Those of the registers that hold REAL numbers: a REAL operation reads them, or its result is stored in them.
+    pub reals: BTreeSet<u8>,
     /// Counters.
     pub counters: BTreeSet<u8>,
 }
@@ -38,10 +63,44 @@ impl Used {
             pwm: bits(needs.pwm, 1),
             ..Used::default()
         };
+        // Whether value is a REAL, and the register that it was loaded from last.
+        let (mut real, mut loaded) = (false, None);
         for step in program.steps() {
             used.note(&step);
+            used.note_real(&step, &mut real, &mut loaded);
         }
         used
+    }
+
+    /// Notes the registers that REAL operations work with.
+    fn note_real(&mut self, step: &Instruction<'_>, real: &mut bool, loaded: &mut Option<u8>) {
+        let kind = step.opcode.row().kind;
+        let register = match step.operand {
+            Operand::Value(Value::Register(register)) => Some(register),
+            _ => None,
+        };
+        let takes = kind == Kind::Real || TAKE_REAL.contains(&step.opcode);
+        if takes {
+            // A result of another operation is loaded from nowhere.
+            self.reals.extend(loaded.take());
+        }
+        if kind == Kind::Real {
+            self.reals.extend(register);
+        }
+        match step.opcode.class() {
+            Class::Load => {
+                *loaded = register;
+                *real = register.is_some_and(|register| self.reals.contains(&register));
+            }
+            Class::Operation if step.opcode != Opcode::Push => {
+                *real = kind == Kind::Real || GIVE_REAL.contains(&step.opcode);
+                *loaded = None;
+            }
+            Class::Store if step.opcode == Opcode::Store && *real => {
+                self.reals.extend(step.number());
+            }
+            _ => {}
+        }
     }
 
     fn note(&mut self, step: &Instruction<'_>) {
@@ -60,6 +119,7 @@ impl Used {
                 self.registers.extend(from..from + count);
                 self.registers.extend(to..to + count);
             }
+            Operand::Table { first, length } => self.registers.extend(first..first + length),
             Operand::Timer(block) => {
                 if let Target::Marker(marker) = block.target {
                     self.markers.insert(marker);
@@ -78,6 +138,7 @@ impl Used {
                 bits,
                 value,
                 of,
+                is_real: false,
             };
         let reading = |input: u8| inputs.analogue.get(usize::from(input)).copied();
         let analogue = self.analogue.iter().map(|&input| {
@@ -95,7 +156,10 @@ impl Used {
         });
         let registers = self.registers.iter().filter_map(|&register| {
             let value = plc.registers().get(usize::from(register).wrapping_sub(1))?;
-            Some(quantity('D', register, 32, *value, None))
+            Some(Quantity {
+                is_real: self.reals.contains(&register),
+                ..quantity('D', register, 32, *value, None)
+            })
         });
         let markers = self.markers.iter().map(|&marker| {
             let state = plc.markers() >> marker.wrapping_sub(1) & 1;
@@ -140,4 +204,22 @@ pub struct Quantity {
     pub value: i32,
     /// A counter's preset.
     pub of: Option<i32>,
+    /// Whether it is a REAL number.
+    pub is_real: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load;
+
+    #[test]
+    fn registers_of_real_operations_are_real() {
+        // D 04 := D 01 * D 02; D 05 := D 04; D 06 := D 03, rounded
+        let text = "0 766801 82778502 838404 787600 766804 838405 787600 766803 827868 838406";
+        let source = load(text.replace(' ', "\n").as_bytes()).unwrap();
+        let used = Used::of(source.program());
+        assert_eq!(used.reals, BTreeSet::from([1, 2, 3, 4, 5]));
+        assert_eq!([real(0x3F00_0000), real(0)], ["0.5", "0.0"]);
+    }
 }

@@ -3,7 +3,8 @@
 use crate::sd::{Kind, SdCard};
 use crate::{Analogue, CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::{Image, Inputs, Millis, isa::ANALOGUE};
+use unoclp_core::isa::{ANALOGUE, NEAR_REGISTERS};
+use unoclp_core::{Image, Inputs, Loader, Millis, Profile};
 use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
 use unoclp_modbus::Crc;
 
@@ -41,6 +42,8 @@ pub struct UnoEngine {
     millis: u32,
     age: u32,
     memory: Memory,
+    /// The highest register that the program has: the memory behind it is another's.
+    registers: u8,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
     analogue: [bool; ANALOGUE as usize],
     uno: Option<Uno>,
@@ -127,6 +130,7 @@ impl UnoEngine {
             millis: symbol("MILLIS", Space::Data)?,
             age: symbol("AGE", Space::Data)?,
             memory: Memory::of(&program),
+            registers: NEAR_REGISTERS,
             analogue: Default::default(),
             program,
             clock,
@@ -249,6 +253,18 @@ impl UnoEngine {
     }
 }
 
+/// The highest register that a program has.
+fn registers(file: &[u8]) -> u8 {
+    let mut memory = [0; Profile::UNO.linked_bytes as usize];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    for &byte in file {
+        // A fault is the board's to tell.
+        let _ = loader.push(byte);
+    }
+    let program = loader.finish();
+    program.map_or(NEAR_REGISTERS, |program| program.registers() as u8)
+}
+
 impl Engine for UnoEngine {
     type Error = EngineError;
 
@@ -258,6 +274,7 @@ impl Engine for UnoEngine {
             .build()?;
         let card = SdCard::new(Kind::Sdhc, image)?;
         self.analogue = Default::default();
+        self.registers = registers(file);
         self.start(Slot::Card(card))
     }
 
@@ -291,6 +308,7 @@ impl Engine for UnoEngine {
                 let on = uno.read_ram(place, 1)?.iter().any(|cell| cell & ON != 0);
                 Ok(on.into())
             }
+            Cell::Register(number) if number > self.registers => Ok(0),
             Cell::Register(number) => {
                 let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
                 let bytes = uno.read_ram(place, 4)?.first_chunk();
@@ -306,6 +324,7 @@ impl Engine for UnoEngine {
                 let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
                 uno.write_ram(place, &[if value == 0 { 0 } else { ON }])?;
             }
+            Cell::Register(number) if number > self.registers => {}
             Cell::Register(number) => {
                 let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
                 uno.write_ram(place, &value.to_le_bytes())?;

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use object::{Object, ObjectSymbol};
 use unoclp_core::Profile;
 use unoclp_core::isa::Opcode;
 
@@ -74,7 +73,6 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
         exceeded.join(" and ")
     );
     mulcheck::accept(&elf)?;
-    page_begins_ram(&elf)?;
 
     // It does not fit the chip; the simulated one is made larger for it.
     fs::copy(link.result()?, &unshortened)
@@ -85,22 +83,6 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
     objcopy.args(["-O", "ihex", "-R", ".eeprom"]);
     shell::run(objcopy.arg(&firmware.elf).arg(&firmware.hex))?;
     Ok(firmware)
-}
-
-/// Checks that the page stands where the engine looks for it: one byte names what is in its second half.
-fn page_begins_ram(elf: &[u8]) -> Result<()> {
-    /// The first byte of RAM, as an ELF for AVR has it.
-    const RAM: u64 = 0x80_0100;
-    let file = object::File::parse(elf).context("this is no ELF file")?;
-    let page = file
-        .symbol_by_name("PAGE")
-        .context("the firmware has no PAGE")?;
-    ensure!(
-        page.address() == RAM,
-        "PAGE stands at {:#x}, not at the beginning of RAM, {RAM:#x}",
-        page.address()
-    );
-    Ok(())
 }
 
 /// Has the firmware compiled to assembly, and says how rustc has linked it.

@@ -2,23 +2,25 @@
 //!
 //! LLVM may lose the low byte of a product from r0 (`docs/avr-codegen.md`). The flags of the project keep it
 //! from making products at all; but a flag can be dropped, or mean something else in another version. So each
-//! instruction of the `mul` family must lie in assembly that was written by hand: here, or in libgcc.
+//! instruction of the `mul` family must lie in assembly that was written by hand: here, in libgcc, or in avr-libc.
 //!
-//! LLVM ends each function with its size, and so does the pass that shortens them, and libgcc. Our assembly
-//! gives none. So a multiplication within the extent of a function is LLVM's, unless libgcc is known by that name.
+//! LLVM ends each function with its size, and so does the pass that shortens them, and the libraries. Our
+//! assembly gives none. So a multiplication within the extent of a function is LLVM's, unless a library is known
+//! by that name.
 
 use std::fmt;
 
 use anyhow::{Context, Result, ensure};
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind, elf};
 
-/// The functions of libgcc that multiply, as far as the linker takes them from there.
-const LIBGCC: [&str; 5] = [
+/// The functions of libgcc and avr-libc that multiply, as far as the linker takes them from there.
+const LIBRARIES: [&str; 6] = [
     "__mulsi3",
     "__muluhisi3",
     "__umulhisi3",
     "__usmulhisi3",
     "__mulhisi3",
+    "__mulsf3x",
 ];
 
 /// Where the multiplications of an ELF are.
@@ -82,7 +84,7 @@ pub fn check(bytes: &[u8]) -> Result<Report> {
         for at in products(section.address(), section.data()?, is_constant) {
             report.products += 1;
             let around = extents.iter().find(|(extent, _)| extent.contains(&at));
-            if let Some((_, name)) = around.filter(|(_, name)| !LIBGCC.contains(name)) {
+            if let Some((_, name)) = around.filter(|(_, name)| !LIBRARIES.contains(name)) {
                 let name = format!("{:#}", rustc_demangle::demangle(name));
                 report.foreign.push((at, name));
             }

@@ -25,8 +25,8 @@ fn every_read_has_its_shape() {
     let words = [
         (i, input::ANALOGUE.first, 1023),
         (i, input::ANALOGUE.first + 4, 7),
-        (h, holding::REGISTERS.end() - 2, 0xFFFF),
-        (h, holding::REGISTERS.end() - 1, 0xFFFE),
+        (h, holding::FIRST_REGISTERS.end() - 2, 0xFFFF),
+        (h, holding::FIRST_REGISTERS.end() - 1, 0xFFFE),
         (i, input::TIMERS.first, 1),
         (i, input::TIMERS.first + 1, 2),
         (h, holding::TIMERS.first, 3),
@@ -53,6 +53,7 @@ fn every_read_has_its_shape() {
         ..Board::in_state(STOP)
     });
     let scope = Scope {
+        registers: 64,
         timers: 87,
         counters: 16,
     };
@@ -66,7 +67,7 @@ fn every_read_has_its_shape() {
     assert_eq!((reading.inputs, reading.outputs), (0b1000_0101, 0b0110));
     assert_eq!(reading.markers, Some(0x8000_0000_0000_0005));
     assert_eq!(reading.analogue, [1023, 0, 0, 0, 7]);
-    assert_eq!((reading.registers.len(), reading.registers[31]), (32, -2));
+    assert_eq!((reading.registers.len(), reading.registers[63]), (64, -2));
     assert_eq!((reading.timers.len(), reading.counters.len()), (87, 16));
     let meter = |value, preset| Meter { value, preset };
     assert_eq!(reading.timers[0], meter(0x1_0002, 0x3_0004));
@@ -81,6 +82,7 @@ fn a_board_without_markers_and_registers_is_read_too() {
         ..Board::default()
     });
     let scope = Scope {
+        registers: 32,
         timers: 2,
         counters: 1,
     };

@@ -11,11 +11,11 @@ use std::cell::Cell;
 use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
 use std::path::Path;
-use unoclp_board::diagnostics::Kept;
+use unoclp_board::diagnostics::{Diagnostics, Kept};
 use unoclp_board::map::{State, flag};
 use unoclp_board::settings::read_lock;
 use unoclp_board::upload::{
-    Behind, Broken, FIRST_SCANS, Progress, end, go_on, stop, upload as send,
+    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload as send,
 };
 use unoclp_board::watch::{Forced, Wish};
 use unoclp_board::{Client, lock};
@@ -61,6 +61,9 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
     outcome
 }
 
+/// The form in which the oldest firmware keeps programs.
+const OLDEST_FORM: u8 = 1;
+
 /// An upload, as far as it has come.
 struct Upload {
     port: Port,
@@ -75,6 +78,14 @@ impl Upload {
         // A board that takes no upload is not stopped for one.
         if self.talk(read_lock)?.map_err(failed)? & lock::UPLOAD != 0 {
             bail!(messages::broken(&Broken::Locked));
+        }
+        let needs = needs(self.program.program());
+        if needs > OLDEST_FORM {
+            let board = self.talk(Diagnostics::read)?.map_err(failed)?;
+            let board = board.program.version;
+            if board < needs {
+                bail!(messages::broken(&Broken::TooOld { board, needs }));
+            }
         }
         let forced = self.talk(Forced::read)?.map_err(failed)?;
         let before = self.talk(stop)?.map_err(not_stopped)?;

@@ -124,6 +124,7 @@ pub fn broken(broken: &Broken) -> String {
     match broken {
         Broken::NotBegun => upload_not_begun(),
         Broken::Locked => upload_locked(to_lift()),
+        Broken::TooOld { board, needs } => firmware_too_old(*board, *needs),
         Broken::Fault(fault) => trouble(*fault),
         Broken::Ended => upload_ended(),
         Broken::Other { kept, sent } => {

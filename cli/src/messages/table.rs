@@ -165,6 +165,11 @@ unoclp_source::messages! {
     upload_locked(to_lift)
         "the board is locked against uploads; {to_lift}"
         "os envios estão bloqueados na placa; {to_lift}";
+    firmware_too_old(board, needs)
+        "the board keeps programs in form {board}, and this one needs form {needs}: its firmware is older than some instructions \
+         of the program. The board keeps the program that it had; bring its firmware up to date"
+        "a placa guarda programas na forma {board}, e este precisa da forma {needs}: o firmware dela é mais antigo que algumas \
+         instruções do programa. A placa mantém o programa que tinha; atualize o firmware";
     upload_ended()
         "the upload was ended from elsewhere; the board keeps the program that it had"
         "o envio foi encerrado por outro cliente; a placa mantém o programa que tinha";

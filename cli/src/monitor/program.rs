@@ -22,6 +22,7 @@ pub struct Program {
     /// What each timer does.
     pub(super) timers: Vec<Delay>,
     counters: u16,
+    registers: u16,
     /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
     twin: Machine,
     /// The same, to see its values on the way.
@@ -42,6 +43,7 @@ impl Program {
     /// A program whose text is known.
     pub fn new(program: Source) -> Program {
         let kept = Kept::of(program.program());
+        let registers = program.program().registers() as u16;
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
         let probe = Probe::new(&program, &drawn.values());
@@ -63,6 +65,7 @@ impl Program {
                 .filter_map(|step| Delay::of(step.opcode))
                 .collect(),
             counters: plc.counters().count() as u16,
+            registers,
             steps: plc.steps().count(),
             twin: machine,
             probe,
@@ -131,6 +134,7 @@ impl Program {
         Scope {
             timers: self.timers.len() as u16,
             counters: self.counters,
+            registers: self.registers,
         }
     }
 }

@@ -12,6 +12,7 @@ use ratatui::widgets::{Block, Borders, Paragraph};
 use unoclp_board::map::{State, flag};
 use unoclp_board::watch::{Forces, Meter, Reading, Side};
 use unoclp_source::BOARD;
+use unoclp_source::used::real;
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
@@ -310,7 +311,13 @@ fn memory_of(program: &Program, reading: &Reading, width: u16) -> Vec<Line<'stat
     let analogue = analogue.map(|(n, value)| format!("{} {value}", called(format!("A{n}"))));
     let registers = (1..).zip(&reading.registers);
     let registers = registers.filter(|(n, value)| used.registers.contains(n) || **value != 0);
-    let registers = registers.map(|(n, value)| format!("{} {value}", called(format!("D{n}"))));
+    let registers = registers.map(|(n, value)| {
+        let name = called(format!("D{n}"));
+        match used.reals.contains(&n) {
+            true => format!("{name} {}", real(*value)),
+            false => format!("{name} {value}"),
+        }
+    });
     let all: Vec<String> = markers.chain(analogue).chain(registers).collect();
     wrap(all.iter().map(String::as_str), "  ", width)
 }

@@ -103,7 +103,10 @@ impl Rungs {
         let power = self.ladder.nets.power(&flow.acc);
         let mut lines = Vec::new();
         for (index, picture) in drawing.rungs.iter().enumerate() {
-            let labels = self.ladder.rungs[index].labels.iter();
+            let head = &self.ladder.rungs[index];
+            let part = head.part.map(unoclp_ladder::picture);
+            lines.extend(part.map(|part| Line::raw(format!("    {part}:"))));
+            let labels = head.labels.iter();
             lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));
             lines.extend(rung(index + 1, picture, &power));
         }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use std::collections::BTreeMap;
-use unoclp_source::used::Quantity;
+use unoclp_source::used::{Quantity, real};
 
 /// The analogue input that keys turn.
 const SELECTED: Style = Style::new().add_modifier(Modifier::REVERSED);
@@ -75,6 +75,7 @@ fn spans(name: &str, quantity: &Quantity, selected: bool) -> Vec<Span<'static>> 
         (1, _) if *value != 0 => Span::styled("●", ON),
         (1, _) => Span::raw("○"),
         (_, Some(of)) => Span::raw(format!("{value}/{of}")),
+        _ if quantity.is_real => Span::raw(real(*value)),
         (..) => Span::raw(value.to_string()),
     };
     vec![Span::raw(" "), name, Span::raw(" "), value, Span::raw("  ")]

@@ -71,6 +71,22 @@ fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
 }
 
 #[test]
+fn a_program_that_an_older_board_does_not_know_is_not_sent() {
+    let program = file("newer.txt", "0\n827301\n7370\n877901\n697868\n");
+    let fake = Fake::new(Board::of_version(1, Board::default()));
+    let (code, out, err) = on(&fake, &["upload", &program]);
+    assert!(code == 2 && !out.contains("STOP"), "{out}{err}");
+    assert!(
+        err.contains("in form 1") && err.contains("needs form 2"),
+        "{err}"
+    );
+    assert_eq!(fake.board().state, RUN);
+    // What it knows is sent.
+    let program = file("older.txt", FOLLOW);
+    assert_eq!(on(&fake, &["upload", &program]).0, 0);
+}
+
+#[test]
 fn an_upload_ends_as_the_board_lets_it() {
     let program = file("ends.txt", FOLLOW);
     let switched = Board {

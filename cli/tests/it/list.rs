@@ -60,14 +60,15 @@ fn samples_are_listed_as_they_shall_be() {
 fn codes(opcode: Opcode) -> String {
     let row = opcode.row();
     let xx = match row.kind {
-        Kind::None | Kind::Timer | Kind::Scale | Kind::Value => 0,
+        Kind::None | Kind::Timer | Kind::Scale | Kind::Value | Kind::Real => 0,
         Kind::Analogue => 4,
         _ => 1,
     };
     let code = row.code + row.code.signum() * xx;
     let lines = match row.kind {
         Kind::Timer => "\n5000\n7702",
-        Kind::Count | Kind::Value => "\n1234",
+        Kind::Table => "\n8",
+        Kind::Count | Kind::Value | Kind::Real => "\n1234",
         Kind::Move => "\n6808\n4",
         Kind::Drum => "\n3\n1000\n0100\n0010",
         Kind::Scale => "\n-32768\n32767\n-32767\n32766",
@@ -91,6 +92,12 @@ fn every_instruction_is_listed() {
                 "0\n827301\n404101\n827302\n40\n404101\n41\n".to_owned(),
                 "┬",
             ),
+            // What is pushed is taken, and an IF has its END.
+            Opcode::Push => (format!("0\n{step}65686899\n"), "[ PUSH ]"),
+            Opcode::StoreTable => (format!("0\n808372\n{step}"), "[ ST TABLE D1-8 ]"),
+            Opcode::If => (format!("0\n827301\n{step}697868\n"), "[ IF ]"),
+            Opcode::Else => (format!("0\n7370\n{step}877901\n697868\n"), "ELSE:"),
+            Opcode::EndIf => (format!("0\n7370\n{step}"), "END_IF:"),
             // A jump needs its label, a contact of a timer its timer.
             Opcode::Jump | Opcode::JumpNot => (format!("0\n766601\n{step}"), ">> L1"),
             Opcode::Label => (format!("0\n{step}"), "L1:"),

@@ -1,7 +1,7 @@
 //! An instruction of a checked program, with its operands.
 
 use super::{
-    BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode,
+    BYTE_CONSTANT, Class, Kind, MARKER_OPERAND, MARKER_TARGET, OUTPUT_OPERAND, Opcode, POPPED,
     REGISTER_OPERAND, WORD_CONSTANT, holds_point,
 };
 use crate::{Millis, Target, TimerBlock};
@@ -25,7 +25,7 @@ pub enum Operand<'c> {
     Number(u8),
     /// A timer block ([`Kind::Timer`]).
     Timer(TimerBlock),
-    /// A register or a constant ([`Kind::Value`]).
+    /// A register, a constant or what was pushed ([`Kind::Value`], [`Kind::Real`]).
     Value(Value),
     /// A counter and its preset ([`Kind::Count`]).
     Count {
@@ -64,6 +64,13 @@ pub enum Operand<'c> {
         /// ms from sample to sample, 0–30000.
         time: u16,
     },
+    /// A table ([`Kind::Table`]).
+    Table {
+        /// Its first register, from 1.
+        first: u8,
+        /// How many registers it has, from 1.
+        length: u8,
+    },
     /// A jump ([`Kind::Jump`]).
     Jump {
         /// The label, from 1.
@@ -78,8 +85,10 @@ pub enum Operand<'c> {
 pub enum Value {
     /// A register, from 1.
     Register(u8),
-    /// A constant.
+    /// A constant; of a REAL operation the bits of a REAL number.
     Constant(i32),
+    /// The value itself is the operand, and what was pushed becomes the value before (NC-22).
+    Popped,
 }
 
 impl<'c> Instruction<'c> {
@@ -106,12 +115,20 @@ impl<'c> Instruction<'c> {
                 counter: number,
                 preset: i32::from_le_bytes(take(&mut rest)?),
             },
-            Kind::Value => Operand::Value(match number {
+            Kind::Value | Kind::Real => Operand::Value(match number {
                 0 => Value::Constant(i32::from_le_bytes(take(&mut rest)?)),
                 BYTE_CONSTANT => Value::Constant(i8::from_le_bytes(take(&mut rest)?).into()),
                 WORD_CONSTANT => Value::Constant(i16::from_le_bytes(take(&mut rest)?).into()),
+                POPPED => Value::Popped,
                 register => Value::Register(register),
             }),
+            Kind::Table => {
+                let [length] = take(&mut rest)?;
+                Operand::Table {
+                    first: number,
+                    length,
+                }
+            }
             Kind::Move => {
                 let [to, count] = take(&mut rest)?;
                 Operand::Move {
@@ -181,6 +198,8 @@ impl<'c> Instruction<'c> {
             Operand::Number(number) => Some(number),
             Operand::Value(Value::Register(register)) => Some(register),
             Operand::Value(Value::Constant(_)) => Some(0),
+            Operand::Value(Value::Popped) => Some(POPPED),
+            Operand::Table { first, .. } => Some(first),
             Operand::Count { counter, .. } => Some(counter),
             Operand::Move { from, .. } => Some(from),
             Operand::Drum { register, .. } => Some(register),
@@ -223,10 +242,11 @@ impl<'c> Instruction<'c> {
                 )
             }
             Operand::Filter { time, .. } => ([Some(time.into()), None, None, None], &[]),
+            Operand::Table { length, .. } => ([Some(length.into()), None, None, None], &[]),
             Operand::None
             | Operand::Number(_)
             | Operand::Jump { .. }
-            | Operand::Value(Value::Register(_)) => ([None; 4], &[]),
+            | Operand::Value(Value::Register(_) | Value::Popped) => ([None; 4], &[]),
         };
         let steps = steps.iter().map(|step| step_code(*step));
         core::iter::once(code)
@@ -276,7 +296,8 @@ impl fmt::Display for Target {
 }
 
 impl fmt::Display for Instruction<'_> {
-    /// The letters and the operands: `RI 01`, `-RO 02`, `TON 500 ms O 01`, `ADD 12`, `ADD D 03`.
+    /// The letters and the operands: `RI 01`, `-RO 02`, `TON 500 ms O 01`, `ADD 12`, `ADD D 03`, `ADD popped`,
+    /// `RAD 0.5`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.opcode.row().letters)?;
         match self.operand {
@@ -284,7 +305,12 @@ impl fmt::Display for Instruction<'_> {
             Operand::Number(number) => write!(f, " {number:02}"),
             Operand::Timer(block) => write!(f, " {} ms {}", block.preset, block.target),
             Operand::Value(Value::Register(register)) => write!(f, " D {register:02}"),
+            Operand::Value(Value::Constant(number)) if self.opcode.row().kind == Kind::Real => {
+                write!(f, " {:?}", f32::from_bits(number.cast_unsigned()))
+            }
             Operand::Value(Value::Constant(number)) => write!(f, " {number}"),
+            Operand::Value(Value::Popped) => f.write_str(" popped"),
+            Operand::Table { first, length } => write!(f, " {length} from D {first:02}"),
             Operand::Count { counter, preset } => write!(f, " {counter:02} {preset}"),
             Operand::Move { from, to, count } => {
                 write!(f, " {count} from D {from:02} to D {to:02}")

@@ -1,8 +1,8 @@
 //! What follows the letters of a code: its number XX, and the lines below it.
 
 use super::{
-    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, REGISTERS, SYSTEM_MARKERS,
-    TIMERS,
+    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, POPPED, REGISTERS,
+    SYSTEM_MARKERS, TIMERS,
 };
 
 /// Declares an enum that tells its variants, and finds one by its discriminant without a table: a chain of
@@ -30,12 +30,17 @@ macro_rules! numbered {
 }
 
 numbered! {
-    /// What stands in the last two digits of a code, and on the lines that follow it.
+    /// What stands in the last two digits of a code, and on the lines that follow it. Those without a number come
+    /// first, those that name registers last, so that one comparison tells them.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[repr(u8)]
     pub enum Kind {
         /// Nothing: the code is complete.
         None,
+        /// A timer block. Lines: preset, target.
+        Timer,
+        /// Lines: four bounds.
+        Scale,
         /// Input XX of the board.
         Input,
         /// Output XX of the board.
@@ -50,8 +55,8 @@ numbered! {
         TimerQ,
         /// Counter XX, 01–16.
         Counter,
-        /// Register XX, 01–32.
-        Register,
+        /// Counter XX. Line: preset.
+        Count,
         /// Analogue input A XX, 00–04.
         Analogue,
         /// The output with this number as PWM, 01 or 04.
@@ -68,40 +73,35 @@ numbered! {
         Label,
         /// A jump to label XX.
         Jump,
-        /// A timer block. Lines: preset, target.
-        Timer,
-        /// Counter XX. Line: preset.
-        Count,
-        /// Register XX, 01–32; with XX = 00 a constant. Line then: the constant.
-        Value,
+        /// Strength XX, 01–08. Line: time.
+        Filter,
+        /// Register XX, 01–98.
+        Register,
         /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
         Move,
         /// Register XX tells the step. Lines: how many steps, then each.
         Drum,
-        /// Lines: four bounds.
-        Scale,
-        /// Strength XX, 01–08. Line: time.
-        Filter,
+        /// A table of registers from XX on. Line: how many.
+        Table,
+        /// Register XX, 01–98; with XX = 99 what was pushed and the value; with XX = 00 a constant. Line then: the
+        /// constant.
+        Value,
+        /// The same of REAL numbers: the line is the 32 bits of one.
+        Real,
     }
 }
 
 numbered! {
-    /// A line that follows a code.
+    /// A line that follows a code, by the bytes that store it: 1, 2, 4.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[repr(u8)]
     pub enum Line {
-        /// A timer's preset in ms, 0 to 2147483647.
-        TimerPreset,
         /// What a timer drives: `79XX`, an output, or `77XX`, a marker.
         Target,
-        /// A counter's preset, 0 to 2147483647.
-        CounterPreset,
-        /// Any number.
-        Constant,
         /// `68XX`, a register.
         MoveTo,
         /// How many registers.
-        MoveCount,
+        Count,
         /// How many steps, 1–32.
         Steps,
         /// The outputs of a step: a 0 or 1 for each of 01 02 03 04.
@@ -116,6 +116,14 @@ numbered! {
         ToHigh,
         /// A filter's time in ms, 0–30000.
         FilterTime,
+        /// Any number.
+        Constant,
+        /// The bits of a REAL number that is finite.
+        Real,
+        /// A timer's preset in ms, 0 to 2147483647.
+        TimerPreset,
+        /// A counter's preset, 0 to 2147483647.
+        CounterPreset,
     }
 }
 
@@ -123,8 +131,8 @@ impl Line {
     /// How many bytes store it; a constant may take [fewer](super::constant_bytes).
     pub const fn bytes(self) -> u8 {
         match self {
-            Line::TimerPreset | Line::CounterPreset | Line::Constant => 4,
-            Line::Target | Line::MoveTo | Line::MoveCount | Line::Steps | Line::Step => 1,
+            Line::TimerPreset | Line::CounterPreset | Line::Constant | Line::Real => 4,
+            Line::Target | Line::MoveTo | Line::Count | Line::Steps | Line::Step => 1,
             Line::FromLow | Line::FromHigh | Line::ToLow | Line::ToHigh | Line::FilterTime => 2,
         }
     }
@@ -146,6 +154,16 @@ impl Kind {
         !matches!(self, Kind::None | Kind::Timer | Kind::Scale)
     }
 
+    /// Whether XX names a register, if it is one's number.
+    pub(crate) const fn names_registers(self) -> bool {
+        self as u8 >= Kind::Register as u8
+    }
+
+    /// Whether XX names where an operation takes its operand from: a register, a constant, what was pushed.
+    pub const fn is_value(self) -> bool {
+        matches!(self, Kind::Value | Kind::Real)
+    }
+
     /// The numbers that XX may be, first and last; the board has fewer inputs and outputs, and the
     /// program fewer timers. None where the code has no XX.
     pub const fn numbers(self) -> Option<(u8, u8)> {
@@ -157,8 +175,8 @@ impl Kind {
             Kind::Marker => (1, MARKERS),
             Kind::System | Kind::Pwm => (1, SYSTEM_MARKERS),
             Kind::Counter | Kind::Count => (1, COUNTERS),
-            Kind::Register | Kind::Move | Kind::Drum => (1, REGISTERS),
-            Kind::Value => (0, REGISTERS),
+            Kind::Register | Kind::Move | Kind::Drum | Kind::Table => (1, REGISTERS),
+            Kind::Value | Kind::Real => (0, POPPED),
             Kind::Analogue => (0, ANALOGUE - 1),
             Kind::Reading => (1, 2),
             Kind::Group | Kind::Filter => (1, 8),
@@ -184,6 +202,8 @@ impl Kind {
             Kind::Timer => (Some(Line::TimerPreset), 5),
             Kind::Count => (Some(Line::CounterPreset), 4),
             Kind::Value if xx == 0 => (Some(Line::Constant), 4),
+            Kind::Real if xx == 0 => (Some(Line::Real), 4),
+            Kind::Table => (Some(Line::Count), 1),
             Kind::Move => (Some(Line::MoveTo), 2),
             Kind::Drum => (Some(Line::Steps), 1),
             Kind::Scale => (Some(Line::FromLow), 8),
@@ -197,9 +217,8 @@ impl Kind {
             | Kind::Marker
             | Kind::System => (None, 0),
             Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue | Kind::Pwm => (None, 0),
-            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label | Kind::Value => {
-                (None, 0)
-            }
+            Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => (None, 0),
+            Kind::Value | Kind::Real => (None, 0),
         }
     }
 }
@@ -209,6 +228,8 @@ const _: () = {
     while index < Kind::ALL.len() {
         let kind = Kind::ALL[index];
         assert!(kind.has_number() == kind.numbers().is_some());
+        let registers = kind.is_value() || matches!(kind.numbers(), Some((_, REGISTERS)));
+        assert!(kind.names_registers() == registers);
         index += 1;
     }
 };

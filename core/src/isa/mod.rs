@@ -52,7 +52,7 @@ pub struct Row {
     /// The byte that stores it.
     pub stored: u8,
     /// Bytes of run memory, its data among them. More for what [`Line::more_run_bytes`] and [`operand_run_bytes`] tell,
-    /// one for inputs from 05 on, and each counter's data.
+    /// one for inputs from 05 on, two for a store to a register beyond [`NEAR_REGISTERS`], and each counter's data.
     pub run: u8,
     /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
     /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
@@ -86,7 +86,12 @@ pub const SYSTEM_MARKERS: u8 = 4;
 /// Counters C 01 to this number (NC-15).
 pub const COUNTERS: u8 = 16;
 /// Registers D 01 to this number (NC-16).
-pub const REGISTERS: u8 = 32;
+pub const REGISTERS: u8 = 98;
+/// Registers D 01 to this number are always there; those beyond take run memory, 4 bytes each up to the highest that
+/// is named (NC-27).
+pub const NEAR_REGISTERS: u8 = 32;
+/// XX of an operation whose left operand is what was pushed (NC-22).
+pub const POPPED: u8 = 99;
 /// As XX is stored: of a constant of one byte, and of two; of one of four it is 0.
 pub const BYTE_CONSTANT: u8 = 100;
 /// See [`BYTE_CONSTANT`].
@@ -112,6 +117,9 @@ pub const TIMER_DATA: usize = 9;
 /// Bytes of a counter's data in run memory: its value, its preset, its inputs as they were.
 pub const COUNTER_DATA: usize = 9;
 
+/// Bytes of a register in run memory.
+pub const REGISTER_BYTES: usize = 4;
+
 /// How many bytes store a constant whose XX is stored so; 0 where XX is no constant's.
 pub const fn constant_bytes(xx: u8) -> u8 {
     if xx == 0 {
@@ -123,20 +131,27 @@ pub const fn constant_bytes(xx: u8) -> u8 {
 
 /// How XX of this constant is stored.
 pub const fn stored_constant(number: i32) -> u8 {
-    if number as i8 as i32 == number {
-        BYTE_CONSTANT
-    } else if number as i16 as i32 == number {
-        WORD_CONSTANT
-    } else {
+    let (high, low) = ((number >> 16) as i16, number as i16);
+    if high != low >> 15 {
         0
+    } else if low as i8 as i16 == low {
+        BYTE_CONSTANT
+    } else {
+        WORD_CONSTANT
     }
 }
 
 /// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
 pub const fn operand_run_bytes(xx: u8) -> u8 {
-    match constant_bytes(xx) {
-        0 => 2,
-        bytes => 1 + bytes,
+    let bytes = constant_bytes(xx);
+    if bytes > 0 {
+        1 + bytes
+    } else if xx == POPPED {
+        1
+    } else if xx > NEAR_REGISTERS {
+        3
+    } else {
+        2
     }
 }
 

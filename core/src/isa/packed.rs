@@ -56,7 +56,7 @@ pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
         assert!(kind as usize == index);
         let (first, last) = match kind.numbers() {
             // As it is stored.
-            Some((first, _)) if matches!(kind, Kind::Value) => (first, WORD_CONSTANT),
+            Some((first, _)) if kind.is_value() => (first, WORD_CONSTANT),
             Some(numbers) => numbers,
             // A code without a number has 0 for it.
             None => (0, 99),
@@ -102,7 +102,7 @@ pub(crate) struct Entry {
     /// The numbers that XX may be; what the board decides is not among them.
     pub first: u8,
     pub last: u8,
-    /// The bytes of its lines, and the first of them; for [`Kind::Value`] of a constant of four bytes.
+    /// The bytes of its lines, and the first of them; where [XX may be a constant](Kind::is_value), of a constant.
     pub line_bytes: u8,
     pub line: Option<Line>,
 }
@@ -115,10 +115,11 @@ pub(crate) fn stored_size(entry: &Entry, stored: &[u8]) -> Option<usize> {
     } else {
         2
     };
-    let more = if entry.kind == Kind::Value {
+    let more = if entry.kind.is_value() {
         constant_bytes(*stored.get(1)?)
     } else if entry.kind == Kind::Drum {
-        1 + *stored.get(2)?
+        // Behind a line that was refused it may be any byte.
+        stored.get(2)?.wrapping_add(1)
     } else {
         entry.line_bytes
     };

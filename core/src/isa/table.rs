@@ -215,6 +215,54 @@ macro_rules! instructions {
             engine_end "" "KEEP XX";
         KeepCounter       Counter  Setting      756700    "KC"   0xE7  6 6 "the number of counter XX is kept over STOP and over a power cut"
             engine_end "" "KEEP XX";
+        Push              None     Operation    808372    "PSH"  0xE8  2 0 "push value; an operation with number 99 takes it as its left operand"
+            engine_push "PUSH" "PUSH";
+        RealAdd           Real     Operation    82656800  "RAD"  0xE9  2 0 "REAL: value := value + operand; not finite: 0, and S 04 := 1"
+            engine_real_add "REAL_ADD operand" "REAL ADD operand";
+        RealSubtract      Real     Operation    82838500  "RSU"  0xEA  2 0 "REAL: value := value - operand; not finite: 0, and S 04 := 1"
+            engine_real_subtract "REAL_SUB operand" "REAL SUB operand";
+        RealMultiply      Real     Operation    82778500  "RMU"  0xEB  2 0 "REAL: value := value * operand; not finite: 0, and S 04 := 1"
+            engine_real_multiply "REAL_MUL operand" "REAL MUL operand";
+        RealDivide        Real     Operation    82687300  "RDI"  0xEC  2 0 "REAL: value := value / operand; not finite: 0, and S 04 := 1"
+            engine_real_divide "REAL_DIV operand" "REAL DIV operand";
+        RealFromSigned    None     Operation    738482    "ITR"  0xED  2 0 "value := value, a whole number with a sign, as a REAL"
+            engine_real_from_signed "DINT_TO_REAL" "DINT_TO_REAL";
+        RealFromUnsigned  None     Operation    858482    "UTR"  0xEE  2 0 "value := value, a whole number without a sign, as a REAL"
+            engine_real_from_unsigned "UDINT_TO_REAL" "UDINT_TO_REAL";
+        RealRound         None     Operation    827868    "RND"  0xEF  2 0 "value := value, a REAL, as the nearest whole number, halves to even; beyond 32 bits: 0, and S 04 := 1"
+            engine_real_round "REAL_TO_DINT" "REAL_TO_DINT";
+        RealCut           None     Operation    848267    "TRC"  0xF0  2 0 "value := value, a REAL, without its fraction; beyond 32 bits: 0, and S 04 := 1"
+            engine_real_cut "TRUNC" "TRUNC";
+        RealNegate        None     Operation    827871    "RNG"  0xF1  2 0 "REAL: value := -value"
+            engine_real_negate "REAL_NEG" "REAL NEG";
+        RealAbsolute      None     Operation    826566    "RAB"  0xF2  2 0 "REAL: value := value without its sign"
+            engine_real_absolute "REAL_ABS" "REAL ABS";
+        RealRoot          None     Operation    828284    "RRT"  0xF3  2 0 "REAL: value := square root of value; of a negative one 0, and S 04 := 1"
+            engine_real_root "REAL_SQRT" "REAL SQRT";
+        RealComparable    None     Operation    677782    "CMR"  0xF4  2 0 "value := a whole number that compares with others as the REAL did"
+            engine_real_comparable "REAL_ORDER" "REAL ORDER";
+        LoadTable         Table    Operation    76688800  "LDX"  0xF5  5 0 "value := register XX + value; outside the table 0, and S 04 := 1"
+            engine_load_table "TABLE_LD operand" "TABLE operand";
+        StoreTable        Table    Store        83848800  "STX"  0xF6  5 0 "if acc = 1, register XX + the pushed value := value; outside the table S 04 := 1"
+            engine_store_table "TABLE_ST operand" "ST TABLE operand";
+        ExtendSign        Bit      Operation    83888400  "SXT"  0xF7  3 0 "value := its low XX bits, the highest of them as the sign"
+            engine_extend_sign "SIGNED XX" "SIGNED XX";
+        ExtendZero        Bit      Operation    90888400  "ZXT"  0xF8  3 0 "value := its low XX bits"
+            engine_extend_zero "UNSIGNED XX" "UNSIGNED XX";
+        UnsignedDivide    Value    Operation    85688600  "UDV"  0xF9  2 0 "value := value / operand, both without signs; by 0: 0, and S 04 := 1"
+            engine_unsigned_divide "UDIV operand" "UDIV operand";
+        UnsignedModulo    Value    Operation    85777900  "UMO"  0xFA  2 0 "value := rest of value / operand, both without signs; by 0: 0, and S 04 := 1"
+            engine_unsigned_modulo "UMOD operand" "UMOD operand";
+        UnsignedGreaterOrEqual Value Comparison 85716900  "UGE"  0xFB  2 0 "comparison: acc := acc AND (value >= operand), both without signs"
+            engine_unsigned_greater_or_equal "UGE operand" "value >= operand";
+        UnsignedLess      Value    Comparison   85768400  "ULT"  0xFC  2 0 "comparison: acc := acc AND (value < operand), both without signs"
+            engine_unsigned_less "ULT operand" "value < operand";
+        If                None     If           7370      "IF"   0xFD  4 0 "if acc = 1, go on here, else behind the ELS or END that belongs to it; a new rung"
+            engine_jump_not "IF" "IF";
+        Else              None     Part         697683    "ELS"  0xFE  9 0 "from here on if acc at its IF was 0; a new rung"
+            engine_jump "ELSE" "ELSE";
+        EndIf             None     Part         697868    "END"  0xFF  4 0 "the end of an IF; a new rung"
+            engine_label "END_IF" "END_IF";
     } };
 }
 

@@ -6,6 +6,9 @@ use crate::{Board, Cause};
 
 /// The longest time of a filter, ms (NC-17).
 const FILTER_TIME: i16 = 30_000;
+/// The most steps of a drum (NC-17).
+const STEPS: i16 = 32;
+const BEHIND_REGISTERS: i16 = isa::REGISTERS as i16 + 1;
 
 impl<B: Board> Loader<'_, B> {
     /// Takes an operand line as the file has it.
@@ -31,20 +34,26 @@ impl<B: Board> Loader<'_, B> {
     /// Takes an operand line as it is stored.
     #[inline(never)]
     pub(super) fn stored_line(&mut self, line: Line, number: i32) -> Result<(), Cause> {
-        if line == Line::Steps && number > 0 && number <= i32::from(isa::REGISTERS) {
+        let checked = self.check_line(line, number);
+        if line == Line::Steps && checked.is_ok() {
             self.steps = number as u8;
         }
         self.expect = self.behind(line);
-        self.check_line(line, number)?;
+        checked?;
         let bytes = number.to_le_bytes();
-        if line == Line::Constant && !self.restores {
+        if matches!(line, Line::Constant | Line::Real) && !self.restores {
             self.room.constant(isa::stored_constant(number))?;
         }
         let size = self.line_bytes(line);
         let more = match line {
             // The room of all steps, taken at once.
-            Line::Steps => self.room.reserve(bytes[0].into(), bytes[0].into()),
+            Line::Steps => self.room.reserve(bytes[0], bytes[0]),
             Line::Target => self.room.target(bytes[0]),
+            Line::Count => {
+                let last = self.highest() as u8 + bytes[0] - 1;
+                self.room.register(last);
+                self.room.reserve(0, 0)
+            }
             _ => Ok(()),
         };
         for &byte in bytes.iter().take(size.into()) {
@@ -53,11 +62,24 @@ impl<B: Board> Loader<'_, B> {
         more
     }
 
-    /// How many bytes store this line; of a constant, what stands before it says.
+    /// How many bytes store this line.
     pub(super) fn line_bytes(&self, line: Line) -> u8 {
         match line {
-            Line::Constant => isa::constant_bytes(self.room.before(1).unwrap_or(0)),
+            Line::Constant | Line::Real => isa::constant_bytes(self.room.before(1).unwrap_or(0)),
             _ => line.bytes(),
+        }
+    }
+
+    /// The higher of the registers from which so many are counted: one, or behind the first of a move another.
+    fn highest(&self) -> i16 {
+        self.register_before(1).max(self.register_before(2)).into()
+    }
+
+    /// The register that was stored so many bytes ago. The code of an instruction is no register's number.
+    fn register_before(&self, ago: usize) -> u8 {
+        match self.room.before(ago) {
+            Some(register) if register <= isa::REGISTERS => register,
+            _ => 0,
         }
     }
 
@@ -65,7 +87,7 @@ impl<B: Board> Loader<'_, B> {
     pub(super) fn behind(&mut self, line: Line) -> Expect {
         Expect::Line(match line {
             Line::TimerPreset => Line::Target,
-            Line::MoveTo => Line::MoveCount,
+            Line::MoveTo => Line::Count,
             Line::FromLow => Line::FromHigh,
             Line::FromHigh => Line::ToLow,
             Line::ToLow => Line::ToHigh,
@@ -84,6 +106,15 @@ impl<B: Board> Loader<'_, B> {
     fn check_line(&mut self, line: Line, number: i32) -> Result<(), Cause> {
         match line {
             Line::Constant => return Ok(()),
+            Line::Real => {
+                // The exponent of what is none, or not finite, is all ones.
+                let [.., low, high] = number.to_le_bytes();
+                return if low & 0x80 != 0 && high & 0x7F == 0x7F {
+                    Err(Cause::NotReal)
+                } else {
+                    Ok(())
+                };
+            }
             Line::TimerPreset | Line::CounterPreset => {
                 return if number < 0 {
                     Err(Cause::BadPreset)
@@ -97,14 +128,10 @@ impl<B: Board> Loader<'_, B> {
         let small = number as i16;
         let (least, most) = match line {
             Line::Target => return self.check_target(small as u8),
-            Line::MoveTo | Line::Steps => (1, isa::REGISTERS.into()),
-            Line::MoveCount => {
-                // From and to, each with so many registers from it on.
-                let highest = self.room.before(1).max(self.room.before(2));
-                // Behind a line that was refused, something else stands there.
-                let highest = highest.filter(|&highest| highest <= isa::REGISTERS);
-                (1, i16::from(isa::REGISTERS + 1 - highest.unwrap_or(1)))
-            }
+            Line::MoveTo => (1, isa::REGISTERS.into()),
+            Line::Steps => (1, STEPS),
+            // So many registers from each that stands before it on.
+            Line::Count => (1, BEHIND_REGISTERS - self.highest()),
             Line::Step => (0, 15),
             Line::FromHigh => match (self.room.before(2), self.room.before(1)) {
                 // Nothing is above the highest number.

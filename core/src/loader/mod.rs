@@ -1,4 +1,4 @@
-//! From the bytes of a file to a checked program: every check of NC-1 … NC-21.
+//! From the bytes of a file to a checked program: every check of NC-1 … NC-28.
 //!
 //! Owns the order of codes and the limits of their numbers; must not know where the bytes come from.
 //! `lines` takes the operand lines, `room` what a program takes of memory, `labels` where jumps lead.
@@ -36,27 +36,32 @@ enum Expect {
 ///
 /// Each call reports at most one fault. After a fault the loader goes on, so that a tool can show
 /// the other faults that can be told; but [`finish`](Loader::finish) then gives no program.
+// In this order, what is used most is reached by a short way on AVR, which has 64 bytes of it.
+#[repr(C)]
 pub struct Loader<'m, B = Profile> {
-    text: Text,
-    rung: Rung,
     expect: Expect,
     /// The line of the next byte, from 1.
     line: u32,
     /// The line of the last code that lines must follow.
     block: u32,
-    first_fault: Option<Fault>,
-    board: B,
-    room: Room<'m>,
-    labels: Labels,
-    needs: Needs,
+    codes: u16,
     /// The highest timer that is named, and the line of the first code that names it.
     timer: u8,
     timer_line: u32,
     /// Steps of a drum that are still to come.
     steps: u8,
-    codes: u16,
+    /// How many IFs are open, and of which the ELS has come: the innermost in the lowest bit (NC-28).
+    ifs: u8,
+    elses: u8,
     /// Whether constants keep the size that they are stored in.
     restores: bool,
+    room: Room<'m>,
+    text: Text,
+    labels: Labels,
+    needs: Needs,
+    first_fault: Option<Fault>,
+    rung: Rung,
+    board: B,
 }
 
 impl<'m, B: Board> Loader<'m, B> {
@@ -82,6 +87,8 @@ impl<'m, B: Board> Loader<'m, B> {
             timer_line: 0,
             steps: 0,
             codes: 0,
+            ifs: 0,
+            elses: 0,
             restores: false,
         }
     }
@@ -123,6 +130,10 @@ impl<'m, B: Board> Loader<'m, B> {
                 Expect::Line(_) => Err(Cause::OperandsMissing),
                 _ => self.rung.end(),
             };
+        }
+        if checked.is_ok() && self.ifs > 0 {
+            self.ifs -= 1;
+            checked = Err(Cause::IfLeftOpen);
         }
         if checked.is_ok() {
             checked = self.references();
@@ -181,7 +192,11 @@ impl<'m, B: Board> Loader<'m, B> {
         let Err(cause) = checked else { return Ok(()) };
         let line = match cause {
             Cause::EmptyFile => None,
-            Cause::BranchLeftOpen => Some(self.rung.left_open(self.line)),
+            Cause::BranchLeftOpen => Some(self.line_before(self.rung.left_open())),
+            Cause::IfLeftOpen => {
+                let low = self.room.noted(self.ifs);
+                Some(self.line_before(low))
+            }
             Cause::OperandsMissing => Some(self.block),
             // At the end of the file; a timer 00 is told where it stands.
             Cause::NoSuchTimer if self.timer == 0 && self.timer_line > 0 => Some(self.timer_line),
@@ -191,6 +206,12 @@ impl<'m, B: Board> Loader<'m, B> {
         let fault = Fault { cause, line };
         self.first_fault.get_or_insert(fault);
         Err(fault)
+    }
+
+    /// The last line up to this one whose number has this low half.
+    fn line_before(&self, low: u16) -> u32 {
+        let ago = (self.line as u16).wrapping_sub(low);
+        self.line.wrapping_sub(ago.into())
     }
 
     fn code(&mut self, code: i32) -> Result<(), Cause> {
@@ -220,7 +241,7 @@ impl<'m, B: Board> Loader<'m, B> {
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
         let xx = match xx {
             // As it is stored, until its line tells more.
-            0 if entry.kind == Kind::Value => isa::BYTE_CONSTANT,
+            0 if entry.kind.is_value() => isa::BYTE_CONSTANT,
             _ => xx,
         };
         self.checked(entry, xx, expected, line)
@@ -253,9 +274,9 @@ impl<'m, B: Board> Loader<'m, B> {
             for place in bytes.iter_mut().take(size.into()) {
                 *place = next()?;
             }
-            let number = match (size, bytes) {
-                (2, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
-                (1, [low, ..]) if line == Line::Constant => low.cast_signed().into(),
+            let number = match (size, line, bytes) {
+                (2, _, [low, high, ..]) => i16::from_le_bytes([low, high]).into(),
+                (1, Line::Constant, [low, ..]) => low.cast_signed().into(),
                 _ => i32::from_le_bytes(bytes),
             };
             self.stored_line(line, number)?;
@@ -266,11 +287,11 @@ impl<'m, B: Board> Loader<'m, B> {
     /// Checks an instruction with its XX, and stores it.
     #[inline(never)]
     fn checked(&mut self, entry: Entry, xx: u8, expected: Expect, line: u16) -> Result<(), Cause> {
-        self.codes = self.codes.saturating_add(1);
+        self.codes = self.codes.wrapping_add(1);
         let kind = entry.kind;
         let mut stored = entry.stored;
         if let Some(line) = entry.line
-            && (kind != Kind::Value || isa::constant_bytes(xx) > 0)
+            && (!kind.is_value() || isa::constant_bytes(xx) > 0)
         {
             self.block = self.line;
             self.expect = Expect::Line(line);
@@ -282,10 +303,13 @@ impl<'m, B: Board> Loader<'m, B> {
         if kind == Kind::Output {
             last = self.board.profile().outputs;
         }
-        if xx < entry.first || xx > last || kind == Kind::Value && is_no_value(xx) {
+        if xx < entry.first || xx > last {
             return Err(no_such(kind));
         }
         self.needs.note(kind, xx)?;
+        if kind.is_value() && xx == isa::POPPED || stored == Opcode::StoreTable as u8 {
+            self.rung.pop()?;
+        }
         if kept::declares(stored) {
             self.room.keep()?;
             self.expect = Expect::Head;
@@ -341,10 +365,46 @@ impl<'m, B: Board> Loader<'m, B> {
             self.expect = Expect::Head;
             return self.rung.end();
         }
+        if stored == Opcode::Push as u8 {
+            return self.rung.push();
+        }
+        let brackets = stored >= Opcode::If as u8;
         let returns = stored == Opcode::Return as u8 || stored == Opcode::ReturnNot as u8;
-        if returns && self.rung.is_open() {
+        if (brackets || returns) && self.rung.is_open() {
             return Err(Cause::JumpInBranch);
         }
+        if brackets {
+            self.bracket(stored)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that IF, ELS and END are balanced (NC-28). What stands before is a rung, and a rung begins.
+    #[inline(never)]
+    fn bracket(&mut self, stored: u8) -> Result<(), Cause> {
+        self.expect = Expect::Head;
+        self.rung.end()?;
+        if stored == Opcode::If as u8 {
+            self.room.note(self.ifs, self.line as u16);
+            // Counted also where it is too deep, so that its END is not one too many.
+            self.ifs = self.ifs.wrapping_add(1);
+            self.elses <<= 1;
+            return if self.ifs > isa::DEEPEST {
+                Err(Cause::IfTooDeep)
+            } else {
+                Ok(())
+            };
+        }
+        if self.ifs == 0 {
+            return Err(Cause::NoIf);
+        }
+        if stored == Opcode::Else as u8 {
+            let first = self.elses & 1 == 0;
+            self.elses |= 1;
+            return if first { Ok(()) } else { Err(Cause::NoIf) };
+        }
+        self.ifs -= 1;
+        self.elses >>= 1;
         Ok(())
     }
 
@@ -355,11 +415,6 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         self.labels.check_jumps(&self.board, self.room.stored())
     }
-}
-
-/// Whether XX, as it is stored, is neither a register's nor a constant's.
-fn is_no_value(xx: u8) -> bool {
-    xx > isa::REGISTERS && xx < isa::BYTE_CONSTANT
 }
 
 /// What is told of a number that this kind does not have.

@@ -19,14 +19,15 @@ pub(super) struct Room<'m> {
     /// Bytes of the stored form that are reserved, and that have been put.
     reserved: usize,
     put: usize,
-    /// Bytes that the program takes in run memory.
-    run_bytes: usize,
+    /// Bytes of run memory that are reserved, apart from those of counters and registers.
+    run_reserved: usize,
     /// What there is of both.
     stored_most: usize,
     run_most: usize,
     timers: u8,
-    /// The highest counter that is named.
+    /// The highest counter that is named, and the highest register.
     counters: u8,
+    registers: u8,
     /// What the code before has left behind in the linked form.
     behind: u8,
     /// How many numbers are kept.
@@ -42,11 +43,12 @@ impl<'m> Room<'m> {
             memory,
             reserved: 0,
             put: 0,
-            run_bytes: 0,
+            run_reserved: 0,
             stored_most: profile.stored_bytes.into(),
             run_most,
             timers: 0,
             counters: 0,
+            registers: isa::NEAR_REGISTERS,
             behind: RUNG,
             kept: 0,
             full: false,
@@ -59,26 +61,29 @@ impl<'m> Room<'m> {
         let Entry {
             kind, stored, run, ..
         } = *entry;
-        let (mut bytes, mut run) = (1, usize::from(run));
+        let (mut bytes, mut run) = (1, run);
         let holds_point = isa::holds_point(stored);
         if kind.has_number() && !holds_point {
             bytes += 1;
         }
-        if kind != Kind::Value {
-            bytes += usize::from(entry.line_bytes);
+        if !kind.is_value() {
+            bytes += entry.line_bytes;
         }
         // A match that tells all kinds apart would take 50 bytes more of the firmware.
         if kind == Kind::Timer {
             self.timers = self.timers.saturating_add(1);
-        } else if kind == Kind::Value {
-            bytes += usize::from(isa::constant_bytes(xx));
-            run += usize::from(isa::operand_run_bytes(xx));
+        } else if kind.is_value() {
+            bytes += isa::constant_bytes(xx);
+            run += isa::operand_run_bytes(xx);
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
-            for _ in self.counters..xx {
-                run += isa::COUNTER_DATA;
-            }
             self.counters = xx;
+        }
+        if kind.names_registers() && xx <= isa::REGISTERS {
+            if stored == Opcode::Store as u8 && xx > isa::NEAR_REGISTERS {
+                run += 2;
+            }
+            self.register(xx);
         }
         run = self.linked(kind, stored, xx, run);
         if kept::declares(stored) {
@@ -103,12 +108,13 @@ impl<'m> Room<'m> {
 
     /// How much of these bytes of run memory an instruction takes, by what stands before it: the rules of the firmware's
     /// linker.
-    fn linked(&mut self, kind: Kind, stored: u8, xx: u8, run: usize) -> usize {
+    fn linked(&mut self, kind: Kind, stored: u8, xx: u8, run: u8) -> u8 {
         let before = mem::replace(&mut self.behind, 0);
-        let rung = stored == Opcode::NewRung as u8;
-        if rung || kind == Kind::Label {
+        let begins = stored >= Opcode::If as u8 || stored == Opcode::NewRung as u8;
+        if begins || kind == Kind::Label {
             self.behind = RUNG;
-            return if rung && before >= COIL { 0 } else { run };
+            let rung = stored == Opcode::NewRung as u8 || stored == Opcode::Else as u8;
+            return if rung && before >= COIL { run - 1 } else { run };
         }
         if (isa::FIRST_POINT..Opcode::Coil as u8).contains(&stored) {
             if kind == Kind::Input && xx > isa::FAST_INPUTS {
@@ -129,12 +135,17 @@ impl<'m> Room<'m> {
         run
     }
 
+    /// A register that is named; its room is taken with what is reserved next.
+    pub(super) fn register(&mut self, register: u8) {
+        self.registers = self.registers.max(register);
+    }
+
     /// What a timer drives, as it is stored.
     pub(super) fn target(&mut self, stored: u8) -> Result<(), Cause> {
         if stored < isa::MARKER_TARGET {
             self.behind = COIL;
         }
-        self.reserve(0, Line::Target.more_run_bytes(stored).into())
+        self.reserve(0, Line::Target.more_run_bytes(stored))
     }
 
     /// The constant behind the code that was put last takes so many bytes as this XX says.
@@ -142,8 +153,26 @@ impl<'m> Room<'m> {
         if let (false, Some(last)) = (self.full, self.memory.get_mut(self.put.wrapping_sub(1))) {
             *last = xx;
         }
-        let more = usize::from(isa::constant_bytes(xx)).saturating_sub(1);
+        let more = isa::constant_bytes(xx).saturating_sub(1);
         self.reserve(more, more)
+    }
+
+    /// Notes a line where no stored byte comes, at the end of the memory.
+    pub(super) fn note(&mut self, index: u8, line: u16) {
+        if let Some([low, high]) = self.noted_at(index) {
+            [*low, *high] = line.to_le_bytes();
+        }
+    }
+
+    /// The line that was noted.
+    pub(super) fn noted(&mut self, index: u8) -> u16 {
+        self.noted_at(index)
+            .map_or(0, |line| u16::from_le_bytes(*line))
+    }
+
+    fn noted_at(&mut self, index: u8) -> Option<&mut [u8; 2]> {
+        let (_, free) = self.memory.split_at_mut_checked(self.stored_most)?;
+        free.as_chunks_mut().0.get_mut(usize::from(index))
     }
 
     /// Another number is kept: before it stand no other codes (NC-21).
@@ -159,10 +188,10 @@ impl<'m> Room<'m> {
     }
 
     /// Reserves so many bytes more of the stored form and of run memory.
-    pub(super) fn reserve(&mut self, stored: usize, run: usize) -> Result<(), Cause> {
+    pub(super) fn reserve(&mut self, stored: u8, run: u8) -> Result<(), Cause> {
         // Counted beyond what fits too: a tool tells how much is lacking.
-        self.reserved = self.reserved.wrapping_add(stored);
-        self.run_bytes = self.run_bytes.wrapping_add(run);
+        self.reserved = self.reserved.wrapping_add(stored.into());
+        self.run_reserved = self.run_reserved.wrapping_add(run.into());
         if self.full {
             return Ok(());
         }
@@ -171,11 +200,19 @@ impl<'m> Room<'m> {
             return Err(Cause::ProgramFull);
         }
         // Both forms stand in run memory, one after the other.
-        if self.run_bytes > self.run_most || self.reserved > self.run_most {
+        if self.run_bytes() > self.run_most || self.reserved > self.run_most {
             return Err(Cause::RunMemoryFull);
         }
         self.full = false;
         Ok(())
+    }
+
+    /// Bytes of run memory for what has been reserved, with counters and registers up to the highest.
+    fn run_bytes(&self) -> usize {
+        let registers = usize::from(self.registers - isa::NEAR_REGISTERS);
+        self.run_reserved
+            .wrapping_add(isa::COUNTER_DATA * usize::from(self.counters))
+            .wrapping_add(isa::REGISTER_BYTES * registers)
     }
 
     /// Bytes of program memory and of run memory that the program would need beyond what there is.
@@ -183,7 +220,7 @@ impl<'m> Room<'m> {
         [
             self.reserved
                 .saturating_sub(self.stored_most.min(self.run_most)),
-            self.run_bytes.saturating_sub(self.run_most),
+            self.run_bytes().saturating_sub(self.run_most),
         ]
     }
 
@@ -223,9 +260,10 @@ impl<'m> Room<'m> {
         Program {
             memory: mem::take(&mut self.memory),
             code_bytes: self.put,
-            run_bytes: self.run_bytes,
+            run_bytes: self.run_bytes(),
             timers: self.timers,
             counters: self.counters,
+            registers: self.registers,
             kept: self.kept,
             codes,
             needs,

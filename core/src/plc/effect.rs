@@ -1,18 +1,28 @@
 //! What each instruction does.
 
 use super::scan::{Next, Pass};
-use super::value::{divide, modulo, scale, square_root};
+use super::value::{
+    divide, extend_sign, extend_zero, modulo, scale, square_root, unsigned_divide, unsigned_modulo,
+};
 use super::{Plc, smooth};
-use crate::Instruction;
 use crate::isa::{Opcode, Operand, Value};
 use crate::timer::{Delay, Target, TimerBlock};
+use crate::{Instruction, real};
+use core::mem;
 
 impl Plc<'_> {
     /// Runs one instruction: one arm for each, so that the compiler names one that is missing.
     pub(super) fn run(&mut self, pass: &mut Pass<'_>, instruction: Instruction<'_>) -> Next {
         let Instruction { opcode, operand } = instruction;
         let xx = instruction.number().unwrap_or_default();
-        let number = self.operand(operand);
+        let number = match operand {
+            // The value is the operand, and what was pushed the value.
+            Operand::Value(Value::Popped) => {
+                let pushed = pass.pop();
+                mem::replace(&mut pass.value, pushed)
+            }
+            _ => self.operand(operand),
+        };
         let (acc, now, value) = (pass.acc, pass.now, pass.value);
         match opcode {
             Opcode::NewRung => pass.acc = true,
@@ -141,11 +151,59 @@ impl Plc<'_> {
             Opcode::Jump | Opcode::JumpNot => return jump(operand),
             Opcode::Return | Opcode::ReturnNot if acc == opcode.is_inverted() => {}
             Opcode::Return | Opcode::ReturnNot => return Next::End,
+            Opcode::Push => pass.push(),
+            Opcode::RealAdd => pass.take(real::add(value, number)),
+            Opcode::RealSubtract => pass.take(real::subtract(value, number)),
+            Opcode::RealMultiply => pass.take(real::multiply(value, number)),
+            Opcode::RealDivide => pass.take(real::divide(value, number)),
+            Opcode::RealFromSigned => pass.take(real::from_signed(value)),
+            Opcode::RealFromUnsigned => pass.take(real::from_unsigned(value)),
+            Opcode::RealRound => pass.take(real::round(value)),
+            Opcode::RealCut => pass.take(real::cut(value)),
+            Opcode::RealNegate => pass.take(real::negate(value)),
+            Opcode::RealAbsolute => pass.take(real::absolute(value)),
+            Opcode::RealRoot => pass.take(real::square_root(value)),
+            Opcode::RealComparable => pass.value = real::comparable(value),
+            Opcode::LoadTable => {
+                let found = self.place(operand, value).map(|place| self.register(place));
+                pass.take((found.unwrap_or(0), found.is_none()));
+            }
+            Opcode::StoreTable => {
+                let place = self.place(operand, pass.pop());
+                match place {
+                    Some(_) if !acc => {}
+                    Some(place) => self.set_register(place, value),
+                    None => pass.error |= acc,
+                }
+            }
+            Opcode::ExtendSign => pass.value = extend_sign(value, xx),
+            Opcode::ExtendZero => pass.value = extend_zero(value, xx),
+            Opcode::UnsignedDivide => pass.take(unsigned_divide(value, number)),
+            Opcode::UnsignedModulo => pass.take(unsigned_modulo(value, number)),
+            Opcode::UnsignedGreaterOrEqual => {
+                pass.acc &= value.cast_unsigned() >= number.cast_unsigned();
+            }
+            Opcode::UnsignedLess => pass.acc &= value.cast_unsigned() < number.cast_unsigned(),
+
+            Opcode::If if acc => pass.acc = true,
+            Opcode::If => return Next::Behind(Opcode::Else),
+            // The part before it has been run.
+            Opcode::Else => return Next::Behind(Opcode::EndIf),
+            Opcode::EndIf => pass.acc = true,
             // A place to jump to; and what is set before the first scan.
             Opcode::Label | Opcode::InputFilter => {}
             Opcode::KeepRegister | Opcode::KeepCounter => {}
         }
         Next::Step
+    }
+
+    /// The register at this index of a table; none outside of it.
+    fn place(&self, operand: Operand<'_>, index: i32) -> Option<u8> {
+        let Operand::Table { first, length } = operand else {
+            return None;
+        };
+        let index = u8::try_from(index).ok()?;
+        (index < length).then_some(first.wrapping_add(index))
     }
 
     /// What an operation, a load or a comparison works with; 0 for what has no such operand.
@@ -160,7 +218,7 @@ impl Plc<'_> {
     /// acc as this edge had it in the scan before; the edge keeps acc as it is.
     fn acc_before(&mut self, pass: &Pass<'_>) -> bool {
         match self.own.get_mut(pass.own) {
-            Some(before) => core::mem::replace(before, pass.acc.into()) != 0,
+            Some(before) => mem::replace(before, pass.acc.into()) != 0,
             None => false,
         }
     }
@@ -219,6 +277,17 @@ impl Plc<'_> {
 }
 
 impl Pass<'_> {
+    fn push(&mut self) {
+        self.pushed.rotate_right(1);
+        self.pushed[0] = self.value;
+    }
+
+    fn pop(&mut self) -> i32 {
+        let value = self.pushed[0];
+        self.pushed.rotate_left(1);
+        value
+    }
+
     /// A branch or block opens.
     fn open(&mut self, opcode: Opcode) {
         self.open = self.open << 1 | u8::from(self.acc);

@@ -12,8 +12,10 @@ pub(super) struct Pass<'c> {
     pub(super) scan_time: u16,
     /// The result of the rung so far (NC-6).
     pub(super) acc: bool,
-    /// The integer accumulator (NC-16).
+    /// The value accumulator (NC-16).
     pub(super) value: i32,
+    /// What is pushed (NC-22), the last first. Eight are enough, because the loader allows no more.
+    pub(super) pushed: [i32; 8],
     /// One bit for each open branch, the innermost in bit 0: acc as it was when the branch opened. Eight
     /// are enough, because the loader allows no deeper nesting.
     pub(super) open: u8,
@@ -66,6 +68,7 @@ impl Plc<'_> {
             scan_time: inputs.scan_time,
             acc: true,
             value: 0,
+            pushed: [0; 8],
             open: 0,
             opened: [Opcode::OpenBranch; 8],
             points: 0,
@@ -86,6 +89,11 @@ impl Plc<'_> {
                 Next::End => {
                     observe(step, pass.acc);
                     break;
+                }
+                Next::Behind(part) => {
+                    observe(step, pass.acc);
+                    pass.pass_over(instruction.opcode);
+                    index += pass.go_behind(part);
                 }
                 Next::Label { label, line } => {
                     observe(step, pass.acc);
@@ -120,6 +128,8 @@ pub(super) enum Next {
     Step,
     /// At a label, where a new rung begins. The line is that of the jump in its file.
     Label { label: u8, line: u16 },
+    /// Behind the END of the IF that is open, or behind this before it: a new rung begins there.
+    Behind(Opcode),
     /// It ends.
     End,
 }
@@ -143,6 +153,25 @@ impl<'c> Pass<'c> {
             index += 1;
             self.pass_over(step.opcode);
         }
+    }
+
+    /// Goes on behind a part of the IF that is open, its END at the latest; gives how many instructions that
+    /// passes over. The loader has seen to it that the END exists.
+    fn go_behind(&mut self, part: Opcode) -> usize {
+        self.acc = true;
+        let (mut count, mut inner) = (0, 0_u32);
+        while let Some(step) = self.steps.next() {
+            count += 1;
+            self.pass_over(step.opcode);
+            match step.opcode {
+                Opcode::If => inner += 1,
+                Opcode::EndIf if inner > 0 => inner -= 1,
+                Opcode::EndIf => break,
+                opcode if opcode == part && inner == 0 => break,
+                _ => {}
+            }
+        }
+        count
     }
 
     /// What the next instruction finds behind this one.

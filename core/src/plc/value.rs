@@ -16,6 +16,29 @@ pub(super) fn modulo(value: i32, operand: i32) -> (i32, bool) {
     }
 }
 
+/// The quotient of numbers without signs, and whether it was an arithmetic error.
+pub(super) fn unsigned_divide(value: i32, operand: i32) -> (i32, bool) {
+    let quotient = value.cast_unsigned().checked_div(operand.cast_unsigned());
+    (quotient.unwrap_or(0).cast_signed(), quotient.is_none())
+}
+
+/// The rest of such a division.
+pub(super) fn unsigned_modulo(value: i32, operand: i32) -> (i32, bool) {
+    let rest = value.cast_unsigned().checked_rem(operand.cast_unsigned());
+    (rest.unwrap_or(0).cast_signed(), rest.is_none())
+}
+
+/// The low bits alone, 0 to 31 of them.
+pub(super) fn extend_zero(value: i32, bits: u8) -> i32 {
+    value & !(-1_i32).wrapping_shl(bits.into())
+}
+
+/// The low bits, 0 to 31 of them, the highest as the sign.
+pub(super) fn extend_sign(value: i32, bits: u8) -> i32 {
+    let unused = 32 - u32::from(bits);
+    value.checked_shl(unused).map_or(0, |high| high >> unused)
+}
+
 /// The whole square root; of a negative value 0 and an error.
 pub(super) fn square_root(value: i32) -> (i32, bool) {
     match value.checked_isqrt() {

@@ -71,13 +71,16 @@ fn stored_bytes(row: &Row) -> String {
     let lines: &[Line] = match row.kind {
         Kind::Timer => &[Line::TimerPreset, Line::Target],
         Kind::Count => &[Line::CounterPreset],
-        Kind::Move => &[Line::MoveTo, Line::MoveCount],
+        Kind::Move => &[Line::MoveTo, Line::Count],
         Kind::Scale => &[Line::FromLow, Line::FromHigh, Line::ToLow, Line::ToHigh],
         Kind::Filter => &[Line::FilterTime],
+        Kind::Table => &[Line::Count],
         // The line of the file.
         Kind::Jump => return "4".to_owned(),
         Kind::Drum => return "3 and 1 a step".to_owned(),
         Kind::Value => return "2, constant 3, 4 or 6".to_owned(),
+        // A constant of REAL has 1 or 2 bytes only as 0 or the least numbers.
+        Kind::Real => return "2, constant 3, 4 or 6".to_owned(),
         Kind::None | Kind::Input | Kind::Output | Kind::Branch | Kind::Marker => &[],
         Kind::System | Kind::TimerQ | Kind::Counter | Kind::Register | Kind::Analogue => &[],
         Kind::Pwm | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time | Kind::Label => &[],

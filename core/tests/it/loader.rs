@@ -92,10 +92,164 @@ fn a_memory_smaller_than_the_profile_decides() {
     }
 }
 
+/// The faults of a program of these codes, one on each line from line 2 on.
+fn faults_of(codes: &[i32]) -> Vec<(u8, Option<u32>)> {
+    let lines: String = codes.iter().map(|code| format!("{code}\n")).collect();
+    faults(format!("0\n{lines}").as_bytes())
+}
+
+const PSH: i32 = 808372;
+const ADD_POPPED: i32 = 65686899;
+const IF: i32 = 7370;
+const ELS: i32 = 697683;
+const END: i32 = 697868;
+
+/// NC-22
+#[test]
+fn what_is_pushed_is_popped_in_its_rung() {
+    assert_eq!(faults_of(&[PSH, ADD_POPPED]), []);
+    assert_eq!(faults_of(&[ADD_POPPED]), [(81, Some(2))]);
+    assert_eq!(faults_of(&[PSH, ADD_POPPED, ADD_POPPED]), [(81, Some(4))]);
+    assert_eq!(faults_of(&[766899]), [(81, Some(2))]);
+    assert_eq!(faults_of(&[82656899]), [(81, Some(2))]);
+    // STX pops its index; its line is no code.
+    assert_eq!(faults_of(&[83848801, 5]), [(81, Some(2))]);
+    assert_eq!(faults_of(&[PSH, 83848801, 5]), []);
+    // Eight fit, and the ninth and those that pop it are told once.
+    assert_eq!(faults_of(&[[PSH; 8], [ADD_POPPED; 8]].concat()), []);
+    assert_eq!(
+        faults_of(&[[PSH; 9], [ADD_POPPED; 9]].concat()),
+        [(82, Some(10))]
+    );
+    // Told where the rung ends.
+    assert_eq!(faults_of(&[PSH, 787600, 827301]), [(83, Some(3))]);
+    assert_eq!(
+        faults_of(&[PSH, 787600, ADD_POPPED]),
+        [(83, Some(3)), (81, Some(4))]
+    );
+    assert_eq!(faults_of(&[PSH, 827301]), [(83, Some(4))]);
+    // An open branch is told before it.
+    assert_eq!(faults_of(&[PSH, 40, 787600]), [(32, Some(3))]);
+    // No jump and no return may lose it.
+    assert_eq!(
+        faults_of(&[766601, PSH, 74778001, ADD_POPPED]),
+        [(74, Some(4))]
+    );
+    assert_eq!(faults_of(&[PSH, 826984, ADD_POPPED]), [(74, Some(3))]);
+}
+
+/// NC-23
+#[test]
+fn a_real_constant_is_finite() {
+    for bits in [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN] {
+        let bits = bits.to_bits().cast_signed();
+        assert_eq!(faults_of(&[82656800, bits]), [(84, Some(3))]);
+        // Of whole numbers each is one.
+        assert_eq!(faults_of(&[65686800, bits]), []);
+    }
+    for bits in [f32::MAX, f32::MIN, -0.0, f32::MIN_POSITIVE, 2.0] {
+        assert_eq!(faults_of(&[82656800, bits.to_bits().cast_signed()]), []);
+    }
+    assert_eq!(faults_of(&[82656800]), [(35, Some(2))]);
+}
+
+/// NC-24, NC-27
+#[test]
+fn a_table_ends_with_the_registers() {
+    assert_eq!(faults_of(&[76688898, 1]), []);
+    assert_eq!(faults_of(&[76688801, 98]), []);
+    for (code, length) in [(76688898, 2), (76688801, 99), (76688805, 0), (76688805, -1)] {
+        assert_eq!(faults_of(&[code, length]), [(38, Some(3))]);
+    }
+    assert_eq!(faults_of(&[76688805, 65_537]), [(38, Some(3))]);
+    assert_eq!(faults_of(&[76688800, 1]), [(28, Some(2))]);
+    assert_eq!(faults_of(&[76688899, 1]), [(28, Some(2))]);
+    assert_eq!(faults_of(&[838499]), [(28, Some(2))]);
+    assert_eq!(faults_of(&[76688805]), [(35, Some(2))]);
+}
+
+/// NC-28
+#[test]
+fn brackets_are_balanced() {
+    assert_eq!(faults_of(&[IF, ELS, END, 766601]), []);
+    assert_eq!(faults_of(&[ELS]), [(85, Some(2))]);
+    assert_eq!(faults_of(&[END]), [(85, Some(2))]);
+    assert_eq!(faults_of(&[IF, END, END]), [(85, Some(4))]);
+    assert_eq!(faults_of(&[IF, ELS, ELS, END]), [(85, Some(4))]);
+    // The ELS of the inner IF is not one of the outer.
+    assert_eq!(faults_of(&[IF, IF, ELS, END, ELS, END]), []);
+    assert_eq!(
+        faults_of(&[IF, ELS, IF, ELS, END, ELS, END]),
+        [(85, Some(7))]
+    );
+    // The line of the IF, the innermost first.
+    assert_eq!(faults_of(&[787600, IF, 787600]), [(87, Some(3))]);
+    assert_eq!(
+        faults_of(&[IF, IF, END, IF]),
+        [(87, Some(5)), (87, Some(2))]
+    );
+    assert_eq!(faults_of(&[[IF; 8], [END; 8]].concat()), []);
+    assert_eq!(faults_of(&[[IF; 9], [END; 9]].concat()), [(86, Some(10))]);
+    // A rung ends at each of them, and no branch or value goes on behind it.
+    assert_eq!(faults_of(&[40, IF, 41])[0], (74, Some(3)));
+    assert_eq!(faults_of(&[PSH, IF, ADD_POPPED])[0], (74, Some(3)));
+    assert_eq!(faults_of(&[IF, 40, END, 41])[0], (74, Some(4)));
+    assert_eq!(faults_of(&[IF, PSH, ELS, ADD_POPPED])[0], (74, Some(4)));
+    assert_eq!(
+        faults_of(&[404101, IF, 40, 404101, 41, END]),
+        [(33, Some(5))]
+    );
+}
+
+/// Bytes of run memory of a program of these codes.
+fn linked(codes: &[i32]) -> usize {
+    let lines: String = codes.iter().map(|code| format!("{code}\n")).collect();
+    let mut memory = [0; 2000];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    for byte in format!("0\n{lines}").bytes() {
+        loader.push(byte).unwrap();
+    }
+    loader.finish().unwrap().linked_bytes()
+}
+
+/// NC-27: each up to the highest that is named takes 4 bytes, whatever names it, and once.
+#[test]
+fn far_registers_take_run_memory() {
+    assert_eq!(linked(&[766832]), 3);
+    assert_eq!(linked(&[766833]), 4 + 4);
+    assert_eq!(linked(&[766898]), 4 + 66 * 4);
+    assert_eq!(linked(&[766898, 766833]), 4 + 4 + 66 * 4);
+    assert_eq!(linked(&[838432]), 2);
+    assert_eq!(linked(&[838433]), 4 + 4);
+    assert_eq!(linked(&[77798601, 6801, 32]), 7);
+    assert_eq!(linked(&[77798601, 6802, 32]), 7 + 4);
+    assert_eq!(linked(&[77798603, 6801, 32]), 7 + 8);
+    assert_eq!(linked(&[76688831, 2]), 5);
+    assert_eq!(linked(&[76688831, 3]), 5 + 4);
+    assert_eq!(linked(&[68827734, 1, 1]), 5 + 1 + 8);
+    assert_eq!(linked(&[756833]), 6 + 4);
+    // A constant and what was pushed are no registers.
+    assert_eq!(linked(&[766800, 98]), 3);
+    assert_eq!(linked(&[808372, 766899]), 2 + 2);
+}
+
+/// Contacts and rungs count as the linker links them, so both memories are full at about the same time.
+#[test]
+fn large_programs_fit_the_board() {
+    let contacts = [787600, 827301, -827302, 827903, 827301, 877901];
+    let timers = [787600, 827301, 847978, 100, 7901];
+    let codes = [contacts.repeat(100), timers.repeat(32)].concat();
+    assert_eq!(linked(&codes), 100 * 4 + 32 * 12);
+}
+
 #[test]
 fn lines_are_counted_beyond_16_bits() {
     let text = "0\n".to_string() + &"\n".repeat(70_000) + "5\n";
     assert_eq!(faults(text.as_bytes()), [(24, Some(70_002))]);
+    let text = "0\n".to_string() + &"\n".repeat(70_000) + "7370\n827301\n";
+    assert_eq!(faults(text.as_bytes()), [(87, Some(70_002))]);
+    let text = "0\n".to_string() + &"\n".repeat(65_000) + "40\n" + &"\n".repeat(5_000);
+    assert_eq!(faults(text.as_bytes()), [(32, Some(65_002))]);
 }
 
 #[test]
@@ -105,7 +259,8 @@ fn fault_numbers_are_for_ever() {
         numbers,
         [
             11, 12, 13, 14, 15, 21, 22, 23, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 37, 38,
-            39, 41, 42, 43, 51, 52, 53, 54, 55, 56, 57, 61, 62, 63, 64, 65, 66, 71, 72, 73, 74, 75
+            39, 41, 42, 43, 51, 52, 53, 54, 55, 56, 57, 61, 62, 63, 64, 65, 66, 71, 72, 73, 74, 75,
+            81, 82, 83, 84, 85, 86, 87
         ]
     );
     // LED L flashes tens and units: neither may be 0.

@@ -24,9 +24,10 @@ macro_rules! assembly {
             $(concat!("        .global ", stringify!($handler)),)*
             include_str!("rules.s"),
             include_str!("first.s"),
-            include_str!("timers.s"),
             include_str!("more.s"),
             include_str!("handlers.s"),
+            include_str!("timers.s"),
+            include_str!("real.s"),
             include_str!("numbers.s"),
             include_str!("link.s"),
             include_str!("words.s"),
@@ -52,6 +53,8 @@ unoclp_core::instructions!(assembly {
     TIMER_DATA = isa::TIMER_DATA;
     COUNTER_DATA = isa::COUNTER_DATA;
     MARKER_TARGET = isa::MARKER_TARGET;
+    NEAR_REGISTERS = isa::NEAR_REGISTERS;
+    POPPED = isa::POPPED;
     BYTE_CONSTANT = isa::BYTE_CONSTANT;
     LABELS = isa::LABELS;
     POINTS = POINTS;
@@ -81,6 +84,7 @@ unoclp_core::instructions!(assembly {
     KIND_TIMER = Kind::Timer as u8;
     KIND_COUNT = Kind::Count as u8;
     KIND_VALUE = Kind::Value as u8;
+    KIND_TABLE = Kind::Table as u8;
     KIND_MOVE = Kind::Move as u8;
     KIND_DRUM = Kind::Drum as u8;
     KIND_SCALE = Kind::Scale as u8;
@@ -99,6 +103,7 @@ unoclp_core::instructions!(assembly {
     JOB_KEPT_END = offset_of!(Job, kept_end);
     JOB_POSITION = offset_of!(Job, position);
     JOB_CLOSING = offset_of!(Job, closing);
+    JOB_OPEN = offset_of!(Job, open);
     JOB_OUTPUTS = offset_of!(Job, outputs);
     JOB_JUMPS_BACK = offset_of!(Job, jumps_back);
     JOB_PENDING = offset_of!(Job, pending);
@@ -106,6 +111,10 @@ unoclp_core::instructions!(assembly {
     JOB_ZEROS = offset_of!(Job, zeros);
     JOB_COUNT = offset_of!(Job, count);
     RUNG = link::RUNG;
+    HEAD = link::HEAD;
+    JOB_BASE = offset_of!(Job, base);
+    JOB_LAST = offset_of!(Job, last);
+    JOB_OPEN_CONTACT = offset_of!(Job, normally_open);
 
     WORDS_WRITTEN = memory::WRITTEN;
     WORDS_ELAPSED = memory::ELAPSED;
@@ -123,11 +132,16 @@ const _: () = {
     assert!(Opcode::Jump as u8 & 1 == 0 && Opcode::JumpNot as u8 == Opcode::Jump as u8 + 1);
     // No kind is 0 but that of what has no operand.
     assert!(Kind::None as u8 == 0);
+    // Those of operations that take an operand come last.
+    assert!(Kind::Real as u8 == Kind::Value as u8 + 1);
+    assert!(Kind::ALL.len() == Kind::Real as usize + 1);
     assert!(isa::WORD_CONSTANT == isa::BYTE_CONSTANT + 1);
-    // What is kept comes last, and its numbers stand where those of other instructions do.
+    // IF, ELS and END come last.
+    assert!(Opcode::If as u8 == 0xFD && Opcode::Else as u8 == 0xFE);
+    // What is kept stands together, and its numbers where those of other instructions do.
     let (register, counter) = (Opcode::KeepRegister, Opcode::KeepCounter);
     assert!(counter as usize == register as usize + 1);
-    assert!(isa::TABLE[isa::TABLE.len() - 1].stored == counter as u8);
+    assert!(Opcode::Push as usize == counter as usize + 1);
     let bytes = ADDRESS_BYTES + SNAPSHOT_BYTES;
     assert!(register.row().run as usize == bytes && counter.row().run as usize == bytes);
     // It keeps address and place of a label, 4 bytes, in the registers.

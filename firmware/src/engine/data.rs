@@ -1,7 +1,7 @@
 //! What the engine keeps outside of run memory, at a fixed place in the page: the handlers know it by
 //! address.
 
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, RETENTIVE};
+use unoclp_core::isa::{ANALOGUE, MARKERS, NEAR_REGISTERS, REGISTER_BYTES, RETENTIVE};
 
 /// A bit of its own, as a byte: [`ON`] or 0.
 pub type Cell = u8;
@@ -29,8 +29,8 @@ pub struct Data {
     pub readings: [u32; 2],
     /// M 01 … M 64.
     pub markers: [Cell; MARKERS as usize],
-    /// D 01 … D 32, low byte first.
-    pub registers: [[u8; 4]; REGISTERS as usize],
+    /// D 01 … D 32, low byte first. Run memory, where the others stand, comes right behind.
+    pub registers: [[u8; REGISTER_BYTES]; NEAR_REGISTERS as usize],
 }
 
 /// The first of the retentive markers, counted from 0.

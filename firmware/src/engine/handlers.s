@@ -25,6 +25,16 @@ engine_contacts:
         clt
         next
 
+; Contacts in parallel: one of them is 1. Two bytes follow: those that must be 0, and all of them. 12 cycles.
+engine_any:
+        ld      r21, X+
+        eor     r21, r18
+        ld      r30, X+
+        and     r21, r30
+        brne    1f
+        clt
+1:      next
+
 ; Coils, by output. 5 cycles; with a new rung behind it 6.
 engine_coil:
 .irp    bit, 4, 5, 6, 7
@@ -78,8 +88,7 @@ engine_close_branch:
 
 ; 5 cycles.
 engine_new_rung:
-        set
-        next
+        rjmp    new_rung
 
 ; Timers. A coil follows.
 engine_on_delay:
@@ -112,7 +121,8 @@ engine_far_cell:
 engine_far_cell_not:
         rjmp    far_cell_not
 
-; b := what the next operation takes: a number by a near address, or by any, or a constant of one, two or four bytes.
+; b := what the next operation takes: a register by a near address, or by any, a constant of one, two or four bytes, or
+; value, which what was pushed becomes.
 engine_near:
         ld      r30, X+
         ld      r8, Z
@@ -128,6 +138,8 @@ engine_word:
         rjmp    word_constant
 engine_long:
         rjmp    long_constant
+engine_popped:
+        rjmp    popped
 
 ; What operations do most. A store has a near address, and is done where acc = 1.
 engine_load:
@@ -141,11 +153,7 @@ engine_add:
         adc     r25, r11
         next
 engine_subtract:
-        sub     r22, r8
-        sbc     r23, r9
-        sbc     r24, r10
-        sbc     r25, r11
-        next
+        rjmp    subtract
 engine_store_near:
         ld      r30, X+
         brtc    1f
@@ -156,6 +164,8 @@ engine_store_near:
 1:      next
 
 ; The handler of the next byte is one of those in the words before: 5 cycles.
+engine_escape_first:
+        rjmp    escape_first
 engine_escape:
         ld      r30, X+
         ldi     r31, 1
@@ -166,6 +176,13 @@ engine_end:
         ret
 engine_page_end:
 
+new_rung:
+        set
+        next
+escape_first:
+        ld      r30, X+
+        ldi     r31, 0
+        ijmp
 far_cell:
         ld      r31, X+
         ld      r30, X+
@@ -205,4 +222,18 @@ long_constant:
         ld      r9, X+
         ld      r10, X+
         ld      r11, X+
+        next
+subtract:
+        sub     r22, r8
+        sbc     r23, r9
+        sbc     r24, r10
+        sbc     r25, r11
+        next
+popped:
+        movw    r8, r22
+        movw    r10, r24
+        pop     r22
+        pop     r23
+        pop     r24
+        pop     r25
         next

@@ -38,6 +38,8 @@ pub(super) struct Job {
     pub(super) position: u16,
     /// How each open branch is closed, two bits each, the innermost in the lowest: by OR, AND, XOR.
     pub(super) closing: u16,
+    /// Where the target of the jump stands that is open (NC-28): of an IF or an ELS, the innermost.
+    pub(super) open: u16,
     /// The outputs that are not PWM, as they stand in the images.
     pub(super) outputs: u8,
     pub(super) jumps_back: bool,
@@ -46,10 +48,17 @@ pub(super) struct Job {
     pub(super) ones: u8,
     pub(super) zeros: u8,
     pub(super) count: u8,
+    /// Where acc was last known to be: a branch point from 0, [`HEAD`], or none.
+    pub(super) base: u8,
+    /// The contact that came last: its bit, and whether it is normally open.
+    pub(super) last: u8,
+    pub(super) normally_open: u8,
 }
 
 /// [`Job::pending`] where a rung has begun.
 pub(super) const RUNG: u8 = 1;
+/// The head of a rung, beside the branch points.
+pub(super) const HEAD: u8 = 8;
 /// Of a label that is not known yet, so it stands further on.
 const AHEAD: u8 = 0xFF;
 
@@ -82,7 +91,10 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
     let mut job = Job {
         reader: (&raw mut reader).cast(),
         put: layout.begin,
-        limit: layout.begin + code.len() as u16,
+        limit: match code.len() as u16 {
+            0 => 0,
+            length => layout.begin + length,
+        },
         own: own_end,
         timer: timers,
         timers,
@@ -93,12 +105,16 @@ pub fn pass(layout: &mut Layout<'_>, eeprom: &Eeprom, code: &mut [u8]) -> Result
         kept_end: own_end + 2 * u16::from(layout.stored.numbers),
         position: 0,
         closing: 0,
+        open: layout.begin,
         outputs: !layout.stored.needs.pwm << POINTS,
         jumps_back: false,
         pending: RUNG,
         ones: 0,
         zeros: 0,
         count: 0,
+        base: HEAD,
+        last: 0,
+        normally_open: 0,
     };
     // SAFETY: it writes linked bytes from the first up to the limit, which are those of `code`; the
     // data of timers and counters and the addresses of what is kept, which are those of the layout; and the registers, by their own

@@ -16,6 +16,15 @@
         .equ    NOTHING, 0
         .equ    COIL, 2
         .equ    CONTACTS, 3
+; Contacts in parallel: what must be 1 and 0 of the images, behind a base where acc was the same for each of them, the
+; head of a rung or the place of a branch point. Then another branch is open; acc there is that of the base; a contact
+; stands in it.
+        .equ    PARALLEL, 4
+        .equ    BRANCH, 5
+        .equ    READY, 6
+        .equ    CONTACT, 7
+; The base: a branch point, HEAD, or this.
+        .equ    NO_BASE, 9
 
         .section .text.engine_link, "ax", @progbits
         .global engine_link
@@ -101,17 +110,25 @@ link_fast:
 link_handler:
         rcall   link_flush
         mov     r25, r15
+        ldi     r24, pm_lo8(engine_escape_first)
+        cpi     r25, 1
+        brcs    1f
         ldi     r24, pm_lo8(engine_escape)
-        cpi     r25, NEAR
-        breq    1f
-        rcall   link_put
-1:      mov     r24, r14
+        brne    2f
+1:      rcall   link_put
+2:      mov     r24, r14
         rjmp    link_put
 
 ; Puts what is pending.
 link_flush:
         ldd     r25, Y+JOB_PENDING
-        std     Y+JOB_PENDING, r1
+        cpi     r25, PARALLEL
+        brcs    1f
+        rcall   link_part
+        rjmp    link_flush
+1:      std     Y+JOB_PENDING, r1
+        ldi     r24, NO_BASE
+        std     Y+JOB_BASE, r24
         cpi     r25, COIL
         brcs    3f
         ldd     r24, Y+JOB_ONES
@@ -133,7 +150,10 @@ link_flush:
         rcall   link_put
         ldd     r24, Y+JOB_ONES
         rjmp    link_put
-2:      mov     r20, r24
+2:
+; Puts each contact by itself.
+link_singles:
+        ldd     r20, Y+JOB_ONES
         ldi     r21, pm_lo8(engine_contact)
         rcall   4f
         ldd     r20, Y+JOB_ZEROS
@@ -146,6 +166,64 @@ link_flush:
         tst     r20
         brne    4b
 3:      ret
+
+; Puts contacts in parallel, and what of another branch has come; a contact in it is pending then.
+link_part:
+        ldd     r24, Y+JOB_ONES
+        ldd     r20, Y+JOB_ZEROS
+        or      r20, r24
+        mov     r24, r20
+        dec     r24
+        and     r24, r20
+        breq    1f
+        ldi     r24, pm_lo8(engine_any)
+        rcall   link_put
+        ldd     r24, Y+JOB_ZEROS
+        rcall   link_put
+        mov     r24, r20
+        rcall   link_put
+        rjmp    2f
+1:      rcall   link_singles    ; it is but one
+2:      std     Y+JOB_PENDING, r1
+        cpi     r25, PARALLEL
+        breq    5f
+        ldi     r24, pm_lo8(engine_open_branch)
+        rcall   link_put
+        cpi     r25, BRANCH
+        breq    5f
+        ldd     r24, Y+JOB_BASE
+        cpi     r24, HEAD
+        breq    3f
+        mov     r18, r24        ; 3 words each
+        lsl     r18
+        add     r24, r18
+        ldi     r18, pm_lo8(engine_recall_branch)
+        add     r24, r18
+        rcall   link_put
+3:      cpi     r25, CONTACT
+        brne    5f
+        std     Y+JOB_ONES, r1
+        std     Y+JOB_ZEROS, r1
+        ldi     r24, 1
+        std     Y+JOB_COUNT, r24
+        ldi     r24, CONTACTS
+        std     Y+JOB_PENDING, r24
+        ldi     r24, NO_BASE
+        std     Y+JOB_BASE, r24
+; Adds the contact of the branch to those that are pending.
+link_join:
+        ldd     r24, Y+JOB_LAST
+        ldd     r18, Y+JOB_OPEN_CONTACT
+        tst     r18
+        breq    4f
+        ldd     r18, Y+JOB_ONES
+        or      r18, r24
+        std     Y+JOB_ONES, r18
+        ret
+4:      ldd     r18, Y+JOB_ZEROS
+        or      r18, r24
+        std     Y+JOB_ZEROS, r18
+5:      ret
 
 ; r24 := 1 shifted left by r24, 0 to 7.
 link_bit:
@@ -200,7 +278,23 @@ link_one:
         brcc    2f
         andi    r17, 7          ; branch points, 3 words each
         add     r14, r17
-        rjmp    4f
+        sbrc    r16, 4
+        rjmp    link_recall
+        add     r14, r17
+        add     r14, r17
+        rcall   link_handler
+        std     Y+JOB_BASE, r17
+        ret
+link_recall:
+        ldd     r24, Y+JOB_PENDING
+        cpi     r24, BRANCH
+        brne    4f
+        ldd     r24, Y+JOB_BASE
+        cp      r24, r17
+        brne    4f
+        ldi     r24, READY
+        std     Y+JOB_PENDING, r24
+        ret
 3:      andi    r17, 3          ; set and reset coils, 4 words each
         lsl     r17
 4:      add     r14, r17
@@ -247,10 +341,36 @@ link_contact:
         rcall   link_fast
         rjmp    link_object
 3:      ori     r17, POINTS
-4:      ldd     r24, Y+JOB_PENDING
-        cpi     r24, CONTACTS
+4:      mov     r24, r17
+        rcall   link_bit
+        mov     r17, r24
+        ldd     r25, Y+JOB_PENDING
+        cpi     r25, CONTACT
+        brne    1f
+        rcall   link_part
+        rjmp    5f
+1:      cpi     r25, CONTACTS
         breq    5f
+        cpi     r25, READY
+        brne    1f
+        ldd     r24, Y+JOB_ONES ; not the same point twice
+        ldd     r18, Y+JOB_ZEROS
+        or      r24, r18
+        and     r24, r17
+        brne    1f
+        ldi     r24, CONTACT
+        std     Y+JOB_PENDING, r24
+        andi    r16, 0x10
+        std     Y+JOB_LAST, r17
+        std     Y+JOB_OPEN_CONTACT, r16
+        ret
+1:      ldd     r24, Y+JOB_BASE ; it stays one for the first contact
+        cpi     r25, PARALLEL
+        brcs    1f
+        ldi     r24, NO_BASE
+1:      mov     r14, r24
         rcall   link_flush
+        std     Y+JOB_BASE, r14
         std     Y+JOB_ONES, r1
         std     Y+JOB_ZEROS, r1
         std     Y+JOB_COUNT, r1
@@ -260,22 +380,17 @@ link_contact:
         cpi     r24, 3
         adc     r24, r1         ; it goes on to 3
         std     Y+JOB_COUNT, r24
-        mov     r24, r17
-        rcall   link_bit
-        ldd     r25, Y+JOB_ZEROS
-        sbrs    r16, 4
-        rjmp    6f
-        ldd     r25, Y+JOB_ONES
-        or      r25, r24
-        std     Y+JOB_ONES, r25
-        ret
-6:      or      r25, r24
-        std     Y+JOB_ZEROS, r25
-        ret
+        andi    r16, 0x10
+        std     Y+JOB_LAST, r17
+        std     Y+JOB_OPEN_CONTACT, r16
+        rjmp    link_join
 
 ; An instruction without an operand.
 link_plain:
-        cpi     r16, OP_NewRung
+        cpi     r16, OP_If
+        brcs    1f
+        rjmp    link_bracket
+1:      cpi     r16, OP_NewRung
         breq    link_new_rung
         ldd     r24, Y+JOB_CLOSING
         ldd     r25, Y+JOB_CLOSING+1
@@ -322,7 +437,7 @@ link_plain:
         ror     r24
 5:      std     Y+JOB_CLOSING, r24
         std     Y+JOB_CLOSING+1, r25
-        rjmp    link_handler
+        rjmp    link_branch
 link_put_far:
         rjmp    link_put
 
@@ -342,6 +457,8 @@ link_new_rung:
 1:      rcall   link_handler
 2:      ldi     r24, RUNG
         std     Y+JOB_PENDING, r24
+        ldi     r24, HEAD
+        std     Y+JOB_BASE, r24
         ret
 
 ; Puts the address of r17 bytes of own data.
@@ -353,6 +470,102 @@ link_own:
         std     Y+JOB_OWN, r24
         std     Y+JOB_OWN+1, r25
         rjmp    link_address
+
+; A branch is opened or closed: of contacts in parallel it is joined with what is pending.
+link_branch:
+        ldd     r24, Y+JOB_PENDING
+        cpi     r16, OP_OpenBranch
+        breq    6f
+        cpi     r16, OP_CloseBranch
+        brne    9f
+        cpi     r24, CONTACT
+        brne    9f
+        ldi     r24, PARALLEL
+        std     Y+JOB_PENDING, r24
+        rjmp    link_join
+6:      cpi     r24, PARALLEL
+        breq    7f
+        cpi     r24, CONTACTS
+        brne    9f
+        ldd     r24, Y+JOB_COUNT
+        cpi     r24, 1
+        brne    9f
+7:      ldd     r24, Y+JOB_BASE
+        ldi     r25, READY      ; acc is that of the base there
+        cpi     r24, HEAD
+        breq    8f
+        ldi     r25, BRANCH
+        brcc    9f
+8:      std     Y+JOB_PENDING, r25
+        ret
+9:      rjmp    link_handler
+
+; IF jumps where acc = 0; ELS jumps as acc is 1 at the head of a rung, and is a label, as END is. Each of these jumps has
+; the place of the one before that is open in place of its target, until that is known.
+link_bracket:
+        breq    link_if
+        cpi     r16, OP_Else
+        brne    1f
+        ldi     r24, pm_lo8(engine_new_rung)
+        mov     r14, r24
+        ldi     r24, NEAR
+        mov     r15, r24
+        rcall   link_new_rung
+        ldi     r24, pm_lo8(engine_jump)
+        rcall   link_more
+        rcall   link_address
+        rcall   link_close
+        rcall   link_open
+        ldi     r24, pm_lo8(engine_label)
+        rcall   link_more
+        rjmp    link_label_timer
+1:      rcall   link_flush
+        rcall   link_close
+        rcall   link_handler
+        rjmp    link_label_timer
+link_if:
+        rcall   link_handler
+        rcall   link_address
+        rcall   link_open
+        ldi     r24, RUNG
+        std     Y+JOB_PENDING, r24
+        ret
+; Puts the handler r24 of `more.s`.
+link_more:
+        mov     r14, r24
+        ldi     r24, 1
+        mov     r15, r24
+        rjmp    link_handler
+; The jump whose target has just been put is open.
+link_open:
+        ldd     r30, Y+JOB_PUT
+        ldd     r31, Y+JOB_PUT+1
+        sbiw    r30, 2
+        ldd     r24, Y+JOB_OPEN
+        ldd     r25, Y+JOB_OPEN+1
+        std     Y+JOB_OPEN, r30
+        std     Y+JOB_OPEN+1, r31
+        rjmp    link_target
+; The target of the jump that is open is here.
+link_close:
+        ldd     r30, Y+JOB_OPEN
+        ldd     r31, Y+JOB_OPEN+1
+        ld      r24, Z
+        std     Y+JOB_OPEN+1, r24
+        ldd     r24, Z+1
+        std     Y+JOB_OPEN, r24
+        ldd     r24, Y+JOB_PUT
+        ldd     r25, Y+JOB_PUT+1
+; Puts the address r25:r24 at Z; not beyond the limit.
+link_target:
+        ldd     r18, Y+JOB_LIMIT
+        ldd     r19, Y+JOB_LIMIT+1
+        cp      r30, r18
+        cpc     r31, r19
+        brcc    1f
+        st      Z, r25
+        std     Z+1, r24
+1:      ret
 
 ; A timer: its data, then its coil.
 link_timer:
@@ -396,6 +609,8 @@ link_numbered:
         ret
 1:      cpi     r16, OP_KeepRegister
         brcs    1f
+        cpi     r16, OP_Push
+        brcc    1f
         rjmp    link_object
 1:      cpi     r25, KIND_LABEL
         brne    1f
@@ -417,10 +632,12 @@ link_numbered:
         cpc     r15, r18
         breq    3f              ; of a counter or a reading too
         cpi     r25, KIND_VALUE
-        brne    4f
+        brcs    4f
 3:      rjmp    link_operation
 4:      cpi     r16, OP_Store
         brne    1f
+        cpi     r17, NEAR_REGISTERS + 1
+        brcc    1f
         ldi     r24, pm_lo8(engine_store_near)
         rcall   link_fast
         rjmp    link_object
@@ -450,7 +667,12 @@ link_numbered:
         rcall   link_put
         ldi     r17, 2
         rjmp    link_copy
-4:      cpi     r16, OP_Integrate
+4:      cpi     r25, KIND_TABLE
+        brne    5f
+        rcall   link_next
+        rcall   link_put
+        rjmp    link_object
+5:      cpi     r16, OP_Integrate
         brne    6f
         push    r17
         ldi     r17, OWN_Integrate
@@ -488,14 +710,16 @@ link_numbered:
 
 ; An operation: what it takes comes before it.
 link_operation:
-        push    r14
-        push    r15
         cpi     r25, KIND_VALUE
-        brne    3f
+        brcs    2f
         mov     r25, r17
         ldi     r17, 4
         ldi     r24, pm_lo8(engine_long)
         tst     r25
+        breq    1f
+        ldi     r17, 0
+        ldi     r24, pm_lo8(engine_popped)
+        cpi     r25, POPPED
         breq    1f
         ldi     r17, 1
         ldi     r24, pm_lo8(engine_byte)
@@ -505,21 +729,28 @@ link_operation:
         ldi     r24, pm_lo8(engine_word)
         brcc    1f
         mov     r17, r25
-3:      rcall   link_flush
+2:      rcall   link_flush
         rcall   link_find
         ldi     r18, pm_lo8(engine_near)
         cpi     r25, NEAR
-        breq    4f
+        breq    3f
         ldi     r18, pm_lo8(engine_far)
-4:      push    r24
-        push    r25
+3:      push    r24
         mov     r24, r18
-        rcall   link_fast
-        pop     r25
+        rcall   link_put
+        cpi     r25, NEAR
+        breq    4f
+        mov     r24, r25
+        rcall   link_put
+4:      pop     r24
+        rcall   link_put
+        rjmp    link_handler
+1:      push    r24
+        rcall   link_flush
         pop     r24
-        rcall   link_place_of
-        rjmp    5f
-1:      rcall   link_fast
+        rcall   link_put
+        tst     r17
+        breq    5f
         ldd     r24, Y+JOB_POSITION ; what a jump back costs counts it as 4 bytes
         ldd     r25, Y+JOB_POSITION+1
         adiw    r24, 4
@@ -528,10 +759,7 @@ link_operation:
         std     Y+JOB_POSITION, r24
         std     Y+JOB_POSITION+1, r25
         rcall   link_copy
-        rjmp    5f
-5:      pop     r15
-        pop     r14
-        rjmp    link_handler
+5:      rjmp    link_handler
 
 link_label:
         rcall   link_flush
@@ -546,6 +774,7 @@ link_label:
         st      Z+, r24
         st      Z+, r25
         rcall   link_handler
+link_label_timer:
         ldi     r24, RUNG
         std     Y+JOB_PENDING, r24
         ldd     r24, Y+JOB_TIMER
@@ -632,6 +861,8 @@ link_object:
         rcall   link_find
         cpi     r16, OP_KeepRegister
         brcs    link_place_of
+        cpi     r16, OP_Push
+        brcc    link_place_of
         rjmp    link_keep
 link_place_of:
         mov     r18, r15

@@ -2,12 +2,14 @@
 
 use super::data::Data;
 use unoclp_core::Millis;
-use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
+use unoclp_core::isa::{COUNTER_DATA, REGISTER_BYTES, TIMER_DATA};
 
 /// What the program works on.
 pub struct Memory<'a> {
     /// Markers, registers and readings.
     pub data: &'a mut Data,
+    /// The registers beyond those of `data`, which they follow in memory; empty where no program runs that names them.
+    pub far: &'a mut [u8],
     /// The data of the timers, in file order, and of the counters, up to the highest that is named; empty where no
     /// program runs.
     pub timers: &'a mut [u8],
@@ -51,6 +53,7 @@ impl<'a> Memory<'a> {
     pub fn idle(data: &'a mut Data) -> Memory<'a> {
         Memory {
             data,
+            far: &mut [],
             timers: &mut [],
             counters: &mut [],
         }
@@ -68,23 +71,36 @@ impl<'a> Memory<'a> {
         write: bool,
         now: Millis,
     ) {
-        let (bytes, size, preset) = match values {
-            Values::Registers => (self.data.registers.as_flattened_mut(), 4, 0),
-            Values::Timers => (&mut *self.timers, TIMER_DATA, 5),
-            Values::Counters => (&mut *self.counters, COUNTER_DATA, 4),
+        let (begin, length, size, preset) = match values {
+            Values::Registers => {
+                let length = size_of_val(&self.data.registers) + self.far.len();
+                (
+                    self.data.registers.as_mut_ptr().cast(),
+                    length,
+                    REGISTER_BYTES,
+                    0,
+                )
+            }
+            Values::Timers => (self.timers.as_mut_ptr(), self.timers.len(), TIMER_DATA, 5),
+            Values::Counters => (
+                self.counters.as_mut_ptr(),
+                self.counters.len(),
+                COUNTER_DATA,
+                4,
+            ),
         };
         let at = if presets { preset } else { 0 };
         let elapsed = !presets && values == Values::Timers;
-        let bytes = bytes.get_mut(usize::from(first >> 1) * size + at..);
-        let bytes = bytes.unwrap_or_default().as_mut_ptr_range();
+        let at = length.min(usize::from(first >> 1) * size + at);
         let how = u8::from(write) << WRITTEN | u8::from(elapsed) << ELAPSED;
-        // SAFETY: it reads or writes as many words as there are, and values from the first to the end of `bytes`;
-        // each of them that begins there is whole, since the data of each timer and counter are.
+        // SAFETY: it reads or writes as many words as there are, and values from the first to the end of their data;
+        // each of them that begins there is whole, since the data of each timer and counter are. Run memory comes
+        // right behind the registers of `data`, and begins with the others that the program has.
         unsafe {
             engine_words(
                 words.as_mut_ptr(),
-                bytes.start,
-                bytes.end,
+                begin.wrapping_add(at),
+                begin.wrapping_add(length),
                 words.len() as u8,
                 size as u8,
                 first,

@@ -10,8 +10,8 @@
 //!   data of its timers, counters and other instructions; those of jumps are of labels.
 //! - **The last byte is that of the end.**
 //!
-//! Run memory holds the linked code from its front, and the data of timers, counters and other
-//! instructions from its end.
+//! Run memory holds the registers beyond those of [`Data`], which stand right before it, then the linked code; and
+//! from its end the data of timers, counters and other instructions.
 //!
 //! That the handlers stand where a byte can name them is checked when the firmware is linked; their
 //! rules are at the head of `handlers.s`.
@@ -32,7 +32,9 @@ use core::mem;
 use data::{Cell, ON};
 use layout::{ADDRESS_BYTES, Layout, POINTS, SNAPSHOT_BYTES};
 use memory::Memory;
-use unoclp_core::isa::{COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, TIMER_DATA};
+use unoclp_core::isa::{
+    COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA,
+};
 use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
 
 const _: () = {
@@ -68,7 +70,7 @@ impl<'m> Linked<'m> {
         Linked {
             layout: Layout {
                 memory: Memory::idle(data),
-                begin: memory.as_ptr() as usize as u16,
+                begin: 0,
                 kept: &mut [],
                 snapshot: &mut [],
                 stored: *kept,
@@ -94,10 +96,18 @@ impl<'m> Linked<'m> {
         let Kept {
             timers,
             counters,
+            registers,
             numbers,
             ..
         } = layout.stored;
         let numbers = usize::from(numbers);
+        let far = usize::from(registers - NEAR_REGISTERS) * REGISTER_BYTES;
+        let (far, rest) = mem::take(&mut self.own)
+            .split_at_mut_checked(far)
+            .unwrap_or_default();
+        layout.memory.far = far;
+        layout.begin = rest.as_ptr() as usize as u16;
+        self.own = rest;
         layout.memory.timers = cut_end(&mut self.own, usize::from(timers) * TIMER_DATA);
         layout.memory.counters = cut_end(&mut self.own, usize::from(counters) * COUNTER_DATA);
         layout.snapshot = cut_end(&mut self.own, numbers * SNAPSHOT_BYTES);
@@ -182,6 +192,7 @@ impl<'m> Linked<'m> {
     fn clear(&mut self, images: &mut Images) {
         self.own.fill(0);
         self.layout.memory.data.restart();
+        self.layout.memory.far.fill(0);
         *images = Images::default();
         self.first = true;
         self.clocks = Clocks::new();

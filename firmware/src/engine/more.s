@@ -1,8 +1,6 @@
 ; The handlers that begin in words 0x100 to 0x1FF, reached by an escape. Their rules are at the head of
 ; `rules.s`; they end by going `back`.
 
-engine_first_end:
-        .space  0x200 - 0x68 - (engine_first_end - engine_begins)
 engine_more_page:
 
 ; Logic.

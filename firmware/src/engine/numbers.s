@@ -121,9 +121,13 @@ multiply:
         mul_    23, 9
         movw    r14, r0
         mul_    22, 9
-        rcall   1f
+        add     r13, r0
+        adc     r14, r1
+        adc     r15, r21
         mul_    23, 8
-        rcall   1f
+        add     r13, r0
+        adc     r14, r1
+        adc     r15, r21
         mul_    22, 10
         add     r14, r0
         adc     r15, r1
@@ -142,10 +146,23 @@ multiply:
         movw    r22, r12
         movw    r24, r14
         ret
-1:      add     r13, r0
-        adc     r14, r1
-        adc     r15, r21
-        ret
+
+; The same of numbers without signs. By 0: an error.
+unsigned_modulo:
+        rcall   unsigned_division
+        movw    r22, r12
+        movw    r24, r14
+        rjmp    back
+unsigned_divide:
+        rcall   unsigned_division
+        rjmp    back
+unsigned_division:
+        mov     r0, r8
+        or      r0, r9
+        or      r0, r10
+        or      r0, r11
+        breq    no_quotient
+        rjmp    divide_unsigned
 
 ; value := value / b, c := the rest without its sign, which is bit 7 of r21. By 0: an error.
 divide:
@@ -561,8 +578,7 @@ integrate:
 ; the handlers do not begin in the words that they are to.
         .type   engine_pages_fit, @object
 engine_pages_fit:
-        .byte   engine_more_page - 257
-        .byte   engine_begins - 0x68
+        .byte   first_page_end - 257
         .byte   more_page_end - 769
         .byte   engine_page_end - 1281
         .size   engine_pages_fit, . - engine_pages_fit

@@ -2,9 +2,8 @@
 ; whatever a handler has to do, it ends by going to that of the next byte. Those that are run most begin in words 0x200
 ; to 0x2FF, so that the high byte of their address is that of the data they need most: markers, the first registers
 ; and other cells stand at 0x200 to 0x2FF of the data space, and one byte names them. The others begin in the words
-; before, in `more.s`, and are reached by an escape. avr-gcc's linker script puts `.progmem.gcc*` right behind the
-; interrupt vectors; what does not have to begin anywhere fills the words between, in `first.s`. The last lines of
-; `numbers.s` check that all of them fit.
+; before, in `first.s` and `more.s`, and are reached by escapes. avr-gcc's linker script puts `.progmem.gcc*` right
+; behind the interrupt vectors. The last lines of `numbers.s` check that all of them fit.
 ;
 ; A handler may change nothing but
 ;
@@ -18,6 +17,7 @@
 ;   X        the linked byte after the next
 ;   Y        the data of the next timer
 ;   Z        r30: scratch, and the low byte of the address to go to; r31: NEAR behind an escape
+;   SP       what is pushed, 4 bytes each
 ;   SREG     all other flags
 ;
 ; and reads the time stamp of the scan, r2 to r5. r1 is 0 between handlers. Where an operand is an

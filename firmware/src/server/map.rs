@@ -19,6 +19,7 @@ const MARKERS: usize = coil::MARKERS.values as usize;
 const TIMER: u16 = input::TIMERS.first;
 const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
+const REGISTER: u16 = holding::REGISTERS.first;
 
 // Input and holding registers have these at the same addresses.
 const _: () = assert!(TIMER == holding::TIMERS.first && COUNTER == holding::COUNTERS.first);
@@ -296,9 +297,11 @@ impl Device for Map<'_, '_, '_> {
         } = *addresses;
         let write = access == Access::Write;
         let input = table == Table::InputRegisters;
-        if first < COMMAND && (!input || first >= TIMER) {
+        if first < COMMAND && (!input || first >= TIMER) || first >= REGISTER {
             // None has more than 256 words.
-            let (values, start) = if first >= COUNTER {
+            let (values, start) = if first >= REGISTER {
+                (Values::Registers, REGISTER as u8)
+            } else if first >= COUNTER {
                 (Values::Counters, COUNTER as u8)
             } else if first >= TIMER {
                 (Values::Timers, TIMER as u8)
@@ -331,6 +334,9 @@ impl Device for Map<'_, '_, '_> {
 
     #[inline(never)]
     fn check_words(&self, first: u16, words: &[Word]) -> Result<(), Exception> {
+        if first >= REGISTER {
+            return Ok(());
+        }
         if first < COMMAND {
             // A preset is not negative: its high word tells.
             let mut at = usize::from(first & 1);

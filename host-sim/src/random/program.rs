@@ -25,16 +25,25 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
         depth: 0,
         points: Vec::new(),
         timers: 0,
+        pushed: 0,
+        ifs: Vec::new(),
+        registers: isa::NEAR_REGISTERS,
     };
+    // Seldom: they take much of run memory.
+    if draft.random.percent(8) {
+        draft.registers = draft.random.number(isa::NEAR_REGISTERS, isa::REGISTERS);
+    }
     let mut rungs = Vec::new();
     // A program may begin without a new rung.
     let mut begins = draft.random.percent(80);
     while draft.taken + 1 < draft.size {
-        if begins {
+        let bracket = draft.bracket();
+        // At the head of a program, and behind a bracket, a rung needs no code to begin it.
+        if begins && !bracket {
             draft.put(Instruction::plain(Opcode::NewRung));
         }
-        begins = true;
         draft.rung();
+        begins = !draft.begin_if() || draft.random.percent(30);
         rungs.push(std::mem::take(&mut draft.rung));
     }
     rungs
@@ -45,6 +54,16 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
 pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'static>> {
     let mut instructions = kept(random);
     instructions.extend(rungs.concat());
+    // Of rungs that were dropped an END may be missing.
+    let count = |opcode| {
+        instructions
+            .iter()
+            .filter(|step| step.opcode == opcode)
+            .count()
+    };
+    for _ in count(Opcode::EndIf)..count(Opcode::If) {
+        instructions.push(Instruction::plain(Opcode::EndIf));
+    }
     let timers = instructions
         .iter()
         .filter(|step| Delay::of(step.opcode).is_some());
@@ -103,7 +122,7 @@ fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
     let mut kept = Vec::new();
     while kept.len() < KEPT.into() && random.percent(20) {
         let step = match random.percent(50) {
-            true => Instruction::numbered(Opcode::KeepRegister, random.number(1, isa::REGISTERS)),
+            true => Instruction::numbered(Opcode::KeepRegister, kept_register(random)),
             false => Instruction::numbered(Opcode::KeepCounter, random.number(1, isa::COUNTERS)),
         };
         if !kept.contains(&step) {
@@ -111,6 +130,14 @@ fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
         }
     }
     kept
+}
+
+fn kept_register(random: &mut Random) -> u8 {
+    let last = match random.percent(3) {
+        true => isa::REGISTERS,
+        false => isa::NEAR_REGISTERS,
+    };
+    random.number(1, last)
 }
 
 /// Labels from this one on are of loops that come to an end.
@@ -145,13 +172,23 @@ struct Draft<'r> {
     /// The branch points that this rung has stored.
     points: Vec<u8>,
     timers: u8,
+    /// Values pushed in this rung.
+    pushed: u8,
+    /// The IFs that are open, and of each whether its ELS has come.
+    ifs: Vec<bool>,
+    /// The highest register that may be named.
+    registers: u8,
 }
 
 impl Draft<'_> {
     fn put(&mut self, instruction: Instruction<'static>) {
         let more = match instruction.operand {
             Operand::Drum { steps, .. } => steps.len(),
-            Operand::Value(Value::Constant(_)) => 4,
+            Operand::Value(Value::Constant(number)) => {
+                let stored = isa::stored_constant(number);
+                usize::from(isa::operand_run_bytes(stored)) + 1
+            }
+            Operand::Value(_) => 2,
             _ => 0,
         };
         self.taken += usize::from(instruction.opcode.row().run.max(2)) - 1 + more;
@@ -176,6 +213,18 @@ impl Draft<'_> {
                 self.follow(instruction);
             }
         }
+        while self.pushed > 0 {
+            let opcode = self.random.pick(&[
+                Opcode::Subtract,
+                Opcode::XorWord,
+                Opcode::Load,
+                Opcode::RealAdd,
+                Opcode::UnsignedDivide,
+                Opcode::Greater,
+            ]);
+            self.put(popping(opcode.unwrap_or(Opcode::Add)));
+            self.pushed -= 1;
+        }
         while self.depth > 0 {
             self.put(Instruction::plain(Opcode::CloseBranch));
             self.depth -= 1;
@@ -187,10 +236,41 @@ impl Draft<'_> {
         }
     }
 
+    /// Perhaps ends a part of an IF; whether it does.
+    fn bracket(&mut self) -> bool {
+        let Some(with_else) = self.ifs.last_mut() else {
+            return false;
+        };
+        let opcode = match self.random.below(10) {
+            0..2 if !*with_else => {
+                *with_else = true;
+                Opcode::Else
+            }
+            2..5 => {
+                self.ifs.pop();
+                Opcode::EndIf
+            }
+            _ => return false,
+        };
+        self.put(Instruction::plain(opcode));
+        true
+    }
+
+    /// Perhaps ends the rung with an IF; whether it does.
+    fn begin_if(&mut self) -> bool {
+        let most = usize::from(isa::DEEPEST);
+        let may = !self.old && self.ifs.len() < most && self.random.percent(8);
+        if may {
+            self.put(Instruction::plain(Opcode::If));
+            self.ifs.push(false);
+        }
+        may
+    }
+
     /// Counts a register round and round, a few times in each scan.
     fn counted_loop(&mut self) {
         let label = self.random.number(LOOPS, isa::LABELS);
-        let register = self.random.number(1, isa::REGISTERS);
+        let register = self.random.number(1, self.registers);
         let constant = |opcode, number| Instruction {
             opcode,
             operand: Operand::Value(Value::Constant(number)),
@@ -211,7 +291,7 @@ impl Draft<'_> {
     /// Any instruction that is allowed here.
     fn instruction(&mut self) -> Option<Instruction<'static>> {
         let opened = self.rung.last().is_some_and(|last| last.opcode.opens());
-        let opcode = match self.random.below(if self.old { 100 } else { 200 }) {
+        let opcode = match self.random.below(if self.old { 100 } else { 216 }) {
             0..20 => Opcode::InputContact,
             20..40 => Opcode::InputContactNot,
             40..47 => Opcode::OutputContact,
@@ -227,12 +307,24 @@ impl Draft<'_> {
             90..94 => Opcode::ResetCoil,
             94..97 => Opcode::OnDelay,
             97..100 => Opcode::OffDelay,
+            100..107 => Opcode::Push,
+            107..110 => Opcode::LoadTable,
+            110..113 => Opcode::StoreTable,
+            113..116 => self.random.pick(&[
+                Opcode::RealAdd,
+                Opcode::RealSubtract,
+                Opcode::RealMultiply,
+                Opcode::RealDivide,
+            ])?,
             _ => self.random.pick(Opcode::ALL)?,
         };
         let may = match opcode.class() {
             // They have their own places.
             Class::Rung | Class::RecallPoint | Class::Label => false,
+            Class::If | Class::Part => false,
             _ if matches!(opcode, Opcode::KeepRegister | Opcode::KeepCounter) => false,
+            _ if opcode == Opcode::Push => self.pushed < isa::DEEPEST,
+            _ if opcode == Opcode::StoreTable => self.pushed > 0,
             Class::OpenOr | Class::OpenAnd | Class::OpenXor => self.depth < isa::DEEPEST,
             Class::Close => self.depth > 0,
             // Right behind an opening code this would recall.
@@ -240,19 +332,32 @@ impl Draft<'_> {
             // Returns end the scan, so they are seldom.
             Class::Leave => {
                 let jumps = opcode.row().kind == Kind::Jump;
-                self.depth == 0 && (jumps || !self.random.percent(80))
+                self.depth == 0 && self.pushed == 0 && (jumps || !self.random.percent(80))
             }
             Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => true,
             Class::Xor | Class::Logic | Class::Coil | Class::Timer | Class::Count => true,
             Class::Load | Class::LoadResult | Class::Operation | Class::Store => true,
             Class::Setting => true,
         };
-        may.then(|| self.with_operand(opcode)).flatten()
+        let may = may.then(|| self.with_operand(opcode)).flatten();
+        // Few values are an index of a table.
+        let index = matches!(opcode, Opcode::Push | Opcode::LoadTable);
+        if may.is_some() && index && !opened && self.random.percent(50) {
+            let index = self.random.below(8) as i32;
+            self.put(Instruction {
+                opcode: Opcode::Load,
+                operand: Operand::Value(Value::Constant(index)),
+            });
+        }
+        may
     }
 
     /// Notes what an added instruction means for those after it; after an opening code, perhaps recalls.
     fn follow(&mut self, instruction: Instruction<'static>) {
         match (instruction.opcode, instruction.number()) {
+            (Opcode::Push, _) => self.pushed += 1,
+            (Opcode::StoreTable, _) => self.pushed -= 1,
+            _ if instruction.operand == Operand::Value(Value::Popped) => self.pushed -= 1,
             (Opcode::StoreBranch, point) => self.points.extend(point),
             (Opcode::CloseBranch, _) => self.depth -= 1,
             (opcode, _) if opcode.opens() => {
@@ -285,22 +390,32 @@ impl Draft<'_> {
                     _ => (self.random.bits() as u32 >> 1).cast_signed(),
                 },
             },
-            Kind::Value => Operand::Value(match self.random.percent(50) {
-                true => Value::Register(self.register()),
-                false => Value::Constant(self.constant()),
+            Kind::Value | Kind::Real => Operand::Value(match self.random.below(100) {
+                ..50 if self.pushed > 0 => Value::Popped,
+                ..60 => Value::Register(self.register()),
+                _ if kind == Kind::Real => Value::Constant(self.real()),
+                _ => Value::Constant(self.constant()),
             }),
+            Kind::Table => {
+                let first = self.register();
+                let most = (self.registers + 1 - first).min(10);
+                Operand::Table {
+                    first,
+                    length: self.random.number(1, most),
+                }
+            }
             Kind::Move => {
                 let count = match self.random.percent(80) {
                     true => self.random.number(1, 5),
-                    false => self.random.number(1, isa::REGISTERS),
+                    false => self.random.number(1, self.registers),
                 };
-                let last = isa::REGISTERS + 1 - count;
+                let last = self.registers + 1 - count;
                 let (from, to) = (self.random.number(1, last), self.random.number(1, last));
                 Operand::Move { from, to, count }
             }
             Kind::Drum => {
                 let from = self.random.below(STEPS.len() as u32 - 1) as usize;
-                let most = (STEPS.len() - from).min(isa::REGISTERS.into());
+                let most = (STEPS.len() - from).min(32);
                 let count = 1 + self.random.below(most as u32) as usize;
                 Operand::Drum {
                     register: self.register(),
@@ -367,6 +482,7 @@ impl Draft<'_> {
             // Labels have their own places, and the others have more than a number.
             Kind::Label | Kind::Jump | Kind::None | Kind::Timer | Kind::Count => return None,
             Kind::Value | Kind::Move | Kind::Drum | Kind::Scale | Kind::Filter => return None,
+            Kind::Real | Kind::Table => return None,
         };
         self.random.pick(&choice)
     }
@@ -375,15 +491,30 @@ impl Draft<'_> {
     fn register(&mut self) -> u8 {
         match self.random.percent(80) {
             true => self.random.number(1, 6),
-            false => self.random.number(1, isa::REGISTERS),
+            false => self.random.number(1, self.registers),
         }
     }
 
     fn constant(&mut self) -> i32 {
         match self.random.below(10) {
             0..4 => self.random.pick(EDGES).unwrap_or_default(),
-            4..8 => self.random.below(200) as i32 - 100,
+            4..7 => self.random.below(200) as i32 - 100,
+            7 => self.real(),
             _ => self.random.bits() as i32,
+        }
+    }
+
+    /// The bits of a REAL that is finite.
+    fn real(&mut self) -> i32 {
+        let number = match self.random.below(10) {
+            0..4 => self.random.pick(REALS).unwrap_or_default(),
+            4..7 => (self.random.below(4_000) as f32 - 2_000.0) / 8.0,
+            7 => f32::from_bits(self.random.below(0x0100_0000)),
+            _ => f32::from_bits(self.random.bits() as u32),
+        };
+        match number.is_finite() {
+            true => number.to_bits().cast_signed(),
+            false => 0,
         }
     }
 
@@ -433,6 +564,32 @@ const EDGES: &[i32] = &[
     i32::MAX,
     i32::MIN,
 ];
+
+/// REAL numbers at which arithmetic may go wrong.
+const REALS: &[f32] = &[
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    -2.5,
+    0.1,
+    1e-20,
+    16_777_216.0,
+    2_147_483_648.0,
+    -2_147_483_648.0,
+    f32::MIN_POSITIVE,
+    f32::MAX,
+    f32::MIN,
+];
+
+/// What pops a value and has no other operand.
+fn popping(opcode: Opcode) -> Instruction<'static> {
+    Instruction {
+        opcode,
+        operand: Operand::Value(Value::Popped),
+    }
+}
 
 /// Steps of drums, of which each takes a part.
 const STEPS: [u8; 48] = {

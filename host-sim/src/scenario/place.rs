@@ -9,7 +9,7 @@ use unoclp_source::BOARD;
 pub enum Cell {
     /// The marker with this number, 1–64: 0 or 1.
     Marker(u8),
-    /// The register with this number, 1–32.
+    /// The register with this number, 1–98.
     Register(u8),
 }
 

@@ -1,7 +1,7 @@
 //! The core against an interpreter that was written from docs/numeric-code.md alone.
 
-use crate::naive::{Naive, World};
-use unoclp_core::{Inputs, Millis};
+use crate::naive::{self, Naive, World};
+use unoclp_core::{Inputs, Millis, real};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::Cell;
@@ -68,7 +68,7 @@ fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
     }
 }
 
-/// NC-5 to NC-9, NC-12 to NC-19, and NC-21.
+/// NC-5 to NC-9, NC-12 to NC-19, and NC-21 to NC-28.
 #[test]
 fn the_core_does_what_the_page_says() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
@@ -133,4 +133,55 @@ fn the_core_does_what_the_page_says() {
         changes > PROGRAMS * 5 && faults > PROGRAMS / 200 && restarts > PROGRAMS / 4,
         "{changes}, {faults}, {restarts}"
     );
+}
+
+/// NC-23: each operation on REAL numbers of any size, those that are subnormal, infinite or none among them.
+#[test]
+fn real_numbers_are_what_the_page_says() {
+    type Operation = fn(i32, i32) -> (i32, bool);
+    type Change = fn(i32) -> (i32, bool);
+    let operations: [(&str, Operation); 4] = [
+        ("RAD", real::add),
+        ("RSU", real::subtract),
+        ("RMU", real::multiply),
+        ("RDI", real::divide),
+    ];
+    let changes: [(&str, Change); 7] = [
+        ("ITR", real::from_signed),
+        ("UTR", real::from_unsigned),
+        ("RND", real::round),
+        ("TRC", real::cut),
+        ("RNG", real::negate),
+        ("RAB", real::absolute),
+        ("RRT", real::square_root),
+    ];
+    let told = |(value, error): (i32, bool)| (!error).then_some(i64::from(value));
+    let random = &mut Random::new(SEED);
+    let mut small = 0;
+    for _ in 0..PROGRAMS * 100 {
+        let a = random.bits() as u32;
+        // Half of the second make the result about as small as can be.
+        let exponent = match random.below(4) {
+            0 => 127_u32.saturating_sub((a >> 23 & 0xFF) + random.below(26)),
+            1 => (a >> 23 & 0xFF) + 126 + random.below(26),
+            2 => 0,
+            _ => random.below(256),
+        };
+        let b = random.bits() as u32 & 0x807F_FFFF | exponent.min(255) << 23;
+        let (a, b) = (a.cast_signed(), b.cast_signed());
+        for (name, operation) in operations {
+            let came = told(operation(a, b));
+            let right = naive::real::operate(name, a.into(), b.into());
+            assert_eq!(came, right, "{a:#X} {name} {b:#X}");
+            small +=
+                u64::from(came.is_some_and(|bits| (1..1 << 23).contains(&(bits & 0x7FFF_FFFF))));
+        }
+        for (name, change) in changes {
+            let (came, right) = (told(change(b)), naive::real::change(name, b.into()));
+            assert_eq!(came, right, "{name} {b:#X}");
+        }
+        let came = real::comparable(b);
+        assert_eq!(naive::real::change("CMR", b.into()), Some(came.into()));
+    }
+    assert!(small > PROGRAMS * 20, "{small}");
 }

@@ -25,11 +25,11 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
     #[rustfmt::skip]
     let cases = [
         // (after the head, the line, the message)
-        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
-        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
-        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
-        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
-        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
+        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
+        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
+        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
         ("[[step]]\nat = 0\nset = { I1 = 2 }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
@@ -47,13 +47,13 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("fault = { number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
         ("fault = { number = 24, line = 0 }", 3, "lines count from 1; leave `line` out where the fault has none"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
-        ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
-        ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D32"),
+        ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
+        ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
         ("[[step]]\nat = 0\nset = { A0 = 1024 }", 5, "A0 must be a number from 0 to 1023"),
         ("[[step]]\nat = 0\nset = { M1 = 2 }", 5, "M1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { D1 = 2147483648 }", 5, "D1 must be a number from -2147483648 to 2147483647"),
-        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
-        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D32, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
         ("[[step]]\nat = 0\nexpect = { P4 = 256 }", 5, "P4 must be a number from 0 to 255, or \"any\""),
         ("[[step]]\nat = 0\nrestart = 1", 5, "invalid type: integer `1`, expected a boolean"),
         ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "a run ends where it `stops`; remove `until` and later steps"),
@@ -275,7 +275,7 @@ fn what_is_wrong_is_told_in_portuguese() {
     let step = |rest: &str| format!("{HEAD}[[step]]\nat = 0\n{rest}\n");
     #[rustfmt::skip]
     let cases = [
-        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; pode-se de Q1 a Q4, M1 a M64, D1 a D32, P1 e P4"),
+        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; pode-se de Q1 a Q4, M1 a M64, D1 a D98, P1 e P4"),
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
         (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; as chaves do arquivo inteiro ficam acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),

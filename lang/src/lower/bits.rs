@@ -1,6 +1,7 @@
 //! What works on the accumulator: loads, operations, and their deferral.
 
 use super::again::Edge;
+use super::push::POP;
 use super::{ACCUMULATOR, Acc, Lower, OPERAND, numbered};
 use crate::ast::{Instr, Stmt, UnitKind};
 use crate::diagnostics::{Code, Span};
@@ -95,6 +96,11 @@ impl Lower<'_, '_> {
             return self.missing(name(instr.op), instr.span);
         };
         self.only(instr, 1);
+        if let Op::Number(opcode) | Op::Compare(opcode) = instr.op
+            && operand.name() == Some(POP)
+        {
+            return self.pop(instr, opcode, left);
+        }
         let right = self.value(operand);
         let span = instr.whole;
         self.acc = self.apply(instr.op, instr.negated, left, right, span);
@@ -245,7 +251,9 @@ impl Lower<'_, '_> {
             self.rungs.timers = self.rungs.timers.saturating_add(1);
         }
         let label = code - Opcode::Label.row().code;
-        if code == Opcode::NewRung.row().code || (1..=32).contains(&label) {
+        let begins = [Opcode::NewRung, Opcode::If, Opcode::Else, Opcode::EndIf];
+        let begins = begins.map(|opcode| opcode.row().code).contains(&code);
+        if begins || (1..=32).contains(&label) {
             self.rungs.holds = Holds::One;
             self.rungs.head = true;
             self.acc = Acc::Bit(Expr::Const(true));
@@ -264,7 +272,9 @@ pub(super) fn name(op: Op) -> &'static str {
         Op::And => "AND",
         Op::Or => "OR",
         Op::Xor => "XOR",
-        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) => operator(opcode),
+        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) | Op::Table(opcode) => {
+            operator(opcode)
+        }
         _ => "",
     }
 }

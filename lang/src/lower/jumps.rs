@@ -202,7 +202,7 @@ impl Lower<'_, '_> {
     }
 
     /// Jumps and labels do not stand between parentheses; what LD has pushed is lost there.
-    fn not_deferred(&mut self, what: &str, span: Span) {
+    pub(super) fn not_deferred(&mut self, what: &str, span: Span) {
         let deferred = |waiting: &Waiting| matches!(waiting, Waiting::Deferred(..));
         let mut frames = self.frames.iter();
         let open = frames.find(|frame| deferred(&frame.waiting));

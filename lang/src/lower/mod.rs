@@ -16,6 +16,8 @@ mod finish;
 mod fresh;
 mod jumps;
 mod keep;
+mod parts;
+mod push;
 mod run;
 mod stack;
 mod stores;
@@ -130,6 +132,10 @@ pub(crate) struct Lower<'a, 'f> {
     writes: bool,
     /// The parenthesis of which it has been told that something cannot stand in it.
     told_open: Option<Span>,
+    /// The IFs that are open in this unit, and whether their ELSE has come.
+    ifs: Vec<(Span, bool)>,
+    /// How many values are pushed.
+    pushed: u8,
     /// That there are too many steps has been told.
     full: bool,
 }
@@ -144,6 +150,7 @@ impl<'a> Lower<'a, '_> {
         let frames = std::mem::take(&mut self.frames);
         let lost = std::mem::take(&mut self.lost);
         let block = self.block.take();
+        let ifs = std::mem::take(&mut self.ifs);
         let waits = frames.len() + usize::from(block.is_some());
         self.waiting += waits;
         self.acc = Acc::Empty;
@@ -173,6 +180,8 @@ impl<'a> Lower<'a, '_> {
             self.none_left(stmt);
         }
         self.end_of_body();
+        self.end_of_ifs();
+        self.ifs = ifs;
         self.frames = frames;
         self.lost = lost;
         self.block = block;
@@ -209,7 +218,9 @@ impl<'a> Lower<'a, '_> {
     }
 
     fn reachable(&mut self, instr: &Instr) {
-        if std::mem::take(&mut self.unreachable) {
+        // What begins a part or stands behind it is reached in another way.
+        let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
+        if std::mem::take(&mut self.unreachable) && !part {
             self.found.tell(Code::Unreachable, instr.whole, []);
         }
     }
@@ -238,6 +249,9 @@ impl<'a> Lower<'a, '_> {
             }
             Op::Shift(opcode) => self.shift(instr, opcode),
             Op::Unary(opcode) => self.unary(instr, opcode),
+            Op::Push => self.push(instr),
+            Op::Table(opcode) => self.table(instr, opcode),
+            Op::Part(opcode) => self.part(instr, opcode),
             Op::Edge(opcode) => self.edge(instr, opcode),
             Op::Jump => self.jump(instr),
             Op::Return => self.ret(instr),

@@ -64,6 +64,8 @@ fn run<'a>(
         counted: Calls::default(),
         writes: false,
         told_open: None,
+        ifs: Vec::new(),
+        pushed: 0,
         full: false,
     };
     lower.declare_all();

@@ -17,7 +17,9 @@ use crate::tree::{Bit, Num};
 use retain::Retained;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Profile;
-use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, Row, TABLE};
+use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, REGISTERS, Row, TABLE};
+
+const LAST_REGISTER: u32 = REGISTERS as u32;
 
 /// What an operand means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -214,9 +216,19 @@ impl<'t> Names<'t> {
             Kind::Marker => self.temps.markers |= 1 << (n - 1),
             Kind::Group => self.temps.markers |= 0xFF << (8 * (n - 1)),
             Kind::Counter | Kind::Count => self.counters_used |= 1 << (n - 1),
-            Kind::Register | Kind::Value | Kind::Drum => self.temps.registers |= 1 << (n - 1),
+            Kind::Table => {
+                let length = codes.get(1).map_or(1, |&length| length.clamp(1, 98) as u32);
+                for register in n..(n + length).min(LAST_REGISTER + 1) {
+                    self.temps.registers |= 1 << (register - 1);
+                }
+            }
+            // The one behind the last is what was pushed.
+            Kind::Value | Kind::Real if n > LAST_REGISTER => {}
+            Kind::Register | Kind::Value | Kind::Real | Kind::Drum => {
+                self.temps.registers |= 1 << (n - 1);
+            }
             // A block may go on to the last.
-            Kind::Move => self.temps.registers = u32::MAX,
+            Kind::Move => self.temps.registers = u128::MAX,
             // The compiler gives none of these out.
             Kind::Input | Kind::Output | Kind::Branch | Kind::System | Kind::TimerQ => {}
             Kind::Analogue | Kind::Pwm | Kind::Reading | Kind::Bit | Kind::Time => {}
@@ -229,7 +241,7 @@ impl<'t> Names<'t> {
         match parse(name, self.dialect) {
             Some(Address::Marker(n @ 1..=64)) => self.temps.markers |= 1 << (n - 1),
             Some(Address::Group(n @ 1..=8)) => self.temps.markers |= 0xFF << (8 * (n - 1)),
-            Some(Address::Register(n @ 1..=32)) => self.temps.registers |= 1 << (n - 1),
+            Some(Address::Register(n @ 1..=LAST_REGISTER)) => self.temps.registers |= 1 << (n - 1),
             Some(Address::Counter(name, _)) => {
                 if let Some(n @ 1..=16) = name.strip_prefix('C').and_then(|n| n.parse::<u32>().ok())
                 {

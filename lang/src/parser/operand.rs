@@ -57,6 +57,21 @@ impl Parser<'_, '_> {
         Some(Operand { kind, span })
     }
 
+    /// A REAL number without `REAL#`; none, and nothing taken, where none comes next.
+    pub(super) fn real(&mut self) -> Option<Operand> {
+        let minus = usize::from(self.peek().kind == Kind::Minus);
+        let number = self.ahead(minus);
+        if number.kind != Kind::Number {
+            return None;
+        }
+        let span = self.peek().span.to(number.span);
+        let bits = literal::real(self.text_of(number.span))?;
+        self.at += minus + 1;
+        let sign = if minus == 0 { 0 } else { i32::MIN };
+        let kind = OperandKind::Number(bits ^ sign);
+        Some(Operand { kind, span })
+    }
+
     fn bad_number(&mut self, text: &str, span: crate::diagnostics::Span) -> OperandKind {
         let (code, meant) = literal::fault(text);
         let written = self.text_of(span).to_owned();

@@ -159,10 +159,15 @@ impl Parser<'_, '_> {
             Op::Not
             | Op::Edge(_)
             | Op::Unary(_)
+            | Op::Push
+            | Op::Part(_)
             | Op::AndBlock
             | Op::OrBlock
             | Op::OutBlock
             | Op::EndBlock => Vec::new(),
+            op if op.is_real() => self
+                .real()
+                .map_or_else(|| self.operands(false), |real| vec![real]),
             op => self.operands(op.may_have_more()),
         };
         let mut params = Vec::new();
@@ -227,7 +232,10 @@ impl Parser<'_, '_> {
         if self.functions.contains(&word) {
             return Some((made(Op::Function, false), token.span));
         }
-        let Some(mut spelling) = operators::find(&word) else {
+        // Instruction List has these alone on their lines.
+        let alone = matches!(next.kind, Kind::NewLine | Kind::Semicolon | Kind::End);
+        let structured = operators::is_structured_text(&word) && !alone;
+        let Some(mut spelling) = operators::find(&word).filter(|_| !structured) else {
             if operators::is_structured_text(&word) {
                 self.structured_text(token.span);
                 return None;

@@ -17,6 +17,8 @@ pub(crate) enum Written {
     Plain(Opcode),
     Numbered(Opcode, u8),
     Value(Opcode, Value),
+    /// A table: its first register and how many it has.
+    Table(Opcode, u8, u8),
     /// A code that names a timer: its index among the names, and its block where one stands above.
     OfTimer(Opcode, usize, Option<u8>),
     /// A timer block; without a target nobody has asked for its Q yet.

@@ -7,8 +7,11 @@ use unoclp_core::isa::{DEEPEST, Opcode, Value};
 
 impl Rungs {
     pub(super) fn compare(&mut self, op: Opcode, left: &Number, right: &Number, span: Span) {
-        if simple(right).is_none() && simple(left).is_some() {
-            return self.compare(exchanged(op), right, left, span);
+        if simple(right).is_none()
+            && simple(left).is_some()
+            && let Some(op) = exchanged(op)
+        {
+            return self.compare(op, right, left, span);
         }
         let operand = self.pair(left, right, span);
         self.changes(Written::Value(op, operand), span);
@@ -108,6 +111,8 @@ const COMMUTING: &[Opcode] = &[
     Opcode::AndWord,
     Opcode::OrWord,
     Opcode::XorWord,
+    Opcode::RealAdd,
+    Opcode::RealMultiply,
 ];
 
 /// What an operation can take its operand from.

@@ -83,8 +83,9 @@ fn random_program(random: &mut Random) -> String {
                 Kind::TimerQ if timers > 0 => random.below(timers) + 1,
                 Kind::Counter | Kind::Count => random.below(16) + 1,
                 Kind::Register => random.below(32) + 1,
-                Kind::Value => random.below(33),
-                Kind::Move | Kind::Drum => random.below(8) + 1,
+                // Nothing is pushed here.
+                Kind::Value | Kind::Real => random.below(33),
+                Kind::Move | Kind::Drum | Kind::Table => random.below(8) + 1,
                 Kind::Analogue => random.below(5),
                 Kind::Reading => random.below(2) + 1,
                 Kind::Bit => random.below(32),
@@ -100,7 +101,12 @@ fn random_program(random: &mut Random) -> String {
                 stored if stored == Opcode::ReturnNot as u8 && open > 0 => continue,
                 recall if recall == Opcode::RecallBranch as u8 => continue,
                 // They stand at the head.
-                keep if keep >= Opcode::KeepRegister as u8 => continue,
+                keep if keep == Opcode::KeepRegister as u8 => continue,
+                keep if keep == Opcode::KeepCounter as u8 => continue,
+                // These belong together.
+                push if push == Opcode::Push as u8 => continue,
+                pop if pop == Opcode::StoreTable as u8 => continue,
+                part if part >= Opcode::If as u8 => continue,
                 store if store == Opcode::StoreBranch as u8 => {
                     let last: i32 = lines.last().unwrap().parse().unwrap();
                     if [40, 6540, 8840].contains(&last) {
@@ -131,7 +137,8 @@ fn random_program(random: &mut Random) -> String {
                     let target = if number(2) == "0" { 7901 } else { 7740 };
                     lines.extend([preset, target.to_string()]);
                 }
-                Kind::Value if xx == 0 => lines.push(number(100_000)),
+                Kind::Value | Kind::Real if xx == 0 => lines.push(number(100_000)),
+                Kind::Table => lines.push("3".to_owned()),
                 Kind::Count | Kind::Filter => lines.push(number(60_000)),
                 Kind::Move => lines.extend(["6820".to_owned(), "3".to_owned()]),
                 Kind::Drum => lines.extend(["2", "1001", "0110"].map(str::to_owned)),
@@ -151,6 +158,29 @@ fn random_program(random: &mut Random) -> String {
         lines.push("787600".to_owned());
     }
     lines.join("\n") + "\n"
+}
+
+/// Texts that come back as they are.
+#[test]
+fn what_is_pushed_and_what_is_bracketed_is_said() {
+    let texts = [
+        "LD    D1\nPUSH\nLD    D2\nADD   3\nSUB   POP\nST    D4\n",
+        "LD    D1\nPUSH\nLD    IW0\nTABLE_ST D40, 8\n",
+        "LD    D1\nTABLE_LD D40, 8\nREAL_MUL -1.5E-10\nREAL_TO_DINT\nSIGNED 16\nST    D98\n",
+        "LD    D1\nPUSH\nLD    D2\nREAL_DIV POP\nREAL_SUB 0.1\nREAL_ORDER\nGT    0\nST    Q1\n",
+        "LD    D1\nUDIV  -1\nUGE   D2\nST    Q1\n",
+        "LD    I1\nIF\n\nLD    I2\nST    Q1\n\nELSE\nLD    TRUE\nIF\n\nLD    I3\nST    Q1\n\nEND_IF\n\nEND_IF\n",
+    ];
+    for text in texts {
+        let compiled = program(text, &Options::default());
+        let file = compiled.file().unwrap();
+        let back = to_il(file.as_bytes(), Profile::UNO).unwrap();
+        let said: Vec<String> = back
+            .lines()
+            .map(|line| line.trim_end().to_owned())
+            .collect();
+        assert_eq!(said, text.lines().collect::<Vec<_>>(), "{file}");
+    }
 }
 
 #[test]

@@ -23,6 +23,8 @@ fn own_words() -> impl Iterator<Item = (Opcode, &'static str)> {
         Class::Count,
         Class::Logic,
         Class::Operation,
+        Class::If,
+        Class::Part,
     ];
     let words = ROWS
         .iter()
@@ -51,10 +53,18 @@ fn every_word_compiles_to_its_code() {
     for (opcode, word) in own_words() {
         let row = opcode.row();
         let (text, xx) = match row.kind {
+            Kind::None if opcode == Opcode::Push => {
+                ("LD D1\nPUSH\nLD D2\nSUB POP\nST D3".to_owned(), 0)
+            }
+            Kind::None if matches!(row.class, Class::If | Class::Part) => (
+                "LD I1\nIF\nLD I2\nST Q1\nELSE\nLD I3\nST Q1\nEND_IF".to_owned(),
+                0,
+            ),
+            Kind::Table => (format!("LD D1\n{word} D2, 3\nST D3"), 2),
             Kind::Value if row.class == Class::Comparison => {
                 (format!("LD D1\n{word} D2\nST Q1"), 2)
             }
-            Kind::Value => (format!("LD D1\n{word} D2\nST D3"), 2),
+            Kind::Value | Kind::Real => (format!("LD D1\n{word} D2\nST D3"), 2),
             Kind::Bit => (format!("LD D1\n{word} 3\nST D3"), 3),
             Kind::Timer => (format!("LD I1\n{word} T1, 100\nST Q1"), 0),
             Kind::Count => (format!("LD I1\n{word} C1, I2, 5\nST Q1"), 1),

@@ -27,7 +27,46 @@ pub(super) fn help(cause: Cause, text: &str, lacking: [usize; 2], lang: Lang) ->
             "cada código tem a sua linha; ponha este em uma linha própria".to_owned()
         }
         (Cause::ProgramFull | Cause::RunMemoryFull, _) => full(lacking, lang),
+        (cause, lang) => return balance(cause, lang).map(str::to_owned),
+    })
+}
+
+/// What sets pushed values and IFs right.
+fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
+    let (english, portuguese) = match cause {
+        Cause::NothingPushed => (
+            "write 808372 (PSH) behind the left operand, or a register 01 to 98 in place of 99",
+            "escreva 808372 (PSH) depois do operando esquerdo, ou um registrador de 01 a 98 no lugar de 99",
+        ),
+        Cause::PushedTooDeep => (
+            "store a part of the result in a register",
+            "guarde uma parte do resultado em um registrador",
+        ),
+        Cause::ValueLeftPushed => (
+            "take the value back before this line by an operation with XX = 99",
+            "tome o valor de volta antes desta linha com uma operação com XX = 99",
+        ),
+        Cause::NotReal => (
+            "1.0 is 1065353216; in Instruction List, write the number itself: REAL_ADD 1.0",
+            "1.0 é 1065353216; em Lista de Instruções, escreva o próprio número: REAL_ADD 1.0",
+        ),
+        Cause::NoIf => (
+            "write 7370 (IF) above, with one 697683 (ELS) at most",
+            "escreva 7370 (IF) acima, com um só 697683 (ELS) no máximo",
+        ),
+        Cause::IfTooDeep => (
+            "join conditions in one rung before one IF, or close an IF by 697868 (END)",
+            "junte as condições em um degrau antes de um só IF, ou feche um IF com 697868 (END)",
+        ),
+        Cause::IfLeftOpen => (
+            "write 697868 (END) where its part ends",
+            "escreva 697868 (END) onde a sua parte termina",
+        ),
         _ => return None,
+    };
+    Some(match lang {
+        Lang::En => english,
+        Lang::Pt => portuguese,
     })
 }
 

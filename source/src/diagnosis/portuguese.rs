@@ -61,7 +61,16 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::LabelTwice => "este rótulo aparece duas vezes (NC-19)",
         Cause::NoSuchLabel => "o programa não tem esse rótulo (NC-19)",
         Cause::LabelInRung => "um rótulo fica no início de um degrau (NC-19)",
-        Cause::JumpInBranch => "nenhum desvio ou retorno entre 40 e 41 (NC-19)",
+        Cause::JumpInBranch => {
+            "nenhum desvio, retorno ou IF entre 40 e 41 ou depois de PSH (NC-19)"
+        }
         Cause::TooManyJumps => "desvios demais para trás em uma varredura (NC-19)",
+        Cause::NothingPushed => "nenhum valor está empilhado aqui (NC-22)",
+        Cause::PushedTooDeep => "mais de 8 valores empilhados (NC-22)",
+        Cause::ValueLeftPushed => "um valor ainda está empilhado onde o degrau termina (NC-22)",
+        Cause::NotReal => "não são os bits de um número REAL finito (NC-23)",
+        Cause::NoIf => "nenhum IF está aberto para isto (NC-28)",
+        Cause::IfTooDeep => "mais de 8 IFs abertos (NC-28)",
+        Cause::IfLeftOpen => "este IF não tem END (NC-28)",
     }
 }

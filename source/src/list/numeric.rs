@@ -4,7 +4,7 @@ use super::words;
 use crate::effect::effect;
 use std::fmt::Write;
 use unoclp_checked::SourceMap;
-use unoclp_core::isa::{self, Opcode, Operand, Value};
+use unoclp_core::isa::{self, Kind, Opcode, Operand, Value};
 use unoclp_core::{Instruction, Program};
 use unoclp_lang::Lang;
 
@@ -91,7 +91,11 @@ fn lines(step: Instruction<'_>, lang: Lang) -> Vec<Line> {
     };
     let operand = match step.operand {
         Operand::Value(Value::Register(register)) => format!("D {register:02}"),
+        Operand::Value(Value::Constant(number)) if row.kind == Kind::Real => {
+            format!("{:?}", f32::from_bits(number.cast_unsigned()))
+        }
         Operand::Value(Value::Constant(number)) => number.to_string(),
+        Operand::Value(Value::Popped) => words::popped(lang),
         _ => words::operand(lang),
     };
     let does = effect(step.opcode, lang);
@@ -131,6 +135,7 @@ fn operand_meaning(operand: Operand<'_>, index: usize, code: i32, lang: Lang) ->
         (Operand::Scale { .. }, 2) => words::becomes_from(lang),
         (Operand::Scale { .. }, _) => words::to_this(lang),
         (Operand::Filter { .. }, _) => words::filter_time(lang, code),
+        (Operand::Table { .. }, _) => words::so_many_registers(lang),
         (Operand::None | Operand::Number(_) | Operand::Jump { .. }, _) => String::new(),
     }
 }

@@ -15,6 +15,7 @@ crate::messages! {
     preset_ms(value) "preset: {value} ms" "pré-seleção: {value} ms";
     drives(target) "drives {target}" "aciona {target}";
     constant() "the constant" "a constante";
+    popped() "value (before it the pushed one)" "valor (antes dele o empilhado)";
     to_registers(first) "to {first} on" "para {first} em diante";
     so_many_registers() "so many registers" "o número de registradores";
     so_many_steps() "so many steps" "o número de passos";

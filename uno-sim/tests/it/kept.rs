@@ -34,7 +34,7 @@ fn running(text: &str) -> Uno {
 
 /// D 01 or D 02.
 fn register(uno: &mut Uno, number: u16) -> i32 {
-    let first = holding::REGISTERS.first + 2 * (number - 1);
+    let first = holding::FIRST_REGISTERS.first + 2 * (number - 1);
     long(&words(uno, 3, first, 2)).cast_signed()
 }
 

@@ -18,6 +18,7 @@ mod modbus_lock;
 mod modbus_upload;
 mod monitor;
 mod program_memory;
+mod real;
 mod retentive;
 mod sd_driver;
 mod sd_protocol;

@@ -65,6 +65,49 @@ fn registers_go_both_ways() {
     assert_eq!(read_long(&mut uno, 3, 2), 0x1235_0000);
 }
 
+/// D 40 is D 34 and D 98; D 41 is named by nobody, and there.
+const FAR: &str = "0\n766834\n65686898\n838440\n";
+
+#[test]
+fn registers_beyond_32_go_both_ways() {
+    let all = |register: u16| 2000 + 2 * (register - 1);
+    let mut uno = serving(FAR);
+    for value in [0, 0x1_FFFF, -70_000, i32::MAX] {
+        write_words(&mut uno, all(34), &halves(value)).unwrap();
+        write_words(&mut uno, all(98), &halves(-5)).unwrap();
+        uno.run_ms(1).unwrap();
+        assert_eq!(read_long(&mut uno, 3, 2 * 33), value);
+        assert_eq!(read_long(&mut uno, 3, 2 * 39), value.wrapping_sub(5));
+        assert_eq!(read_long(&mut uno, 3, all(40)), value.wrapping_sub(5));
+    }
+    write_words(&mut uno, 2 * 40, &halves(7)).unwrap();
+    assert_eq!(read_long(&mut uno, 3, all(41)), 7);
+    // All of them, by two requests.
+    assert_eq!(words(&mut uno, 3, 2000, 98).last(), Some(&0));
+    let last = words(&mut uno, 3, all(50), 98);
+    assert_eq!(long(&last[96..]) as i32, -5);
+    // They are 0 when the program begins anew.
+    write(&mut uno, 400, STOP).unwrap();
+    assert_eq!(words(&mut uno, 3, all(50), 98), [0; 98]);
+}
+
+#[test]
+fn registers_that_a_program_does_not_have_are_0_and_take_nothing() {
+    // D 33 is there, D 34 not: the program stands behind it.
+    let mut uno = serving("0\n827301\n877901\n787600\n766833\n838401\n");
+    write_words(&mut uno, 64, &[0, 3, 0x1234, 0x5678, 0xFFFF, 0xFFFF]).unwrap();
+    write_words(&mut uno, 2000 + 66, &[0xFFFF; 120]).unwrap();
+    assert_eq!(words(&mut uno, 3, 64, 6), [0, 3, 0, 0, 0, 0]);
+    assert_eq!(words(&mut uno, 3, 2000 + 64, 100)[2..], [0; 98]);
+    uno.set_inputs(1);
+    uno.run_ms(5).unwrap();
+    assert_eq!(uno.outputs(), 1);
+    assert_eq!(read_long(&mut uno, 3, 0), 3);
+    // No area goes on into the presets of the timers.
+    let answer = ask(&mut uno, &[1, 3, 0, 126, 0, 4]).unwrap();
+    assert_eq!(answer[..3], [1, 0x83, 2]);
+}
+
 #[test]
 fn in_stop_they_are_what_single_scans_see_and_run_begins_with_zeros() {
     let mut uno = serving(EXCHANGE);

@@ -2,6 +2,7 @@
 //! that never wraps, every instruction looked up by its letters.
 
 pub mod read;
+pub mod real;
 mod timer;
 
 use read::Step;
@@ -40,7 +41,7 @@ pub struct Naive {
     pub counters: Vec<Counter>,
     pub outputs: [bool; 5],
     pub markers: [bool; 65],
-    pub registers: [i64; 33],
+    pub registers: [i64; 99],
     pub pwm: [i64; 5],
     inputs: [bool; 9],
     /// Since when each input has been seen at its other level.
@@ -60,6 +61,7 @@ struct Pass<'w> {
     now: i64,
     acc: bool,
     value: i64,
+    pushed: Vec<i64>,
     error: bool,
     open: Vec<(String, bool)>,
     points: [bool; 9],
@@ -104,7 +106,7 @@ impl Naive {
             steps,
             outputs: [false; 5],
             markers: [false; 65],
-            registers: [0; 33],
+            registers: [0; 99],
             pwm: [0; 5],
             inputs: [false; 9],
             differs: [None; 9],
@@ -125,6 +127,7 @@ impl Naive {
             now,
             acc: true,
             value: 0,
+            pushed: Vec::new(),
             error: false,
             open: Vec::new(),
             points: [false; 9],
@@ -136,6 +139,21 @@ impl Naive {
             let taken = match self.steps[at].letters.as_str() {
                 "JMP" | "RET" => pass.acc,
                 "-JMP" | "-RET" => !pass.acc,
+                "IF" | "ELS" | "END" => {
+                    let goes_on = match self.steps[at].letters.as_str() {
+                        "IF" => pass.acc,
+                        // What stood before has been done.
+                        "ELS" => false,
+                        _ => true,
+                    };
+                    at = if goes_on {
+                        at + 1
+                    } else {
+                        self.behind_part(at)
+                    };
+                    pass.acc = true;
+                    continue;
+                }
                 _ => {
                     self.step(at, &mut pass);
                     at += 1;
@@ -166,6 +184,23 @@ impl Naive {
         }
         self.first = false;
         Ok(())
+    }
+
+    /// Where the scan goes on that does not do what this IF or ELS begins: behind its END, or of an IF
+    /// behind its ELS where it has one.
+    fn behind_part(&self, at: usize) -> usize {
+        let is_if = self.steps[at].letters == "IF";
+        let mut depth = 0;
+        for (index, step) in self.steps.iter().enumerate().skip(at + 1) {
+            match step.letters.as_str() {
+                "IF" => depth += 1,
+                "ELS" if depth == 0 && is_if => return index + 1,
+                "END" if depth == 0 => return index + 1,
+                "END" => depth -= 1,
+                _ => {}
+            }
+        }
+        panic!("an IF without END");
     }
 
     fn take_inputs(&mut self, world: &World, now: i64) {
@@ -216,7 +251,14 @@ impl Naive {
             None => (letters.as_str(), false),
         };
         if step.takes_number {
-            let operand = lines.first().copied().unwrap_or(self.registers[xx]);
+            let operand = match (xx, lines.first()) {
+                (0, Some(constant)) => *constant,
+                (99, _) => {
+                    let pushed = pass.pushed.pop().unwrap();
+                    std::mem::replace(&mut pass.value, pushed)
+                }
+                _ => self.registers[xx],
+            };
             return pass.operate(name, operand);
         }
         match name {
@@ -299,6 +341,30 @@ impl Naive {
             }
             "SHL" => pass.value = wrap(pass.value << xx),
             "SHR" => pass.value = wrap((pass.value & 0xFFFF_FFFF) >> xx),
+            "PSH" => pass.pushed.push(pass.value),
+            "ITR" | "UTR" | "RND" | "TRC" | "RNG" | "RAB" | "RRT" | "CMR" => {
+                pass.take(real::change(name, pass.value));
+            }
+            "SXT" if xx == 0 => pass.value = 0,
+            "SXT" => {
+                let low = pass.value.rem_euclid(1 << xx);
+                let negative = low >= 1 << (xx - 1);
+                pass.value = if negative { low - (1 << xx) } else { low };
+            }
+            "ZXT" => pass.value = pass.value.rem_euclid(1 << xx),
+            "LDX" => {
+                let inside = (0..lines[0]).contains(&pass.value);
+                let place = xx as i64 + pass.value;
+                pass.take(inside.then(|| self.registers[place as usize]));
+            }
+            "STX" => {
+                let index = pass.pushed.pop().unwrap();
+                if acc && (0..lines[0]).contains(&index) {
+                    self.registers[xx + index as usize] = pass.value;
+                } else {
+                    pass.error |= acc;
+                }
+            }
             "SCL" => pass.value = scale(pass.value, &lines),
             "FLT" => pass.value = self.filter(at, pass.value, xx, lines[0], now),
             "INT" => self.integrate(at, pass.value, xx, acc, now),
@@ -396,16 +462,23 @@ impl Pass<'_> {
             "NE" => return self.acc &= value != operand,
             "LE" => return self.acc &= value <= operand,
             "LT" => return self.acc &= value < operand,
+            "UGE" => return self.acc &= unsigned(value) >= unsigned(operand),
+            "ULT" => return self.acc &= unsigned(value) < unsigned(operand),
+            "RAD" | "RSU" | "RMU" | "RDI" => {
+                return self.take(real::operate(name, value, operand));
+            }
             "LD" => operand,
             "ADD" => value + operand,
             "SUB" => value - operand,
             "MUL" => value * operand,
-            "DIV" | "MOD" if operand == 0 => {
+            "DIV" | "MOD" | "UDV" | "UMO" if operand == 0 => {
                 self.error = true;
                 0
             }
             "DIV" => value / operand,
             "MOD" => value % operand,
+            "UDV" => unsigned(value) / unsigned(operand),
+            "UMO" => unsigned(value) % unsigned(operand),
             "AND" => value & operand,
             "OR" => value | operand,
             "XOR" => value ^ operand,
@@ -413,6 +486,17 @@ impl Pass<'_> {
         };
         self.value = wrap(result);
     }
+
+    /// Takes a result; where there is none, 0 and an arithmetic error.
+    fn take(&mut self, result: Option<i64>) {
+        self.error |= result.is_none();
+        self.value = result.unwrap_or(0);
+    }
+}
+
+/// The same 32 bits as a number without a sign.
+fn unsigned(number: i64) -> i64 {
+    number.rem_euclid(1 << 32)
 }
 
 /// The number of 32 bits with a sign that this comes to.

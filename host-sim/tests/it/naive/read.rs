@@ -15,7 +15,7 @@ pub struct Step {
     pub line: u32,
     /// Bytes of program memory that it takes, from the table of the page.
     pub bytes: i64,
-    /// Whether it works with a register or, with XX = 00, a constant.
+    /// Whether it works with a register, or with XX = 00 a constant, or with XX = 99 what was pushed.
     pub takes_number: bool,
 }
 
@@ -74,7 +74,7 @@ pub fn read(text: &str) -> Vec<Step> {
         let name = letters.trim_start_matches('-');
         let count = match name {
             "TON" | "TOF" | "TOR" | "TP" | "MOV" => 2,
-            "CTU" | "CTD" | "FLT" => 1,
+            "CTU" | "CTD" | "FLT" | "LDX" | "STX" => 1,
             "SCL" => 4,
             "DRM" => {
                 lines.push(next());
@@ -85,9 +85,9 @@ pub fn read(text: &str) -> Vec<Step> {
         };
         lines.extend((0..count).map(|_| next()));
         let bytes = match row.bytes.as_str() {
-            "2, constant 3, 4 or 6" if lines.is_empty() => 2,
+            _ if takes_number && lines.is_empty() => 2,
             // As a jump back counts it.
-            "2, constant 3, 4 or 6" => 6,
+            _ if takes_number => 6,
             "3 and 1 a step" => 3 + lines[0],
             bytes => bytes.parse().unwrap(),
         };

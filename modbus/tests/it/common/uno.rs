@@ -21,20 +21,22 @@ fn ranges(table: Table, access: Access) -> &'static [(u16, u16)] {
         (Table::DiscreteInputs, _) => &[(0, 7)],
         (Table::InputRegisters, _) => &[(0, 4), (16, 32), (128, 301), (320, 351)],
         (Table::HoldingRegisters, Access::Read) => &[
-            (0, 63),
+            (0, 127),
             (128, 301),
             (320, 351),
             (400, 400),
             (402, 406),
             (410, 414),
+            (2000, 2195),
         ],
         (Table::HoldingRegisters, Access::Write) => &[
-            (0, 63),
+            (0, 127),
             (128, 131),
             (320, 323),
             (400, 400),
             (402, 406),
             (410, 414),
+            (2000, 2195),
         ],
     }
 }
@@ -70,6 +72,8 @@ impl Points for Uno {
         match (table, address) {
             (Table::InputRegisters, 16) => 2,
             (Table::InputRegisters, _) => 0,
+            // The first registers are in two places.
+            (_, 2000..2064) => self.word(table, address - 2000),
             _ => *self.words.get(&address).unwrap_or(&initial(address)),
         }
     }
@@ -80,7 +84,7 @@ impl Points for Uno {
 
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
         let fine = match address {
-            0..128 => true,
+            0..128 | 2000.. => true,
             // Of a preset, the sign.
             128..400 => address % 2 == 1 || value < 0x8000,
             400 => (1..=5).contains(&value),
@@ -100,7 +104,14 @@ impl Points for Uno {
     }
 
     fn set_word(&mut self, address: u16, value: u16) {
-        self.words.insert(address, value);
+        match address {
+            // The program has no others.
+            64..128 | 2064.. => {}
+            2000.. => self.set_word(address - 2000, value),
+            _ => {
+                self.words.insert(address, value);
+            }
+        }
     }
 
     fn take(&mut self, first: u16, _: &[u8]) -> Option<Result<(), Exception>> {

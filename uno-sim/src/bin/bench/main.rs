@@ -15,6 +15,7 @@ mod scans;
 mod table;
 mod targets;
 mod timers;
+mod work;
 mod yardsticks;
 
 use anyhow::{Context, Result};
@@ -60,7 +61,10 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
     let template = root.join("programs/STATE.TXT");
     println!("the yardsticks …");
     let logic = |rungs: &[programs::Rung]| scans::logic(firmware, rungs);
-    let yardsticks = Workshop::new(root).measure(logic)?;
+    let workshop = Workshop::new(root);
+    let yardsticks = workshop.measure(logic)?;
+    println!("pieces of work …");
+    let work = work::measure(firmware, &workshop)?;
     println!("scans …");
     let scans = scans::measure(firmware)?;
     println!("timers …");
@@ -73,6 +77,7 @@ fn measure(firmware: &Program, root: &Path) -> Result<Figures> {
     let modes = modes::measure(firmware, &template)?;
     Ok(Figures {
         yardsticks,
+        work,
         scans,
         timers,
         jobs,

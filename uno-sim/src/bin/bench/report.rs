@@ -10,12 +10,15 @@ use crate::scans::{Scans, Whole};
 use crate::table::{Table, micros, number, ratio, verdict};
 use crate::targets;
 use crate::timers::Timers;
+use crate::work::Done;
 use crate::yardsticks::Yardsticks;
 
 /// All that was measured.
 pub struct Figures {
     /// The programs in C.
     pub yardsticks: Yardsticks,
+    /// Pieces of work, each beside C.
+    pub work: Vec<Done>,
     /// Rungs, instructions, whole scans.
     pub scans: Scans,
     /// Timers.
@@ -37,6 +40,7 @@ const LDMICRO_RUNG: f64 = 205.0;
 pub fn page(figures: &Figures) -> String {
     let Figures {
         yardsticks,
+        work,
         scans,
         timers,
         jobs,
@@ -51,6 +55,8 @@ pub fn page(figures: &Figures) -> String {
         whole_scans(scans, yardsticks),
         include_str!("text/instructions.md").to_owned(),
         instructions(scans),
+        include_str!("text/work.md").to_owned(),
+        pieces(work),
         include_str!("text/timers.md").to_owned(),
         timer_states(timers),
         include_str!("text/jobs.md")
@@ -118,6 +124,27 @@ fn instructions(scans: &Scans) -> String {
     ]);
     for cost in &scans.costs {
         row_of_times(&mut table, cost.name.to_owned(), cost.cycles);
+    }
+    table.to_string()
+}
+
+fn pieces(work: &[Done]) -> String {
+    let mut table = Table::new(&["work", "unoclp", "µs", "target", "", "compiled C"]);
+    for done in work {
+        let Done {
+            cycles,
+            compiled,
+            target,
+            ..
+        } = *done;
+        table.row([
+            done.name.to_owned(),
+            number(cycles),
+            micros(cycles),
+            format!("≤ {}", number(target)),
+            verdict(cycles <= target),
+            format!("{} ({})", number(compiled), ratio(compiled, cycles)),
+        ]);
     }
     table.to_string()
 }

@@ -109,31 +109,50 @@ impl Workshop {
         let folder = self
             .folder
             .join(format!("{name}{}-{}", form.options.concat(), rungs.len()));
-        fs::create_dir_all(&folder)
-            .with_context(|| format!("cannot create the folder {}", folder.display()))?;
         let codes = programs::program(rungs).into_iter();
         let codes: String = codes.map(|code| format!("{code},\n")).collect();
-        for (file, text) in [("program.inc", codes), ("rungs.inc", programs::c(rungs))] {
+        let included = [("program.inc", codes), ("rungs.inc", programs::c(rungs))];
+        self.build(form.source, form.options, &folder, &included)
+    }
+
+    /// The program that does this work, statements in C.
+    pub fn work(&self, statements: &str) -> Result<Program> {
+        let folder = self.folder.join("work");
+        self.build(
+            "work.c",
+            &[],
+            &folder,
+            &[("work.inc", statements.to_owned())],
+        )
+    }
+
+    fn build(
+        &self,
+        source: &str,
+        options: &[&str],
+        folder: &Path,
+        included: &[(&str, String)],
+    ) -> Result<Program> {
+        fs::create_dir_all(folder)
+            .with_context(|| format!("cannot create the folder {}", folder.display()))?;
+        for (file, text) in included {
             let file = folder.join(file);
             fs::write(&file, text).with_context(|| format!("cannot write {}", file.display()))?;
         }
         let elf = folder.join("yardstick.elf");
         let mut gcc = Command::new("avr-gcc");
         gcc.args(["-Os", "-mmcu=atmega328p", "-std=gnu11", "-Wall", "-Wextra"])
-            .args(form.options)
+            .args(options)
             .arg("-I")
-            .arg(&folder)
+            .arg(folder)
             .arg("-o")
             .arg(&elf)
-            .arg(self.sources.join(form.source));
+            .arg(self.sources.join(source))
+            .arg("-lm");
         let status = gcc
             .status()
             .context("avr-gcc does not start; `cargo xtask setup` installs it")?;
-        ensure!(
-            status.success(),
-            "avr-gcc failed on {}: {status}",
-            form.source
-        );
+        ensure!(status.success(), "avr-gcc failed on {}: {status}", source);
         Ok(Program::read(&elf)?)
     }
 }
