@@ -153,9 +153,11 @@ impl Diagnostic {
 }
 
 impl fmt::Display for Code {
-    /// `IL-11`
+    /// `IL-11`, `ST-101`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "IL-{}", *self as u8)
+        let number = *self as u16;
+        let table = if number < 100 { "IL" } else { "ST" };
+        write!(f, "{table}-{number}")
     }
 }
 

@@ -31,6 +31,7 @@ mod show;
 mod spell;
 mod temps;
 mod tree;
+pub mod typed;
 mod whole;
 mod words;
 

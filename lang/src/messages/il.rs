@@ -1,52 +1,8 @@
-//! Everything that can be said about a text, each with a stable code and its words in two languages.
-//!
-//! `{0}`, `{1}` stand for what the place in the text adds. A code that has been published never changes
-//! its meaning; `docs/il-diagnostics.md` and its translation have an entry for each.
+//! What is said about Instruction List: codes 11 to 99.
 
-use crate::diagnostics::Severity;
-
-/// The words of a diagnostic in one language; the help is empty where there is none.
-pub(crate) struct Words {
-    pub message: &'static str,
-    pub help: &'static str,
-}
-
-macro_rules! messages {
-    ($($number:literal $name:ident $severity:ident $en:literal $en_help:literal $pt:literal $pt_help:literal;)*) => {
-        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[repr(u8)]
-        pub enum Code {
-            $(#[doc = $en] $name = $number,)*
-        }
-
-        impl Code {
-            /// Every code, in the order of its number.
-            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
-
-            /// Whether the text can be compiled all the same.
-            pub const fn severity(self) -> Severity {
-                match self {
-                    $(Code::$name => Severity::$severity,)*
-                }
-            }
-
-            pub(crate) const fn english(self) -> Words {
-                match self {
-                    $(Code::$name => Words { message: $en, help: $en_help },)*
-                }
-            }
-
-            pub(crate) const fn portuguese(self) -> Words {
-                match self {
-                    $(Code::$name => Words { message: $pt, help: $pt_help },)*
-                }
-            }
-        }
-    };
-}
-
-messages! {
+macro_rules! il_rows {
+    ($next:ident $($rest:tt)*) => {
+        $next! { $($rest)*
     11 StrayCharacter Error
         "`{0}` means nothing in Instruction List"
         "delete it"
@@ -347,4 +303,6 @@ messages! {
         "declare it with VAR; a number, a counter, and a BOOL without an address can be kept"
         "`{0}` não pode ser RETAIN: {1}"
         "declare com VAR; podem ser retidos um número, um contador e um BOOL sem endereço";
+        }
+    };
 }

@@ -1,0 +1,343 @@
+//! What is said about Structured Text, and about names and types in all typed languages: codes 101 to 299.
+
+macro_rules! st_rows {
+    ($next:ident $($rest:tt)*) => {
+        $next! { $($rest)*
+    101 StStray Error
+        "`{0}` means nothing in {1}"
+        "delete it"
+        "`{0}` não significa nada em {1}"
+        "apague-o";
+    102 StCommentOpen Error
+        "this comment is never closed, so all that follows is swallowed"
+        "write *) at its end"
+        "este comentário nunca fecha e por isso engole tudo o que vem depois"
+        "escreva *) no fim dele";
+    103 StTextOpen Error
+        "this text has no closing {0} on its line"
+        "write {0} at its end"
+        "este texto não tem {0} de fechamento na sua linha"
+        "escreva {0} no fim dele";
+    104 StLiteral Error
+        "`{0}` is not a valid {1}"
+        "write it like {2}"
+        "`{0}` não é {1} válido"
+        "escreva como {2}";
+    105 StOtherWord Error
+        "`{0}` is written {1} here"
+        "write {1}"
+        "`{0}` se escreve {1} aqui"
+        "escreva {1}";
+    106 StExpected Error
+        "{0} is missing before `{1}`"
+        "{2}"
+        "falta {0} antes de `{1}`"
+        "{2}";
+    107 StExpectedEnd Error
+        "{0} is missing at the end of the text"
+        "{2}"
+        "falta {0} no fim do texto"
+        "{2}";
+    108 StNotClosed Error
+        "this {0} has no {1}"
+        "write {1}; where the part ends that `{0}` begins"
+        "este {0} não tem {1}"
+        "escreva {1}; onde termina a parte que `{0}` começa";
+    109 StStrayEnd Error
+        "`{0}` ends nothing here"
+        "delete it, or write the {1} that belongs to it"
+        "`{0}` não encerra nada aqui"
+        "apague-o ou escreva o {1} que falta";
+    110 StEqualsForAssign Error
+        "`=` compares, and this line is to store a value"
+        "write {0} := …"
+        "`=` compara, e esta linha deve guardar um valor"
+        "escreva {0} := …";
+    111 StAssignForEquals Error
+        "`:=` stores a value, and here two values are compared"
+        "write ="
+        "`:=` guarda um valor, e aqui se comparam dois valores"
+        "escreva =";
+    112 StNoEffect Error
+        "`{0}` is a value, and nothing is done with it"
+        "store it: x := {0};"
+        "`{0}` é um valor, e nada é feito com ele"
+        "guarde-o: x := {0};";
+    113 StTooDeep Error
+        "this is nested too deeply to be read"
+        "take a part out: into a variable, a function or a block of its own"
+        "isto está aninhado fundo demais para ser lido"
+        "tire uma parte: para uma variável, uma função ou um bloco";
+    114 StReserved Error
+        "`{0}` is a word of the language, and cannot be a name"
+        "choose another name, such as {0}1"
+        "`{0}` é uma palavra da linguagem e não pode ser um nome"
+        "escolha outro nome, como {0}1";
+    115 StTypeFirst Error
+        "in a declaration the name comes first, then the type"
+        "write {1} : {0};"
+        "em uma declaração o nome vem primeiro e depois o tipo"
+        "escreva {1} : {0};";
+    116 StPassedOver Warning
+        "{0} is passed over: each PROGRAM runs once in every scan"
+        "the board has no tasks; nothing needs to be changed"
+        "{0} é ignorado: cada PROGRAM é executado uma vez por varredura"
+        "a placa não tem tarefas; nada precisa mudar";
+    117 StUnsupported Error
+        "{0} cannot be used here"
+        "{1}"
+        "{0} não pode ser usado aqui"
+        "{1}";
+    118 StOutside Error
+        "`{0}` stands outside of any program"
+        "write it between PROGRAM and END_PROGRAM"
+        "`{0}` está fora de qualquer programa"
+        "escreva-o entre PROGRAM e END_PROGRAM";
+    119 StLateDeclaration Error
+        "`{0}` declares variables, and statements stand before it"
+        "move it up, before the first statement"
+        "`{0}` declara variáveis, e há comandos antes dele"
+        "mova-o para cima, antes do primeiro comando";
+    120 StNoProgram Error
+        "there is no program: {0}"
+        "write PROGRAM main, its statements, and END_PROGRAM"
+        "não há programa: {0}"
+        "escreva PROGRAM principal, os comandos e END_PROGRAM";
+    130 StUndeclared Error
+        "nothing declares `{0}`"
+        "{1}"
+        "nada declara `{0}`"
+        "{1}";
+    131 StNameTwice Error
+        "`{0}` is declared twice"
+        "give one of them another name"
+        "`{0}` foi declarado duas vezes"
+        "dê outro nome a um deles";
+    132 StUnknownType Error
+        "there is no type `{0}`"
+        "{1}"
+        "não existe o tipo `{0}`"
+        "{1}";
+    133 StNoMember Error
+        "`{0}` has no member `{1}`"
+        "{2}"
+        "`{0}` não tem o membro `{1}`"
+        "{2}";
+    134 StNoValue Error
+        "`{0}` is {1}, and has no value of its own"
+        "{2}"
+        "`{0}` é {1} e não tem um valor próprio"
+        "{2}";
+    135 StNotCallable Error
+        "`{0}` cannot be called: it is {1}"
+        "{2}"
+        "`{0}` não pode ser chamado: é {1}"
+        "{2}";
+    136 StNotWritable Error
+        "nothing can be stored in `{0}`: it is {1}"
+        "{2}"
+        "não se pode guardar nada em `{0}`: é {1}"
+        "{2}";
+    137 StRecursive Error
+        "`{0}` {1} itself, directly or by way of another, and would never end"
+        "a loop repeats statements: FOR, WHILE or REPEAT"
+        "`{0}` {1} a si mesmo, direta ou indiretamente, e nunca terminaria"
+        "para repetir comandos há os laços FOR, WHILE e REPEAT";
+    138 StBadAddress Error
+        "there is no point `{0}`"
+        "inputs are %IX1 to %IX8, outputs %QX1 to %QX4, markers %MX1 to %MX64, analogue inputs %IW0 to %IW4, PWM %QW1 and %QW4, registers %MW1 to %MW32"
+        "não existe o ponto `{0}`"
+        "as entradas são %IX1 a %IX8, as saídas %QX1 a %QX4, as memórias %MX1 a %MX64, as entradas analógicas %IW0 a %IW4, o PWM %QW1 e %QW4, os registradores %MW1 a %MW32";
+    139 StAddressType Error
+        "`{0}` is {1}, and the variable is {2}"
+        "declare it as {3}"
+        "`{0}` é {1}, e a variável é {2}"
+        "declare-a como {3}";
+    140 StGeneric Error
+        "`{0}` stands for many types, and a variable needs one"
+        "write the type itself, such as INT, REAL or BOOL"
+        "`{0}` vale por vários tipos, e uma variável precisa de um"
+        "escreva o próprio tipo, como INT, REAL ou BOOL";
+    141 StAmbiguous Error
+        "`{0}` is a value of more than one enumeration"
+        "write its type before it: {1}#{0}"
+        "`{0}` é um valor de mais de uma enumeração"
+        "escreva o tipo antes dele: {1}#{0}";
+    150 StMismatch Error
+        "`{0}` is {1}, but {2} is needed here"
+        "{3}"
+        "`{0}` é {1}, mas aqui é preciso {2}"
+        "{3}";
+    151 StOperand Error
+        "{0} needs {1}, and `{2}` is {3}"
+        "{4}"
+        "{0} precisa de {1}, e `{2}` é {3}"
+        "{4}";
+    152 StNoCommon Error
+        "{0} cannot join {1} and {2}: one of them would lose a part of its value"
+        "convert one of them: {3}"
+        "{0} não pode juntar {1} e {2}: um deles perderia parte do valor"
+        "converta um deles: {3}";
+    153 StOutOfRange Error
+        "{0} does not fit {1}, which goes from {2} to {3}"
+        "take a smaller number or a larger type"
+        "{0} não cabe em {1}, que vai de {2} a {3}"
+        "use um número menor ou um tipo maior";
+    154 StCondition Error
+        "a condition is TRUE or FALSE, and `{0}` is {1}"
+        "compare it with something: {0} {2}"
+        "uma condição é TRUE ou FALSE, e `{0}` é {1}"
+        "compare com alguma coisa: {0} {2}";
+    155 StDivisionByZero Error
+        "this divides by 0"
+        "divide by something else"
+        "isto divide por 0"
+        "divida por outra coisa";
+    156 StSubscript Error
+        "the subscript {0} is outside of `{1}`, which goes from {2} to {3}"
+        "take one from {2} to {3}, or declare a larger array"
+        "o índice {0} está fora de `{1}`, que vai de {2} a {3}"
+        "use um de {2} a {3} ou declare uma matriz maior";
+    157 StDimensions Error
+        "`{0}` has {1} subscripts, and {2} stand here"
+        "write {1}, with commas between them"
+        "`{0}` tem {1} índices, e aqui há {2}"
+        "escreva {1}, separados por vírgulas";
+    158 StNotArray Error
+        "`{0}` is {1}, and takes no subscript"
+        "declare it as ARRAY[1..10] OF {1}, or leave out the [ ]"
+        "`{0}` é {1} e não aceita índice"
+        "declare-o como ARRAY[1..10] OF {1} ou tire os [ ]";
+    159 StNotConstant Error
+        "`{0}` must be known before the program runs"
+        "write a number, or a name declared with VAR CONSTANT"
+        "`{0}` precisa ser conhecido antes de o programa rodar"
+        "escreva um número ou um nome declarado com VAR CONSTANT";
+    160 StNoConversion Error
+        "there is no conversion `{0}`"
+        "{1}"
+        "não existe a conversão `{0}`"
+        "{1}";
+    161 StInitial Error
+        "`{0}` cannot begin so: {1}"
+        "{2}"
+        "`{0}` não pode começar assim: {1}"
+        "{2}";
+    162 StEmptyRange Error
+        "the range {0}..{1} is empty"
+        "write the smaller number first: {1}..{0}"
+        "o intervalo {0}..{1} está vazio"
+        "escreva o menor número primeiro: {1}..{0}";
+    163 StTooLarge Error
+        "`{0}` is too large: {1} values, and a program has room for {2}"
+        "take a smaller array"
+        "`{0}` é grande demais: {1} valores, e um programa comporta {2}"
+        "use uma matriz menor";
+    164 StCaseTwice Error
+        "{0} stands twice in this CASE"
+        "delete one of them"
+        "{0} aparece duas vezes neste CASE"
+        "apague um deles";
+    165 StStepZero Error
+        "a step of 0 never comes to an end"
+        "write BY 1 or BY -1"
+        "um passo de 0 nunca chega ao fim"
+        "escreva BY 1 ou BY -1";
+    166 StForVariable Error
+        "FOR counts with a variable of an integer type, and `{0}` is {1}"
+        "declare a variable for it: i : INT;"
+        "FOR conta com uma variável de tipo inteiro, e `{0}` é {1}"
+        "declare uma variável para isso: i : INT;";
+    167 StForChanged Warning
+        "`{0}` counts this FOR, and is changed within it"
+        "count with another variable, or write WHILE"
+        "`{0}` conta este FOR e é mudado dentro dele"
+        "use outra variável ou escreva WHILE";
+    168 StNoLoop Error
+        "{0} stands in no loop"
+        "it belongs between FOR, WHILE or REPEAT and its end; RETURN leaves the whole unit"
+        "{0} não está em nenhum laço"
+        "o lugar dele é entre FOR, WHILE ou REPEAT e o fim do laço; RETURN encerra a unidade inteira";
+    169 StArguments Error
+        "{0} takes {1}, and gets {2}"
+        "{3}"
+        "{0} recebe {1}, mas aqui são {2}"
+        "{3}";
+    170 StNoParameter Error
+        "{0} has no parameter `{1}`"
+        "{2}"
+        "{0} não tem o parâmetro `{1}`"
+        "{2}";
+    171 StParameterTwice Error
+        "the parameter `{0}` is given twice"
+        "delete one of them"
+        "o parâmetro `{0}` é dado duas vezes"
+        "apague um deles";
+    172 StDirection Error
+        "`{0}` is {1} of {2}, which is written with {3}"
+        "write {0} {3} …"
+        "`{0}` é {1} de {2}, que se escreve com {3}"
+        "escreva {0} {3} …";
+    173 StMixed Error
+        "parameters stand with their names, or without, and not mixed"
+        "write the name of each: {0}"
+        "os parâmetros ficam com nome ou sem nome, não misturados"
+        "escreva o nome de cada um: {0}";
+    174 StNeedsVariable Error
+        "{0} changes what it is given for `{1}`, and `{2}` is no variable"
+        "give it a variable of its type"
+        "{0} muda o que recebe em `{1}`, e `{2}` não é uma variável"
+        "dê a ele uma variável do mesmo tipo";
+    175 StMissing Error
+        "{0} needs `{1}`"
+        "write {1} := …"
+        "{0} precisa de `{1}`"
+        "escreva {1} := …";
+    176 StResultUnused Warning
+        "the result of `{0}` is not used"
+        "store it: x := {0}(…);"
+        "o resultado de `{0}` não é usado"
+        "guarde-o: x := {0}(…);";
+    177 StNoResult Warning
+        "the function `{0}` never says its result"
+        "store it before the end: {0} := …;"
+        "a função `{0}` nunca diz o seu resultado"
+        "guarde-o antes do fim: {0} := …;";
+    178 StCalledTwice Error
+        "`{0}` is called again here, and one instance has one call in a program"
+        "declare another instance: {0}2 : {1};"
+        "`{0}` é chamado outra vez aqui, e uma instância tem uma só chamada no programa"
+        "declare outra instância: {0}2 : {1};";
+    179 StCalledInLoop Error
+        "`{0}` is called in a loop, and a {1} works once in a scan"
+        "call it before the loop, and use its outputs in the loop"
+        "`{0}` é chamado em um laço, e um {1} trabalha uma vez por varredura"
+        "chame-o antes do laço e use as saídas dele dentro do laço";
+    180 StTypeCalled Error
+        "{0} is a type of function blocks; what is called is an instance"
+        "declare one, {1} : {0}; and call it: {1}(…);"
+        "{0} é um tipo de bloco funcional; o que se chama é uma instância"
+        "declare uma, {1} : {0}; e chame-a: {1}(…);";
+    181 StStateless Error
+        "a function keeps nothing from one call to the next, so `{0}` cannot stand in it"
+        "make it a FUNCTION_BLOCK"
+        "uma função não guarda nada de uma chamada para a outra, por isso `{0}` não pode ficar nela"
+        "faça dela um FUNCTION_BLOCK";
+    182 StBlockSubscript Error
+        "an array of blocks takes a subscript that is known before the program runs"
+        "write a number between the [ ]"
+        "uma matriz de blocos só aceita um índice conhecido antes de o programa rodar"
+        "escreva um número entre os [ ]";
+    183 StSharedWhole Error
+        "`{0}` is {1}, and only variables without parts are compared and computed with"
+        "take one of its parts: {2}"
+        "`{0}` é {1}, e só se compara e calcula com variáveis sem partes"
+        "use uma das partes: {2}";
+    184 StNothingWritten Warning
+        "the program changes nothing: it has no statement that stores a value or calls a block"
+        "store something: lamp := start;"
+        "o programa não muda nada: nenhum comando guarda um valor nem chama um bloco"
+        "guarde alguma coisa: lampada := liga;";
+        }
+    };
+}

@@ -1,0 +1,285 @@
+//! Which value goes where: conversions by themselves, and those that a text asks for.
+
+use super::{Builder, both};
+use crate::diagnostics::{Code, Span, Word};
+use crate::typed::ops;
+use crate::typed::{Base, Convert, Expr, ExprKind, Kind, TypeId, Value};
+
+/// How a value of one type becomes one of another where a text asks for it; none where that has no meaning.
+pub(crate) fn conversion(from: Base, to: Base) -> Option<Convert> {
+    let number = |base: Base| base.is_num() || base.is_bits();
+    Some(match (from, to) {
+        _ if from == to => Convert::Keep,
+        (_, _) if from.is_text() && to.is_text() => Convert::Keep,
+        (_, _) if to.is_text() => Convert::Write,
+        (_, _) if from.is_text() => Convert::Parse,
+        (Base::Dt, Base::Date) => Convert::Day,
+        (Base::Dt, Base::Tod) => Convert::Clock,
+        (Base::Date, Base::Dt) => Convert::Midnight,
+        _ if from.is_date() && (to.is_date() || to == Base::Time || to == Base::Bool) => {
+            return None;
+        }
+        _ if to.is_date() && (from == Base::Time || from == Base::Bool) => return None,
+        (_, Base::Bool) => Convert::Test,
+        _ if from.is_real() && to.is_real() => match to {
+            Base::Real => Convert::Single,
+            _ => Convert::Keep,
+        },
+        _ if from.is_real() => Convert::Round,
+        _ if to.is_real() => Convert::Float,
+        _ if from == Base::Bool => Convert::Keep,
+        _ if number(from) || number(to) => {
+            let (same, wider) = (from.is_signed() == to.is_signed(), from.bits() <= to.bits());
+            match wider && (same || !from.is_signed() && from.bits() < to.bits()) {
+                true => Convert::Keep,
+                false => Convert::Wrap,
+            }
+        }
+        _ => return None,
+    })
+}
+
+impl Builder<'_, '_> {
+    /// A number of the text, whose type what it meets decides.
+    pub fn whole(&mut self, number: i128, at: Span) -> Expr {
+        self.literal(Base::AnyInt, Value::Int(number), at)
+    }
+
+    /// A value of the text, whose type it says; `AnyReal` of a number with a point.
+    pub fn literal(&mut self, base: Base, value: Value, at: Span) -> Expr {
+        Expr {
+            kind: ExprKind::Constant(value),
+            base,
+            ty: TypeId::of(base),
+            at,
+        }
+    }
+
+    /// Converts without asking; a constant at once.
+    pub(super) fn converted(&mut self, expr: Expr, how: Convert, ty: TypeId) -> Expr {
+        let Some(to) = self.tree.types.base(ty) else {
+            return self.wrong(expr.at);
+        };
+        let (from, at) = (expr.base, expr.at);
+        let kind = match expr.kind {
+            ExprKind::Wrong => ExprKind::Wrong,
+            ExprKind::Constant(value) => {
+                let (value, failed) = ops::convert(how, from, to, &value);
+                if failed {
+                    self.told_range(at, to);
+                    return self.wrong(at);
+                }
+                ExprKind::Constant(value)
+            }
+            kind if how == Convert::Keep && from == to => kind,
+            kind => ExprKind::Convert(
+                how,
+                Box::new(Expr {
+                    kind,
+                    base: from,
+                    ty: expr.ty,
+                    at,
+                }),
+            ),
+        };
+        Expr {
+            kind,
+            base: to,
+            ty,
+            at,
+        }
+    }
+
+    /// Converts as a text asks, by `INT_TO_REAL(x)` and the like.
+    pub fn explicit(&mut self, expr: Expr, to: Base, at: Span) -> Expr {
+        if matches!(expr.kind, ExprKind::Wrong) {
+            return expr;
+        }
+        let mut expr = self.settled(expr);
+        expr.at = at;
+        match conversion(expr.base, to) {
+            Some(how) => self.converted(expr, how, TypeId::of(to)),
+            None => {
+                let name = format!("{}_TO_{to}", expr.base);
+                let help = (
+                    "there are conversions between numbers, bit strings, BOOL, TIME and texts, and of DT to DATE and TOD",
+                    "há conversões entre números, cadeias de bits, BOOL, TIME e textos, e de DT para DATE e TOD",
+                );
+                self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
+                self.wrong(at)
+            }
+        }
+    }
+
+    /// Gives a number of the text, whose type is open, its own: INT, DINT or LINT, and REAL.
+    pub fn settled(&mut self, expr: Expr) -> Expr {
+        let to = match (&expr.kind, expr.base) {
+            (ExprKind::Constant(value), Base::AnyInt) => {
+                let number = value.int();
+                let fits = |base: &&Base| {
+                    let range = base.range();
+                    range.is_some_and(|(low, high)| (low..=high).contains(&number))
+                };
+                let all = [Base::Int, Base::Dint, Base::Lint, Base::Ulint];
+                all.iter().find(fits).copied().unwrap_or(Base::Ulint)
+            }
+            (_, Base::AnyReal) => Base::Real,
+            _ => return expr,
+        };
+        self.coerce(expr, TypeId::of(to))
+    }
+
+    /// A value as this type needs it: as it is, or converted where that loses nothing. Else it is told.
+    pub fn coerce(&mut self, expr: Expr, ty: TypeId) -> Expr {
+        if matches!(expr.kind, ExprKind::Wrong) {
+            return expr;
+        }
+        let Some(to) = self.tree.types.base(ty) else {
+            self.told_mismatch(&expr, ty);
+            return self.wrong(expr.at);
+        };
+        if self.is_enum(expr.ty) || self.is_enum(ty) {
+            if self.tree.types.same(expr.ty, ty) {
+                return Expr { ty, ..expr };
+            }
+            self.told_mismatch(&expr, ty);
+            return self.wrong(expr.at);
+        }
+        if let ExprKind::Constant(value) = &expr.kind {
+            return self.coerce_constant(value.clone(), expr, to, ty);
+        }
+        if !expr.base.widens_to(to) {
+            self.told_mismatch(&expr, ty);
+            return self.wrong(expr.at);
+        }
+        let how = match (expr.base.is_real(), to.is_real()) {
+            (false, true) => Convert::Float,
+            _ => Convert::Keep,
+        };
+        self.converted(expr, how, ty)
+    }
+
+    fn coerce_constant(&mut self, value: Value, expr: Expr, to: Base, ty: TypeId) -> Expr {
+        let at = expr.at;
+        let from = expr.base;
+        let bit = to == Base::Bool && from == Base::AnyInt && (0..=1).contains(&value.int());
+        if !from.widens_to(to) && !bit {
+            self.told_mismatch(&expr, ty);
+            return self.wrong(at);
+        }
+        let value = match (&value, to.is_real()) {
+            (Value::Int(_) | Value::Real(_), true) => {
+                let (value, failed) = ops::convert(Convert::Float, from, to, &value);
+                if failed {
+                    self.told_range(at, to);
+                    return self.wrong(at);
+                }
+                value
+            }
+            _ => value,
+        };
+        let range = match self.tree.types.kind(ty) {
+            Kind::Range { low, high, .. } => Some((*low, *high)),
+            _ => to.range(),
+        };
+        if let (Some((low, high)), Value::Int(number)) = (range, &value)
+            && !(low..=high).contains(number)
+        {
+            let words = [
+                number.to_string().into(),
+                self.tree.types.name(ty).into(),
+                low.to_string().into(),
+                high.to_string().into(),
+            ];
+            self.tell(Code::StOutOfRange, at, words);
+            return self.wrong(at);
+        }
+        Expr {
+            kind: ExprKind::Constant(value),
+            base: to,
+            ty,
+            at,
+        }
+    }
+
+    pub(super) fn told_range(&mut self, at: Span, to: Base) {
+        let written = self.written(at);
+        let (low, high) = match (to, to.range()) {
+            (_, Some((low, high))) => (low.to_string(), high.to_string()),
+            (Base::Real, _) => ("-3.4E38".to_owned(), "3.4E38".to_owned()),
+            _ => ("-1.8E308".to_owned(), "1.8E308".to_owned()),
+        };
+        let words = [written.into(), to.name().into(), low.into(), high.into()];
+        self.tell(Code::StOutOfRange, at, words);
+    }
+
+    /// Tells that a value is of another type than is needed, and what converts it.
+    pub(super) fn told_mismatch(&mut self, expr: &Expr, needed: TypeId) {
+        if matches!(expr.kind, ExprKind::Wrong) {
+            return;
+        }
+        let written = self.written(expr.at);
+        let is = self.type_of(expr);
+        let help = self.remedy(expr, needed, &written);
+        let needed = self.tree.types.name(needed);
+        let words = [written.into(), is, needed.into(), help];
+        self.tell(Code::StMismatch, expr.at, words);
+    }
+
+    /// The type of an expression, in words.
+    pub(super) fn type_of(&self, expr: &Expr) -> Word {
+        match expr.base {
+            Base::AnyInt => ("a whole number", "um número inteiro").into(),
+            Base::AnyReal => ("a number with a fraction", "um número com casas decimais").into(),
+            _ => self.tree.types.name(expr.ty).into(),
+        }
+    }
+
+    fn remedy(&self, expr: &Expr, needed: TypeId, written: &str) -> Word {
+        let name = self.tree.types.name(needed);
+        let Some(to) = self.tree.types.base(needed) else {
+            return both(
+                format!("give it a variable of type {name}"),
+                format!("dê a ele uma variável do tipo {name}"),
+            );
+        };
+        let from = expr.base;
+        let write = |text: String| both(format!("write {text}"), format!("escreva {text}"));
+        if let Kind::Enum(names) = self.tree.types.kind(needed) {
+            let first = names.first().cloned().unwrap_or_default();
+            let names = names.join(", ");
+            return both(
+                format!("its values are {names}: write {first}"),
+                format!("os valores são {names}: escreva {first}"),
+            );
+        }
+        if self.is_enum(expr.ty) {
+            let of = self.tree.types.name(expr.ty);
+            return write(format!("{of}_TO_{to}({written})"));
+        }
+        match (from, to) {
+            (Base::AnyInt, Base::Bool) => write("TRUE".to_owned()),
+            (_, Base::Bool) if from.is_num() || from.is_bits() => write(format!("{written} <> 0")),
+            (Base::AnyInt, Base::Time) => write(format!("T#{written}ms")),
+            (Base::AnyReal, _) if to.is_int() => match &expr.kind {
+                ExprKind::Constant(value) => {
+                    let whole = value.real().round();
+                    both(
+                        format!("write {whole}, or take REAL for the variable"),
+                        format!("escreva {whole} ou use REAL para a variável"),
+                    )
+                }
+                _ => write(format!("REAL_TO_{to}({written})")),
+            },
+            (Base::AnyInt | Base::AnyReal, _) if to.is_text() => write(format!("'{written}'")),
+            _ if conversion(from, to).is_some() => {
+                let from = if from.is_any() { Base::Dint } else { from };
+                write(format!("{from}_TO_{to}({written})"))
+            }
+            _ => both(
+                format!("take a value of type {name}"),
+                format!("use um valor do tipo {name}"),
+            ),
+        }
+    }
+}

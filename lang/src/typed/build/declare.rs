@@ -1,0 +1,461 @@
+//! Variables: their cells, their first values, their points.
+
+use super::{Builder, MOST_CELLS, Named, Param, both};
+use crate::address::{Address, parse};
+use crate::diagnostics::{Code, Span};
+use crate::dialect::Dialect;
+use crate::typed::{
+    Base, Cell, Expr, ExprKind, Initial, Kind, Place, Point, Root, TypeId, UnitKind, Value,
+};
+use std::sync::Arc;
+use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, SYSTEM_MARKERS};
+
+/// The kind of a declaration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Section {
+    Var,
+    Input,
+    Output,
+    InOut,
+    Temp,
+    /// VAR_GLOBAL, and what is declared outside of all units.
+    Global,
+    /// Names a global.
+    External,
+}
+
+/// What else a declaration says.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Traits {
+    pub initial: Option<Arc<Initial>>,
+    pub constant: bool,
+    pub retain: bool,
+    pub point: Option<Point>,
+}
+
+/// A variable, and where it is.
+#[derive(Clone, Debug)]
+pub(crate) struct Variable {
+    pub name: String,
+    pub ty: TypeId,
+    pub root: Root,
+    pub offset: u32,
+    pub section: Section,
+    pub constant: bool,
+    pub at: Span,
+}
+
+impl Variable {
+    /// As a place.
+    pub fn place(&self, at: Span) -> Place {
+        Place {
+            root: self.root,
+            offset: self.offset,
+            indices: Vec::new(),
+            at,
+        }
+    }
+}
+
+impl Builder<'_, '_> {
+    /// Declares a variable where the builder is: in a unit, or for all. What is wrong with it is told.
+    pub fn declare(
+        &mut self,
+        name: &str,
+        at: Span,
+        ty: TypeId,
+        section: Section,
+        traits: Traits,
+    ) -> Option<Variable> {
+        let key = self.key(name);
+        let here = self.current.and_then(|unit| self.drafts.get(unit));
+        let taken = match here {
+            Some(draft) => draft.names.contains_key(&key),
+            None => self.globals.contains_key(&key),
+        };
+        if taken {
+            self.tell(Code::StNameTwice, at, [name.into()]);
+            return None;
+        }
+        if section == Section::External {
+            return self.external(name, at, ty);
+        }
+        if let (Some(UnitKind::Function), true) = (self.kind_here(), self.keeps(ty))
+            && section != Section::InOut
+        {
+            let word = name.into();
+            self.tell(Code::StStateless, at, [word]);
+            return None;
+        }
+        let root = self.root_of(section);
+        let offset = match (root, traits.point) {
+            (Root::Static, Some(point)) => self.point_with(point, &traits),
+            _ => self.room(name, at, ty, section, root, &traits)?,
+        };
+        let variable = Variable {
+            name: name.to_owned(),
+            ty,
+            root,
+            offset,
+            section,
+            constant: traits.constant,
+            at,
+        };
+        if root == Root::Static {
+            let program = self.current.map(|unit| unit as u32);
+            self.shown
+                .push((name.to_owned(), variable.clone(), program));
+        }
+        let named = match (traits.constant, self.tree.types.base(ty), &traits.initial) {
+            (true, Some(base), initial) => {
+                let own = self.tree.types.get(ty).initial.clone();
+                let value = match initial.clone().or(own).as_deref() {
+                    Some(Initial::Value(value)) => value.clone(),
+                    _ => Value::zero(base),
+                };
+                Named::Constant(value, ty)
+            }
+            _ => Named::Variable(variable.clone()),
+        };
+        if let Some(draft) = self.here() {
+            if matches!(section, Section::Input | Section::Output | Section::InOut) {
+                draft.params.push(Param {
+                    name: name.to_owned(),
+                    section,
+                    ty,
+                    offset,
+                });
+            }
+            draft.names.insert(key, named);
+        } else {
+            self.globals.insert(key, named);
+        }
+        Some(variable)
+    }
+
+    /// Makes the result of the function that the builder is in: its first local cells.
+    pub fn result(&mut self, ty: TypeId, at: Span) {
+        let Some(name) = self.here().map(|draft| draft.unit.name.clone()) else {
+            return;
+        };
+        let made = self.declare(&name, at, ty, Section::Var, Traits::default());
+        if let (Some(_), Some(draft)) = (made, self.here()) {
+            draft.result = Some(ty);
+        }
+    }
+
+    /// Ends the declarations of a block: instances of it can be declared from here on.
+    pub fn close(&mut self, unit: u32) {
+        let Some(draft) = self.drafts.get_mut(unit as usize) else {
+            return;
+        };
+        draft.closed = true;
+        let (ty, cells) = (draft.block, draft.unit.own.len() as u32);
+        if let Some(ty) = self.tree.types.get_mut(ty) {
+            ty.cells = cells;
+        }
+    }
+
+    /// Whether a variable of this type keeps something from one call to the next.
+    fn keeps(&self, ty: TypeId) -> bool {
+        match self.tree.types.kind(ty) {
+            Kind::Standard(_) | Kind::Block(_) => true,
+            Kind::Array { of, .. } => {
+                let of = self.tree.types.kind(*of);
+                matches!(of, Kind::Standard(_) | Kind::Block(_))
+            }
+            _ => false,
+        }
+    }
+
+    fn root_of(&self, section: Section) -> Root {
+        match (section, self.kind_here()) {
+            (Section::InOut, Some(UnitKind::Block | UnitKind::Function)) => {
+                let draft = self.current.and_then(|unit| self.drafts.get(unit));
+                Root::Lent(draft.map_or(0, |draft| draft.unit.references))
+            }
+            (Section::Temp, Some(_)) | (_, Some(UnitKind::Function)) => Root::Local,
+            (_, Some(UnitKind::Block)) => Root::Own,
+            _ => Root::Static,
+        }
+    }
+
+    /// Cells for a variable: the first one's offset.
+    fn room(
+        &mut self,
+        name: &str,
+        at: Span,
+        ty: TypeId,
+        section: Section,
+        root: Root,
+        traits: &Traits,
+    ) -> Option<u32> {
+        if section == Section::InOut && matches!(root, Root::Lent(_)) {
+            let draft = self.here()?;
+            draft.unit.references += 1;
+            return Some(draft.unit.references - 1);
+        }
+        let cells = self.tree.types.get(ty).cells;
+        self.cells += u64::from(cells);
+        if self.cells > u64::from(MOST_CELLS) {
+            let count = cells.to_string().into();
+            let most = MOST_CELLS.to_string().into();
+            self.tell(Code::StTooLarge, at, [name.into(), count, most]);
+            self.cells -= u64::from(cells);
+            return None;
+        }
+        let made = self.initial_cells(ty, traits);
+        let cells = match root {
+            Root::Own => &mut self.here()?.unit.own,
+            Root::Local => &mut self.here()?.unit.locals,
+            _ => &mut self.tree.cells,
+        };
+        let offset = cells.len() as u32;
+        cells.extend(made);
+        Some(offset)
+    }
+
+    /// The cells of a new variable with what they begin with.
+    fn initial_cells(&self, ty: TypeId, traits: &Traits) -> Vec<Cell> {
+        let mut cells = Vec::new();
+        self.push_cells(ty, &mut cells);
+        if let Some(initial) = &traits.initial {
+            self.fill(ty, initial, &mut cells);
+        }
+        for cell in &mut cells {
+            cell.retain = traits.retain;
+        }
+        cells
+    }
+
+    /// Appends the cells of a value, as its type begins them. Types nest no deeper than their declarations, which
+    /// front ends limit.
+    fn push_cells(&self, ty: TypeId, cells: &mut Vec<Cell>) {
+        let start = cells.len();
+        let one = |base, initial| Cell {
+            base,
+            initial,
+            retain: false,
+        };
+        let kind = self.tree.types.kind(ty);
+        match kind {
+            Kind::Base(base) | Kind::Text { base, .. } => {
+                cells.push(one(*base, Value::zero(*base)))
+            }
+            Kind::Enum(_) => cells.push(one(Base::Int, Value::Int(0))),
+            // Without a word about it, a subrange begins with its least value (IEC 61131-3, 2.3.3.2).
+            Kind::Range { base, low, .. } => cells.push(one(*base, Value::Int(*low))),
+            Kind::Array { of, .. } => {
+                let size = self.tree.types.get(*of).cells as usize;
+                let total = self.tree.types.get(ty).cells as usize;
+                if size > 0 && total > 0 {
+                    self.push_cells(*of, cells);
+                    let element = cells[start..].to_vec();
+                    for _ in 1..total / size {
+                        cells.extend_from_slice(&element);
+                    }
+                }
+            }
+            Kind::Struct(members) => {
+                for member in members {
+                    let at = cells.len();
+                    self.push_cells(member.ty, cells);
+                    if let Some(initial) = &member.initial {
+                        self.fill(member.ty, initial, &mut cells[at..]);
+                    }
+                }
+            }
+            Kind::Standard(block) => {
+                let parts = block.parts().iter();
+                cells.extend(parts.map(|part| one(part.1, Value::zero(part.1))));
+            }
+            Kind::Block(unit) => {
+                if let Some(draft) = self.draft(*unit) {
+                    cells.extend_from_slice(&draft.unit.own);
+                }
+            }
+        }
+        if let Some(initial) = &self.tree.types.get(ty).initial {
+            self.fill(ty, initial, &mut cells[start..]);
+        }
+    }
+
+    /// Puts first values into the cells of a value.
+    fn fill(&self, ty: TypeId, initial: &Initial, cells: &mut [Cell]) {
+        match initial {
+            Initial::Value(value) => {
+                if let Some(cell) = cells.first_mut() {
+                    cell.initial = value.clone();
+                }
+            }
+            Initial::Elements(elements) => {
+                let Kind::Array { of, .. } = self.tree.types.kind(ty) else {
+                    return;
+                };
+                let size = self.tree.types.get(*of).cells as usize;
+                let mut at = 0;
+                for (times, element) in elements {
+                    for _ in 0..*times {
+                        let Some(cells) = cells.get_mut(at..at + size) else {
+                            return;
+                        };
+                        if let Some(element) = element {
+                            self.fill(*of, element, cells);
+                        }
+                        at += size;
+                    }
+                }
+            }
+            Initial::Members(members) => {
+                for (offset, ty, initial) in members {
+                    if let Some(cells) = cells.get_mut(*offset as usize..) {
+                        self.fill(*ty, initial, cells);
+                    }
+                }
+            }
+        }
+    }
+
+    /// VAR_EXTERNAL: the global of this name, whose type it repeats.
+    fn external(&mut self, name: &str, at: Span, ty: TypeId) -> Option<Variable> {
+        let key = self.key(name);
+        let named = self.globals.get(&key).cloned();
+        let (is, held) = match &named {
+            Some(Named::Variable(variable)) => (variable.ty, Some(variable.clone())),
+            Some(Named::Constant(_, is)) => (*is, None),
+            _ => {
+                let declare = format!("VAR_GLOBAL {name} : {}; END_VAR", self.tree.types.name(ty));
+                let help = both(
+                    format!("declare it outside of the program: {declare}"),
+                    format!("declare fora do programa: {declare}"),
+                );
+                let help = self.near(name, help);
+                self.tell(Code::StUndeclared, at, [name.into(), help]);
+                return None;
+            }
+        };
+        if !self.tree.types.same(is, ty) {
+            let (is, said) = (self.tree.types.name(is), self.tree.types.name(ty));
+            let help = both(
+                format!("write the type of its VAR_GLOBAL: {is}"),
+                format!("escreva o tipo do seu VAR_GLOBAL: {is}"),
+            );
+            let words = [name.into(), is.into(), said.into(), help];
+            self.tell(Code::StMismatch, at, words);
+        }
+        if let (Some(draft), Some(named)) = (self.here(), named) {
+            draft.names.insert(key, named);
+        }
+        held
+    }
+
+    /// The cell of a point that begins so.
+    fn point_with(&mut self, point: Point, traits: &Traits) -> u32 {
+        let offset = self.point(point);
+        if let (Some(Initial::Value(value)), Some(cell)) = (
+            traits.initial.as_deref(),
+            self.tree.cells.get_mut(offset as usize),
+        ) {
+            cell.initial = value.clone();
+            cell.retain = traits.retain;
+        }
+        offset
+    }
+
+    /// The cell of a point.
+    pub fn point(&mut self, point: Point) -> u32 {
+        if let Some(&cell) = self.points.get(&point) {
+            return cell;
+        }
+        let cell = self.tree.cells.len() as u32;
+        let base = if point.is_bit() {
+            Base::Bool
+        } else {
+            point_base(point)
+        };
+        self.tree.cells.push(Cell {
+            base,
+            initial: Value::zero(base),
+            retain: false,
+        });
+        self.tree.points.push((cell, point));
+        self.points.insert(point, cell);
+        cell
+    }
+
+    /// The point that an address like `%IX1` names; what is wrong with it is told.
+    pub fn address(&mut self, written: &str, at: Span) -> Option<Point> {
+        let key: String = written.split_whitespace().collect();
+        let within = |n: u32, first: u32, last: u8| (first..=u32::from(last)).contains(&n);
+        let board = Profile::UNO;
+        let point = match parse(&key.to_uppercase(), Dialect::Iec) {
+            Some(Address::Input(n)) => Some(Point::Input(n)).filter(|_| within(n, 1, board.inputs)),
+            Some(Address::Output(n)) => {
+                Some(Point::Output(n)).filter(|_| within(n, 1, board.outputs))
+            }
+            Some(Address::Marker(n)) => Some(Point::Marker(n)).filter(|_| within(n, 1, MARKERS)),
+            Some(Address::System(n)) => {
+                Some(Point::System(n)).filter(|_| within(n, 1, SYSTEM_MARKERS))
+            }
+            Some(Address::Analogue(n)) => {
+                Some(Point::Analogue(n)).filter(|_| within(n, 0, ANALOGUE - 1))
+            }
+            Some(Address::Pwm(n)) => Some(Point::Pwm(n)).filter(|_| [1, 4].contains(&n)),
+            Some(Address::Register(n)) => {
+                Some(Point::Register(n)).filter(|_| within(n, 1, REGISTERS))
+            }
+            _ => None,
+        };
+        if point.is_none() {
+            self.tell(Code::StBadAddress, at, [written.into()]);
+        }
+        point
+    }
+
+    /// The point that AT names for a variable of this type; what is wrong with it is told.
+    pub fn address_for(&mut self, written: &str, ty: TypeId, at: Span) -> Option<Point> {
+        let point = self.address(written, at)?;
+        let base = self.tree.types.base(ty);
+        let fits = match (base, point.is_bit()) {
+            (Some(Base::Bool), bit) => bit,
+            (Some(base), false) => {
+                base.is_on_board() && !base.is_real()
+                    || matches!(point, Point::Register(_)) && base.is_on_board()
+            }
+            _ => false,
+        };
+        if fits {
+            return Some(point);
+        }
+        let (is, takes) = match point.is_bit() {
+            true => (("a bit", "um bit"), "BOOL"),
+            false => (("a number", "um número"), "INT"),
+        };
+        let ty = self.tree.types.name(ty);
+        let words = [written.into(), is.into(), ty.into(), takes.into()];
+        self.tell(Code::StAddressType, at, words);
+        None
+    }
+
+    /// The first value of a variable without parts; none where it is not known, which is told.
+    pub fn initial(&mut self, expr: Expr, ty: TypeId) -> Option<Arc<Initial>> {
+        let expr = self.coerce(expr, ty);
+        match expr.kind {
+            ExprKind::Constant(value) => Some(Arc::new(Initial::Value(value))),
+            ExprKind::Wrong => None,
+            _ => {
+                let written = self.written(expr.at);
+                self.tell(Code::StNotConstant, expr.at, [written.into()]);
+                None
+            }
+        }
+    }
+}
+
+fn point_base(point: Point) -> Base {
+    match point {
+        Point::Register(_) => Base::Dint,
+        _ => Base::Int,
+    }
+}

@@ -1,0 +1,518 @@
+//! The standard functions, as `docs/structured-text.md` lists them.
+
+use super::coerce::conversion;
+use super::{Argument, Builder, both};
+use crate::diagnostics::{Code, Span};
+use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Extra, Generic, TypeId, Unary};
+
+/// What a function does with its operands.
+#[derive(Clone, Copy, Debug)]
+enum Does {
+    /// Any number of operands, joined from left to right.
+    Chain(Binary),
+    Logic(Binary),
+    Compare(Compare),
+    /// Two operands.
+    Two(Binary),
+    Not,
+    Abs,
+    Sqrt,
+    Trunc,
+    Move,
+    Power,
+    Shift(Binary),
+    Extreme(Binary),
+    Limit,
+    Select,
+    Mux,
+    /// Of reals.
+    Real(Extra),
+    /// Of texts.
+    Text(Extra),
+}
+
+/// A function: its name, its parameters by their names, and what it does. `IN1` stands for as many as are given.
+struct Row(&'static str, &'static [&'static str], Does);
+
+const IN: &[&str] = &["IN"];
+const PAIR: &[&str] = &["IN1", "IN2"];
+
+const TABLE: &[Row] = &[
+    Row("ADD", PAIR, Does::Chain(Binary::Add)),
+    Row("MUL", PAIR, Does::Chain(Binary::Multiply)),
+    Row("SUB", PAIR, Does::Two(Binary::Subtract)),
+    Row("DIV", PAIR, Does::Two(Binary::Divide)),
+    Row("MOD", PAIR, Does::Two(Binary::Modulo)),
+    Row("AND", PAIR, Does::Logic(Binary::And)),
+    Row("OR", PAIR, Does::Logic(Binary::Or)),
+    Row("XOR", PAIR, Does::Logic(Binary::Xor)),
+    Row("GT", PAIR, Does::Compare(Compare::Greater)),
+    Row("GE", PAIR, Does::Compare(Compare::GreaterEqual)),
+    Row("EQ", PAIR, Does::Compare(Compare::Equal)),
+    Row("LE", PAIR, Does::Compare(Compare::LessEqual)),
+    Row("LT", PAIR, Does::Compare(Compare::Less)),
+    Row("NE", PAIR, Does::Compare(Compare::NotEqual)),
+    Row("NOT", IN, Does::Not),
+    Row("ABS", IN, Does::Abs),
+    Row("SQRT", IN, Does::Sqrt),
+    Row("TRUNC", IN, Does::Trunc),
+    Row("MOVE", IN, Does::Move),
+    Row("EXPT", PAIR, Does::Power),
+    Row("SHL", &["IN", "N"], Does::Shift(Binary::ShiftLeft)),
+    Row("SHR", &["IN", "N"], Does::Shift(Binary::ShiftRight)),
+    Row("ROL", &["IN", "N"], Does::Shift(Binary::RotateLeft)),
+    Row("ROR", &["IN", "N"], Does::Shift(Binary::RotateRight)),
+    Row("MIN", PAIR, Does::Extreme(Binary::Min)),
+    Row("MAX", PAIR, Does::Extreme(Binary::Max)),
+    Row("LIMIT", &["MN", "IN", "MX"], Does::Limit),
+    Row("SEL", &["G", "IN0", "IN1"], Does::Select),
+    Row("MUX", &["K", "IN0", "IN1"], Does::Mux),
+    Row("SIN", IN, Does::Real(Extra::Sin)),
+    Row("COS", IN, Does::Real(Extra::Cos)),
+    Row("TAN", IN, Does::Real(Extra::Tan)),
+    Row("ASIN", IN, Does::Real(Extra::Asin)),
+    Row("ACOS", IN, Does::Real(Extra::Acos)),
+    Row("ATAN", IN, Does::Real(Extra::Atan)),
+    Row("LN", IN, Does::Real(Extra::Ln)),
+    Row("LOG", IN, Does::Real(Extra::Log)),
+    Row("EXP", IN, Does::Real(Extra::Exp)),
+    Row("LEN", IN, Does::Text(Extra::Len)),
+    Row("LEFT", &["IN", "L"], Does::Text(Extra::Left)),
+    Row("RIGHT", &["IN", "L"], Does::Text(Extra::Right)),
+    Row("MID", &["IN", "L", "P"], Does::Text(Extra::Mid)),
+    Row("CONCAT", PAIR, Does::Text(Extra::Concat)),
+    Row("INSERT", &["IN1", "IN2", "P"], Does::Text(Extra::Insert)),
+    Row("DELETE", &["IN", "L", "P"], Does::Text(Extra::Delete)),
+    Row(
+        "REPLACE",
+        &["IN1", "IN2", "L", "P"],
+        Does::Text(Extra::Replace),
+    ),
+    Row("FIND", PAIR, Does::Text(Extra::Find)),
+];
+
+/// The names of the standard functions.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    TABLE.iter().map(|row| row.0)
+}
+
+/// `INT_TO_REAL`, `TO_INT`: from what, if it says so, and to what.
+fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
+    if let Some(to) = name.strip_prefix("TO_") {
+        return Some((None, Base::named(to)?));
+    }
+    let (from, to) = name.rsplit_once("_TO_")?;
+    Some((Some(from), Base::named(to)?))
+}
+
+impl Builder<'_, '_> {
+    /// Whether this is a standard function, or has the form of a conversion.
+    pub fn is_function(&self, name: &str) -> bool {
+        let key = name.to_uppercase();
+        let truncating = key.contains("_TRUNC_");
+        TABLE.iter().any(|row| row.0 == key) || conversion_named(&key).is_some() || truncating
+    }
+
+    /// A standard function.
+    pub fn function(&mut self, name: &str, arguments: Vec<Argument>, at: Span) -> Expr {
+        let key = name.to_uppercase();
+        if let Some((from, to)) = conversion_named(&key) {
+            return self.conversion_function(name, from, to, Convert::Round, arguments, at);
+        }
+        if let Some((from, to)) = key.split_once("_TRUNC_") {
+            let to = Base::named(to).filter(|to| to.is_int());
+            if let (Some(base), Some(to)) = (Base::named(from), to)
+                && base.is_real()
+            {
+                return self.conversion_function(name, Some(from), to, Convert::Cut, arguments, at);
+            }
+        }
+        let row = TABLE.iter().find(|row| row.0 == key);
+        let Some(Row(name, parameters, does)) = row else {
+            let help = (
+                "such a name is made of two types: REAL_TO_INT",
+                "um nome assim se faz com dois tipos: REAL_TO_INT",
+            );
+            self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
+            return self.wrong(at);
+        };
+        let any = match does {
+            Does::Chain(_) | Does::Logic(_) | Does::Compare(_) | Does::Extreme(_) | Does::Mux => {
+                true
+            }
+            Does::Text(extra) => *extra == Extra::Concat,
+            _ => false,
+        };
+        let Some(operands) = self.in_order(name, parameters, any, arguments, at) else {
+            return self.wrong(at);
+        };
+        if operands
+            .iter()
+            .any(|operand| matches!(operand.kind, ExprKind::Wrong))
+        {
+            return self.wrong(at);
+        }
+        self.apply(name, *does, operands, at)
+    }
+
+    fn conversion_function(
+        &mut self,
+        name: &str,
+        from: Option<&str>,
+        to: Base,
+        how: Convert,
+        arguments: Vec<Argument>,
+        at: Span,
+    ) -> Expr {
+        let Some(mut operands) = self.in_order(name, IN, false, arguments, at) else {
+            return self.wrong(at);
+        };
+        let (Some(operand), None) = (operands.pop(), operands.pop()) else {
+            return self.wrong(at);
+        };
+        let from = match from {
+            None => None,
+            Some("BCD") => None,
+            Some(from) => match (Base::named(from), self.find(from)) {
+                (Some(base), _) => Some(TypeId::of(base)),
+                (None, Some(super::Named::Type(ty))) => Some(*ty),
+                _ => {
+                    let help = self.near(
+                        from,
+                        both(
+                            format!("there is no type {from}"),
+                            format!("não existe o tipo {from}"),
+                        ),
+                    );
+                    self.tell(Code::StNoConversion, at, [name.into(), help]);
+                    return self.wrong(at);
+                }
+            },
+        };
+        let operand = match from {
+            Some(from) => self.coerce(operand, from),
+            None => operand,
+        };
+        if how == Convert::Cut && !matches!(operand.kind, ExprKind::Wrong) {
+            let mut expr = self.converted(operand, Convert::Cut, TypeId::of(to));
+            expr.at = at;
+            return expr;
+        }
+        let base = operand.base;
+        if !matches!(operand.kind, ExprKind::Wrong)
+            && !base.is_any()
+            && conversion(base, to).is_none()
+        {
+            let help = (
+                "there are conversions between numbers, bit strings, BOOL, TIME and texts, and of DT to DATE and TOD",
+                "há conversões entre números, cadeias de bits, BOOL, TIME e textos, e de DT para DATE e TOD",
+            );
+            self.tell(Code::StNoConversion, at, [name.into(), help.into()]);
+            return self.wrong(at);
+        }
+        self.explicit(operand, to, at)
+    }
+
+    fn apply(&mut self, name: &str, does: Does, operands: Vec<Expr>, at: Span) -> Expr {
+        match does {
+            Does::Chain(op) | Does::Two(op) => self.chain(operands, at, |builder, a, b| {
+                builder.arithmetic(op, a, b, at)
+            }),
+            Does::Logic(op) => {
+                self.chain(operands, at, |builder, a, b| builder.logic(op, a, b, at))
+            }
+            Does::Extreme(op) => {
+                self.chain(operands, at, |builder, a, b| builder.extreme(op, a, b, at))
+            }
+            Does::Compare(op) => self.compared(op, operands, at),
+            Does::Power => self.power(operands, at),
+            Does::Mux => self.mux(operands, at),
+            Does::Text(extra) => self.of_texts(name, extra, operands, at),
+            _ => self.apply_fixed(name, does, operands, at),
+        }
+    }
+
+    fn apply_fixed(&mut self, name: &str, does: Does, operands: Vec<Expr>, at: Span) -> Expr {
+        let mut operands = operands.into_iter();
+        let (a, b, c) = (operands.next(), operands.next(), operands.next());
+        let expr = match (does, a, b, c) {
+            (Does::Not, Some(a), ..) => self.not(a, at),
+            (Does::Abs, Some(a), ..) => self.of_number(name, Unary::Abs, Generic::Num, a, at),
+            (Does::Sqrt, Some(a), ..) => {
+                let a = if a.base == Base::AnyInt {
+                    self.coerce(a, TypeId::of(Base::Real))
+                } else {
+                    a
+                };
+                self.of_number(name, Unary::Sqrt, Generic::Real, a, at)
+            }
+            (Does::Trunc, Some(a), ..) => self.truncated(name, a, at),
+            (Does::Move, Some(a), ..) => Expr { at, ..a },
+            (Does::Shift(op), Some(a), Some(b), _) => self.shift(name, op, a, b, at),
+            (Does::Limit, Some(low), Some(x), Some(high)) => {
+                let most = self.extreme(Binary::Max, low, x, at);
+                self.extreme(Binary::Min, most, high, at)
+            }
+            (Does::Select, Some(which), Some(a), Some(b)) => self.select(which, a, b, at),
+            (Does::Real(extra), Some(a), ..) => self.of_real(name, extra, a, at),
+            _ => self.wrong(at),
+        };
+        Expr { at, ..expr }
+    }
+
+    fn chain(
+        &mut self,
+        operands: Vec<Expr>,
+        at: Span,
+        join: impl Fn(&mut Self, Expr, Expr) -> Expr,
+    ) -> Expr {
+        let mut operands = operands.into_iter();
+        let Some(mut all) = operands.next() else {
+            return self.wrong(at);
+        };
+        for operand in operands {
+            all = join(self, all, operand);
+        }
+        all
+    }
+
+    /// Of more than two, each two neighbours.
+    fn compared(&mut self, op: Compare, operands: Vec<Expr>, at: Span) -> Expr {
+        if operands.len() == 2 {
+            let mut operands = operands.into_iter();
+            return match (operands.next(), operands.next()) {
+                (Some(a), Some(b)) => self.compare(op, a, b, at),
+                _ => self.wrong(at),
+            };
+        }
+        let Some((operands, _)) = self.alike("GT", operands, at) else {
+            return self.wrong(at);
+        };
+        Expr {
+            kind: ExprKind::Ordered(op, operands),
+            base: Base::Bool,
+            ty: TypeId::BOOL,
+            at,
+        }
+    }
+
+    /// All in their common type, which none of them is without.
+    fn alike(&mut self, name: &str, operands: Vec<Expr>, at: Span) -> Option<(Vec<Expr>, TypeId)> {
+        let first = operands.first()?;
+        let mut ty = first.ty;
+        if !self.is_enum(ty) {
+            let mut base = first.base;
+            for operand in &operands {
+                let Some(common) = base.common(operand.base) else {
+                    let (first, operand) = (operands[0].clone(), operand.clone());
+                    let _ = self.common(name, first, operand, at);
+                    return None;
+                };
+                base = common;
+            }
+            ty = TypeId::of(match base {
+                Base::AnyInt => Base::Dint,
+                Base::AnyReal => Base::Real,
+                base => base,
+            });
+        }
+        let operands: Vec<Expr> = operands
+            .into_iter()
+            .map(|one| self.coerce(one, ty))
+            .collect();
+        let wrong = operands
+            .iter()
+            .any(|one| matches!(one.kind, ExprKind::Wrong));
+        (!wrong).then_some((operands, ty))
+    }
+
+    fn extreme(&mut self, op: Binary, a: Expr, b: Expr, at: Span) -> Expr {
+        if matches!(a.kind, ExprKind::Wrong) || matches!(b.kind, ExprKind::Wrong) {
+            return self.wrong(at);
+        }
+        self.joined(op, a, b, at)
+    }
+
+    fn of_number(&mut self, name: &str, op: Unary, generic: Generic, a: Expr, at: Span) -> Expr {
+        if !a.base.is_of(generic) || self.is_enum(a.ty) {
+            self.told_operand(name, generic, &a);
+            return self.wrong(at);
+        }
+        let a = if op == Unary::Sqrt {
+            self.settled(a)
+        } else {
+            a
+        };
+        self.unary(op, a, at)
+    }
+
+    /// To DINT, without the fraction.
+    fn truncated(&mut self, name: &str, a: Expr, at: Span) -> Expr {
+        if !a.base.is_real() {
+            self.told_operand(name, Generic::Real, &a);
+            return self.wrong(at);
+        }
+        let a = self.settled(a);
+        self.converted(a, Convert::Cut, TypeId::of(Base::Dint))
+    }
+
+    fn shift(&mut self, name: &str, op: Binary, a: Expr, by: Expr, at: Span) -> Expr {
+        if !a.base.is_bits() && a.base != Base::Bool {
+            self.told_operand(name, Generic::Bit, &a);
+            return self.wrong(at);
+        }
+        if !by.base.is_int() {
+            self.told_operand(name, Generic::Int, &by);
+            return self.wrong(at);
+        }
+        let by = match by.base {
+            Base::Udint | Base::Lint | Base::Ulint => self.explicit(by, Base::Dint, at),
+            _ => self.coerce(by, TypeId::of(Base::Dint)),
+        };
+        let base = a.base;
+        self.binary(op, base, TypeId::of(base), a, by, at)
+    }
+
+    /// The base is a number; a whole exponent that is constant works on the board, any other on a PC.
+    fn power(&mut self, operands: Vec<Expr>, at: Span) -> Expr {
+        let mut operands = operands.into_iter();
+        let (Some(a), Some(b)) = (operands.next(), operands.next()) else {
+            return self.wrong(at);
+        };
+        for operand in [&a, &b] {
+            if !operand.base.is_num() || self.is_enum(operand.ty) {
+                self.told_operand("EXPT", Generic::Num, operand);
+                return self.wrong(at);
+            }
+        }
+        if b.base.is_int() {
+            let a = if a.base == Base::AnyReal || !matches!(b.kind, ExprKind::Constant(_)) {
+                self.settled(a)
+            } else {
+                a
+            };
+            let by = match b.base {
+                Base::Udint | Base::Lint | Base::Ulint => self.explicit(b, Base::Dint, at),
+                _ => self.coerce(b, TypeId::of(Base::Dint)),
+            };
+            let base = a.base;
+            return self.binary(Binary::Power, base, TypeId::of(base), a, by, at);
+        }
+        let (a, b) = (self.settled(a), self.settled(b));
+        let base = if a.base == Base::Lreal {
+            Base::Lreal
+        } else {
+            b.base
+        };
+        let (a, b) = (
+            self.coerce(a, TypeId::of(base)),
+            self.coerce(b, TypeId::of(base)),
+        );
+        self.extra(Extra::Power, base, vec![a, b], at)
+    }
+
+    fn select(&mut self, which: Expr, a: Expr, b: Expr, at: Span) -> Expr {
+        let which = self.coerce(which, TypeId::BOOL);
+        let pair = match self.tree.types.same(a.ty, b.ty) && !a.base.is_any() {
+            true => Some((a, b)),
+            false => self.common("SEL", a, b, at),
+        };
+        let (Some((a, b)), false) = (pair, matches!(which.kind, ExprKind::Wrong)) else {
+            return self.wrong(at);
+        };
+        let (base, ty) = (a.base, a.ty);
+        if let ExprKind::Constant(value) = &which.kind {
+            return if value.is_true() { b } else { a };
+        }
+        Expr {
+            kind: ExprKind::Select(Box::new([which, a, b])),
+            base,
+            ty,
+            at,
+        }
+    }
+
+    fn mux(&mut self, operands: Vec<Expr>, at: Span) -> Expr {
+        let mut operands = operands.into_iter();
+        let Some(which) = operands.next() else {
+            return self.wrong(at);
+        };
+        if !which.base.is_int() {
+            self.told_operand("MUX", Generic::Int, &which);
+            return self.wrong(at);
+        }
+        let which = match which.base {
+            Base::Udint | Base::Lint | Base::Ulint => self.explicit(which, Base::Dint, at),
+            _ => self.coerce(which, TypeId::of(Base::Dint)),
+        };
+        let Some((inputs, ty)) = self.alike("MUX", operands.collect(), at) else {
+            return self.wrong(at);
+        };
+        let Some(base) = self.tree.types.base(ty) else {
+            return self.wrong(at);
+        };
+        Expr {
+            kind: ExprKind::Mux(Box::new(which), inputs),
+            base,
+            ty,
+            at,
+        }
+    }
+
+    fn of_real(&mut self, name: &str, extra: Extra, a: Expr, at: Span) -> Expr {
+        let a = match a.base {
+            Base::AnyInt => self.coerce(a, TypeId::of(Base::Real)),
+            _ => self.settled(a),
+        };
+        if !a.base.is_real() {
+            self.told_operand(name, Generic::Real, &a);
+            return self.wrong(at);
+        }
+        let base = a.base;
+        self.extra(extra, base, vec![a], at)
+    }
+
+    fn of_texts(&mut self, name: &str, extra: Extra, operands: Vec<Expr>, at: Span) -> Expr {
+        let texts = match extra {
+            Extra::Concat => operands.len(),
+            Extra::Insert | Extra::Replace | Extra::Find => 2,
+            _ => 1,
+        };
+        let mut given = Vec::new();
+        for (number, operand) in operands.into_iter().enumerate() {
+            let generic = if number < texts {
+                Generic::Text
+            } else {
+                Generic::Int
+            };
+            if !operand.base.is_of(generic) {
+                self.told_operand(name, generic, &operand);
+                return self.wrong(at);
+            }
+            given.push(match generic {
+                Generic::Text => operand,
+                _ => self.coerce(operand, TypeId::of(Base::Dint)),
+            });
+        }
+        let base = match extra {
+            Extra::Len | Extra::Find => Base::Int,
+            _ => given.first().map_or(Base::Str, |first| first.base),
+        };
+        self.extra(extra, base, given, at)
+    }
+
+    fn extra(&mut self, extra: Extra, base: Base, operands: Vec<Expr>, at: Span) -> Expr {
+        if operands
+            .iter()
+            .any(|operand| matches!(operand.kind, ExprKind::Wrong))
+        {
+            return self.wrong(at);
+        }
+        Expr {
+            kind: ExprKind::Extra(extra, operands),
+            base,
+            ty: TypeId::of(base),
+            at,
+        }
+    }
+}

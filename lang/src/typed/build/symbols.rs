@@ -1,0 +1,103 @@
+//! The symbols of a finished tree: each member and each element by its own name.
+
+use super::Builder;
+use crate::diagnostics::Span;
+use crate::typed::standard::Role;
+use crate::typed::{Holds, Kind, Symbol, TypeId};
+
+/// Where a symbol comes from.
+struct Whole<'n> {
+    at: Span,
+    /// Its name is that of the variable and of the parts that lead to it.
+    name: &'n str,
+}
+
+impl Builder<'_, '_> {
+    pub(super) fn make_symbols(&mut self) {
+        let shown = std::mem::take(&mut self.shown);
+        let many = self.tree.programs.len() > 1;
+        for (name, variable, program) in shown {
+            let program = program.filter(|_| many).and_then(|unit| self.draft(unit));
+            let name = match program {
+                Some(draft) => format!("{}.{name}", draft.unit.name),
+                None => name,
+            };
+            let mut symbols = Vec::new();
+            let whole = Whole {
+                at: variable.at,
+                name: &name,
+            };
+            self.push_symbols(&whole, "", variable.ty, variable.offset, &mut symbols);
+            self.tree.symbols.append(&mut symbols);
+        }
+    }
+
+    fn push_symbols(
+        &self,
+        whole: &Whole<'_>,
+        part: &str,
+        ty: TypeId,
+        offset: u32,
+        symbols: &mut Vec<Symbol>,
+    ) {
+        let one = |part: &str, type_name: String, values: Vec<String>, cell| Symbol {
+            name: format!("{}{part}", whole.name),
+            type_name,
+            holds: Holds::Cell(cell),
+            at: whole.at,
+            values,
+        };
+        match self.tree.types.kind(ty) {
+            Kind::Array { bounds, of } => {
+                let size = self.tree.types.get(*of).cells;
+                let mut subscripts: Vec<i64> = bounds.iter().map(|bound| bound.0).collect();
+                let total = self.tree.types.get(ty).cells;
+                let mut at = 0;
+                while at < total && size > 0 {
+                    let written: Vec<String> = subscripts.iter().map(i64::to_string).collect();
+                    let part = format!("{part}[{}]", written.join(","));
+                    self.push_symbols(whole, &part, *of, offset + at, symbols);
+                    at += size;
+                    for (subscript, (low, high)) in subscripts.iter_mut().zip(bounds).rev() {
+                        *subscript += 1;
+                        if *subscript <= *high {
+                            break;
+                        }
+                        *subscript = *low;
+                    }
+                }
+            }
+            Kind::Struct(members) => {
+                for member in members {
+                    let part = format!("{part}.{}", member.name);
+                    self.push_symbols(whole, &part, member.ty, offset + member.offset, symbols);
+                }
+            }
+            Kind::Standard(block) => {
+                for (at, (name, base, role)) in (0..).zip(block.parts()) {
+                    if *role != Role::Hidden {
+                        let part = format!("{part}.{name}");
+                        let type_name = base.name().to_owned();
+                        symbols.push(one(&part, type_name, Vec::new(), offset + at));
+                    }
+                }
+            }
+            Kind::Block(unit) => {
+                let Some(draft) = self.draft(*unit) else {
+                    return;
+                };
+                for (name, ty, at) in draft.parts() {
+                    let part = format!("{part}.{name}");
+                    self.push_symbols(whole, &part, ty, offset + at, symbols);
+                }
+            }
+            kind => {
+                let values = match kind {
+                    Kind::Enum(names) => names.clone(),
+                    _ => Vec::new(),
+                };
+                symbols.push(one(part, self.tree.types.name(ty), values, offset));
+            }
+        }
+    }
+}

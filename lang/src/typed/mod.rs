@@ -1,0 +1,51 @@
+//! The typed tree: what a program means, whichever language it is written in.
+//!
+//! It owns types, variables as places in cells, expressions whose every conversion is a node, and statements. It
+//! must not know how a language is written, how a board does it, nor where a text comes from. It is a tree of its
+//! own and not a syntax tree with types added, so that what runs it or lowers it asks no question of types again.
+//!
+//! The way to it and from it:
+//!
+//! ```text
+//! parser of a language ─► its syntax tree ─► its front end ─► Builder ─► Tree ─┬─► run (the interpreter)
+//!                                                                             └─► lowering
+//! ```
+//!
+//! - `base`, `types`, `value`: elementary types, derived types, values
+//! - `standard`: the function blocks of the norm and their cells
+//! - `tree`: units, places, statements, expressions
+//! - `ops`: what each operation gives, for folding and for the interpreter alike
+//! - `build`: how a front end makes a tree; see there
+//!
+//! **Cells.** A variable without parts takes one cell. Members and elements stand in a row, so each constant
+//! subscript and each member is an offset. A [`Place`] is a root (the program's cells, the block's own, the
+//! call's, or those the caller lends), an offset, and [`Index`]es, one for each subscript that is computed.
+//!
+//! **Positions.** A node has its [`Span`](crate::Span); [`Lines`](crate::Lines) turns it into line and column, and
+//! the unit is the one whose body it stands in.
+//!
+//! **Calls.** A function's cells are new at each call, a block's are its instance's. No unit calls itself, so a
+//! lowering may put a body in place of each call, with the instance's offset for [`Root::Own`] and the caller's
+//! places for [`Root::Lent`].
+//!
+//! **Arithmetic.** It is 32 bits wide (64 for the types of the PC alone); a value is narrowed where it is
+//! stored ([`Store`]) or converted ([`Convert`]).
+
+mod base;
+#[allow(dead_code, unused_imports)]
+pub(crate) mod build;
+#[allow(dead_code)]
+pub(crate) mod ops;
+mod standard;
+mod tree;
+mod types;
+mod value;
+
+pub use base::{Base, Generic, Width};
+pub use standard::{Part, Role, Standard};
+pub use tree::{
+    Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input, Output,
+    Place, Point, Root, Stmt, StmtKind, Store, Symbol, Tree, Unary, Unit, UnitKind,
+};
+pub use types::{Initial, Kind, Member, Type, TypeId, Types};
+pub use value::{Value, days};
