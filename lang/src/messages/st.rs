@@ -199,10 +199,10 @@ macro_rules! st_rows {
         "o índice {0} está fora de `{1}`, que vai de {2} a {3}"
         "use um de {2} a {3} ou declare uma matriz maior";
     157 StDimensions Error
-        "`{0}` has {1} subscripts, and {2} stand here"
-        "write {1}, with commas between them"
-        "`{0}` tem {1} índices, e aqui há {2}"
-        "escreva {1}, separados por vírgulas";
+        "`{0}` takes {1}, and here it gets {2}"
+        "write {3}"
+        "`{0}` recebe {1}, mas aqui são {2}"
+        "escreva {3}";
     158 StNotArray Error
         "`{0}` is {1}, and takes no subscript"
         "declare it as ARRAY[1..10] OF {1}, or leave out the [ ]"

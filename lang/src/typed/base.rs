@@ -197,6 +197,7 @@ impl Base {
         match (self, to) {
             (AnyInt, _) => to.is_num() || to.is_bits(),
             (AnyReal, _) => to.is_real(),
+            (_, AnyInt | AnyReal) => false,
             (Real, Lreal) => true,
             (Sint | Int | Usint | Uint, Real | Lreal) | (Dint | Udint, Lreal) => true,
             _ if self.is_bits() => to.is_bits() && self.bits() < to.bits(),

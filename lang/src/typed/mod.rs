@@ -32,9 +32,7 @@
 //! stored ([`Store`]) or converted ([`Convert`]).
 
 mod base;
-#[allow(dead_code, unused_imports)]
 pub(crate) mod build;
-#[allow(dead_code)]
 pub(crate) mod ops;
 mod standard;
 mod tree;
@@ -42,6 +40,7 @@ mod types;
 mod value;
 
 pub use base::{Base, Generic, Width};
+pub(crate) use ops::given as convert_given;
 pub use standard::{Part, Role, Standard};
 pub use tree::{
     Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input, Output,

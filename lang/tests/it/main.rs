@@ -12,4 +12,5 @@ mod places;
 mod random_programs;
 mod round_trip;
 mod twins;
+mod typed;
 mod words;

@@ -39,6 +39,19 @@ pub(crate) fn conversion(from: Base, to: Base) -> Option<Convert> {
     })
 }
 
+/// Whether all numbers of the text that it chooses among fit this type.
+fn whole_within(expr: &Expr, base: Base) -> bool {
+    match &expr.kind {
+        ExprKind::Constant(value) => {
+            let range = base.range();
+            range.is_some_and(|(low, high)| (low..=high).contains(&value.int()))
+        }
+        ExprKind::Select(parts) => parts[1..].iter().all(|one| whole_within(one, base)),
+        ExprKind::Mux(_, inputs) => inputs.iter().all(|one| whole_within(one, base)),
+        _ => true,
+    }
+}
+
 impl Builder<'_, '_> {
     /// A number of the text, whose type what it meets decides.
     pub fn whole(&mut self, number: i128, at: Span) -> Expr {
@@ -123,6 +136,12 @@ impl Builder<'_, '_> {
                 let all = [Base::Int, Base::Dint, Base::Lint, Base::Ulint];
                 all.iter().find(fits).copied().unwrap_or(Base::Ulint)
             }
+            (ExprKind::Select(_) | ExprKind::Mux(..), Base::AnyInt) => {
+                match whole_within(&expr, Base::Int) {
+                    true => Base::Int,
+                    false => Base::Dint,
+                }
+            }
             (_, Base::AnyReal) => Base::Real,
             _ => return expr,
         };
@@ -148,6 +167,9 @@ impl Builder<'_, '_> {
         if let ExprKind::Constant(value) = &expr.kind {
             return self.coerce_constant(value.clone(), expr, to, ty);
         }
+        if expr.base.is_any() && expr.base.widens_to(to) {
+            return self.coerce_inner(expr, to, ty);
+        }
         if !expr.base.widens_to(to) {
             self.told_mismatch(&expr, ty);
             return self.wrong(expr.at);
@@ -157,6 +179,39 @@ impl Builder<'_, '_> {
             _ => Convert::Keep,
         };
         self.converted(expr, how, ty)
+    }
+
+    /// What chooses among numbers of the text, each of which takes the type.
+    fn coerce_inner(&mut self, expr: Expr, to: Base, ty: TypeId) -> Expr {
+        let at = expr.at;
+        let kind = match expr.kind {
+            ExprKind::Select(parts) => {
+                let [which, no, yes] = *parts;
+                let (no, yes) = (self.coerce(no, ty), self.coerce(yes, ty));
+                if [&no, &yes]
+                    .iter()
+                    .any(|one| matches!(one.kind, ExprKind::Wrong))
+                {
+                    return self.wrong(at);
+                }
+                ExprKind::Select(Box::new([which, no, yes]))
+            }
+            ExprKind::Mux(which, inputs) => {
+                let inputs: Vec<Expr> =
+                    inputs.into_iter().map(|one| self.coerce(one, ty)).collect();
+                if inputs.iter().any(|one| matches!(one.kind, ExprKind::Wrong)) {
+                    return self.wrong(at);
+                }
+                ExprKind::Mux(which, inputs)
+            }
+            kind => kind,
+        };
+        Expr {
+            kind,
+            base: to,
+            ty,
+            at,
+        }
     }
 
     fn coerce_constant(&mut self, value: Value, expr: Expr, to: Base, ty: TypeId) -> Expr {

@@ -93,11 +93,13 @@ impl Builder<'_, '_> {
             (Root::Static, Some(point)) => self.point_with(point, &traits),
             _ => self.room(name, at, ty, section, root, &traits)?,
         };
+        let lent = matches!(root, Root::Lent(_));
         let variable = Variable {
             name: name.to_owned(),
             ty,
             root,
-            offset,
+            // What is lent is counted from the place that the caller gives.
+            offset: if lent { 0 } else { offset },
             section,
             constant: traits.constant,
             at,

@@ -285,6 +285,7 @@ impl Builder<'_, '_> {
                 _ => self.wrong(at),
             };
         }
+        let operands = operands.into_iter().map(|one| self.settled(one)).collect();
         let Some((operands, _)) = self.alike("GT", operands, at) else {
             return self.wrong(at);
         };
@@ -310,11 +311,7 @@ impl Builder<'_, '_> {
                 };
                 base = common;
             }
-            ty = TypeId::of(match base {
-                Base::AnyInt => Base::Dint,
-                Base::AnyReal => Base::Real,
-                base => base,
-            });
+            ty = TypeId::of(base);
         }
         let operands: Vec<Expr> = operands
             .into_iter()
@@ -413,14 +410,14 @@ impl Builder<'_, '_> {
 
     fn select(&mut self, which: Expr, a: Expr, b: Expr, at: Span) -> Expr {
         let which = self.coerce(which, TypeId::BOOL);
-        let pair = match self.tree.types.same(a.ty, b.ty) && !a.base.is_any() {
-            true => Some((a, b)),
-            false => self.common("SEL", a, b, at),
-        };
-        let (Some((a, b)), false) = (pair, matches!(which.kind, ExprKind::Wrong)) else {
+        let pair = self.alike("SEL", vec![a, b], at);
+        let (Some((pair, ty)), false) = (pair, matches!(which.kind, ExprKind::Wrong)) else {
             return self.wrong(at);
         };
-        let (base, ty) = (a.base, a.ty);
+        let Ok([a, b]) = <[Expr; 2]>::try_from(pair) else {
+            return self.wrong(at);
+        };
+        let base = a.base;
         if let ExprKind::Constant(value) = &which.kind {
             return if value.is_true() { b } else { a };
         }

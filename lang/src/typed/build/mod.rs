@@ -45,7 +45,7 @@ mod words;
 pub(crate) use calls::{Argument, Given};
 pub(crate) use declare::{Section, Traits};
 pub(crate) use places::Target;
-pub(crate) use words::{both, kind_of};
+pub(crate) use words::both;
 
 use super::tree::{Expr, ExprKind, Point, Tree, Unit, UnitKind};
 use super::types::TypeId;
@@ -54,10 +54,13 @@ use super::{Base, Kind};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::names::near::nearest;
 use declare::Variable;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// More cells than this no program has; the board has room for fewer than a hundred.
 pub(crate) const MOST_CELLS: u32 = 100_000;
+
+/// Calls stand in calls no deeper.
+const MOST_CALLS: u32 = 60;
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;
@@ -130,6 +133,7 @@ pub(crate) struct Builder<'t, 'f> {
     counters: Vec<(super::Root, u32)>,
     called: HashMap<(Option<usize>, super::Root, u32), Span>,
     writes: bool,
+    hidden: HashSet<(Option<usize>, String)>,
 }
 
 impl<'t, 'f> Builder<'t, 'f> {
@@ -151,6 +155,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             counters: Vec::new(),
             called: HashMap::new(),
             writes: false,
+            hidden: HashSet::new(),
         }
     }
 
@@ -247,6 +252,57 @@ impl<'t, 'f> Builder<'t, 'f> {
         self.current = None;
     }
 
+    /// Where it is, to go back there.
+    pub fn inside(&self) -> Option<usize> {
+        self.current
+    }
+
+    /// Goes back to where it was.
+    pub fn go(&mut self, back: Option<usize>) {
+        self.current = back;
+    }
+
+    /// The name of the function or block that it is in.
+    pub fn name_here(&self) -> Option<String> {
+        let draft = self.current.and_then(|unit| self.drafts.get(unit))?;
+        (draft.unit.kind != UnitKind::Program).then(|| draft.unit.name.clone())
+    }
+
+    /// The result of the function that it is in needs no store.
+    pub fn gives(&mut self) {
+        if let Some(draft) = self.here() {
+            draft.gives = true;
+        }
+    }
+
+    /// A name whose declaration is wrong: what is done with it is not told.
+    pub fn hide(&mut self, name: &str) {
+        let key = (self.current, self.key(name));
+        self.hidden.insert(key);
+    }
+
+    /// Whether the declaration of this name is wrong.
+    pub fn is_hidden(&self, name: &str) -> bool {
+        let key = self.key(name);
+        !self.hidden.is_empty()
+            && self.find(name).is_none()
+            && (self.hidden.contains(&(self.current, key.clone()))
+                || self.hidden.contains(&(None, key)))
+    }
+
+    /// Whether an instance of this type takes or gives something of this name.
+    pub fn has_parameter(&self, ty: TypeId, name: &str) -> bool {
+        let key = self.key(name);
+        match self.tree.types.kind(ty) {
+            Kind::Standard(block) => block.part(&key).is_some(),
+            Kind::Block(unit) => self.draft(*unit).is_some_and(|draft| {
+                let mut params = draft.params.iter();
+                params.any(|param| self.key(&param.name) == key)
+            }),
+            _ => false,
+        }
+    }
+
     pub fn draft(&self, unit: u32) -> Option<&Draft> {
         self.drafts.get(unit as usize)
     }
@@ -339,7 +395,8 @@ impl<'t, 'f> Builder<'t, 'f> {
         self.refuse_circles();
         for draft in &self.drafts {
             let unit = &draft.unit;
-            if unit.kind == UnitKind::Function && !draft.gives {
+            let told = self.found.has_errors();
+            if unit.kind == UnitKind::Function && !draft.gives && !told {
                 let name = unit.name.as_str().into();
                 self.found.tell(Code::StNoResult, unit.at, [name]);
             }
@@ -365,6 +422,8 @@ impl<'t, 'f> Builder<'t, 'f> {
         }
         // 0: not seen, 1: on the way, 2: done.
         let mut state = vec![0_u8; self.drafts.len()];
+        // How many calls within calls each comes to.
+        let mut deep = vec![0_u32; self.drafts.len()];
         for first in 0..self.drafts.len() {
             if state[first] != 0 {
                 continue;
@@ -374,6 +433,14 @@ impl<'t, 'f> Builder<'t, 'f> {
             while let Some((unit, next)) = way.pop() {
                 let Some(&(to, at)) = out[unit].get(next) else {
                     state[unit] = 2;
+                    let below = out[unit]
+                        .iter()
+                        .map(|(to, _)| deep.get(*to as usize).copied().unwrap_or(0));
+                    deep[unit] = below.max().unwrap_or(0) + 1;
+                    if deep[unit] == MOST_CALLS {
+                        let at = out[unit].first().map_or(Span::default(), |call| call.1);
+                        self.found.tell(Code::StTooDeep, at, []);
+                    }
                     continue;
                 };
                 way.push((unit, next + 1));

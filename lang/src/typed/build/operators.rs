@@ -71,6 +71,14 @@ impl Builder<'_, '_> {
             self.told_no_common(name, &a, &b, at);
             return None;
         };
+        let constants = [&a, &b].map(|one| matches!(one.kind, ExprKind::Constant(_)));
+        if base.is_any() && constants.contains(&false) {
+            let (a, b) = (self.settled(a), self.settled(b));
+            return match a.base.is_any() || b.base.is_any() {
+                true => None,
+                false => self.common(name, a, b, at),
+            };
+        }
         let ty = TypeId::of(base);
         let (a, b) = (self.coerce(a, ty), self.coerce(b, ty));
         (!Builder::is_wrong(&a, &b)).then_some((a, b))
@@ -204,6 +212,10 @@ impl Builder<'_, '_> {
     }
 
     pub(super) fn unary(&mut self, op: Unary, a: Expr, at: Span) -> Expr {
+        let a = match a.kind {
+            ExprKind::Constant(_) => a,
+            _ => self.settled(a),
+        };
         let (base, ty) = (a.base, TypeId::of(a.base));
         let kind = match a.kind {
             ExprKind::Wrong => ExprKind::Wrong,

@@ -251,8 +251,28 @@ impl Builder<'_, '_> {
         };
         let written = self.written(of.at);
         if bounds.len() != subscripts.len() {
-            let [needs, has] = [bounds.len(), subscripts.len()].map(|n| n.to_string().into());
-            self.tell(Code::StDimensions, at, [written.into(), needs, has]);
+            let needs = match bounds.len() {
+                1 => both("1 subscript", "1 índice"),
+                n => both(format!("{n} subscripts"), format!("{n} índices")),
+            };
+            let sample: Vec<String> = match bounds.len() {
+                1 => subscripts
+                    .iter()
+                    .map(|one| format!("[{}]", self.written(one.at)))
+                    .collect(),
+                _ => vec![format!("[{}]", vec!["i"; bounds.len().min(8)].join(", "))],
+            };
+            let nested = matches!(self.tree.types.kind(element), Kind::Array { .. });
+            let sample = match bounds.len() == 1 && !nested {
+                true => format!("{written}{}", sample.first().map_or("[1]", String::as_str)),
+                false => format!("{written}{}", sample.concat()),
+            };
+            let has = subscripts.len().to_string();
+            self.tell(
+                Code::StDimensions,
+                at,
+                [written.into(), needs, has.into(), sample.into()],
+            );
             return None;
         }
         let mut place = of.place;

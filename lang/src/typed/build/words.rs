@@ -9,7 +9,7 @@ pub(crate) fn both(en: impl Into<String>, pt: impl Into<String>) -> Word {
 }
 
 /// What a unit is, in words.
-pub(crate) fn kind_of(kind: UnitKind) -> (&'static str, &'static str) {
+fn kind_of(kind: UnitKind) -> (&'static str, &'static str) {
     match kind {
         UnitKind::Program => ("a program", "um programa"),
         UnitKind::Block => ("a function block", "um bloco funcional"),

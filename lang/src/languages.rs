@@ -1,0 +1,36 @@
+//! The typed languages: which there are, and the way of a text in one of them to its typed tree.
+
+use crate::diagnostics::{Found, Told};
+use crate::typed::Tree;
+
+/// A typed language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TextLanguage {
+    /// Structured Text of IEC 61131-3.
+    St,
+    /// Structured Text as Siemens writes it: `#name`, `"name"`.
+    Scl,
+}
+
+/// What has come of a text.
+#[derive(Debug)]
+pub struct CheckedText {
+    /// What it means; none where there are errors.
+    pub tree: Option<Tree>,
+    /// What was found in it.
+    pub diagnostics: Told,
+}
+
+/// Reads a text and checks its names and types. It takes a time in proportion to the text's size.
+pub fn check(text: &str, language: TextLanguage) -> CheckedText {
+    let mut found = Found::default();
+    let tree = match language {
+        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, &mut found),
+        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, &mut found),
+    };
+    let tree = tree.filter(|_| !found.has_errors());
+    CheckedText {
+        tree,
+        diagnostics: found.finish(),
+    }
+}

@@ -1,0 +1,93 @@
+//! Names and types: from the syntax tree to the typed tree.
+//!
+//! - `types`: types as they are declared, and what a variable begins with
+//! - `units`: variables, and the order in which units are declared
+//! - `expressions`, `statements`: the rest
+//!
+//! What a name means and which types go together is the builder's to say; this says what stands in the text.
+
+mod expressions;
+mod initial;
+mod statements;
+mod types;
+mod units;
+
+use super::ast::File;
+use crate::diagnostics::{Code, Found, Span, Word};
+use crate::typed::build::{Builder, Letters};
+use crate::typed::{Tree, TypeId};
+use std::collections::HashMap;
+
+/// Types and blocks are made of others no deeper.
+const MOST_WITHIN: u32 = 40;
+
+/// How far a declaration has been made out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Not,
+    Begun,
+    Done(Option<TypeId>),
+}
+
+struct Checker<'a, 't, 'f> {
+    builder: Builder<'t, 'f>,
+    file: &'a File,
+    /// Types of the text by their names: which they are.
+    types: HashMap<String, usize>,
+    type_states: Vec<State>,
+    /// The unit of each declaration, and whether it is declared.
+    units: Vec<(u32, State)>,
+    /// Declarations of blocks by their names.
+    blocks: HashMap<String, usize>,
+    within: u32,
+}
+
+pub(super) fn check(text: &str, file: &File, found: &mut Found) -> Option<Tree> {
+    if !is_program(text, file, found) {
+        return None;
+    }
+    let builder = Builder::new(text, Letters::Alike, found);
+    let mut checker = Checker {
+        builder,
+        file,
+        types: HashMap::new(),
+        type_states: vec![State::Not; file.types.len()],
+        units: Vec::new(),
+        blocks: HashMap::new(),
+        within: 0,
+    };
+    checker.declare_all();
+    checker.bodies();
+    checker.builder.finish()
+}
+
+/// Whether there is something to run.
+fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
+    use crate::typed::UnitKind::Program;
+    if file.units.iter().any(|unit| unit.kind == Program) {
+        return true;
+    }
+    if found.has_errors() {
+        return false;
+    }
+    let end = text.trim_end().len() as u32;
+    let why: Word = match (file.units.is_empty(), file.globals.is_empty()) {
+        (false, _) => (
+            "functions and function blocks do nothing until a program calls them",
+            "funções e blocos funcionais não fazem nada até que um programa os chame",
+        )
+            .into(),
+        (true, false) => (
+            "the declarations are there, but no statement",
+            "as declarações estão aí, mas nenhum comando",
+        )
+            .into(),
+        (true, true) => (
+            "the text holds no statement",
+            "o texto não tem nenhum comando",
+        )
+            .into(),
+    };
+    found.tell(Code::StNoProgram, Span { start: end, end }, [why]);
+    false
+}

@@ -1,0 +1,200 @@
+//! Statements.
+
+use super::super::ast::{Arm, Node, NodeKind, Path, Statement, StatementKind};
+use super::Checker;
+use crate::diagnostics::{Code, Span};
+use crate::typed::build::Named;
+use crate::typed::{Kind, Stmt, StmtKind, UnitKind};
+use std::collections::BTreeMap;
+
+impl Checker<'_, '_, '_> {
+    pub(super) fn statements(&mut self, statements: &[Statement]) -> Vec<Stmt> {
+        let mut all = Vec::new();
+        for statement in statements {
+            self.statement(statement, &mut all);
+        }
+        all
+    }
+
+    fn statement(&mut self, statement: &Statement, all: &mut Vec<Stmt>) {
+        let at = statement.span;
+        let kind = match &statement.kind {
+            StatementKind::Assign(path, node) => {
+                all.extend(self.assign(path, node, at));
+                return;
+            }
+            StatementKind::Call(path, arguments) => {
+                self.call(path, arguments, at, all);
+                return;
+            }
+            StatementKind::Exit | StatementKind::Continue => {
+                let kind = match statement.kind {
+                    StatementKind::Exit => StmtKind::Exit,
+                    _ => StmtKind::Continue,
+                };
+                all.extend(self.builder.leaves_loop(kind, at));
+                return;
+            }
+            StatementKind::Return => StmtKind::Return,
+            StatementKind::If(arms, otherwise) => {
+                let mut made = Vec::new();
+                for (condition, body) in arms {
+                    let condition = self.condition(condition);
+                    made.push((condition, self.statements(body)));
+                }
+                StmtKind::If(made, self.statements(otherwise))
+            }
+            StatementKind::Case(selector, arms, otherwise) => self.case(selector, arms, otherwise),
+            StatementKind::While(condition, body) => {
+                let condition = self.condition(condition);
+                self.builder.begin_loop(None);
+                let body = self.statements(body);
+                self.builder.end_loop(None);
+                StmtKind::While(condition, body)
+            }
+            StatementKind::Repeat(body, until) => {
+                self.builder.begin_loop(None);
+                let body = self.statements(body);
+                self.builder.end_loop(None);
+                StmtKind::Repeat(body, self.condition(until))
+            }
+            StatementKind::For {
+                variable,
+                from,
+                to,
+                by,
+                body,
+            } => {
+                let Some(kind) = self.counting(variable, [from, to], by.as_ref(), body, at) else {
+                    return;
+                };
+                kind
+            }
+        };
+        all.push(Stmt { kind, at });
+    }
+
+    fn condition(&mut self, node: &Node) -> crate::typed::Expr {
+        let expr = self.expr(node, None);
+        self.builder.condition(expr)
+    }
+
+    fn assign(&mut self, path: &Path, node: &Node, at: Span) -> Option<Stmt> {
+        let target = self.target(path);
+        let Some(target) = target else {
+            self.expr(node, None);
+            return None;
+        };
+        if self.builder.tree.types.is_scalar(target.ty) {
+            let value = self.expr(node, Some(target.ty));
+            return self.builder.assign(target, value, at);
+        }
+        match &node.kind {
+            NodeKind::Path(from) => {
+                let from = self.target(from)?;
+                self.builder.copy(target, from, at)
+            }
+            NodeKind::Call(from, arguments) if from.parts.is_empty() => {
+                if self.calls_itself(&from.name) {
+                    return None;
+                }
+                let unit = self.builder.callee(&from.name.text, from.name.span)?;
+                let given = self.arguments(arguments);
+                self.builder.call_into(unit, given, target, node.span)
+            }
+            _ => {
+                let ty = target.ty;
+                let value = self.expr(node, None);
+                self.builder.coerce(value, ty);
+                None
+            }
+        }
+    }
+
+    fn call(
+        &mut self,
+        path: &Path,
+        arguments: &[super::super::ast::Arg],
+        at: Span,
+        all: &mut Vec<Stmt>,
+    ) {
+        let name = &path.name;
+        if path.parts.is_empty() {
+            if self.calls_itself(name) {
+                return;
+            }
+            match self.builder.find(&name.text).cloned() {
+                Some(Named::Variable(_)) => {}
+                Some(Named::Unit(unit)) => {
+                    let kind = self.builder.draft(unit).map(|draft| draft.unit.kind);
+                    if kind == Some(UnitKind::Function) {
+                        let given = self.arguments(arguments);
+                        all.extend(self.builder.call_statement(unit, given, name.span, at));
+                        return;
+                    }
+                }
+                None if self.builder.is_hidden(&name.text) => return,
+                None if self.builder.is_function(&name.text) => {
+                    let written = self.builder.written(at);
+                    self.builder.tell(Code::StNoEffect, at, [written.into()]);
+                    return;
+                }
+                _ => {
+                    self.builder.callee(&name.text, name.span);
+                    return;
+                }
+            }
+        }
+        let Some(target) = self.target(path) else {
+            return;
+        };
+        if self.equals_for_assign(target.ty, arguments) {
+            return;
+        }
+        let given = self.arguments(arguments);
+        all.append(&mut self.builder.block(target, given, at));
+    }
+
+    fn case(&mut self, selector: &Node, arms: &[Arm], otherwise: &[Statement]) -> StmtKind {
+        let selector = self.expr(selector, None);
+        let selector = self.builder.selector(selector);
+        let hint = Some(selector.ty)
+            .filter(|ty| matches!(self.builder.tree.types.kind(*ty), Kind::Enum(_)));
+        let mut taken = BTreeMap::new();
+        let mut made = Vec::new();
+        for arm in arms {
+            let mut labels = Vec::new();
+            for (low, high) in &arm.labels {
+                let low = self.expr(low, hint);
+                let high = high.as_ref().map(|high| self.expr(high, hint));
+                labels.push((low, high));
+            }
+            let bounds = self.builder.labels(&selector, labels, &mut taken);
+            made.push((bounds, self.statements(&arm.body)));
+        }
+        StmtKind::Case(selector, made, self.statements(otherwise))
+    }
+
+    fn counting(
+        &mut self,
+        variable: &Path,
+        [from, to]: [&Node; 2],
+        by: Option<&Node>,
+        body: &[Statement],
+        at: Span,
+    ) -> Option<StmtKind> {
+        let target = self.target(variable);
+        let (from, to) = (self.expr(from, None), self.expr(to, None));
+        let by = by.map(|by| self.expr(by, None));
+        let head = self.builder.counting(target, from, to, by, at);
+        let counter = head
+            .as_ref()
+            .map(|head| (head.variable.root, head.variable.offset));
+        self.builder.begin_loop(counter);
+        let body = self.statements(body);
+        self.builder.end_loop(counter);
+        let mut head = head?;
+        head.body = body;
+        Some(StmtKind::For(head))
+    }
+}

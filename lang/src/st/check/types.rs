@@ -1,0 +1,363 @@
+//! Types as they are declared: by their names, or where they are used.
+
+use super::super::ast::{Name, Node, SpecKind, TypeSpec};
+use super::{Checker, MOST_WITHIN, State};
+use crate::diagnostics::{Code, Word};
+use crate::typed::build::{MOST_CELLS, both};
+use crate::typed::{Base, Expr, ExprKind, Generic, Kind, Member, Standard, Type, TypeId, UnitKind};
+use std::collections::HashSet;
+
+impl Checker<'_, '_, '_> {
+    /// The type of this name; told if there is none.
+    pub(super) fn type_named(&mut self, name: &Name) -> Option<TypeId> {
+        let key = self.builder.key(&name.text);
+        if let Some(base) = Base::named(&key) {
+            return Some(TypeId::of(base));
+        }
+        if let Some(&at) = self.types.get(&key) {
+            return self.declared_type(at, name);
+        }
+        if let Some(&at) = self.blocks.get(&key) {
+            return self.block_type(at, name);
+        }
+        let standard = match key.as_str() {
+            "TON_TIME" => Some(Standard::Ton),
+            "TOF_TIME" => Some(Standard::Tof),
+            "TP_TIME" => Some(Standard::Tp),
+            key => Standard::named(key),
+        };
+        if let Some(block) = standard {
+            let cells = block.cells();
+            return Some(
+                self.builder
+                    .tree
+                    .types
+                    .add_kind(Kind::Standard(block), cells),
+            );
+        }
+        let generics = [
+            Generic::Elementary,
+            Generic::Magnitude,
+            Generic::Num,
+            Generic::Real,
+            Generic::Int,
+            Generic::Bit,
+            Generic::Text,
+            Generic::Date,
+        ];
+        let generic = generics.iter().any(|generic| generic.name() == key);
+        if generic || matches!(key.as_str(), "ANY" | "ANY_DERIVED") {
+            self.builder
+                .tell(Code::StGeneric, name.span, [name.text.as_str().into()]);
+            return None;
+        }
+        let help = self.type_help(name, &key);
+        self.builder.tell(
+            Code::StUnknownType,
+            name.span,
+            [name.text.as_str().into(), help],
+        );
+        None
+    }
+
+    fn type_help(&mut self, name: &Name, key: &str) -> Word {
+        let write = |ty: &str| both(format!("write {ty}"), format!("escreva {ty}"));
+        match key {
+            "INTEGER" | "INTEIRO" | "SHORT" | "INT16" | "INT16_T" => return write("INT"),
+            "LONG" | "INT32" | "INT32_T" => return write("DINT"),
+            "BOOLEAN" | "BOOLEANO" | "BIT" | "LOGICO" => return write("BOOL"),
+            "FLOAT" | "SINGLE" | "DECIMAL" => return write("REAL"),
+            "DOUBLE" => return write("LREAL"),
+            "CHAR" | "TEXT" | "STR" => return write("STRING"),
+            "TIMER" | "IEC_TIMER" => return write("TON"),
+            "COUNTER" | "IEC_COUNTER" => return write("CTU"),
+            "UNSIGNED" | "UINT16" | "UINT16_T" => return write("UINT"),
+            "UINT8" | "UINT8_T" => return write("USINT"),
+            "UINT32" | "UINT32_T" => return write("UDINT"),
+            _ => {}
+        }
+        let bases = Base::ALL.iter().map(|base| base.name());
+        let blocks = Standard::ALL.iter().map(|block| block.name());
+        let own = self.file.types.iter().map(|ty| ty.name.text.as_str());
+        let units = self.file.units.iter().map(|unit| unit.name.text.as_str());
+        // A file with very many types is not a student's.
+        let own = own.chain(units).take(200);
+        let near = crate::names::near::nearest(&name.text, bases.chain(blocks).chain(own));
+        match near {
+            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            None => (
+                "types are BOOL, INT, DINT, REAL, TIME and others of the norm, TON, CTU and other blocks, and those of TYPE and FUNCTION_BLOCK",
+                "há os tipos BOOL, INT, DINT, REAL, TIME e outros da norma, TON, CTU e outros blocos, e os de TYPE e FUNCTION_BLOCK",
+            )
+                .into(),
+        }
+    }
+
+    /// A type of TYPE, made out once.
+    pub(super) fn declared_type(&mut self, at: usize, used: &Name) -> Option<TypeId> {
+        match self.type_states[at] {
+            State::Done(ty) => return ty,
+            State::Begun => {
+                let name = used.text.as_str().into();
+                let contains = ("contains", "contém").into();
+                self.builder
+                    .tell(Code::StRecursive, used.span, [name, contains]);
+                return None;
+            }
+            State::Not => {}
+        }
+        self.type_states[at] = State::Begun;
+        let ty = self.make_type(at, used);
+        self.type_states[at] = State::Done(ty);
+        ty
+    }
+
+    fn make_type(&mut self, at: usize, used: &Name) -> Option<TypeId> {
+        let declaration = &self.file.types[at];
+        if self.within >= MOST_WITHIN {
+            self.builder.tell(Code::StTooDeep, used.span, []);
+            return None;
+        }
+        self.within += 1;
+        let of = self.spec(&declaration.spec);
+        self.within -= 1;
+        let of = of?;
+        let plain = self.builder.tree.types.get(of).clone();
+        let initial = match &declaration.initial {
+            Some(init) => Some(self.initial(&declaration.name, init, of)?),
+            None => plain.initial,
+        };
+        let ty = self.builder.tree.types.add(Type {
+            name: Some(declaration.name.text.clone()),
+            kind: plain.kind,
+            cells: plain.cells,
+            initial,
+            alias: Some(of),
+        });
+        let name = &declaration.name;
+        self.builder.name_type(&name.text, ty, name.span);
+        if matches!(declaration.spec.kind, SpecKind::Enum(_)) {
+            self.builder.name_values(ty);
+        }
+        Some(ty)
+    }
+
+    /// The type that stands in a declaration; told if it is none.
+    pub(super) fn spec(&mut self, spec: &TypeSpec) -> Option<TypeId> {
+        match &spec.kind {
+            SpecKind::Named(name) => self.type_named(name),
+            SpecKind::Text(base, None) => Some(TypeId::of(*base)),
+            SpecKind::Text(base, Some(most)) => {
+                let most = self.constant(most)?.clamp(0, 4096) as u32;
+                let base = *base;
+                Some(
+                    self.builder
+                        .tree
+                        .types
+                        .add_kind(Kind::Text { base, most }, 1),
+                )
+            }
+            SpecKind::Enum(names) => {
+                let mut seen = HashSet::new();
+                for name in names {
+                    if !seen.insert(self.builder.key(&name.text)) {
+                        let text = name.text.as_str().into();
+                        self.builder.tell(Code::StNameTwice, name.span, [text]);
+                        return None;
+                    }
+                }
+                let names = names.iter().map(|name| name.text.clone()).collect();
+                Some(self.builder.tree.types.add_kind(Kind::Enum(names), 1))
+            }
+            SpecKind::Range(name, bounds) => self.range(name, bounds),
+            SpecKind::Array(bounds, of) => self.array(spec, bounds, of),
+            SpecKind::Struct(decls) => self.structure(spec, decls),
+        }
+    }
+
+    /// A whole number that is known.
+    pub(super) fn constant(&mut self, node: &Node) -> Option<i128> {
+        let expr = self.expr(node, None);
+        self.known(expr)
+    }
+
+    pub(super) fn known(&mut self, expr: Expr) -> Option<i128> {
+        match &expr.kind {
+            ExprKind::Constant(value) if expr.base.is_int() => Some(value.int()),
+            ExprKind::Wrong => None,
+            _ => {
+                let written = self.builder.written(expr.at);
+                self.builder
+                    .tell(Code::StNotConstant, expr.at, [written.into()]);
+                None
+            }
+        }
+    }
+
+    fn bounds(&mut self, low: &Node, high: &Node) -> Option<(i128, i128)> {
+        let (first, last) = (self.constant(low), self.constant(high));
+        let (first, last) = (first?, last?);
+        if last < first {
+            let words = [first.to_string().into(), last.to_string().into()];
+            self.builder
+                .tell(Code::StEmptyRange, low.span.to(high.span), words);
+            return None;
+        }
+        Some((first, last))
+    }
+
+    fn range(&mut self, name: &Name, bounds: &(Node, Node)) -> Option<TypeId> {
+        let of = self.type_named(name)?;
+        let base = self
+            .builder
+            .tree
+            .types
+            .base(of)
+            .filter(|base| base.is_int());
+        let Some(base) = base else {
+            let expr = self
+                .builder
+                .literal(Base::Int, crate::typed::Value::Int(0), name.span);
+            let is = self.builder.tree.types.name(of);
+            let help = (
+                "a range is a part of an integer type: INT(0..100)",
+                "um intervalo é uma parte de um tipo inteiro: INT(0..100)",
+            );
+            let words = [
+                "( .. )".into(),
+                "ANY_INT".into(),
+                name.text.as_str().into(),
+                is.into(),
+                help.into(),
+            ];
+            self.builder.tell(Code::StOperand, expr.at, words);
+            return None;
+        };
+        let (low, high) = self.bounds(&bounds.0, &bounds.1)?;
+        let (least, most) = base.range()?;
+        for (number, node) in [(low, &bounds.0), (high, &bounds.1)] {
+            if !(least..=most).contains(&number) {
+                let words = [
+                    number.to_string().into(),
+                    base.name().into(),
+                    least.to_string().into(),
+                    most.to_string().into(),
+                ];
+                self.builder.tell(Code::StOutOfRange, node.span, words);
+                return None;
+            }
+        }
+        Some(
+            self.builder
+                .tree
+                .types
+                .add_kind(Kind::Range { base, low, high }, 1),
+        )
+    }
+
+    fn array(&mut self, spec: &TypeSpec, bounds: &[(Node, Node)], of: &TypeSpec) -> Option<TypeId> {
+        let mut known = Vec::new();
+        let of = self.spec(of);
+        let mut count = 1_u64;
+        for (low, high) in bounds {
+            let (first, last) = self.bounds(low, high)?;
+            count = count.saturating_mul(u64::try_from(last - first + 1).unwrap_or(u64::MAX));
+            known.push((clamped(first), clamped(last)));
+        }
+        let of = of?;
+        let cells = count.saturating_mul(self.builder.tree.types.get(of).cells.into());
+        if cells > u64::from(MOST_CELLS) {
+            self.told_too_large(spec, cells);
+            return None;
+        }
+        let kind = Kind::Array { bounds: known, of };
+        Some(self.builder.tree.types.add_kind(kind, cells as u32))
+    }
+
+    fn told_too_large(&mut self, spec: &TypeSpec, cells: u64) {
+        let written = self.builder.written(spec.span);
+        let words = [
+            written.into(),
+            cells.to_string().into(),
+            MOST_CELLS.to_string().into(),
+        ];
+        self.builder.tell(Code::StTooLarge, spec.span, words);
+    }
+
+    fn structure(&mut self, spec: &TypeSpec, decls: &[super::super::ast::Decl]) -> Option<TypeId> {
+        let mut members: Vec<Member> = Vec::new();
+        let mut seen = HashSet::new();
+        let mut cells = 0_u64;
+        let mut right = true;
+        for decl in decls {
+            let Some(ty) = self.spec(&decl.spec) else {
+                right = false;
+                continue;
+            };
+            if matches!(decl.spec.kind, SpecKind::Enum(_)) {
+                self.builder.name_values(ty);
+            }
+            for name in &decl.names {
+                if !seen.insert(self.builder.key(&name.text)) {
+                    let text = name.text.as_str().into();
+                    self.builder.tell(Code::StNameTwice, name.span, [text]);
+                    right = false;
+                    continue;
+                }
+                let initial = match &decl.initial {
+                    Some(init) => match self.initial(name, init, ty) {
+                        None => {
+                            right = false;
+                            None
+                        }
+                        initial => initial,
+                    },
+                    None => None,
+                };
+                members.push(Member {
+                    name: name.text.clone(),
+                    ty,
+                    offset: cells.min(MOST_CELLS.into()) as u32,
+                    initial,
+                });
+                cells += u64::from(self.builder.tree.types.get(ty).cells);
+            }
+        }
+        if cells > u64::from(MOST_CELLS) {
+            self.told_too_large(spec, cells);
+            return None;
+        }
+        right.then(|| {
+            self.builder
+                .tree
+                .types
+                .add_kind(Kind::Struct(members), cells as u32)
+        })
+    }
+
+    /// The type of a block's instances, whose declarations are made out first.
+    fn block_type(&mut self, at: usize, used: &Name) -> Option<TypeId> {
+        let (unit, state) = self.units[at];
+        match state {
+            State::Begun => {
+                let name = used.text.as_str().into();
+                let contains = ("contains", "contém").into();
+                self.builder
+                    .tell(Code::StRecursive, used.span, [name, contains]);
+                return None;
+            }
+            State::Not if self.within >= MOST_WITHIN => {
+                self.builder.tell(Code::StTooDeep, used.span, []);
+                return None;
+            }
+            State::Not => self.declare_unit(at),
+            State::Done(_) => {}
+        }
+        let draft = self.builder.draft(unit)?;
+        (draft.unit.kind == UnitKind::Block).then_some(draft.block)
+    }
+}
+
+fn clamped(number: i128) -> i64 {
+    i64::try_from(number).unwrap_or(i64::MAX)
+}

@@ -1,0 +1,170 @@
+//! Units: their variables, in the order in which they need one another.
+
+use super::super::ast::{self, Decl, Name, SpecKind, Vars};
+use super::{Checker, State};
+use crate::diagnostics::Code;
+use crate::typed::build::{Section, Traits, both};
+use crate::typed::{Base, Kind, TypeId, UnitKind};
+
+impl From<ast::Section> for Section {
+    fn from(section: ast::Section) -> Section {
+        match section {
+            ast::Section::Var => Section::Var,
+            ast::Section::Input => Section::Input,
+            ast::Section::Output => Section::Output,
+            ast::Section::InOut => Section::InOut,
+            ast::Section::Temp => Section::Temp,
+            ast::Section::Global => Section::Global,
+            ast::Section::External => Section::External,
+        }
+    }
+}
+
+impl Checker<'_, '_, '_> {
+    /// All that is declared.
+    pub(super) fn declare_all(&mut self) {
+        let file = self.file;
+        for (at, ty) in file.types.iter().enumerate() {
+            let key = self.builder.key(&ty.name.text);
+            self.types.entry(key).or_insert(at);
+        }
+        for (at, unit) in file.units.iter().enumerate() {
+            let number = self
+                .builder
+                .unit(&unit.name.text, unit.kind, unit.name.span);
+            self.units.push((number, State::Not));
+            if unit.kind == UnitKind::Block {
+                let key = self.builder.key(&unit.name.text);
+                self.blocks.entry(key).or_insert(at);
+            }
+        }
+        // Types may be measured by constants, so these come first.
+        let (first, then): (Vec<&Vars>, Vec<&Vars>) =
+            file.globals.iter().partition(|vars| vars.constant);
+        for vars in first {
+            self.section(vars);
+        }
+        for at in 0..file.types.len() {
+            self.declared_type(at, &file.types[at].name);
+        }
+        for vars in then {
+            self.section(vars);
+        }
+        for at in 0..file.units.len() {
+            if self.units[at].1 == State::Not {
+                self.declare_unit(at);
+            }
+        }
+    }
+
+    pub(super) fn declare_unit(&mut self, at: usize) {
+        let declaration = &self.file.units[at];
+        let unit = self.units[at].0;
+        self.units[at].1 = State::Begun;
+        self.within += 1;
+        let before = self.builder.inside();
+        self.builder.enter(unit);
+        if declaration.kind == UnitKind::Function {
+            let name = &declaration.name;
+            match &declaration.result {
+                Some(spec) => {
+                    let ty = self.spec(spec);
+                    self.builder.result(ty.unwrap_or(TypeId::BOOL), name.span);
+                }
+                None => {
+                    self.builder.result(TypeId::of(Base::Bool), name.span);
+                    self.builder.gives();
+                }
+            }
+        }
+        for vars in &declaration.vars {
+            self.section(vars);
+        }
+        self.builder.close(unit);
+        self.builder.go(before);
+        self.within -= 1;
+        self.units[at].1 = State::Done(None);
+    }
+
+    fn section(&mut self, vars: &Vars) {
+        for decl in &vars.decls {
+            self.declare(vars, decl);
+        }
+    }
+
+    fn declare(&mut self, vars: &Vars, decl: &Decl) {
+        let Some(ty) = self.spec(&decl.spec) else {
+            // What is named of it is not told again.
+            for name in &decl.names {
+                self.builder.hide(&name.text);
+            }
+            return;
+        };
+        if matches!(decl.spec.kind, SpecKind::Enum(_)) {
+            self.builder.name_values(ty);
+        }
+        for name in &decl.names {
+            self.declare_one(vars, decl, name, ty);
+        }
+    }
+
+    fn declare_one(&mut self, vars: &Vars, decl: &Decl, name: &Name, ty: TypeId) {
+        let section = Section::from(vars.section);
+        let mut initial = None;
+        if let Some(init) = &decl.initial {
+            initial = self.initial(name, init, ty);
+            if initial.is_none() {
+                self.builder.hide(&name.text);
+                return;
+            }
+        }
+        let point = match &decl.at {
+            Some(address) => {
+                let point = self.builder.address_for(&address.text, ty, address.span);
+                if point.is_none() {
+                    self.builder.hide(&name.text);
+                    return;
+                }
+                point
+            }
+            None => None,
+        };
+        let block = matches!(
+            self.builder.tree.types.kind(ty),
+            Kind::Standard(_) | Kind::Block(_)
+        );
+        if vars.constant && block {
+            let help = both("declare it with VAR", "declare-o com VAR");
+            let what = both(
+                format!("CONSTANT for `{}`", name.text),
+                format!("CONSTANT para `{}`", name.text),
+            );
+            self.builder
+                .tell(Code::StUnsupported, name.span, [what, help]);
+        }
+        let traits = Traits {
+            initial,
+            constant: vars.constant,
+            retain: vars.retain,
+            point,
+        };
+        if self
+            .builder
+            .declare(&name.text, name.span, ty, section, traits)
+            .is_none()
+        {
+            self.builder.hide(&name.text);
+        }
+    }
+
+    /// What each unit does.
+    pub(super) fn bodies(&mut self) {
+        for at in 0..self.file.units.len() {
+            let unit = self.units[at].0;
+            self.builder.enter(unit);
+            let body = self.statements(&self.file.units[at].body);
+            self.builder.body(unit, body);
+            self.builder.leave();
+        }
+    }
+}

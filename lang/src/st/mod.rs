@@ -1,0 +1,38 @@
+//! Structured Text (IEC 61131-3, B.3) and SCL: from a text to the typed tree.
+//!
+//! `lexer` (bytes → words), `literal` (what they are worth), `parser` (words → `ast`), `check` (names and types, by
+//! the builder that all typed languages share). It knows no board and no files, and no text makes it panic.
+
+mod ast;
+mod check;
+pub(crate) mod lexer;
+pub(crate) mod literal;
+mod parser;
+mod words;
+
+use crate::diagnostics::{Code, Found};
+use crate::typed::Tree;
+
+/// How a text is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Dialect {
+    /// IEC 61131-3.
+    #[default]
+    Iec,
+    /// As Siemens writes it: `#name`, `"name"`, BEGIN.
+    Scl,
+}
+
+/// The tree of a text; none where something is wrong, which is told.
+pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<Tree> {
+    let (file, trusted) = parser::parse(text, dialect, found);
+    if let Some(open) = found.place_of(Code::StCommentOpen) {
+        // It swallows the rest; what is missing there follows from it.
+        found.keep(|d| d.code == Code::StCommentOpen && d.span == open);
+        return None;
+    }
+    if !trusted {
+        return None;
+    }
+    check::check(text, &file, found)
+}

@@ -1,0 +1,265 @@
+//! From words to the syntax tree.
+//!
+//! - `unit`: programs, functions, blocks, and what stands around them
+//! - `declare`: variables and types
+//! - `statement`, `expression`: the rest
+//!
+//! It tells what is not written as the grammar has it, once for each place, and goes on behind the statement.
+
+mod declare;
+mod expression;
+mod statement;
+mod unit;
+
+use super::Dialect;
+use super::ast::{File, Name};
+use super::lexer::{Kind, Token, tokens};
+use super::words::{Keyword, meant};
+use crate::diagnostics::{Code, Found, Span, Word};
+use crate::names::near::nearest;
+
+/// Statements and parentheses nest no deeper.
+const MOST_OPEN: u32 = 200;
+/// No part of an expression stands deeper in it.
+const MOST_HIGH: u32 = 300;
+
+/// The tree of a text, and whether its declarations can be trusted.
+pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, bool) {
+    let tokens = tokens(text, dialect, found);
+    let keyword = |token: &Token| match (token.kind, token.meant) {
+        (Kind::Word, Some(meant)) => Keyword::of(meant),
+        (Kind::Word, None) => {
+            let quoted = token.span.start > 0
+                && matches!(
+                    text.as_bytes().get(token.span.start as usize - 1),
+                    Some(b'"' | b'#')
+                );
+            match quoted && dialect == Dialect::Scl {
+                true => Keyword::None,
+                false => Keyword::of(text.get(token.span.range()).unwrap_or_default()),
+            }
+        }
+        _ => Keyword::None,
+    };
+    let keywords = tokens.iter().map(keyword).collect();
+    // A comment that swallows the rest is the one mistake.
+    let dead = found.place_of(Code::StCommentOpen).is_some();
+    let mut parser = Parser {
+        text,
+        tokens,
+        keywords,
+        at: 0,
+        open: 0,
+        closers: Vec::new(),
+        dead,
+        wrong_declarations: false,
+        found,
+    };
+    let file = parser.file();
+    let trusted = !parser.wrong_declarations && !parser.dead;
+    (file, trusted)
+}
+
+struct Parser<'t, 'f> {
+    text: &'t str,
+    tokens: Vec<Token>,
+    keywords: Vec<Keyword>,
+    at: usize,
+    /// How many parentheses and statements are open.
+    open: u32,
+    /// What ends the statements that are open.
+    closers: Vec<Keyword>,
+    /// Nothing more is told: what was told last leaves nothing to be read.
+    dead: bool,
+    /// What is named further on may be what a wrong declaration was to declare.
+    wrong_declarations: bool,
+    found: &'f mut Found,
+}
+
+/// What was not there has been told.
+#[derive(Debug)]
+struct Told;
+
+type Parsed<T> = Result<T, Told>;
+
+impl Parser<'_, '_> {
+    fn token(&self) -> Token {
+        self.ahead(0)
+    }
+
+    fn ahead(&self, by: usize) -> Token {
+        let last = self.tokens.len() - 1;
+        self.tokens[(self.at + by).min(last)]
+    }
+
+    fn kind(&self) -> Kind {
+        self.token().kind
+    }
+
+    fn keyword(&self) -> Keyword {
+        self.keyword_ahead(0)
+    }
+
+    fn keyword_ahead(&self, by: usize) -> Keyword {
+        self.keywords
+            .get(self.at + by)
+            .copied()
+            .unwrap_or(Keyword::None)
+    }
+
+    fn is(&self, kind: Kind) -> bool {
+        self.kind() == kind
+    }
+
+    fn next(&mut self) -> Token {
+        let token = self.token();
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+        token
+    }
+
+    fn accept(&mut self, kind: Kind) -> bool {
+        let is = self.is(kind);
+        if is {
+            self.next();
+        }
+        is
+    }
+
+    fn accept_keyword(&mut self, keyword: Keyword) -> bool {
+        let is = self.keyword() == keyword;
+        if is {
+            self.next();
+        }
+        is
+    }
+
+    fn slice(&self, span: Span) -> &str {
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// The place behind the last word.
+    fn behind(&self) -> Span {
+        match self.at.checked_sub(1).and_then(|at| self.tokens.get(at)) {
+            Some(token) => token.span,
+            None => self.token().span,
+        }
+    }
+
+    fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Word; N]) {
+        if !self.dead {
+            self.found.tell(code, span, words);
+        }
+    }
+
+    /// Tells that something is missing where the parser is.
+    fn missing(&mut self, what: impl Into<Word>, help: impl Into<Word>) -> Told {
+        let token = self.token();
+        if token.kind == Kind::End {
+            self.tell(
+                Code::StExpectedEnd,
+                self.behind(),
+                [what.into(), help.into()],
+            );
+        } else {
+            let written = self.short(token.span);
+            self.tell(
+                Code::StExpected,
+                token.span,
+                [what.into(), written.into(), help.into()],
+            );
+        }
+        Told
+    }
+
+    /// What stands there, short enough for a message.
+    fn short(&self, span: Span) -> String {
+        let text = self.slice(span);
+        match text.char_indices().nth(24) {
+            Some((end, _)) => format!("{}…", &text[..end]),
+            None => text.to_owned(),
+        }
+    }
+
+    /// A sign that must stand here.
+    fn expect(&mut self, kind: Kind, sign: &'static str, help: impl Into<Word>) -> Parsed<Span> {
+        if self.is(kind) {
+            return Ok(self.next().span);
+        }
+        let what = ("a ", "um ");
+        let what = Word::Both(format!("{}`{sign}`", what.0), format!("{}`{sign}`", what.1));
+        Err(self.missing(what, help))
+    }
+
+    /// A keyword that must stand here; one that is written almost so is taken for it.
+    fn expect_keyword(&mut self, keyword: Keyword, help: impl Into<Word>) -> Parsed<Span> {
+        if self.keyword() == keyword {
+            return Ok(self.next().span);
+        }
+        let token = self.token();
+        if token.kind == Kind::Word && self.keyword() == Keyword::None {
+            let written = self.slice(token.span).to_owned();
+            let names = [keyword.name()];
+            let slip = nearest(&written, names.into_iter()).is_some()
+                || meant(&written.to_uppercase()) == keyword;
+            if slip {
+                self.tell(
+                    Code::StOtherWord,
+                    token.span,
+                    [written.into(), keyword.name().into()],
+                );
+                return Ok(self.next().span);
+            }
+        }
+        Err(self.missing(keyword.name(), help))
+    }
+
+    /// A name of somebody's own.
+    fn name(&mut self, what: (&str, &str), help: impl Into<Word>) -> Parsed<Name> {
+        let token = self.token();
+        if token.kind != Kind::Word || token.meant.is_some() {
+            return Err(self.missing(what, help));
+        }
+        if self.keyword() != Keyword::None {
+            let written = self.slice(token.span).to_owned();
+            self.tell(Code::StReserved, token.span, [written.into()]);
+            return Err(Told);
+        }
+        self.next();
+        Ok(self.named(token.span))
+    }
+
+    fn named(&self, span: Span) -> Name {
+        Name {
+            text: self.slice(span).to_owned(),
+            span,
+        }
+    }
+
+    /// Goes one deeper; told where that is too deep, and nothing more is read.
+    fn deeper(&mut self) -> Parsed<()> {
+        self.open += 1;
+        match self.open > MOST_OPEN {
+            true => Err(self.too_deep()),
+            false => Ok(()),
+        }
+    }
+
+    fn too_deep(&mut self) -> Told {
+        let span = self.token().span;
+        self.tell(Code::StTooDeep, span, []);
+        self.dead = true;
+        self.at = self.tokens.len() - 1;
+        Told
+    }
+
+    /// Whether a line ends between the last word and the next one.
+    fn on_new_line(&self) -> bool {
+        let between = Span {
+            start: self.behind().end,
+            end: self.token().span.start,
+        };
+        self.slice(between).contains('\n')
+    }
+}

@@ -1,0 +1,262 @@
+//! Programs, functions and blocks, and what stands around them.
+
+use super::super::ast::{File, Name, Section, SpecKind, TypeSpec, UnitDecl};
+use super::super::lexer::Kind;
+use super::super::words::{Keyword, meant};
+use super::{Parsed, Parser, Told};
+use crate::diagnostics::{Code, Span};
+use crate::typed::UnitKind;
+
+impl Parser<'_, '_> {
+    pub(super) fn file(&mut self) -> File {
+        let mut file = File::default();
+        loop {
+            while self.accept(Kind::Semicolon) {}
+            let token = self.token();
+            let before = self.at;
+            let keyword = match self.keyword() {
+                Keyword::None
+                    if token.kind == Kind::Word
+                        && !matches!(self.ahead(1).kind, Kind::Assign | Kind::Dot | Kind::Open) =>
+                {
+                    let keyword = meant(&self.slice(token.span).to_uppercase());
+                    if keyword.begins_unit() || keyword.is_section() {
+                        self.tell_other_word(token.span, keyword);
+                        let at = self.at;
+                        self.keywords[at] = keyword;
+                    }
+                    keyword
+                }
+                keyword => keyword,
+            };
+            match keyword {
+                _ if token.kind == Kind::End => return file,
+                Keyword::Type => self.types(&mut file.types),
+                Keyword::VarGlobal => {
+                    let vars = self.section();
+                    file.globals.push(vars);
+                }
+                Keyword::Program | Keyword::OrganizationBlock => {
+                    self.unit(UnitKind::Program, &mut file)
+                }
+                Keyword::Function => self.unit(UnitKind::Function, &mut file),
+                Keyword::FunctionBlock => self.unit(UnitKind::Block, &mut file),
+                Keyword::Configuration => self.configuration(&mut file),
+                Keyword::DataBlock => {
+                    let help = (
+                        "declare its variables with VAR_GLOBAL … END_VAR",
+                        "declare as variáveis dele com VAR_GLOBAL … END_VAR",
+                    );
+                    self.tell(
+                        Code::StUnsupported,
+                        token.span,
+                        ["DATA_BLOCK".into(), help.into()],
+                    );
+                    self.dead = true;
+                    return file;
+                }
+                keyword if keyword.ends_unit() => {
+                    let written = self.short(token.span);
+                    let opener = written.to_uppercase().replace("END_", "");
+                    self.tell(
+                        Code::StStrayEnd,
+                        token.span,
+                        [written.into(), opener.into()],
+                    );
+                    self.next();
+                }
+                _ => self.bare(&mut file),
+            }
+            if self.at == before {
+                self.next();
+            }
+        }
+    }
+
+    /// A program without PROGRAM: variables and statements. Behind another unit they stand outside.
+    fn bare(&mut self, file: &mut File) {
+        let start = self.token().span;
+        if !file.units.is_empty() {
+            let written = self.short(start);
+            self.tell(Code::StOutside, start, [written.into()]);
+            while !self.is(Kind::End) && !self.keyword().begins_unit() {
+                self.next();
+            }
+            return;
+        }
+        let name = Name {
+            text: "main".to_owned(),
+            span: start.empty(),
+        };
+        let mut unit = self.inside(UnitKind::Program, name, None, file);
+        // Blocks and functions may stand between.
+        if unit.vars.is_empty() && unit.body.is_empty() {
+            return;
+        }
+        unit.kind = UnitKind::Program;
+        file.units.push(unit);
+    }
+
+    fn unit(&mut self, kind: UnitKind, file: &mut File) {
+        let start = self.token().span;
+        let end = match self.keyword() {
+            Keyword::Program => Keyword::EndProgram,
+            Keyword::OrganizationBlock => Keyword::EndOrganizationBlock,
+            Keyword::Function => Keyword::EndFunction,
+            _ => Keyword::EndFunctionBlock,
+        };
+        self.next();
+        let head = self.head(kind);
+        let (name, result) = match head {
+            Ok(head) => head,
+            Err(Told) => {
+                self.wrong_declarations = true;
+                // What follows is read, so that its mistakes are told in one run too.
+                while !self.on_new_line() && !self.is(Kind::End) {
+                    self.next();
+                }
+                let name = Name {
+                    text: String::new(),
+                    span: start,
+                };
+                (name, None)
+            }
+        };
+        let unit = self.inside(kind, name, result, file);
+        if self.keyword() == end {
+            self.next();
+        } else if self.keyword().ends_unit() {
+            let span = self.token().span;
+            self.tell_other_word(span, end);
+            self.next();
+        } else {
+            let written = self.short(start);
+            self.tell(
+                Code::StNotClosed,
+                start,
+                [written.into(), end.name().into()],
+            );
+        }
+        self.accept(Kind::Semicolon);
+        file.units.push(unit);
+    }
+
+    fn head(&mut self, kind: UnitKind) -> Parsed<(Name, Option<TypeSpec>)> {
+        let help = ("give it a name", "dê um nome a isso");
+        let name = self.name(("a name", "um nome"), help)?;
+        if kind != UnitKind::Function {
+            self.accept(Kind::Semicolon);
+            return Ok((name, None));
+        }
+        if !self.is(Kind::Colon) {
+            let what = (
+                "`:` and the type of the result",
+                "`:` e o tipo do resultado",
+            );
+            let help = (
+                format!("write FUNCTION {} : INT", name.text),
+                format!("escreva FUNCTION {} : INT", name.text),
+            );
+            return Err(self.missing(what, help));
+        }
+        self.next();
+        let spec = self.spec()?;
+        self.accept(Kind::Semicolon);
+        let void =
+            matches!(&spec.kind, SpecKind::Named(name) if name.text.eq_ignore_ascii_case("VOID"));
+        Ok((name, (!void).then_some(spec)))
+    }
+
+    /// Variables and statements of a unit.
+    fn inside(
+        &mut self,
+        kind: UnitKind,
+        name: Name,
+        result: Option<TypeSpec>,
+        file: &mut File,
+    ) -> UnitDecl {
+        let mut vars = Vec::new();
+        loop {
+            while self.accept(Kind::Semicolon) {}
+            let token = self.token();
+            let keyword = match self.keyword() {
+                Keyword::None if token.kind == Kind::Word && self.ahead(1).kind != Kind::Assign => {
+                    let keyword = meant(&self.slice(token.span).to_uppercase());
+                    if keyword.is_section() {
+                        self.tell_other_word(token.span, keyword);
+                        let at = self.at;
+                        self.keywords[at] = keyword;
+                    }
+                    keyword
+                }
+                keyword => keyword,
+            };
+            if keyword.is_section() {
+                let section = self.section();
+                match section.section {
+                    Section::Global => file.globals.push(section),
+                    _ => vars.push(section),
+                }
+            } else if keyword == Keyword::Begin {
+                self.next();
+            } else if keyword == Keyword::None && self.is_title() {
+                while !self.on_new_line() && !self.is(Kind::End) {
+                    self.next();
+                }
+            } else {
+                break;
+            }
+        }
+        let body = self.statements();
+        UnitDecl {
+            kind,
+            name,
+            result,
+            vars,
+            body,
+        }
+    }
+
+    /// `VERSION : 0.1` and `TITLE = …` of SCL.
+    fn is_title(&mut self) -> bool {
+        let token = self.token();
+        let word = self.slice(token.span).to_uppercase();
+        let known = matches!(
+            word.as_str(),
+            "VERSION" | "TITLE" | "AUTHOR" | "NAME" | "FAMILY"
+        );
+        let is = known && matches!(self.ahead(1).kind, Kind::Colon | Kind::Equal);
+        if is {
+            self.next();
+        }
+        is
+    }
+
+    /// Its globals are read, and nothing else of it.
+    fn configuration(&mut self, file: &mut File) {
+        let start = self.next().span;
+        let written = "CONFIGURATION";
+        while !self.is(Kind::End) {
+            if self.accept_keyword(Keyword::EndConfiguration) {
+                self.tell(Code::StPassedOver, start, [written.into()]);
+                return;
+            }
+            if self.keyword() == Keyword::VarGlobal {
+                let vars = self.section();
+                file.globals.push(vars);
+            } else {
+                self.next();
+            }
+        }
+        self.not_closed_word(start);
+    }
+
+    fn not_closed_word(&mut self, start: Span) {
+        let written = self.short(start);
+        self.tell(
+            Code::StNotClosed,
+            start,
+            [written.into(), "END_CONFIGURATION".into()],
+        );
+    }
+}

@@ -1,0 +1,195 @@
+//! The cases of `typed/`: what a text in a typed language is told, and what it does in the interpreter.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use unoclp_lang::run::Machine;
+use unoclp_lang::typed::{Symbol, Tree};
+use unoclp_lang::{Lang, Lines, TextLanguage, check, given};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Cases {
+    case: Vec<Case>,
+}
+
+/// A text, and what comes of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Case {
+    /// What the case shows.
+    name: String,
+    st: Option<String>,
+    scl: Option<String>,
+    /// What is told: the code, the line and the column of each, `ST-110 3:5`.
+    #[serde(default)]
+    told: Vec<String>,
+    /// For each of them, a part of its message or help in English.
+    #[serde(default)]
+    says: Vec<String>,
+    /// Likewise in Portuguese.
+    #[serde(default)]
+    diz: Vec<String>,
+    /// What is set before a scan: `x = 1` before the first, or a list with a value for each scan.
+    #[serde(default)]
+    set: BTreeMap<String, toml::Value>,
+    /// How many scans are made.
+    scans: Option<u64>,
+    /// ms from one scan to the next.
+    #[serde(default)]
+    every: i64,
+    /// Symbols behind the last scan; a list gives those behind each.
+    #[serde(default)]
+    after: BTreeMap<String, toml::Value>,
+    /// The line in which S 04 is set first.
+    fails: Option<u32>,
+}
+
+/// A value of a table as a person writes it.
+fn text(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(text) => text.clone(),
+        toml::Value::Boolean(truth) => truth.to_string().to_uppercase(),
+        other => other.to_string(),
+    }
+}
+
+fn symbol<'t>(tree: &'t Tree, name: &str) -> Result<&'t Symbol, String> {
+    let mut symbols = tree.symbols.iter();
+    let found = symbols.find(|symbol| symbol.name.eq_ignore_ascii_case(name));
+    found.ok_or_else(|| format!("there is no symbol {name}"))
+}
+
+impl Case {
+    fn fault(&self) -> Option<String> {
+        let (source, language) = match (&self.st, &self.scl) {
+            (Some(st), None) => (st, TextLanguage::St),
+            (None, Some(scl)) => (scl, TextLanguage::Scl),
+            _ => return Some("needs one text".to_owned()),
+        };
+        let checked = check(source, language);
+        let lines = Lines::new(source);
+        let told: Vec<String> = checked
+            .diagnostics
+            .iter()
+            .map(|d| {
+                let (line, column) = lines.place(source, d.span.start);
+                format!("{} {line}:{column}", d.code)
+            })
+            .collect();
+        let said = |lang| -> Vec<String> {
+            let one = |d: &unoclp_lang::Diagnostic| [d.message(lang), d.help(lang)].join("; ");
+            checked.diagnostics.iter().map(one).collect()
+        };
+        let (english, portuguese) = (said(Lang::En), said(Lang::Pt));
+        if told != self.told {
+            return Some(format!("told {told:?} {english:#?}, not {:?}", self.told));
+        }
+        let says = self.says.iter().zip(&english);
+        let silent = says
+            .chain(self.diz.iter().zip(&portuguese))
+            .find(|(part, all)| !all.contains(*part));
+        if let Some((part, all)) = silent {
+            return Some(format!("{all:?} does not say {part:?}"));
+        }
+        match &checked.tree {
+            Some(tree) => self.run(tree, source, &lines).err(),
+            None => (!self.after.is_empty()).then(|| "there is no program".to_owned()),
+        }
+    }
+
+    fn run(&self, tree: &Tree, source: &str, lines: &Lines) -> Result<(), String> {
+        let mut machine = Machine::new(tree);
+        for scan in 0..self.scans.unwrap_or(1) {
+            for (name, value) in &self.set {
+                let value = match value {
+                    toml::Value::Array(values) => match values.get(scan as usize) {
+                        Some(value) => text(value),
+                        None => continue,
+                    },
+                    _ if scan > 0 => continue,
+                    value => text(value),
+                };
+                let symbol = symbol(tree, name)?;
+                let (_, base) = machine.value(symbol);
+                let unoclp_lang::typed::Holds::Cell(cell) = symbol.holds else {
+                    continue;
+                };
+                let value = given(&value, base, &symbol.values)
+                    .ok_or(format!("{name} cannot be {value}"))?;
+                machine.set_cell(cell, value);
+            }
+            machine
+                .scan(scan as i64 * self.every)
+                .map_err(|stop| format!("{stop:?}"))?;
+            for (name, values) in &self.after {
+                if let toml::Value::Array(values) = values
+                    && let Some(value) = values.get(scan as usize)
+                {
+                    self.expect(tree, &machine, name, &text(value), Some(scan))?;
+                }
+            }
+        }
+        for (name, value) in &self.after {
+            if !value.is_array() {
+                self.expect(tree, &machine, name, &text(value), None)?;
+            }
+        }
+        let fails = machine.failed().map(|at| lines.place(source, at.start).0);
+        match fails == self.fails {
+            true => Ok(()),
+            false => Err(format!("S 04 was set in line {fails:?}")),
+        }
+    }
+
+    fn expect(
+        &self,
+        tree: &Tree,
+        machine: &Machine<'_>,
+        name: &str,
+        wanted: &str,
+        scan: Option<u64>,
+    ) -> Result<(), String> {
+        let symbol = symbol(tree, name)?;
+        let (value, base) = machine.value(symbol);
+        let shown = match symbol.values.get(value.int() as usize) {
+            Some(name) => name.clone(),
+            None => value.shown(base),
+        };
+        match shown == wanted {
+            true => Ok(()),
+            false => Err(format!("{name} is {shown}, not {wanted} (scan {scan:?})")),
+        }
+    }
+}
+
+/// Each file of cases is run, and what is wrong in any of them is shown.
+#[test]
+fn cases() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
+    let mut paths: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
+    paths.sort();
+    let (mut count, mut wrong) = (0, Vec::new());
+    for path in paths {
+        let text = fs::read_to_string(&path).unwrap();
+        let cases: Cases =
+            toml::from_str(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        for case in cases.case {
+            count += 1;
+            if let Some(fault) = case.fault() {
+                let file = path.file_name().unwrap_or_default().to_string_lossy();
+                wrong.push(format!("{file}: {}: {fault}", case.name));
+            }
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "{} of {count}:\n{}",
+        wrong.len(),
+        wrong.join("\n\n")
+    );
+}
