@@ -35,9 +35,9 @@ macro_rules! st_rows {
         "{2}";
     107 StExpectedEnd Error
         "{0} is missing at the end of the text"
-        "{2}"
+        "{1}"
         "falta {0} no fim do texto"
-        "{2}";
+        "{1}";
     108 StNotClosed Error
         "this {0} has no {1}"
         "write {1}; where the part ends that `{0}` begins"

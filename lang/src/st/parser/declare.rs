@@ -78,10 +78,12 @@ impl Parser<'_, '_> {
             let statement = token.kind == Kind::Word
                 && keyword == Keyword::None
                 && matches!(self.ahead(1).kind, Kind::Assign | Kind::Open);
-            let other = keyword.is_section()
-                || keyword.ends_unit()
-                || keyword.begins_unit()
-                || keyword.begins_statement();
+            let named = matches!(self.ahead(1).kind, Kind::Colon | Kind::Comma);
+            let other = !named
+                && (keyword.is_section()
+                    || keyword.ends_unit()
+                    || keyword.begins_unit()
+                    || keyword.begins_statement());
             if token.kind == Kind::End
                 || statement
                 || other

@@ -155,6 +155,13 @@ impl Parser<'_, '_> {
 
     /// Tells that something is missing where the parser is.
     fn missing(&mut self, what: impl Into<Word>, help: impl Into<Word>) -> Told {
+        let before = self.behind();
+        let quoted = self.slice(before);
+        let closed = quoted.len() >= 2 && quoted.ends_with(['\'', '"']);
+        if quoted.starts_with(['\'', '"']) && !closed {
+            // A text without its end, which has been told, swallows its line.
+            return Told;
+        }
         let token = self.token();
         if token.kind == Kind::End {
             self.tell(
@@ -249,9 +256,14 @@ impl Parser<'_, '_> {
     fn too_deep(&mut self) -> Told {
         let span = self.token().span;
         self.tell(Code::StTooDeep, span, []);
+        self.end_here();
+        Told
+    }
+
+    /// Nothing more is read, nor told.
+    fn end_here(&mut self) {
         self.dead = true;
         self.at = self.tokens.len() - 1;
-        Told
     }
 
     /// Whether a line ends between the last word and the next one.

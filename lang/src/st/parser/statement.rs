@@ -14,10 +14,13 @@ impl Parser<'_, '_> {
         let mut all = Vec::new();
         loop {
             while self.accept(Kind::Semicolon) {}
+            let before = self.at;
             if self.ends_statements() {
                 return all;
             }
-            let before = self.at;
+            if self.at != before {
+                continue;
+            }
             match self.statement() {
                 Ok(Some(statement)) => all.push(statement),
                 Ok(None) => {}
@@ -30,6 +33,7 @@ impl Parser<'_, '_> {
     }
 
     fn ends_statements(&mut self) -> bool {
+        self.take_for_end();
         let keyword = self.keyword();
         if self.is(Kind::End) || keyword.ends_unit() || keyword.begins_unit() {
             return true;
@@ -39,6 +43,29 @@ impl Parser<'_, '_> {
         }
         // Within CASE a label ends what stands before it.
         self.closers.last() == Some(&Keyword::EndCase) && self.is_label()
+    }
+
+    /// Takes `ENDIF` and `ELSEIF` for the words that are meant, where what they end is open.
+    fn take_for_end(&mut self) {
+        let token = self.token();
+        if token.kind != Kind::Word || self.keyword() != Keyword::None {
+            return;
+        }
+        let follows = self.ahead(1).kind;
+        if matches!(follows, Kind::Assign | Kind::Dot | Kind::OpenSquare) {
+            return;
+        }
+        let keyword = meant(&self.slice(token.span).to_uppercase());
+        let open = match keyword {
+            Keyword::Elsif => self.closers.contains(&Keyword::EndIf),
+            keyword if keyword.ends_unit() => true,
+            keyword => keyword.ends_part() && self.closers.contains(&keyword),
+        };
+        if open {
+            self.tell_other_word(token.span, keyword);
+            let at = self.at;
+            self.keywords[at] = keyword;
+        }
     }
 
     /// Whether an END that no open statement waits for stands here; it is told and passed over.
@@ -221,6 +248,7 @@ impl Parser<'_, '_> {
     fn late_section(&mut self, start: Span) -> Parsed<Option<Statement>> {
         let written = self.short(start);
         self.tell(Code::StLateDeclaration, start, [written.into()]);
+        self.wrong_declarations = true;
         while !self.is(Kind::End) && !self.accept_keyword(Keyword::EndVar) {
             self.next();
         }
@@ -387,6 +415,11 @@ impl Parser<'_, '_> {
                 span,
                 [sign.into(), keyword.name().into()],
             );
+            if self.is(Kind::Foreign) {
+                // A text of another language: its } would be told too.
+                self.end_here();
+                return Err(Told);
+            }
             self.next();
             return Ok(condition);
         }
@@ -707,7 +740,7 @@ impl Parser<'_, '_> {
             );
             self.missing(what, help);
             let before = self.at;
-            self.part(Keyword::EndCase);
+            self.recover();
             if self.at == before {
                 self.next();
             }

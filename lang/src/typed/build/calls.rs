@@ -621,7 +621,7 @@ impl Builder<'_, '_> {
             Some(Named::Type(ty))
                 if matches!(self.tree.types.kind(ty), Kind::Standard(_) | Kind::Block(_)) =>
             {
-                let instance = format!("my_{}", name.to_lowercase());
+                let instance = format!("{name}1");
                 self.tell(Code::StTypeCalled, at, [name.into(), instance.into()]);
                 None
             }
@@ -636,7 +636,7 @@ impl Builder<'_, '_> {
             }
             None => {
                 if Standard::named(&name.to_uppercase()).is_some() {
-                    let instance = format!("my_{}", name.to_lowercase());
+                    let instance = format!("{name}1");
                     self.tell(Code::StTypeCalled, at, [name.into(), instance.into()]);
                     return None;
                 }

@@ -313,7 +313,10 @@ impl Builder<'_, '_> {
             return write(format!("{of}_TO_{to}({written})"));
         }
         match (from, to) {
-            (Base::AnyInt, Base::Bool) => write("TRUE".to_owned()),
+            (Base::AnyInt, Base::Bool) => both(
+                format!("write TRUE or FALSE, or compare it with something: x = {written}"),
+                format!("escreva TRUE ou FALSE, ou compare com alguma coisa: x = {written}"),
+            ),
             (_, Base::Bool) if from.is_num() || from.is_bits() => write(format!("{written} <> 0")),
             (Base::AnyInt, Base::Time) => write(format!("T#{written}ms")),
             (Base::AnyReal, _) if to.is_int() => match &expr.kind {

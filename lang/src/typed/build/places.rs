@@ -203,7 +203,17 @@ impl Builder<'_, '_> {
         }
         let Some((offset, ty, locked)) = found else {
             let what = self.tree.types.name(of.ty);
+            let hidden = match &kind {
+                Kind::Block(unit) => self
+                    .draft(*unit)
+                    .is_some_and(|draft| draft.names.contains_key(&key)),
+                _ => false,
+            };
             let help = match names.as_slice() {
+                _ if hidden => both(
+                    format!("{name} is the block's own; declare it with VAR_OUTPUT to read it"),
+                    format!("{name} é do próprio bloco; declare com VAR_OUTPUT para lê-lo"),
+                ),
                 [] => both(
                     format!("it is {what}, which has no parts"),
                     format!("ele é {what}, que não tem partes"),
