@@ -1,4 +1,4 @@
-//! The command line: `unoclp check`, `unoclp compile`, `unoclp list`, `unoclp sim` and `unoclp card` on this PC,
+//! The command line: `unoclp check`, `compile`, `list`, `sim`, `run` and `card` on this PC,
 //! `unoclp upload`, `unoclp monitor` and `unoclp settings` on a board.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
@@ -11,8 +11,8 @@ use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Form, Il, Kind, Leave, Shown, cannot_write, check_written, create, in_portuguese,
-    langs, language, open, read, refuse, running,
+    At, Changes, Form, Il, Kind, Leave, Shown, What, cannot_write, check_written, create,
+    in_portuguese, langs, language, open, read, refuse, running,
 };
 use ratatui::crossterm::terminal;
 use std::env;
@@ -89,6 +89,11 @@ enum Command {
         vcd: Option<PathBuf>,
         #[command(flatten)]
         il: Il,
+    },
+    /// Run a text in a typed language on this PC, and show its variables
+    Run {
+        #[command(flatten)]
+        what: What,
     },
     /// Put a program on a memory card, or on a new image of one
     Card {
@@ -227,6 +232,7 @@ fn main() -> ExitCode {
             (Some(file), None) => simulate(&file, vcd.as_deref(), &il),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
+        Command::Run { what } => commands::run(what),
         Command::Card {
             card,
             file,

@@ -12,6 +12,26 @@ pub enum TextLanguage {
     Scl,
 }
 
+impl TextLanguage {
+    /// Every typed language.
+    pub const ALL: [TextLanguage; 2] = [TextLanguage::St, TextLanguage::Scl];
+
+    /// Its name on a command line: `st`, `scl`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TextLanguage::St => "st",
+            TextLanguage::Scl => "scl",
+        }
+    }
+
+    /// The language with this name.
+    pub fn named(name: &str) -> Option<TextLanguage> {
+        TextLanguage::ALL
+            .into_iter()
+            .find(|language| language.name() == name)
+    }
+}
+
 /// What has come of a text.
 #[derive(Debug)]
 pub struct CheckedText {

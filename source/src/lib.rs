@@ -20,6 +20,7 @@ pub mod messages;
 mod size;
 mod source;
 mod text;
+mod typed;
 pub mod used;
 mod words;
 mod written;
@@ -28,6 +29,7 @@ pub use kept::Kept;
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
 pub use text::{decode, is_il, is_numeric};
+pub use typed::{LanguageName, guess};
 pub use written::{Refused, Written};
 
 use unoclp_core::Profile;

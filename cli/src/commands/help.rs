@@ -26,6 +26,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Simula um programa, à mão neste terminal ou com um cenário",
     ),
     (
+        "run",
+        "Executa neste PC um texto em uma linguagem tipada e mostra as variáveis",
+    ),
+    (
         "card",
         "Grava um programa em um cartão de memória, ou em uma nova imagem de um",
     ),
@@ -46,6 +50,33 @@ const COMMANDS: &[(&str, &str)] = &[
 /// What an argument means: its command, where others have one of the same name; its name; and the words.
 const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("compile", "file", "O programa em Lista de Instruções"),
+    (
+        "run",
+        "file",
+        "O texto do programa; - o lê da entrada padrão",
+    ),
+    ("run", "text", "O próprio programa, em vez de um arquivo"),
+    (
+        "run",
+        "language",
+        "A linguagem do texto; sem isto, o que o nome e as palavras indicam",
+    ),
+    (
+        "run",
+        "scans",
+        "Quantas vezes o programa é executado [padrão: 1]",
+    ),
+    (
+        "run",
+        "every",
+        "Quanto depois da anterior começa cada varredura, em ms [padrão: 1]",
+    ),
+    (
+        "run",
+        "set",
+        "Define uma variável antes da primeira varredura, como uma entrada",
+    ),
+    ("run", "json", "Mostra tudo como um objeto em JSON"),
     (
         "sim",
         "file",
@@ -170,6 +201,9 @@ const VALUES: &[(&str, &str)] = &[
     ("DIALECT", "DIALETO"),
     ("FORM", "FORMA"),
     ("LANG", "IDIOMA"),
+    ("TEXT", "TEXTO"),
+    ("LANGUAGE", "LINGUAGEM"),
+    ("NAME=VALUE", "NOME=VALOR"),
     ("WHAT", "ITENS"),
     ("SECONDS", "SEGUNDOS"),
     ("OUT.svg", "DESENHO.svg"),

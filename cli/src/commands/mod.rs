@@ -5,6 +5,7 @@
 //! - `compile`, `card`: from Instruction List to numeric code, and onto a card
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`: Ctrl-C
+//! - `run`: a text in a typed language, on this PC
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 
 /// Says a line, if anybody reads it: a board is not left half done because nobody does.
@@ -23,6 +24,7 @@ mod monitor;
 mod open;
 mod output;
 mod refuse;
+mod run;
 mod settings;
 mod upload;
 mod words;
@@ -34,6 +36,7 @@ pub use monitor::monitor;
 pub use open::{Il, Shown, check, check_written, langs, language, open, read, running};
 pub use output::{Kind, cannot_write, create};
 pub use refuse::refuse;
+pub use run::{What, run};
 pub use settings::{Changes, settings};
 pub use upload::{Leave, upload};
 pub use words::Form;

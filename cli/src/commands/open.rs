@@ -119,7 +119,7 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
 }
 
 /// How many errors there are; of a text with more than are listed nothing is counted.
-fn count(told: &Told) -> String {
+pub(super) fn count(told: &Told) -> String {
     let errors = told.iter();
     let errors = errors.filter(|d| d.severity() == Severity::Error).count();
     match errors {

@@ -17,6 +17,36 @@ unoclp_source::messages! {
     is_compiled(file)
         "{file} is what is compiled; name another file with -o"
         "{file} é o que se compila; indique outro arquivo com -o";
+    nothing_to_run()
+        "say what to run: a file, - for standard input, or --text \"…\""
+        "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
+    not_run(language)
+        "run does not read {language}; it reads Structured Text (.st, .scl). Say --language st if the text is that"
+        "run não lê {language}; lê Texto Estruturado (.st, .scl). Indique --language st se o texto for isso";
+    the_text() "the text" "o texto";
+    the_input() "standard input" "entrada padrão";
+    set_form(given)
+        "--set takes NAME=VALUE, like --set start=TRUE; {given} has no ="
+        "--set recebe NOME=VALOR, como --set liga=TRUE; {given} não tem =";
+    no_variable(name, names)
+        "the program has no variable {name}; it has {names}"
+        "o programa não tem a variável {name}; ele tem {names}";
+    no_value(written, name, type_name)
+        "{written} is no value for {name}, which is {type_name}"
+        "{written} não é um valor para {name}, que é {type_name}";
+    scan_endless(place, steps)
+        "{place}: this scan does not end: it was stopped here after {steps} steps. Does the condition of the loop ever change?"
+        "{place}: esta varredura não termina: parou aqui depois de {steps} passos. A condição do laço muda alguma vez?";
+    calls_too_deep(place)
+        "{place}: calls go too deep here; take the expression apart"
+        "{place}: as chamadas vão fundo demais aqui; divida a expressão";
+    not_computed(place)
+        "{place}: here a value could not be computed, and S 04 was set: a division by 0, a number that does not fit, or a subscript outside"
+        "{place}: aqui um valor não pôde ser calculado e S 04 foi ligado: divisão por 0, número que não cabe ou índice fora da faixa";
+    symbol_name() "name" "nome";
+    symbol_type() "type" "tipo";
+    symbol_value() "value" "valor";
+    symbol_place() "place" "lugar";
     is_something_else(file, kind)
         "{file} is there already, and is not {kind}; it is left as it is. Name another file, or delete it"
         "{file} já existe e não é {kind}; ficou como estava. Indique outro arquivo ou apague-o";

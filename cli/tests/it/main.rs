@@ -17,6 +17,7 @@ mod portuguese;
 #[cfg(unix)]
 mod pty;
 mod readme;
+mod run;
 mod source_map;
 mod texts;
 mod tutorial;

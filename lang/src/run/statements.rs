@@ -129,6 +129,8 @@ impl Machine<'_> {
             StmtKind::Print(name, expr) => {
                 let value = self.evaluate(expr, frame)?;
                 let value = ops::narrow(expr.base, value);
+                // What is printed is kept, so it counts for more than other steps.
+                self.steps += 100;
                 self.printed.push(Printed {
                     name: name.clone(),
                     value,

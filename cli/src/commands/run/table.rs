@@ -1,0 +1,58 @@
+//! What a run has come to, for a person: what was printed, and the symbols in columns.
+
+use super::{Ran, written};
+use unoclp_cli::messages;
+use unoclp_lang::run::Printed;
+use unoclp_lang::typed::Value;
+
+/// What was printed, a line for each.
+pub(super) fn lines(all: &[Printed]) -> String {
+    let mut text = String::new();
+    for printed in all {
+        let shown = match &printed.value {
+            Value::Text(text) => text.clone(),
+            value => value.shown(printed.base),
+        };
+        text += &format!("{shown}\n");
+    }
+    text
+}
+
+/// The symbols in columns.
+pub(super) fn table(ran: &Ran<'_>) -> String {
+    let mut text = String::new();
+    if ran.symbols.is_empty() {
+        return text;
+    }
+    let heads = [
+        messages::symbol_name(),
+        messages::symbol_type(),
+        messages::symbol_value(),
+        messages::symbol_place(),
+    ];
+    let mut rows = vec![heads];
+    for (symbol, value, base) in &ran.symbols {
+        let shown = written(symbol, value, *base);
+        rows.push([
+            symbol.name.clone(),
+            symbol.type_name.clone(),
+            shown,
+            "-".to_owned(),
+        ]);
+    }
+    let mut widths = [0; 4];
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    for row in &rows {
+        let cells = row.iter().zip(widths);
+        let line: String = cells
+            .map(|(cell, width)| format!("{cell:width$}  "))
+            .collect();
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}

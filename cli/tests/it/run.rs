@@ -1,0 +1,166 @@
+//! `unoclp run`: texts in typed languages on this PC.
+
+use crate::common::{file, outcome, outcome_in};
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const SQUARES: &str = "VAR s, i : INT; END_VAR\nFOR i := 1 TO 10 DO s := s + i * i; END_FOR;\n";
+
+#[test]
+fn a_file_runs_once_and_shows_its_symbols() {
+    let program = file("squares.st", SQUARES);
+    let table = "name  type  value  place\ns     INT   385    -\ni     INT   11     -\n";
+    assert_eq!(
+        outcome(&["run", &program]),
+        (0, table.to_owned(), String::new())
+    );
+    let (code, out, _) = outcome_in(&["run", &program], "pt_BR.UTF-8");
+    assert_eq!(
+        (code, out.lines().next()),
+        (0, Some("nome  tipo  valor  lugar"))
+    );
+}
+
+#[test]
+fn json_is_one_object() {
+    let text = "VAR s : INT := 385; b : BOOL := TRUE; t : TIME := T#1s; r : REAL := 2.5; d : DATE; END_VAR s := s;";
+    let (code, out, err) = outcome(&["run", "--json", "--text", text]);
+    let expected = concat!(
+        r#"{"scans": 1, "printed": [], "symbols": ["#,
+        r#"{"name": "s", "type": "INT", "value": 385, "place": null}, "#,
+        r#"{"name": "b", "type": "BOOL", "value": true, "place": null}, "#,
+        r#"{"name": "t", "type": "TIME", "value": 1000, "place": null}, "#,
+        r#"{"name": "r", "type": "REAL", "value": 2.5, "place": null}, "#,
+        r#"{"name": "d", "type": "DATE", "value": "D#1970-01-01", "place": null}]}"#,
+        "\n"
+    );
+    assert_eq!((code, out.as_str(), err.as_str()), (0, expected, ""));
+}
+
+#[test]
+fn standard_input_is_read() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+        .args(["run", "-"])
+        .env("LC_ALL", "C")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(SQUARES.as_bytes())
+        .unwrap();
+    let output = child.wait_with_output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("s     INT   385"), "{text}");
+}
+
+#[test]
+fn inputs_are_set_and_scans_are_counted() {
+    let text = "VAR t : TON; go : BOOL; n : INT; END_VAR t(IN := go, PT := T#20ms); IF t.Q THEN n := n + 1; END_IF;";
+    let arguments = [
+        "run", "--text", text, "--scans", "5", "--every", "10", "--set", "go=true", "--set",
+        "N = 7",
+    ];
+    let (code, out, err) = outcome(&arguments);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("\nn     INT   10 "), "{out}");
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_place() {
+    let (code, out, err) = outcome(&["run", "--text", "VAR x : INT; END_VAR x := y;"]);
+    assert_eq!((code, err.as_str()), (1, ""));
+    assert!(
+        out.starts_with("error[ST-130]: nothing declares `y`\n --> the text:1:27\n"),
+        "{out}"
+    );
+    assert!(
+        out.ends_with("the text: 1 error; there is no program\n"),
+        "{out}"
+    );
+    let (code, out, err) = outcome(&["run", "--json", "--text", "x := ;"]);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.starts_with("error[ST-106]"), "{err}");
+}
+
+#[test]
+fn a_loop_without_end_is_stopped() {
+    let text = "VAR x : INT; END_VAR\nWHILE TRUE DO x := x + 1; END_WHILE;";
+    for (lang, told) in [
+        (
+            "C",
+            "the text:2:1: this scan does not end: it was stopped here after 20000000 steps. ",
+        ),
+        (
+            "pt_BR",
+            "o texto:2:1: esta varredura não termina: parou aqui depois de 20000000 passos. ",
+        ),
+    ] {
+        let (code, out, err) = outcome_in(&["run", "--text", text], lang);
+        assert_eq!((code, out.as_str()), (1, ""));
+        assert!(err.starts_with(told), "{err}");
+    }
+}
+
+#[test]
+fn what_cannot_be_run_is_exit_code_2() {
+    for (arguments, told) in [
+        (
+            vec!["run"],
+            "error: say what to run: a file, - for standard input, or --text \"…\"\n",
+        ),
+        (vec!["run", "no.st"], "error: no.st cannot be read ("),
+        (
+            vec!["run", "--text", "x := 1;", "--language", "basic"],
+            "error: invalid value 'basic'",
+        ),
+        (
+            vec![
+                "run",
+                "--text",
+                "VAR x : INT; END_VAR x := 1;",
+                "--set",
+                "x",
+            ],
+            "error: --set takes NAME=VALUE",
+        ),
+        (
+            vec![
+                "run",
+                "--text",
+                "VAR x : INT; END_VAR x := 1;",
+                "--set",
+                "y=1",
+            ],
+            "error: the program has no variable y; it has x\n",
+        ),
+        (
+            vec![
+                "run",
+                "--text",
+                "VAR x : INT; END_VAR x := 1;",
+                "--set",
+                "x=1.5",
+            ],
+            "error: 1.5 is no value for x, which is INT\n",
+        ),
+    ] {
+        let (code, out, err) = outcome(&arguments);
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments:?}");
+        assert!(err.starts_with(told), "{arguments:?}: {err}");
+    }
+}
+
+#[test]
+fn a_value_that_cannot_be_computed_is_told() {
+    let (code, out, err) = outcome(&["run", "--text", "VAR x, y : INT; END_VAR x := 1 / y;"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("x     INT   0"), "{out}");
+    assert!(
+        err.contains(":1:30: here a value could not be computed, and S 04 was set"),
+        "{err}"
+    );
+}
