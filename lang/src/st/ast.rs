@@ -73,18 +73,22 @@ pub(super) enum StatementKind {
     Call(Path, Vec<Arg>),
     If(Vec<(Node, Vec<Statement>)>, Vec<Statement>),
     Case(Node, Vec<Arm>, Vec<Statement>),
-    For {
-        variable: Path,
-        from: Node,
-        to: Node,
-        by: Option<Node>,
-        body: Vec<Statement>,
-    },
+    For(Box<Counting>),
     While(Node, Vec<Statement>),
     Repeat(Vec<Statement>, Node),
     Exit,
     Continue,
     Return,
+}
+
+/// FOR.
+#[derive(Debug)]
+pub(super) struct Counting {
+    pub variable: Path,
+    pub from: Node,
+    pub to: Node,
+    pub by: Option<Node>,
+    pub body: Vec<Statement>,
 }
 
 /// An arm of CASE.

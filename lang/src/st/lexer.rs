@@ -354,11 +354,12 @@ impl Lexer<'_, '_> {
 
     /// Skips `{attribute 'x'}`, `{ S7_Optimized_Access := 'TRUE' }`: braces on one line that begin with such a word.
     fn is_pragma(&mut self) -> bool {
-        let line = self.rest().lines().next().unwrap_or_default();
-        let Some(end) = line.find('}').filter(|end| *end < 400) else {
+        let line = self.bytes.get(self.at..).unwrap_or_default();
+        let line = line.iter().take(400).take_while(|byte| **byte != b'\n');
+        let Some(end) = line.into_iter().position(|byte| *byte == b'}') else {
             return false;
         };
-        let words = line.get(1..end).unwrap_or_default().trim_start();
+        let words = self.rest().get(1..end).unwrap_or_default().trim_start();
         let known = [
             "attribute",
             "region",

@@ -43,8 +43,8 @@ pub use base::{Base, Generic, Width};
 pub(crate) use ops::given as convert_given;
 pub use standard::{Part, Role, Standard};
 pub use tree::{
-    Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input, Output,
-    Place, Point, Root, Stmt, StmtKind, Store, Symbol, Tree, Unary, Unit, UnitKind,
+    Arm, Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input,
+    Output, Place, Point, Root, Stmt, StmtKind, Store, Symbol, Tree, Unary, Unit, UnitKind,
 };
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};

@@ -400,7 +400,7 @@ pub enum StmtKind {
     /// The first arm whose condition holds, or what is behind ELSE.
     If(Vec<(Expr, Vec<Stmt>)>, Vec<Stmt>),
     /// The arm that has the number between two of its bounds, or what is behind ELSE.
-    Case(Expr, Vec<(Vec<(i128, i128)>, Vec<Stmt>)>, Vec<Stmt>),
+    Case(Expr, Vec<Arm>, Vec<Stmt>),
     /// While the condition holds.
     While(Expr, Vec<Stmt>),
     /// At least once, until the condition holds.
@@ -423,6 +423,9 @@ pub enum StmtKind {
     /// itself, in no other statement.
     Jump(Option<Expr>, u32),
 }
+
+/// An arm of CASE: the first and the last number of each of its ranges, and what is done.
+pub type Arm = (Vec<(i128, i128)>, Vec<Stmt>);
 
 /// A loop that counts. The three expressions are computed once; a step of 0 does nothing, and sets S 04.
 #[derive(Clone, Debug)]

@@ -13,4 +13,5 @@ mod random_programs;
 mod round_trip;
 mod twins;
 mod typed;
+mod typed_any_text;
 mod words;

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::super::ast::{Arm, Node, NodeKind, Path, Statement, StatementKind};
+use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, StatementKind};
 use super::Checker;
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::Named;
@@ -58,14 +58,8 @@ impl Checker<'_, '_, '_> {
                 self.builder.end_loop(None);
                 StmtKind::Repeat(body, self.condition(until))
             }
-            StatementKind::For {
-                variable,
-                from,
-                to,
-                by,
-                body,
-            } => {
-                let Some(kind) = self.counting(variable, [from, to], by.as_ref(), body, at) else {
+            StatementKind::For(counting) => {
+                let Some(kind) = self.counting(counting, at) else {
                     return;
                 };
                 kind
@@ -175,17 +169,17 @@ impl Checker<'_, '_, '_> {
         StmtKind::Case(selector, made, self.statements(otherwise))
     }
 
-    fn counting(
-        &mut self,
-        variable: &Path,
-        [from, to]: [&Node; 2],
-        by: Option<&Node>,
-        body: &[Statement],
-        at: Span,
-    ) -> Option<StmtKind> {
+    fn counting(&mut self, counting: &Counting, at: Span) -> Option<StmtKind> {
+        let Counting {
+            variable,
+            from,
+            to,
+            by,
+            body,
+        } = counting;
         let target = self.target(variable);
         let (from, to) = (self.expr(from, None), self.expr(to, None));
-        let by = by.map(|by| self.expr(by, None));
+        let by = by.as_ref().map(|by| self.expr(by, None));
         let head = self.builder.counting(target, from, to, by, at);
         let counter = head
             .as_ref()

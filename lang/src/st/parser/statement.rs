@@ -1,6 +1,6 @@
 //! Statements, and how the parser goes on behind one that is wrong.
 
-use super::super::ast::{Arm, Node, NodeKind, Path, Statement, StatementKind};
+use super::super::ast::{Arm, Counting, Node, NodeKind, Path, Statement, StatementKind};
 use super::super::lexer::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
@@ -459,7 +459,7 @@ impl Parser<'_, '_> {
                 Err(Told) => (self.wrong_node(start), true),
             };
             if failed {
-                self.to_part();
+                self.seek_part();
             }
             let body = self.part(Keyword::EndIf);
             arms.push((node, body));
@@ -555,7 +555,7 @@ impl Parser<'_, '_> {
     }
 
     /// Behind a head that is wrong, to where its statements begin: its line ends, or THEN, DO, OF stand.
-    fn to_part(&mut self) {
+    fn seek_part(&mut self) {
         while !self.is(Kind::End) {
             let keyword = self.keyword();
             if matches!(keyword, Keyword::Then | Keyword::Do | Keyword::Of) {
@@ -582,7 +582,7 @@ impl Parser<'_, '_> {
         let condition = match self.condition(Keyword::Do, help) {
             Ok(condition) => condition,
             Err(Told) => {
-                self.to_part();
+                self.seek_part();
                 self.wrong_node(start)
             }
         };
@@ -616,7 +616,7 @@ impl Parser<'_, '_> {
         let until = match read {
             Ok(until) => until,
             Err(Told) => {
-                self.to_part();
+                self.seek_part();
                 self.wrong_node(start)
             }
         };
@@ -631,20 +631,20 @@ impl Parser<'_, '_> {
         self.next();
         let head = self.for_head();
         if head.is_err() {
-            self.to_part();
+            self.seek_part();
         }
         let body = self.part(Keyword::EndFor);
         if !self.accept_keyword(Keyword::EndFor) {
             self.not_closed(start, Keyword::EndFor);
         }
         let (variable, from, to, by) = head?;
-        Ok(StatementKind::For {
+        Ok(StatementKind::For(Box::new(Counting {
             variable,
             from,
             to,
             by,
             body,
-        })
+        })))
     }
 
     fn for_head(&mut self) -> Parsed<(Path, Node, Node, Option<Node>)> {
@@ -696,7 +696,7 @@ impl Parser<'_, '_> {
         let selector = match selector {
             Ok(selector) => selector,
             Err(Told) => {
-                self.to_part();
+                self.seek_part();
                 self.wrong_node(start)
             }
         };
@@ -707,7 +707,7 @@ impl Parser<'_, '_> {
                 match self.arm() {
                     Ok(arm) => arms.push(arm),
                     Err(Told) => {
-                        self.to_part();
+                        self.seek_part();
                         self.part(Keyword::EndCase);
                     }
                 }

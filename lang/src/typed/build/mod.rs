@@ -57,7 +57,7 @@ use declare::Variable;
 use std::collections::{HashMap, HashSet};
 
 /// More cells than this no program has; the board has room for fewer than a hundred.
-pub(crate) const MOST_CELLS: u32 = 100_000;
+pub(crate) const MOST_CELLS: u32 = 250_000;
 
 /// Calls stand in calls no deeper.
 const MOST_CALLS: u32 = 60;
@@ -360,7 +360,8 @@ impl<'t, 'f> Builder<'t, 'f> {
         let here = self.current.and_then(|unit| self.drafts.get(unit));
         let own = here.into_iter().flat_map(|draft| draft.unit_names());
         let globals = self.globals.keys().map(String::as_str);
-        let known = functions::names().map(|name| &name[..]);
+        // For no longer than the names of the text live.
+        let known = functions::names().map(shorter);
         match nearest(name, own.chain(globals).chain(known)) {
             Some(near) => {
                 let near = self.spelt(near);
@@ -460,6 +461,11 @@ impl<'t, 'f> Builder<'t, 'f> {
             }
         }
     }
+}
+
+/// The same for a shorter time.
+fn shorter<'n>(name: &'static str) -> &'n str {
+    name
 }
 
 impl Draft {
