@@ -63,7 +63,14 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "README.pt-BR.md".to_owned(),
         prose(&read("README.pt-BR.md")),
     )];
-    for page in ["faults", "il-diagnostics", "instruction-list", "tutorial"] {
+    for page in [
+        "faults",
+        "il-diagnostics",
+        "instruction-list",
+        "st-diagnostics",
+        "structured-text",
+        "tutorial",
+    ] {
         let name = format!("docs/{page}.pt-BR.md");
         texts.push((name.clone(), prose(&read(&name))));
     }
