@@ -218,7 +218,7 @@ impl Base {
             return Some(self);
         }
         // LINT and LREAL are not taken unasked: the board has neither.
-        let both = [Base::Int, Base::Dint];
+        let both = [Base::Int, Base::Dint, Base::Real];
         both.into_iter()
             .find(|&base| self.widens_to(base) && other.widens_to(base))
     }

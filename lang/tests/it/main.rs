@@ -14,4 +14,5 @@ mod round_trip;
 mod twins;
 mod typed;
 mod typed_any_text;
+mod typed_pages;
 mod words;
