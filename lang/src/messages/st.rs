@@ -316,7 +316,7 @@ macro_rules! st_rows {
     180 StTypeCalled Error
         "{0} is a type of function blocks; what is called is an instance"
         "declare one, {1} : {0}; and call it: {1}(…);"
-        "{0} é um tipo de bloco funcional; o que se chama é uma instância"
+        "{0} é um tipo de bloco de funções; o que se chama é uma instância"
         "declare uma, {1} : {0}; e chame-a: {1}(…);";
     181 StStateless Error
         "a function keeps nothing from one call to the next, so `{0}` cannot stand in it"

@@ -31,6 +31,11 @@ pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<T
         found.keep(|d| d.code == Code::StCommentOpen && d.span == open);
         return None;
     }
+    if let Some(stray) = found.place_of(Code::StStray) {
+        // What a sign that means nothing stands for is not known, and what is told behind it may follow from that.
+        found.keep(|d| d.code == Code::StStray || d.span.start < stray.start);
+        return None;
+    }
     if !trusted {
         return None;
     }

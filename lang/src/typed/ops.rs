@@ -93,6 +93,11 @@ pub fn binary(op: Binary, base: Base, a: &Value, b: &Value) -> Outcome {
         return of_reals(op, base, a.real(), b);
     }
     let (x, y) = (a.int(), b.int());
+    if base == Base::AnyInt
+        && let Some(outcome) = exactly(op, x, y)
+    {
+        return outcome;
+    }
     match op {
         Binary::Add => int(base, x.wrapping_add(y)),
         Binary::Subtract => int(base, x.wrapping_sub(y)),
@@ -116,6 +121,18 @@ pub fn binary(op: Binary, base: Base, a: &Value, b: &Value) -> Outcome {
         Binary::DtMinusDt => as_time((x - y) * 1000),
         Binary::DateMinusDate => as_time((x - y) * 86_400_000),
     }
+}
+
+/// Numbers of a text, which do not wrap.
+fn exactly(op: Binary, x: i128, y: i128) -> Option<Outcome> {
+    let number = match op {
+        Binary::Add => x.checked_add(y),
+        Binary::Subtract => x.checked_sub(y),
+        Binary::Multiply => x.checked_mul(y),
+        Binary::Power => u32::try_from(y).ok().and_then(|y| x.checked_pow(y)),
+        _ => return None,
+    };
+    Some(number.map_or(FAILED, |number| (Value::Int(number), false)))
 }
 
 fn as_time(ms: i128) -> Outcome {

@@ -167,6 +167,22 @@ impl Types {
         self.base(id).is_some()
     }
 
+    /// With what variables of this type begin: as the type it stands for says, and then as itself does.
+    pub fn initials(&self, id: TypeId) -> Vec<Arc<Initial>> {
+        let mut all = Vec::new();
+        let mut id = id;
+        loop {
+            let ty = self.get(id);
+            all.extend(ty.initial.clone());
+            match ty.alias.filter(|of| of.0 < id.0) {
+                Some(of) => id = of,
+                None => break,
+            }
+        }
+        all.reverse();
+        all
+    }
+
     /// The type behind other names.
     pub fn strip(&self, id: TypeId) -> TypeId {
         // An alias is added behind what it stands for, so this ends.

@@ -15,4 +15,5 @@ mod twins;
 mod typed;
 mod typed_any_text;
 mod typed_pages;
+mod typed_slips;
 mod words;

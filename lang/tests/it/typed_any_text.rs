@@ -12,7 +12,7 @@ const MEGABYTE: usize = 1 << 20;
 /// Each shape as deep or as long as it is asked for.
 type Shape = fn(usize) -> String;
 
-const SHAPES: [(&str, Shape); 26] = [
+const SHAPES: [(&str, Shape); 31] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -88,6 +88,15 @@ const SHAPES: [(&str, Shape); 26] = [
     ("times in a sum", |n| {
         format!("VAR t : TIME; END_VAR t := t{};", " + T#1s".repeat(n))
     }),
+    ("declarations without VAR", |n| "x : INT;\n".repeat(n)),
+    ("units without their words", |n| {
+        "Scale : REAL VAR_INPUT x : INT; END_VAR\n".repeat(n)
+    }),
+    ("THEN alone", |n| "x THEN y := 1;\n".repeat(n)),
+    ("END_VAR alone", |n| "END_VAR ".repeat(n)),
+    ("ELSE IF in IF", |n| {
+        "IF x THEN y := 1; ELSE IF x THEN y := 2; END_IF;\n".repeat(n)
+    }),
     ("braces", |n| "IF x { y++; } ".repeat(n)),
 ];
 
@@ -116,6 +125,10 @@ fn a_hundred_thousand_of_anything_is_one_diagnostic_or_few() {
                 | "types in a row"
                 | "blocks in blocks"
                 | "functions in functions"
+                | "units without their words"
+                | "THEN alone"
+                | "END_VAR alone"
+                | "ELSE IF in IF"
         );
         assert!(
             few || errors.count() <= 2,

@@ -77,7 +77,11 @@ impl Checker<'_, '_, '_> {
 
     /// `Color#Red`
     fn value_of(&mut self, ty: &Name, value: &Name, at: Span) -> Expr {
-        let Some(Named::Type(id)) = self.builder.find(&ty.text).cloned() else {
+        let Some(id) = self.builder.find_type(&ty.text) else {
+            if self.types.contains_key(&self.builder.key(&ty.text)) {
+                // Its declaration is wrong, which has been told.
+                return self.builder.wrong(at);
+            }
             let help = both(
                 "write a type of the norm, T#, D#, or the name of an enumeration before #",
                 "escreva antes de # um tipo da norma, T#, D#, ou o nome de uma enumeração",

@@ -74,7 +74,7 @@ fn is_program(text: &str, file: &File, found: &mut Found) -> bool {
     let why: Word = match (file.units.is_empty(), file.globals.is_empty()) {
         (false, _) => (
             "functions and function blocks do nothing until a program calls them",
-            "funções e blocos funcionais não fazem nada até que um programa os chame",
+            "funções e blocos de funções não fazem nada até que um programa os chame",
         )
             .into(),
         (true, false) => (

@@ -114,7 +114,7 @@ impl Checker<'_, '_, '_> {
     ) {
         let name = &path.name;
         if path.parts.is_empty() {
-            if self.calls_itself(name) {
+            if self.builder.is_hidden(&name.text) || self.calls_itself(name) {
                 return;
             }
             match self.builder.find(&name.text).cloned() {

@@ -109,6 +109,14 @@ impl Checker<'_, '_, '_> {
         self.type_states[at] = State::Begun;
         let ty = self.make_type(at, used);
         self.type_states[at] = State::Done(ty);
+        if let (None, SpecKind::Enum(names)) = (ty, &self.file.types[at].spec.kind) {
+            let before = self.builder.inside();
+            self.builder.leave();
+            for name in names {
+                self.builder.hide(&name.text);
+            }
+            self.builder.go(before);
+        }
         ty
     }
 
@@ -124,8 +132,8 @@ impl Checker<'_, '_, '_> {
         let of = of?;
         let plain = self.builder.tree.types.get(of).clone();
         let initial = match &declaration.initial {
-            Some(init) => Some(self.initial(&declaration.name, init, of)?),
-            None => plain.initial,
+            Some(init) => self.initial(&declaration.name, init, of),
+            None => None,
         };
         let ty = self.builder.tree.types.add(Type {
             name: Some(declaration.name.text.clone()),

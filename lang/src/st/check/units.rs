@@ -67,10 +67,13 @@ impl Checker<'_, '_, '_> {
         if declaration.kind == UnitKind::Function {
             let name = &declaration.name;
             match &declaration.result {
-                Some(spec) => {
-                    let ty = self.spec(spec);
-                    self.builder.result(ty.unwrap_or(TypeId::BOOL), name.span);
-                }
+                Some(spec) => match self.spec(spec) {
+                    Some(ty) => self.builder.result(ty, name.span),
+                    None => {
+                        self.builder.hide(&name.text);
+                        self.builder.gives();
+                    }
+                },
                 None => {
                     self.builder.result(TypeId::of(Base::Bool), name.span);
                     self.builder.gives();
@@ -113,10 +116,6 @@ impl Checker<'_, '_, '_> {
         let mut initial = None;
         if let Some(init) = &decl.initial {
             initial = self.initial(name, init, ty);
-            if initial.is_none() {
-                self.builder.hide(&name.text);
-                return;
-            }
         }
         let point = match &decl.at {
             Some(address) => {

@@ -53,6 +53,8 @@ pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, b
         closers: Vec::new(),
         dead,
         wrong_declarations: false,
+        late: false,
+        headless: false,
         found,
     };
     let file = parser.file();
@@ -73,6 +75,10 @@ struct Parser<'t, 'f> {
     dead: bool,
     /// What is named further on may be what a wrong declaration was to declare.
     wrong_declarations: bool,
+    /// In this unit a declaration behind statements has been told.
+    late: bool,
+    /// Declarations without VAR and END_VAR have been told.
+    headless: bool,
     found: &'f mut Found,
 }
 

@@ -105,10 +105,19 @@ impl Parser<'_, '_> {
 
     /// Goes behind the statement that is wrong.
     fn recover(&mut self) {
+        let start = self.at;
         let mut open = 0_u32;
         while !self.is(Kind::End) {
             let keyword = self.keyword();
             if keyword.ends_unit() || keyword.begins_unit() || keyword.is_section() {
+                return;
+            }
+            if matches!(keyword, Keyword::Then | Keyword::Do | Keyword::Of) {
+                let first = self.at == start;
+                self.next();
+                if !first {
+                    self.skip_block();
+                }
                 return;
             }
             if open == 0 && self.is(Kind::Semicolon) {
@@ -226,7 +235,7 @@ impl Parser<'_, '_> {
             return Keyword::None;
         }
         let keyword = meant(&self.slice(token.span).to_uppercase());
-        if keyword != Keyword::None && follows != Kind::Open {
+        if keyword.begins_statement() && follows != Kind::Open {
             self.tell_other_word(token.span, keyword);
             let at = self.at;
             self.keywords[at] = keyword;
@@ -247,7 +256,10 @@ impl Parser<'_, '_> {
     /// Variables that are declared behind statements.
     fn late_section(&mut self, start: Span) -> Parsed<Option<Statement>> {
         let written = self.short(start);
-        self.tell(Code::StLateDeclaration, start, [written.into()]);
+        if !self.late {
+            self.tell(Code::StLateDeclaration, start, [written.into()]);
+        }
+        self.late = true;
         self.wrong_declarations = true;
         while !self.is(Kind::End) && !self.accept_keyword(Keyword::EndVar) {
             self.next();
@@ -274,8 +286,28 @@ impl Parser<'_, '_> {
                 return Ok(None);
             }
         }
+        if self.is_declaration() {
+            return self.headless_section(start);
+        }
         let path = self.path()?;
         match self.kind() {
+            Kind::Word if matches!(self.keyword(), Keyword::Then | Keyword::Do | Keyword::Of) => {
+                let missing = match self.keyword() {
+                    Keyword::Then => "IF",
+                    Keyword::Do => "WHILE",
+                    _ => "CASE",
+                };
+                let written = self.short(path.span);
+                let help = (
+                    "each of these words stands with its other half: IF … THEN, WHILE … DO, CASE … OF",
+                    "cada uma destas palavras fica com a sua outra metade: IF … THEN, WHILE … DO, CASE … OF",
+                );
+                let words = [missing.into(), written.into(), help.into()];
+                self.tell(Code::StExpected, path.span, words);
+                self.next();
+                self.skip_block();
+                Ok(None)
+            }
             Kind::Assign => {
                 self.next();
                 self.closers.push(Keyword::None);
@@ -329,6 +361,112 @@ impl Parser<'_, '_> {
                 let written = self.short(path.span);
                 self.tell(Code::StNoEffect, path.span, [written.into()]);
                 Err(Told)
+            }
+        }
+    }
+
+    /// Whether a declaration stands where a statement is expected: a colon comes before what makes a statement.
+    fn is_declaration(&self) -> bool {
+        if self.closers.contains(&Keyword::EndCase) {
+            return false;
+        }
+        for by in 1..16 {
+            match self.ahead(by).kind {
+                Kind::Colon => return true,
+                Kind::Word | Kind::Comma | Kind::Address => {}
+                _ => return false,
+            }
+            let keyword = self.keyword_ahead(by);
+            if !matches!(keyword, Keyword::None | Keyword::At) {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// Declarations whose VAR or TYPE is missing: they are passed over to their end, if that is there.
+    fn headless_section(&mut self, start: Span) -> Parsed<Option<Statement>> {
+        self.wrong_declarations = true;
+        if self.headless {
+            return Err(Told);
+        }
+        let mut by = 0;
+        let end = loop {
+            let keyword = self.keyword_ahead(by);
+            if matches!(keyword, Keyword::EndVar | Keyword::EndType) {
+                break Some(keyword);
+            }
+            let other = keyword.ends_unit() || keyword.begins_unit() || keyword.is_section();
+            if other || self.ahead(by).kind == Kind::End {
+                break None;
+            }
+            by += 1;
+        };
+        let written = self.short(start);
+        let (missing, help) = match end {
+            Some(Keyword::EndType) => (
+                "TYPE",
+                (
+                    "types are declared between TYPE and END_TYPE",
+                    "tipos são declarados entre TYPE e END_TYPE",
+                ),
+            ),
+            _ => (
+                "VAR",
+                (
+                    "variables are declared between VAR and END_VAR",
+                    "variáveis são declaradas entre VAR e END_VAR",
+                ),
+            ),
+        };
+        self.tell(
+            Code::StExpected,
+            start,
+            [missing.into(), written.into(), help.into()],
+        );
+        match end {
+            Some(_) => {
+                for _ in 0..=by {
+                    self.next();
+                }
+                Ok(None)
+            }
+            None => {
+                self.headless = true;
+                Err(Told)
+            }
+        }
+    }
+
+    /// Passes over what THEN, DO or OF has begun, to its end.
+    fn skip_block(&mut self) {
+        let mut open = 1_u32;
+        while !self.is(Kind::End) {
+            let keyword = self.keyword();
+            if keyword.ends_unit() || keyword.begins_unit() {
+                return;
+            }
+            let begins = matches!(
+                keyword,
+                Keyword::If | Keyword::Case | Keyword::For | Keyword::While | Keyword::Repeat
+            );
+            let ends = matches!(
+                keyword,
+                Keyword::EndIf
+                    | Keyword::EndCase
+                    | Keyword::EndFor
+                    | Keyword::EndWhile
+                    | Keyword::EndRepeat
+            );
+            self.next();
+            open = match (begins, ends) {
+                (true, _) => open + 1,
+                (_, true) => open - 1,
+                _ => open,
+            };
+            if open == 0 {
+                self.accept(Kind::Semicolon);
+                return;
             }
         }
     }

@@ -65,6 +65,7 @@ impl Parser<'_, '_> {
                     );
                     self.next();
                 }
+                _ if self.headless_unit(&mut file) => {}
                 _ => self.bare(&mut file),
             }
             if self.at == before {
@@ -106,6 +107,58 @@ impl Parser<'_, '_> {
             _ => Keyword::EndFunctionBlock,
         };
         self.next();
+        self.unit_behind(kind, start, end, file);
+    }
+
+    /// A unit whose first word is missing or misspelt, `Scale : REAL VAR_INPUT …`; false if this is none.
+    fn headless_unit(&mut self, file: &mut File) -> bool {
+        let plain = |by: usize| {
+            self.ahead(by).kind == Kind::Word && self.keyword_ahead(by) == Keyword::None
+        };
+        let misspelt = plain(0) && plain(1) && !matches!(self.ahead(2).kind, Kind::Assign);
+        let name = usize::from(misspelt);
+        if !plain(name) {
+            return false;
+        }
+        let behind = match self.ahead(name + 1).kind {
+            Kind::Colon => name + 3,
+            _ => name + 1,
+        };
+        if !self.keyword_ahead(behind).is_section() {
+            return false;
+        }
+        let mut by = behind;
+        while self.ahead(by).kind != Kind::End && !self.keyword_ahead(by).ends_unit() {
+            by += 1;
+        }
+        let end = self.keyword_ahead(by);
+        let (kind, word) = match end {
+            Keyword::EndFunction => (UnitKind::Function, "FUNCTION"),
+            Keyword::EndFunctionBlock => (UnitKind::Block, "FUNCTION_BLOCK"),
+            Keyword::EndProgram => (UnitKind::Program, "PROGRAM"),
+            _ => return false,
+        };
+        let span = self.token().span;
+        let written = self.short(span);
+        if misspelt {
+            self.tell(Code::StOtherWord, span, [written.into(), word.into()]);
+            self.next();
+        } else {
+            let help = (
+                "the first word says what the unit is",
+                "a primeira palavra diz o que é a unidade",
+            );
+            self.tell(
+                Code::StExpected,
+                span,
+                [word.into(), written.into(), help.into()],
+            );
+        }
+        self.unit_behind(kind, span, end, file);
+        true
+    }
+
+    fn unit_behind(&mut self, kind: UnitKind, start: Span, end: Keyword, file: &mut File) {
         let head = self.head(kind);
         let (name, result) = match head {
             Ok(head) => head,
@@ -144,6 +197,14 @@ impl Parser<'_, '_> {
     fn head(&mut self, kind: UnitKind) -> Parsed<(Name, Option<TypeSpec>)> {
         let help = ("give it a name", "dê um nome a isso");
         let name = self.name(("a name", "um nome"), help)?;
+        if self.is(Kind::Word) && self.keyword() == Keyword::None && !self.on_new_line() {
+            let help = (
+                "a unit has one name, of one word",
+                "uma unidade tem um só nome, de uma palavra",
+            );
+            let told = self.missing(("the end of the line", "o fim da linha"), help);
+            return Err(told);
+        }
         if kind != UnitKind::Function {
             self.accept(Kind::Semicolon);
             return Ok((name, None));
@@ -176,8 +237,15 @@ impl Parser<'_, '_> {
         file: &mut File,
     ) -> UnitDecl {
         let mut vars = Vec::new();
+        self.late = false;
         loop {
             while self.accept(Kind::Semicolon) {}
+            if self.keyword() == Keyword::EndVar {
+                let span = self.next().span;
+                let written = self.short(span);
+                self.tell(Code::StStrayEnd, span, [written.into(), "VAR".into()]);
+                continue;
+            }
             let token = self.token();
             let keyword = match self.keyword() {
                 Keyword::None if token.kind == Kind::Word && self.ahead(1).kind != Kind::Assign => {

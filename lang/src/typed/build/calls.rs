@@ -214,6 +214,7 @@ impl Builder<'_, '_> {
         let name = draft.unit.name.clone();
         let result = draft.result?;
         let params: Params = draft.params.iter().map(|p| (p.clone(), false)).collect();
+        self.lenient = draft.incomplete;
         if let Some(here) = self.current {
             self.edges.push((here as u32, unit, name_at));
         }
@@ -225,8 +226,7 @@ impl Builder<'_, '_> {
             outputs: Vec::new(),
             at,
         };
-        let after = self.pass(&name, params, arguments, None, &mut call, at)?;
-        debug_assert!(after.is_empty());
+        self.pass(&name, params, arguments, None, &mut call, at)?;
         self.writes |= !call.lent.is_empty() || !call.outputs.is_empty();
         Some((call, result))
     }
@@ -241,7 +241,7 @@ impl Builder<'_, '_> {
                 let (written, what) = (self.written(target.at), self.what_type(target.ty));
                 let help = (
                     "a function and an instance of a function block can be called",
-                    "podem ser chamadas uma função e uma instância de um bloco funcional",
+                    "podem ser chamadas uma função e uma instância de um bloco de funções",
                 );
                 self.tell(
                     Code::StNotCallable,
@@ -265,6 +265,7 @@ impl Builder<'_, '_> {
         };
         let name = draft.unit.name.clone();
         let params: Params = draft.params.iter().map(|p| (p.clone(), false)).collect();
+        self.lenient = draft.incomplete;
         if let Some(here) = self.current {
             self.edges.push((here as u32, unit, target.at));
         }
@@ -393,6 +394,9 @@ impl Builder<'_, '_> {
                 Some(_) => arguments.len() > order.len(),
                 None => arguments.len() != order.len(),
             };
+            if wrong && self.lenient {
+                return None;
+            }
             if wrong {
                 let names: Vec<&str> = order.iter().map(|&i| params[i].0.name.as_str()).collect();
                 self.told_count(name, &names, false, arguments.len(), at);
@@ -426,7 +430,9 @@ impl Builder<'_, '_> {
                 }
             };
             let Some(slot) = found.filter(|slot| *slot < params.len()) else {
-                if let Some((written, span)) = argument.name {
+                if let Some((written, span)) = argument.name
+                    && !self.lenient
+                {
                     self.told_no_parameter(name, &written, &params, span);
                 }
                 right = false;
@@ -458,7 +464,7 @@ impl Builder<'_, '_> {
         }
         for (param, given) in &params {
             let needed = param.section == Section::InOut;
-            if needed && !given && right {
+            if needed && !given && right && !self.lenient {
                 let words = [name.into(), param.name.as_str().into()];
                 self.tell(Code::StMissing, at, words);
                 right = false;
@@ -623,15 +629,17 @@ impl Builder<'_, '_> {
             {
                 let instance = format!("{name}1");
                 self.tell(Code::StTypeCalled, at, [name.into(), instance.into()]);
+                self.told_name(name);
                 None
             }
             Some(named) => {
                 let what = self.what(&named);
                 let help = (
                     "a function and an instance of a function block can be called",
-                    "podem ser chamadas uma função e uma instância de um bloco funcional",
+                    "podem ser chamadas uma função e uma instância de um bloco de funções",
                 );
                 self.tell(Code::StNotCallable, at, [name.into(), what, help.into()]);
+                self.told_name(name);
                 None
             }
             None => {
@@ -642,10 +650,11 @@ impl Builder<'_, '_> {
                 }
                 let help = (
                     "declare an instance of a function block, or write a FUNCTION of this name",
-                    "declare uma instância de um bloco funcional ou escreva uma FUNCTION com esse nome",
+                    "declare uma instância de um bloco de funções ou escreva uma FUNCTION com esse nome",
                 );
                 let help = self.near(name, help.into());
                 self.tell(Code::StUndeclared, at, [name.into(), help]);
+                self.told_name(name);
                 None
             }
         }

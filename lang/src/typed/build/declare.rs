@@ -111,7 +111,7 @@ impl Builder<'_, '_> {
         }
         let named = match (traits.constant, self.tree.types.base(ty), &traits.initial) {
             (true, Some(base), initial) => {
-                let own = self.tree.types.get(ty).initial.clone();
+                let own = self.tree.types.initials(ty).pop();
                 let value = match initial.clone().or(own).as_deref() {
                     Some(Initial::Value(value)) => value.clone(),
                     _ => Value::zero(base),
@@ -278,8 +278,8 @@ impl Builder<'_, '_> {
                 }
             }
         }
-        if let Some(initial) = &self.tree.types.get(ty).initial {
-            self.fill(ty, initial, &mut cells[start..]);
+        for initial in self.tree.types.initials(ty) {
+            self.fill(ty, &initial, &mut cells[start..]);
         }
     }
 

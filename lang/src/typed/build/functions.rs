@@ -173,9 +173,9 @@ impl Builder<'_, '_> {
         let from = match from {
             None => None,
             Some("BCD") => None,
-            Some(from) => match (Base::named(from), self.find(from)) {
+            Some(from) => match (Base::named(from), self.find_type(from)) {
                 (Some(base), _) => Some(TypeId::of(base)),
-                (None, Some(super::Named::Type(ty))) => Some(*ty),
+                (None, Some(ty)) => Some(ty),
                 _ => {
                     let help = self.near(
                         from,
@@ -190,6 +190,15 @@ impl Builder<'_, '_> {
             },
         };
         let operand = match from {
+            Some(from) if self.is_other(&operand, from) => {
+                let (written, is) = (self.written(operand.at), self.type_of(&operand));
+                let call = format!("{}_TO_{to}({written})", operand.base);
+                let help = both(format!("write {call}"), format!("escreva {call}"));
+                let from = self.tree.types.name(from);
+                let words = [written.into(), is, from.into(), help];
+                self.tell(Code::StMismatch, operand.at, words);
+                return self.wrong(at);
+            }
             Some(from) => self.coerce(operand, from),
             None => operand,
         };
@@ -211,6 +220,16 @@ impl Builder<'_, '_> {
             return self.wrong(at);
         }
         self.explicit(operand, to, at)
+    }
+
+    /// Whether a value is of another type than the conversion begins with, and another conversion is meant.
+    fn is_other(&self, operand: &Expr, from: TypeId) -> bool {
+        let base = self.tree.types.base(from);
+        let known = !matches!(operand.kind, ExprKind::Wrong) && !operand.base.is_any();
+        known
+            && !self.is_enum(from)
+            && !self.is_enum(operand.ty)
+            && base.is_some_and(|base| !operand.base.widens_to(base))
     }
 
     fn apply(&mut self, name: &str, does: Does, operands: Vec<Expr>, at: Span) -> Expr {

@@ -109,6 +109,8 @@ pub(crate) struct Draft {
     pub closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
+    /// A declaration in it is wrong, so that not all of its names are known.
+    pub incomplete: bool,
     /// The type of a block's instances.
     pub block: TypeId,
 }
@@ -133,6 +135,8 @@ pub(crate) struct Builder<'t, 'f> {
     counters: Vec<(super::Root, u32)>,
     called: HashMap<(Option<usize>, super::Root, u32), Span>,
     writes: bool,
+    /// Of the unit that is called not all parameters are known.
+    lenient: bool,
     hidden: HashSet<(Option<usize>, String)>,
 }
 
@@ -155,6 +159,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             counters: Vec::new(),
             called: HashMap::new(),
             writes: false,
+            lenient: false,
             hidden: HashSet::new(),
         }
     }
@@ -224,6 +229,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             result: None,
             closed: kind != UnitKind::Block,
             gives: false,
+            incomplete: false,
             block,
         });
         let named = match kind {
@@ -279,15 +285,30 @@ impl<'t, 'f> Builder<'t, 'f> {
     pub fn hide(&mut self, name: &str) {
         let key = (self.current, self.key(name));
         self.hidden.insert(key);
+        if let Some(draft) = self.here() {
+            draft.incomplete = true;
+        }
     }
 
-    /// Whether the declaration of this name is wrong.
+    /// Whether the declaration of this name is wrong, or what is wrong with the name has been told.
     pub fn is_hidden(&self, name: &str) -> bool {
+        if self.hidden.is_empty() {
+            return false;
+        }
         let key = self.key(name);
-        !self.hidden.is_empty()
-            && self.find(name).is_none()
-            && (self.hidden.contains(&(self.current, key.clone()))
-                || self.hidden.contains(&(None, key)))
+        let here = self.current.and_then(|unit| self.drafts.get(unit));
+        if here.is_some_and(|draft| draft.names.contains_key(&key)) {
+            return false;
+        }
+        let globally = !self.globals.contains_key(&key);
+        self.hidden.contains(&(self.current, key.clone()))
+            || globally && self.hidden.contains(&(None, key))
+    }
+
+    /// What is wrong with this name has been told: not again in this unit.
+    pub(super) fn told_name(&mut self, name: &str) {
+        let key = (self.current, self.key(name));
+        self.hidden.insert(key);
     }
 
     /// Whether an instance of this type takes or gives something of this name.
@@ -349,6 +370,14 @@ impl<'t, 'f> Builder<'t, 'f> {
         let here = self.current.and_then(|unit| self.drafts.get(unit));
         let own = here.and_then(|draft| draft.names.get(&key));
         own.or_else(|| self.globals.get(&key))
+    }
+
+    /// The type of this name, which a variable may have too.
+    pub fn find_type(&self, name: &str) -> Option<TypeId> {
+        match self.globals.get(&self.key(name)) {
+            Some(Named::Type(ty)) => Some(*ty),
+            _ => None,
+        }
     }
 
     /// The name that may have been meant, in words.

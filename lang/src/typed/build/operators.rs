@@ -56,7 +56,29 @@ impl Builder<'_, '_> {
                 return self.wrong(at);
             }
         }
+        let (a, b) = self.promoted(a, b);
         self.joined(op, a, b, at)
+    }
+
+    /// A number of the text that the other operand's type cannot hold takes a larger one.
+    fn promoted(&mut self, a: Expr, b: Expr) -> (Expr, Expr) {
+        let large = |one: &Expr, other: &Expr| match (&one.kind, one.base) {
+            (ExprKind::Constant(value), Base::AnyInt)
+                if other.base.is_int() && !other.base.is_any() =>
+            {
+                let range = other.base.range();
+                range.is_some_and(|(low, high)| !(low..=high).contains(&value.int()))
+            }
+            _ => false,
+        };
+        match (large(&a, &b), large(&b, &a)) {
+            (true, _) => (self.settled(a), b),
+            (_, true) => {
+                let b = self.settled(b);
+                (a, b)
+            }
+            _ => (a, b),
+        }
     }
 
     /// Two operands in their common type; told if there is none.

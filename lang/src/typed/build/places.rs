@@ -57,11 +57,13 @@ impl Builder<'_, '_> {
                 let what = self.what(&named);
                 let help = self.instead(name, &named);
                 self.tell(Code::StNoValue, at, [name.into(), what, help]);
+                self.told_name(name);
                 None
             }
             None => {
                 let help = self.how_to_declare(name);
                 self.tell(Code::StUndeclared, at, [name.into(), help]);
+                self.told_name(name);
                 None
             }
         }
@@ -172,7 +174,7 @@ impl Builder<'_, '_> {
         let key = self.key(name);
         let kind = self.tree.types.kind(of.ty).clone();
         let mut names: Vec<String> = Vec::new();
-        let mut found = None;
+        let (mut found, mut incomplete) = (None, false);
         match &kind {
             Kind::Struct(members) => {
                 let member = members.iter().find(|member| self.key(&member.name) == key);
@@ -188,6 +190,7 @@ impl Builder<'_, '_> {
             }
             Kind::Block(unit) => {
                 let draft = self.draft(*unit)?;
+                incomplete = draft.incomplete;
                 let own = draft
                     .params
                     .iter()
@@ -202,6 +205,9 @@ impl Builder<'_, '_> {
             _ => {}
         }
         let Some((offset, ty, locked)) = found else {
+            if incomplete {
+                return None;
+            }
             let what = self.tree.types.name(of.ty);
             let hidden = match &kind {
                 Kind::Block(unit) => self

@@ -12,7 +12,7 @@ pub(crate) fn both(en: impl Into<String>, pt: impl Into<String>) -> Word {
 fn kind_of(kind: UnitKind) -> (&'static str, &'static str) {
     match kind {
         UnitKind::Program => ("a program", "um programa"),
-        UnitKind::Block => ("a function block", "um bloco funcional"),
+        UnitKind::Block => ("a function block", "um bloco de funções"),
         UnitKind::Function => ("a function", "uma função"),
     }
 }
@@ -28,7 +28,7 @@ impl Builder<'_, '_> {
             }
             Named::Type(ty) => match self.tree.types.kind(*ty) {
                 Kind::Block(_) | Kind::Standard(_) => {
-                    ("a type of function blocks", "um tipo de bloco funcional").into()
+                    ("a type of function blocks", "um tipo de bloco de funções").into()
                 }
                 _ => ("a type", "um tipo").into(),
             },
