@@ -1,12 +1,15 @@
-//! Instruction List (IEC 61131-3) to the numeric code, and back.
+//! The languages: Instruction List to the numeric code and back, Structured Text to the typed tree.
 //!
-//! The way of a text through this crate is also its map: `lexer` (bytes → words), `parser` (words → syntax
+//! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
 //! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
 //! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
-//! steps stand in the text).
-//! [`to_il`] goes the other way. What can be wrong with a text is said once, in `messages`.
+//! steps stand in the text). [`to_il`] goes the other way.
 //!
-//! It knows no pins, no files and no screen, and no text makes it panic.
+//! The way of a text in a typed language ([`check`]): `st` (bytes → words → syntax tree → names and types), [`typed`]
+//! (the tree that all of them come to), [`run`] (the interpreter on the PC). What can be wrong with a text is said
+//! once, in `messages`.
+//!
+//! It knows no pins, no files, no clocks and no screen, and no text makes it panic.
 
 #![forbid(unsafe_code)]
 

@@ -178,6 +178,16 @@ impl Parser<'_, '_> {
         }
         self.expect(Kind::Colon, ":", DECLARATION)?;
         let spec = self.spec()?;
+        let edge = self.slice(self.token().span).to_uppercase();
+        if matches!(edge.as_str(), "R_EDGE" | "F_EDGE") {
+            let span = self.token().span;
+            let help = (
+                "declare an R_TRIG or F_TRIG, call it with the input, and read its Q",
+                "declare um R_TRIG ou F_TRIG, chame-o com a entrada e leia o seu Q",
+            );
+            self.tell(Code::StUnsupported, span, [edge.into(), help.into()]);
+            return Err(Told);
+        }
         let mut initial = None;
         if self.is(Kind::Equal) {
             let span = self.next().span;

@@ -55,6 +55,7 @@ pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, b
         wrong_declarations: false,
         late: false,
         headless: false,
+        reserved: Vec::new(),
         found,
     };
     let file = parser.file();
@@ -79,6 +80,8 @@ struct Parser<'t, 'f> {
     late: bool,
     /// Declarations without VAR and END_VAR have been told.
     headless: bool,
+    /// Keywords that were to be names, which has been told.
+    reserved: Vec<Keyword>,
     found: &'f mut Found,
 }
 
@@ -168,6 +171,12 @@ impl Parser<'_, '_> {
             // A text without its end, which has been told, swallows its line.
             return Told;
         }
+        let near = [self.at, self.at.saturating_sub(1)].map(|at| self.keywords.get(at));
+        let was_name =
+            |keyword: &Keyword| *keyword != Keyword::None && self.reserved.contains(keyword);
+        if near.into_iter().flatten().any(was_name) {
+            return Told;
+        }
         let token = self.token();
         if token.kind == Kind::End {
             self.tell(
@@ -237,6 +246,7 @@ impl Parser<'_, '_> {
         if self.keyword() != Keyword::None {
             let written = self.slice(token.span).to_owned();
             self.tell(Code::StReserved, token.span, [written.into()]);
+            self.reserved.push(self.keyword());
             return Err(Told);
         }
         self.next();

@@ -54,6 +54,14 @@ impl Builder<'_, '_> {
         at: Span,
     ) -> Option<Vec<Expr>> {
         let count = arguments.len();
+        let mut names = arguments
+            .iter()
+            .filter_map(|argument| argument.name.clone());
+        if let Some((written, span)) = names.find(|name| name.0.to_uppercase().starts_with("EN"))
+            && self.told_enable(&written, span)
+        {
+            return None;
+        }
         let fits = count == parameters.len() || any && count > parameters.len();
         if !fits {
             self.told_count(name, parameters, any, count, at);
@@ -91,6 +99,9 @@ impl Builder<'_, '_> {
             };
             let slot = fixed.or_else(|| further().filter(|slot| any && *slot < count));
             let Some(slot) = slot else {
+                if self.told_enable(&written, span) {
+                    return None;
+                }
                 let list = parameters.join(", ");
                 let help = both(format!("it has {list}"), format!("ela tem {list}"));
                 self.tell(
@@ -474,7 +485,25 @@ impl Builder<'_, '_> {
         right.then_some(after)
     }
 
+    /// EN and ENO, which are not read: it is told.
+    fn told_enable(&mut self, written: &str, at: Span) -> bool {
+        let is = ["EN", "ENO"]
+            .iter()
+            .any(|name| written.eq_ignore_ascii_case(name));
+        if is {
+            let help = (
+                "write IF … THEN … END_IF around the call",
+                "escreva IF … THEN … END_IF em volta da chamada",
+            );
+            self.tell(Code::StUnsupported, at, [written.into(), help.into()]);
+        }
+        is
+    }
+
     fn told_no_parameter(&mut self, name: &str, written: &str, params: &Params, at: Span) {
+        if self.told_enable(written, at) {
+            return;
+        }
         let names = params.iter().map(|(p, _)| p.name.as_str());
         let list: Vec<&str> = names.clone().collect();
         let list = list.join(", ");
