@@ -16,4 +16,5 @@ mod typed;
 mod typed_any_text;
 mod typed_pages;
 mod typed_slips;
+mod typed_tree;
 mod words;

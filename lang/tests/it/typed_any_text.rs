@@ -152,6 +152,46 @@ fn a_megabyte_of_anything_takes_less_than_a_second() {
     }
 }
 
+/// As deep as may be, on the stack that WebAssembly has.
+#[test]
+fn what_is_read_runs_on_a_stack_of_a_megabyte() {
+    let deep = [
+        format!("VAR x : INT; END_VAR x := {}x{};", "(".repeat(190), ")".repeat(190)),
+        format!("VAR x : INT; END_VAR x := x{};", " + x".repeat(290)),
+        format!("VAR x : INT; END_VAR x := {}x{};", "ABS(1 + ".repeat(60), ")".repeat(60)),
+        format!("VAR x : INT; END_VAR {} x := x + 1; {}", "IF x = 0 THEN ".repeat(180), "END_IF; ".repeat(180)),
+        format!("VAR x : INT; END_VAR {} x := x + 1; {}", "REPEAT ".repeat(180), "UNTIL TRUE END_REPEAT; ".repeat(180)),
+        (0..55)
+            .map(|i| {
+                let next = if i == 54 { "x".to_owned() } else { format!("F{}(x)", i + 1) };
+                format!("FUNCTION F{i} : INT VAR_INPUT x : INT; END_VAR {} F{i} := 1{} + {next}; {} END_FUNCTION\n", "IF TRUE THEN ".repeat(20), " + 1".repeat(60), "END_IF; ".repeat(20))
+            })
+            .collect::<String>()
+            + "PROGRAM p VAR x : INT; END_VAR x := F0(x); END_PROGRAM",
+    ];
+    for text in deep {
+        let thread = std::thread::Builder::new()
+            .stack_size(1 << 20)
+            .spawn(move || {
+                let checked = check(&text, TextLanguage::St);
+                let told: Vec<_> = checked
+                    .diagnostics
+                    .iter()
+                    .map(|d| d.message(unoclp_lang::Lang::En))
+                    .collect();
+                let tree = checked
+                    .tree
+                    .unwrap_or_else(|| panic!("{told:?}: {text:.60}"));
+                Machine::new(&tree).scan(0)
+            });
+        let ran = thread.unwrap().join().unwrap();
+        assert!(
+            !matches!(ran, Err(unoclp_lang::run::Stop::Endless(_))),
+            "{ran:?}"
+        );
+    }
+}
+
 /// The texts of the cases, those of the mistakes or the others.
 fn texts(wrong: bool) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
@@ -199,6 +239,7 @@ fn mutated_texts_are_read_and_run() {
         let text = parts.concat();
         let checked = check(&text, TextLanguage::St);
         if let Some(tree) = checked.tree {
+            assert_eq!(crate::typed_tree::faults(&tree), [""; 0], "{text}");
             let mut machine = Machine::new(&tree).with_steps(2_000);
             for scan in 0..3 {
                 let _ = machine.scan(scan * 40);
