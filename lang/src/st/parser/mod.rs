@@ -1,14 +1,19 @@
 //! From words to the syntax tree.
 //!
 //! - `unit`: programs, functions, blocks, and what stands around them
-//! - `declare`: variables and types
-//! - `statement`, `expression`: the rest
+//! - `declare`, `types`, `initial`: variables, their types, and what they begin with
+//! - `statement`, `compound`: statements; `recover`: what is done behind one that is wrong
+//! - `expression`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on behind the statement.
 
+mod compound;
 mod declare;
 mod expression;
+mod initial;
+mod recover;
 mod statement;
+mod types;
 mod unit;
 
 use super::Dialect;

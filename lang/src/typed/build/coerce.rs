@@ -1,7 +1,7 @@
-//! Which value goes where: conversions by themselves, and those that a text asks for.
+//! Which value goes where: by itself, or by a conversion that a text asks for.
 
-use super::{Builder, both};
-use crate::diagnostics::{Code, Span, Word};
+use super::Builder;
+use crate::diagnostics::{Code, Span};
 use crate::typed::ops;
 use crate::typed::{Base, Convert, Expr, ExprKind, Kind, TypeId, Value};
 
@@ -254,90 +254,6 @@ impl Builder<'_, '_> {
             base: to,
             ty,
             at,
-        }
-    }
-
-    pub(super) fn told_range(&mut self, at: Span, to: Base) {
-        let written = self.written(at);
-        let (low, high) = match (to, to.range()) {
-            (_, Some((low, high))) => (low.to_string(), high.to_string()),
-            (Base::Real, _) => ("-3.4E38".to_owned(), "3.4E38".to_owned()),
-            _ => ("-1.8E308".to_owned(), "1.8E308".to_owned()),
-        };
-        let words = [written.into(), to.name().into(), low.into(), high.into()];
-        self.tell(Code::StOutOfRange, at, words);
-    }
-
-    /// Tells that a value is of another type than is needed, and what converts it.
-    pub(super) fn told_mismatch(&mut self, expr: &Expr, needed: TypeId) {
-        if matches!(expr.kind, ExprKind::Wrong) {
-            return;
-        }
-        let written = self.written(expr.at);
-        let is = self.type_of(expr);
-        let help = self.remedy(expr, needed, &written);
-        let needed = self.tree.types.name(needed);
-        let words = [written.into(), is, needed.into(), help];
-        self.tell(Code::StMismatch, expr.at, words);
-    }
-
-    /// The type of an expression, in words.
-    pub(super) fn type_of(&self, expr: &Expr) -> Word {
-        match expr.base {
-            Base::AnyInt => ("a whole number", "um número inteiro").into(),
-            Base::AnyReal => ("a number with a fraction", "um número com casas decimais").into(),
-            _ => self.tree.types.name(expr.ty).into(),
-        }
-    }
-
-    fn remedy(&self, expr: &Expr, needed: TypeId, written: &str) -> Word {
-        let name = self.tree.types.name(needed);
-        let Some(to) = self.tree.types.base(needed) else {
-            return both(
-                format!("give it a variable of type {name}"),
-                format!("dê a ele uma variável do tipo {name}"),
-            );
-        };
-        let from = expr.base;
-        let write = |text: String| both(format!("write {text}"), format!("escreva {text}"));
-        if let Kind::Enum(names) = self.tree.types.kind(needed) {
-            let first = names.first().cloned().unwrap_or_default();
-            let names = names.join(", ");
-            return both(
-                format!("its values are {names}: write {first}"),
-                format!("os valores são {names}: escreva {first}"),
-            );
-        }
-        if self.is_enum(expr.ty) {
-            let of = self.tree.types.name(expr.ty);
-            return write(format!("{of}_TO_{to}({written})"));
-        }
-        match (from, to) {
-            (Base::AnyInt, Base::Bool) => both(
-                format!("write TRUE or FALSE, or compare it with something: x = {written}"),
-                format!("escreva TRUE ou FALSE, ou compare com alguma coisa: x = {written}"),
-            ),
-            (_, Base::Bool) if from.is_num() || from.is_bits() => write(format!("{written} <> 0")),
-            (Base::AnyInt, Base::Time) => write(format!("T#{written}ms")),
-            (Base::AnyReal, _) if to.is_int() => match &expr.kind {
-                ExprKind::Constant(value) => {
-                    let whole = value.real().round();
-                    both(
-                        format!("write {whole}, or take REAL for the variable"),
-                        format!("escreva {whole} ou use REAL para a variável"),
-                    )
-                }
-                _ => write(format!("REAL_TO_{to}({written})")),
-            },
-            (Base::AnyInt | Base::AnyReal, _) if to.is_text() => write(format!("'{written}'")),
-            _ if conversion(from, to).is_some() => {
-                let from = if from.is_any() { Base::Dint } else { from };
-                write(format!("{from}_TO_{to}({written})"))
-            }
-            _ => both(
-                format!("take a value of type {name}"),
-                format!("use um valor do tipo {name}"),
-            ),
         }
     }
 }

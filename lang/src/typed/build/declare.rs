@@ -1,15 +1,9 @@
-//! Variables: their cells, their first values, their points.
+//! Variables: what a declaration says, and where the variable stands.
 
 use super::{Builder, MOST_CELLS, Named, Param, both};
-use crate::address::{Address, parse};
 use crate::diagnostics::{Code, Span};
-use crate::dialect::Dialect;
-use crate::typed::{
-    Base, Cell, Expr, ExprKind, Initial, Kind, Place, Point, Root, TypeId, UnitKind, Value,
-};
+use crate::typed::{Expr, ExprKind, Initial, Kind, Place, Point, Root, TypeId, UnitKind, Value};
 use std::sync::Arc;
-use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, SYSTEM_MARKERS};
 
 /// The kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,107 +212,6 @@ impl Builder<'_, '_> {
         Some(offset)
     }
 
-    /// The cells of a new variable with what they begin with.
-    fn initial_cells(&self, ty: TypeId, traits: &Traits) -> Vec<Cell> {
-        let mut cells = Vec::new();
-        self.push_cells(ty, &mut cells);
-        if let Some(initial) = &traits.initial {
-            self.fill(ty, initial, &mut cells);
-        }
-        for cell in &mut cells {
-            cell.retain = traits.retain;
-        }
-        cells
-    }
-
-    /// Appends the cells of a value, as its type begins them. Types nest no deeper than their declarations, which
-    /// front ends limit.
-    fn push_cells(&self, ty: TypeId, cells: &mut Vec<Cell>) {
-        let start = cells.len();
-        let one = |base, initial| Cell {
-            base,
-            initial,
-            retain: false,
-        };
-        let kind = self.tree.types.kind(ty);
-        match kind {
-            Kind::Base(base) | Kind::Text { base, .. } => {
-                cells.push(one(*base, Value::zero(*base)))
-            }
-            Kind::Enum(_) => cells.push(one(Base::Int, Value::Int(0))),
-            // Without a word about it, a subrange begins with its least value (IEC 61131-3, 2.3.3.2).
-            Kind::Range { base, low, .. } => cells.push(one(*base, Value::Int(*low))),
-            Kind::Array { of, .. } => {
-                let size = self.tree.types.get(*of).cells as usize;
-                let total = self.tree.types.get(ty).cells as usize;
-                if size > 0 && total > 0 {
-                    self.push_cells(*of, cells);
-                    let element = cells[start..].to_vec();
-                    for _ in 1..total / size {
-                        cells.extend_from_slice(&element);
-                    }
-                }
-            }
-            Kind::Struct(members) => {
-                for member in members {
-                    let at = cells.len();
-                    self.push_cells(member.ty, cells);
-                    if let Some(initial) = &member.initial {
-                        self.fill(member.ty, initial, &mut cells[at..]);
-                    }
-                }
-            }
-            Kind::Standard(block) => {
-                let parts = block.parts().iter();
-                cells.extend(parts.map(|part| one(part.1, Value::zero(part.1))));
-            }
-            Kind::Block(unit) => {
-                if let Some(draft) = self.draft(*unit) {
-                    cells.extend_from_slice(&draft.unit.own);
-                }
-            }
-        }
-        for initial in self.tree.types.initials(ty) {
-            self.fill(ty, &initial, &mut cells[start..]);
-        }
-    }
-
-    /// Puts first values into the cells of a value.
-    fn fill(&self, ty: TypeId, initial: &Initial, cells: &mut [Cell]) {
-        match initial {
-            Initial::Value(value) => {
-                if let Some(cell) = cells.first_mut() {
-                    cell.initial = value.clone();
-                }
-            }
-            Initial::Elements(elements) => {
-                let Kind::Array { of, .. } = self.tree.types.kind(ty) else {
-                    return;
-                };
-                let size = self.tree.types.get(*of).cells as usize;
-                let mut at = 0;
-                for (times, element) in elements {
-                    for _ in 0..*times {
-                        let Some(cells) = cells.get_mut(at..at + size) else {
-                            return;
-                        };
-                        if let Some(element) = element {
-                            self.fill(*of, element, cells);
-                        }
-                        at += size;
-                    }
-                }
-            }
-            Initial::Members(members) => {
-                for (offset, ty, initial) in members {
-                    if let Some(cells) = cells.get_mut(*offset as usize..) {
-                        self.fill(*ty, initial, cells);
-                    }
-                }
-            }
-        }
-    }
-
     /// VAR_EXTERNAL: the global of this name, whose type it repeats.
     fn external(&mut self, name: &str, at: Span, ty: TypeId) -> Option<Variable> {
         let key = self.key(name);
@@ -352,94 +245,6 @@ impl Builder<'_, '_> {
         held
     }
 
-    /// The cell of a point that begins so.
-    fn point_with(&mut self, point: Point, traits: &Traits) -> u32 {
-        let offset = self.point(point);
-        if let (Some(Initial::Value(value)), Some(cell)) = (
-            traits.initial.as_deref(),
-            self.tree.cells.get_mut(offset as usize),
-        ) {
-            cell.initial = value.clone();
-            cell.retain = traits.retain;
-        }
-        offset
-    }
-
-    /// The cell of a point.
-    pub fn point(&mut self, point: Point) -> u32 {
-        if let Some(&cell) = self.points.get(&point) {
-            return cell;
-        }
-        let cell = self.tree.cells.len() as u32;
-        let base = if point.is_bit() {
-            Base::Bool
-        } else {
-            point_base(point)
-        };
-        self.tree.cells.push(Cell {
-            base,
-            initial: Value::zero(base),
-            retain: false,
-        });
-        self.tree.points.push((cell, point));
-        self.points.insert(point, cell);
-        cell
-    }
-
-    /// The point that an address like `%IX1` names; what is wrong with it is told.
-    pub fn address(&mut self, written: &str, at: Span) -> Option<Point> {
-        let key: String = written.split_whitespace().collect();
-        let within = |n: u32, first: u32, last: u8| (first..=u32::from(last)).contains(&n);
-        let board = Profile::UNO;
-        let point = match parse(&key.to_uppercase(), Dialect::Iec) {
-            Some(Address::Input(n)) => Some(Point::Input(n)).filter(|_| within(n, 1, board.inputs)),
-            Some(Address::Output(n)) => {
-                Some(Point::Output(n)).filter(|_| within(n, 1, board.outputs))
-            }
-            Some(Address::Marker(n)) => Some(Point::Marker(n)).filter(|_| within(n, 1, MARKERS)),
-            Some(Address::System(n)) => {
-                Some(Point::System(n)).filter(|_| within(n, 1, SYSTEM_MARKERS))
-            }
-            Some(Address::Analogue(n)) => {
-                Some(Point::Analogue(n)).filter(|_| within(n, 0, ANALOGUE - 1))
-            }
-            Some(Address::Pwm(n)) => Some(Point::Pwm(n)).filter(|_| [1, 4].contains(&n)),
-            Some(Address::Register(n)) => {
-                Some(Point::Register(n)).filter(|_| within(n, 1, REGISTERS))
-            }
-            _ => None,
-        };
-        if point.is_none() {
-            self.tell(Code::StBadAddress, at, [written.into()]);
-        }
-        point
-    }
-
-    /// The point that AT names for a variable of this type; what is wrong with it is told.
-    pub fn address_for(&mut self, written: &str, ty: TypeId, at: Span) -> Option<Point> {
-        let point = self.address(written, at)?;
-        let base = self.tree.types.base(ty);
-        let fits = match (base, point.is_bit()) {
-            (Some(Base::Bool), bit) => bit,
-            (Some(base), false) => {
-                base.is_on_board() && !base.is_real()
-                    || matches!(point, Point::Register(_)) && base.is_on_board()
-            }
-            _ => false,
-        };
-        if fits {
-            return Some(point);
-        }
-        let (is, takes) = match point.is_bit() {
-            true => (("a bit", "um bit"), "BOOL"),
-            false => (("a number", "um número"), "INT"),
-        };
-        let ty = self.tree.types.name(ty);
-        let words = [written.into(), is.into(), ty.into(), takes.into()];
-        self.tell(Code::StAddressType, at, words);
-        None
-    }
-
     /// The first value of a variable without parts; none where it is not known, which is told.
     pub fn initial(&mut self, expr: Expr, ty: TypeId) -> Option<Arc<Initial>> {
         let expr = self.coerce(expr, ty);
@@ -452,12 +257,5 @@ impl Builder<'_, '_> {
                 None
             }
         }
-    }
-}
-
-fn point_base(point: Point) -> Base {
-    match point {
-        Point::Register(_) => Base::Dint,
-        _ => Base::Int,
     }
 }

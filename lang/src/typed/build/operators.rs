@@ -1,7 +1,7 @@
 //! Operators: the common type of their operands, times and dates, folding.
 
-use super::{Builder, both};
-use crate::diagnostics::{Code, Span, Word};
+use super::Builder;
+use crate::diagnostics::{Code, Span};
 use crate::typed::ops;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Generic, TypeId, Unary, Value};
 
@@ -288,89 +288,6 @@ impl Builder<'_, '_> {
     /// Cut to the bits of its type, as a node of its own.
     pub(super) fn narrowed(&mut self, expr: Expr, ty: TypeId) -> Expr {
         self.converted(expr, Convert::Wrap, ty)
-    }
-
-    /// Tells that an operand is of the wrong type.
-    pub(super) fn told_operand(&mut self, name: &str, generic: Generic, operand: &Expr) {
-        if matches!(operand.kind, ExprKind::Wrong) {
-            return;
-        }
-        let written = self.written(operand.at);
-        let is = self.type_of(operand);
-        let base = operand.base;
-        let write = |text: String| both(format!("write {text}"), format!("escreva {text}"));
-        let help: Word = match generic {
-            _ if self.is_enum(operand.ty) => (
-                "a value of an enumeration is only compared and stored",
-                "um valor de enumeração só se compara e guarda",
-            )
-                .into(),
-            Generic::Bit if base.is_int() => {
-                let word = match base.bits() {
-                    8 => "BYTE",
-                    16 => "WORD",
-                    64 => "LWORD",
-                    _ => "DWORD",
-                };
-                both(
-                    format!(
-                        "compare it ({written} <> 0), or write {base}_TO_{word}({written}) for its bits"
-                    ),
-                    format!(
-                        "compare-o ({written} <> 0) ou escreva {base}_TO_{word}({written}) para os seus bits"
-                    ),
-                )
-            }
-            Generic::Bit => write(format!("{written} <> 0")),
-            Generic::Int if base.is_real() => write(format!("REAL_TO_DINT({written})")),
-            Generic::Real if base.is_int() => write(format!("{base}_TO_REAL({written})")),
-            _ if base == Base::Bool => both(
-                format!(
-                    "for numbers of BOOL write BOOL_TO_INT({written}); AND and OR join two of them"
-                ),
-                format!(
-                    "para números a partir de BOOL escreva BOOL_TO_INT({written}); AND e OR juntam dois deles"
-                ),
-            ),
-            _ if base.is_bits() => {
-                let int = match base {
-                    Base::Byte => "USINT",
-                    Base::Word => "UINT",
-                    Base::Dword => "UDINT",
-                    _ => "ULINT",
-                };
-                write(format!("{base}_TO_{int}({written})"))
-            }
-            _ if base.is_text() => ("CONCAT joins texts", "CONCAT junta textos").into(),
-            _ => both(
-                format!("take a variable of another type for {written}"),
-                format!("use uma variável de outro tipo para {written}"),
-            ),
-        };
-        let words = [name.into(), generic.name().into(), written.into(), is, help];
-        self.tell(Code::StOperand, operand.at, words);
-    }
-
-    fn told_no_common(&mut self, name: &str, a: &Expr, b: &Expr, at: Span) {
-        let (x, y) = (self.type_of(a), self.type_of(b));
-        let (first, second) = (self.written(a.at), self.written(b.at));
-        let settle = |base: Base| match base {
-            Base::AnyInt => Base::Int,
-            Base::AnyReal => Base::Real,
-            base => base,
-        };
-        let (p, q) = (settle(a.base), settle(b.base));
-        let help = match (p, q) {
-            (Base::Bool, _) if !b.base.is_any() => format!("{q}_TO_BOOL({second})"),
-            (_, Base::Bool) => format!("BOOL_TO_{p}({second})"),
-            (Base::Bool, _) => format!("BOOL_TO_{q}({first})"),
-            _ if q.is_real() => format!("{p}_TO_{q}({first})"),
-            _ if b.base.is_any() && p.is_int() => format!("{q}_TO_{p}({second})"),
-            (Base::Time, _) if b.base.is_any() => format!("T#{second}ms"),
-            _ => format!("{q}_TO_{p}({second})"),
-        };
-        let words = [name.into(), x, y, help.into()];
-        self.tell(Code::StNoCommon, at, words);
     }
 }
 
