@@ -80,7 +80,10 @@ impl Checker<'_, '_, '_> {
                 }
             }
         }
-        for vars in &declaration.vars {
+        // Constants may measure arrays that stand before them.
+        let (first, then): (Vec<&Vars>, Vec<&Vars>) =
+            declaration.vars.iter().partition(|vars| vars.constant);
+        for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
         self.builder.close(unit);

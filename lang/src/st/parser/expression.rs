@@ -306,6 +306,9 @@ impl Parser<'_, '_> {
             if self.is(Kind::Dot) {
                 self.next();
                 let token = self.token();
+                if token.kind == Kind::Number {
+                    return Err(self.bit_of(token.span));
+                }
                 if token.kind != Kind::Word {
                     let what = ("the name of a member", "o nome de um membro");
                     let help = ("write it behind the point", "escreva-o depois do ponto");
@@ -334,6 +337,17 @@ impl Parser<'_, '_> {
                 return Err(self.too_deep());
             }
         }
+    }
+
+    /// `x.0`, a bit of a number by its place.
+    fn bit_of(&mut self, place: Span) -> Told {
+        let bit = format!(".{}", self.short(place));
+        let help = (
+            "to read a bit write (SHR(x, 3) AND 16#1) <> 16#0; to set it x OR 16#8; to clear it x AND 16#F7",
+            "para ler um bit escreva (SHR(x, 3) AND 16#1) <> 16#0; para ligá-lo x OR 16#8; para desligá-lo x AND 16#F7",
+        );
+        self.tell(Code::StUnsupported, place, [bit.into(), help.into()]);
+        Told
     }
 
     fn subscripts(&mut self) -> Parsed<Vec<Node>> {

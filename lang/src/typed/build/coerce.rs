@@ -136,6 +136,7 @@ impl Builder<'_, '_> {
                 let all = [Base::Int, Base::Dint, Base::Lint, Base::Ulint];
                 all.iter().find(fits).copied().unwrap_or(Base::Ulint)
             }
+            (ExprKind::Convert(..), Base::AnyInt) => Base::Dint,
             (ExprKind::Select(_) | ExprKind::Mux(..), Base::AnyInt) => {
                 match whole_within(&expr, Base::Int) {
                     true => Base::Int,
@@ -168,7 +169,11 @@ impl Builder<'_, '_> {
             return self.coerce_constant(value.clone(), expr, to, ty);
         }
         if expr.base.is_any() && expr.base.widens_to(to) {
-            return self.coerce_inner(expr, to, ty);
+            if to.is_int() || !matches!(expr.kind, ExprKind::Convert(..)) {
+                return self.coerce_inner(expr, to, ty);
+            }
+            let expr = self.settled(expr);
+            return self.coerce(expr, ty);
         }
         if !expr.base.widens_to(to) {
             self.told_mismatch(&expr, ty);

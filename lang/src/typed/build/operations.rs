@@ -44,6 +44,7 @@ impl Builder<'_, '_> {
 
     /// All in their common type, which none of them is without.
     fn alike(&mut self, name: &str, operands: Vec<Expr>, at: Span) -> Option<(Vec<Expr>, TypeId)> {
+        let operands: Vec<Expr> = operands.into_iter().map(|one| self.cut(one)).collect();
         let first = operands.first()?;
         let mut ty = first.ty;
         if !self.is_enum(ty) {
@@ -95,14 +96,26 @@ impl Builder<'_, '_> {
         self.unary(op, a, at)
     }
 
-    /// To DINT, without the fraction.
+    /// Without the fraction: to the integer type that is needed, or to DINT.
     pub(super) fn truncated(&mut self, name: &str, a: Expr, at: Span) -> Expr {
         if !a.base.is_real() {
             self.told_operand(name, Generic::Real, &a);
             return self.wrong(at);
         }
         let a = self.settled(a);
-        self.converted(a, Convert::Cut, TypeId::of(Base::Dint))
+        if let ExprKind::Constant(_) = a.kind {
+            let cut = self.converted(a, Convert::Cut, TypeId::of(Base::Dint));
+            return match cut.kind {
+                ExprKind::Constant(value) => self.whole(value.int(), at),
+                _ => cut,
+            };
+        }
+        Expr {
+            kind: ExprKind::Convert(Convert::Cut, Box::new(a)),
+            base: Base::AnyInt,
+            ty: TypeId::of(Base::AnyInt),
+            at,
+        }
     }
 
     pub(super) fn shift(&mut self, name: &str, op: Binary, a: Expr, by: Expr, at: Span) -> Expr {

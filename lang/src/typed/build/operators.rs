@@ -30,6 +30,7 @@ impl Builder<'_, '_> {
 
     /// `a + b`, `a - b`, `a * b`, `a / b`, `a MOD b`.
     pub fn arithmetic(&mut self, op: Binary, a: Expr, b: Expr, at: Span) -> Expr {
+        let (a, b) = (self.cut(a), self.cut(b));
         if Builder::is_wrong(&a, &b) {
             return self.wrong(at);
         }
@@ -58,6 +59,14 @@ impl Builder<'_, '_> {
         }
         let (a, b) = self.promoted(a, b);
         self.joined(op, a, b, at)
+    }
+
+    /// What TRUNC comes to is a DINT among operands.
+    pub(super) fn cut(&mut self, expr: Expr) -> Expr {
+        match (&expr.kind, expr.base) {
+            (ExprKind::Convert(..), Base::AnyInt) => self.settled(expr),
+            _ => expr,
+        }
     }
 
     /// A number of the text that the other operand's type cannot hold takes a larger one.
@@ -174,6 +183,7 @@ impl Builder<'_, '_> {
 
     /// `a AND b`, `a OR b`, `a XOR b`.
     pub fn logic(&mut self, op: Binary, a: Expr, b: Expr, at: Span) -> Expr {
+        let (a, b) = (self.cut(a), self.cut(b));
         if Builder::is_wrong(&a, &b) {
             return self.wrong(at);
         }
@@ -193,6 +203,7 @@ impl Builder<'_, '_> {
 
     /// `a = b` and its like.
     pub fn compare(&mut self, op: Compare, a: Expr, b: Expr, at: Span) -> Expr {
+        let (a, b) = (self.cut(a), self.cut(b));
         if Builder::is_wrong(&a, &b) {
             return self.wrong(at);
         }
