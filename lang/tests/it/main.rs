@@ -15,6 +15,7 @@ mod twins;
 mod typed;
 mod typed_any_text;
 mod typed_pages;
+mod typed_random;
 mod typed_slips;
 mod typed_tree;
 mod words;
