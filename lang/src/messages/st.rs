@@ -309,9 +309,9 @@ macro_rules! st_rows {
         "`{0}` é chamado outra vez aqui, e uma instância tem uma só chamada no programa"
         "declare outra instância: {0}2 : {1};";
     179 StCalledInLoop Error
-        "`{0}` is called in a loop, and a {1} works once in a scan"
+        "`{0}` is called in a loop, and {1} works once in a scan"
         "call it before the loop, and use its outputs in the loop"
-        "`{0}` é chamado em um laço, e um {1} trabalha uma vez por varredura"
+        "`{0}` é chamado em um laço, e {1} trabalha uma vez por varredura"
         "chame-o antes do laço e use as saídas dele dentro do laço";
     180 StTypeCalled Error
         "{0} is a type of function blocks; what is called is an instance"

@@ -3,7 +3,7 @@
 use super::arguments::{Argument, Params};
 use super::declare::Section;
 use super::places::Target;
-use super::{Builder, Named, Param, both};
+use super::{BlockCall, Builder, Instance, Named, Param, both};
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::{Role, Standard};
 use crate::typed::{
@@ -148,6 +148,14 @@ impl Builder<'_, '_> {
         if let Some(here) = self.current {
             self.edges.push((here as u32, unit, target.at));
         }
+        let made = BlockCall {
+            instance: self.instance(&target),
+            from: self.current,
+            unit,
+            in_loop: self.loops > 0,
+            at: target.at,
+        };
+        self.calls.push(made);
         let mut call = Call {
             unit,
             instance: Some(target.place.clone()),
@@ -168,6 +176,14 @@ impl Builder<'_, '_> {
         all
     }
 
+    fn instance(&self, target: &Target) -> Instance {
+        let scope = match target.place.root {
+            Root::Static => None,
+            _ => self.current,
+        };
+        (scope, target.place.root, target.place.offset)
+    }
+
     fn standard(
         &mut self,
         block: Standard,
@@ -181,11 +197,10 @@ impl Builder<'_, '_> {
             let words = [written.clone().into(), block.name().into()];
             self.tell(Code::StCalledInLoop, target.at, words);
         }
-        let scope = match target.place.root {
-            Root::Static => None,
-            _ => self.current,
-        };
-        let key = (scope, target.place.root, target.place.offset);
+        let key = self.instance(&target);
+        if timed && let Some(draft) = self.here() {
+            draft.timed = true;
+        }
         if timed && self.called.insert(key, at).is_some() {
             let words = [written.into(), block.name().into()];
             self.tell(Code::StCalledTwice, target.at, words);

@@ -115,10 +115,24 @@ pub(crate) struct Draft {
     pub closed: bool,
     /// Of a function: its result is stored somewhere.
     pub gives: bool,
+    /// It calls a timer, a counter or an edge.
+    pub timed: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
     pub incomplete: bool,
     /// The type of a block's instances.
     pub block: TypeId,
+}
+
+/// An instance by the unit that has it and its place there; globals are nobody's.
+type Instance = (Option<usize>, super::Root, u32);
+
+/// A call of an instance of a block of the text.
+struct BlockCall {
+    instance: Instance,
+    from: Option<usize>,
+    unit: u32,
+    in_loop: bool,
+    at: Span,
 }
 
 pub(crate) struct Builder<'t, 'f> {
@@ -139,7 +153,9 @@ pub(crate) struct Builder<'t, 'f> {
     pub loops: u32,
     /// The variables that count open loops.
     counters: Vec<(super::Root, u32)>,
-    called: HashMap<(Option<usize>, super::Root, u32), Span>,
+    called: HashMap<Instance, Span>,
+    /// Calls of blocks of the text, of which some have timers within.
+    calls: Vec<BlockCall>,
     writes: bool,
     /// Of the unit that is called not all parameters are known.
     lenient: bool,
@@ -164,6 +180,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             loops: 0,
             counters: Vec::new(),
             called: HashMap::new(),
+            calls: Vec::new(),
             writes: false,
             lenient: false,
             hidden: HashSet::new(),
@@ -235,6 +252,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             result: None,
             closed: kind != UnitKind::Block,
             gives: false,
+            timed: false,
             incomplete: false,
             block,
         });
