@@ -107,7 +107,7 @@ pub(super) struct TypeSpec {
 #[derive(Debug)]
 pub(super) enum SpecKind {
     Named(Name),
-    /// STRING[20]
+    /// `STRING[20]`
     Text(Base, Option<Box<Node>>),
     Enum(Vec<Name>),
     Range(Name, Box<(Node, Node)>),

@@ -44,7 +44,7 @@ impl Writer {
             Base::Real | Base::Lreal => format!("{small}.{}", self.random.below(100)),
             Base::Time => format!("T#{small}ms"),
             _ if base.is_bits() => format!("{base}#16#{small:X}"),
-            _ if base.is_signed() && small % 3 == 0 => format!("{base}#-{small}"),
+            _ if base.is_signed() && small.is_multiple_of(3) => format!("{base}#-{small}"),
             _ => format!("{base}#{small}"),
         }
     }

@@ -148,6 +148,7 @@ impl Checker<'_, '_, '_> {
             initial,
             constant: vars.constant,
             retain: vars.retain,
+            unseen: false,
             point,
         };
         if self

@@ -124,6 +124,18 @@ impl Builder<'_, '_> {
         }
     }
 
+    /// Converts in a way that the language has for it, where [`Builder::explicit`] would take another: LCE cuts the
+    /// fraction of a real, and keeps the bits that fit.
+    // LCE's alone.
+    #[allow(dead_code)]
+    pub fn convert(&mut self, expr: Expr, how: Convert, to: Base, at: Span) -> Expr {
+        let expr = self.settled(expr);
+        Expr {
+            at,
+            ..self.converted(expr, how, TypeId::of(to))
+        }
+    }
+
     /// Gives a number of the text, whose type is open, its own: INT, DINT or LINT, and REAL.
     pub fn settled(&mut self, expr: Expr) -> Expr {
         let to = match (&expr.kind, expr.base) {

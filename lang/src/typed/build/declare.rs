@@ -25,6 +25,8 @@ pub(crate) struct Traits {
     pub initial: Option<Arc<Initial>>,
     pub constant: bool,
     pub retain: bool,
+    /// It is the front end's own, and no symbol.
+    pub unseen: bool,
     pub point: Option<Point>,
 }
 
@@ -98,7 +100,7 @@ impl Builder<'_, '_> {
             constant: traits.constant,
             at,
         };
-        if root == Root::Static {
+        if root == Root::Static && !traits.unseen {
             let program = self.current.map(|unit| unit as u32);
             self.shown
                 .push((name.to_owned(), variable.clone(), program));

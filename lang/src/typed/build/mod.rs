@@ -14,8 +14,13 @@
 //!    norm) and [`Builder::call`] (of the text). They find the common type, put in conversions and fold constants.
 //!    [`Builder::explicit`] converts as a language asks, [`Builder::coerce`] as a place needs it.
 //! 4. **Statements**: [`Builder::assign`], [`Builder::condition`] for IF, WHILE and REPEAT, [`Builder::counting`]
-//!    for FOR, [`Builder::case`], [`Builder::print`], [`Builder::call`], [`Builder::block`]. Others are made as they are.
+//!    for FOR, [`Builder::selector`] and [`Builder::labels`] for CASE, [`Builder::print`], [`Builder::call`], [`Builder::block`]. Others are made as they are.
 //! 5. [`Builder::body`] gives a unit its statements, and [`Builder::finish`] gives the tree.
+//!
+//! A variable of the front end's own is `unseen`, or [`Section::Temp`] if it need not last; what holds a symbol in one
+//! of two cells is pushed to `builder.tree.symbols` as [`Holds::Either`](super::Holds). `%` before a name makes
+//! [`Builder::name`] take it for an address. A declaration that is wrong is followed by [`Builder::hide`], so that
+//! nothing more is told of its name.
 //!
 //! A program of a language without types and units takes a few lines:
 //!
