@@ -245,7 +245,8 @@ impl Parser<'_, '_> {
     /// A name of somebody's own.
     fn name(&mut self, what: (&str, &str), help: impl Into<Word>) -> Parsed<Name> {
         let token = self.token();
-        if token.kind != Kind::Word || token.meant.is_some() {
+        let goes_on = self.keyword().is_section() && self.on_new_line();
+        if token.kind != Kind::Word || token.meant.is_some() || goes_on {
             return Err(self.missing(what, help));
         }
         if self.keyword() != Keyword::None {

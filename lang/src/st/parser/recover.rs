@@ -162,7 +162,8 @@ impl Parser<'_, '_> {
         }
         for by in 1..16 {
             match self.ahead(by).kind {
-                Kind::Colon => return true,
+                // `x : = 5` stores.
+                Kind::Colon => return self.ahead(by + 1).kind != Kind::Equal,
                 Kind::Word | Kind::Comma | Kind::Address => {}
                 _ => return false,
             }

@@ -70,6 +70,19 @@ impl Builder<'_, '_> {
     }
 
     fn how_to_declare(&mut self, name: &str) -> Word {
+        let truth = match name.to_uppercase().as_str() {
+            "ON" | "HIGH" | "LIGADO" | "LIGADA" | "VERDADEIRO" | "VERDADE" | "YES" | "SIM" => {
+                "TRUE"
+            }
+            "OFF" | "LOW" | "DESLIGADO" | "DESLIGADA" | "FALSO" | "NO" | "NAO" | "NÃO" => "FALSE",
+            _ => "",
+        };
+        if !truth.is_empty() {
+            return self.near(
+                name,
+                both(format!("write {truth}"), format!("escreva {truth}")),
+            );
+        }
         let declare = format!("VAR {name} : INT; END_VAR");
         let help = both(
             format!("declare it: {declare}"),

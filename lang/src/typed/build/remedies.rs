@@ -68,6 +68,9 @@ impl Builder<'_, '_> {
                 format!("escreva TRUE ou FALSE, ou compare com alguma coisa: x = {written}"),
             ),
             (_, Base::Bool) if from.is_num() || from.is_bits() => write(format!("{written} <> 0")),
+            (Base::Wstr, Base::Str) if written.starts_with('"') => {
+                write(format!("'{}'", written.trim_matches('"')))
+            }
             (Base::AnyInt, Base::Time) => write(format!("T#{written}ms")),
             (Base::AnyReal, _) if to.is_int() => match &expr.kind {
                 ExprKind::Constant(value) => {
@@ -106,6 +109,14 @@ impl Builder<'_, '_> {
                 "um valor de enumeração só se compara e guarda",
             )
                 .into(),
+            Generic::Bit if name == "NOT" && !base.is_text() => both(
+                format!(
+                    "NOT comes before a comparison: write NOT ({written} = …), or {written} <> …"
+                ),
+                format!(
+                    "NOT vem antes de uma comparação: escreva NOT ({written} = …) ou {written} <> …"
+                ),
+            ),
             Generic::Bit if base.is_int() => {
                 let word = match base.bits() {
                     8 => "BYTE",
