@@ -12,7 +12,7 @@ const MEGABYTE: usize = 1 << 20;
 /// Each shape as deep or as long as it is asked for.
 type Shape = fn(usize) -> String;
 
-const SHAPES: [(&str, Shape); 31] = [
+const SHAPES: [(&str, Shape); 32] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -92,6 +92,10 @@ const SHAPES: [(&str, Shape); 31] = [
     ("units without their words", |n| {
         "Scale : REAL VAR_INPUT x : INT; END_VAR\n".repeat(n)
     }),
+    ("names of one length", |n| {
+        let all: String = (0..n).map(|i| format!("name{i:06} : INT;\n")).collect();
+        format!("VAR {all} END_VAR\n") + &"nome000001 := 1; nqme000002 := 1;\n".repeat(20)
+    }),
     ("THEN alone", |n| "x THEN y := 1;\n".repeat(n)),
     ("END_VAR alone", |n| "END_VAR ".repeat(n)),
     ("ELSE IF in IF", |n| {
@@ -126,6 +130,7 @@ fn a_hundred_thousand_of_anything_is_one_diagnostic_or_few() {
                 | "blocks in blocks"
                 | "functions in functions"
                 | "units without their words"
+                | "names of one length"
                 | "THEN alone"
                 | "END_VAR alone"
                 | "ELSE IF in IF"

@@ -76,6 +76,9 @@ const MOST_CALLS: u32 = 60;
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;
 
+/// Nor among more names than these.
+const MOST_NAMES: usize = 4_000;
+
 /// Whether letters of both cases are the same in names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Letters {
@@ -420,7 +423,13 @@ impl<'t, 'f> Builder<'t, 'f> {
         let globals = self.globals.keys().map(String::as_str);
         // For no longer than the names of the text live.
         let known = functions::names().map(shorter);
-        match nearest(name, own.chain(globals).chain(known)) {
+        let mut names: Vec<&str> = own.chain(globals).chain(known).collect();
+        if names.len() > MOST_NAMES {
+            return otherwise;
+        }
+        // Of two that are as near, the same is told each time.
+        names.sort_unstable();
+        match nearest(name, names.into_iter()) {
             Some(near) => {
                 let near = self.spelt(near);
                 both(format!("is it `{near}`?"), format!("seria `{near}`?"))
