@@ -30,6 +30,10 @@
 //!
 //! **Arithmetic.** It is 32 bits wide (64 for the types of the PC alone); a value is narrowed where it is
 //! stored ([`Store`]) or converted ([`Convert`]).
+//!
+//! **Order.** Operands are computed from left to right, all of them: AND and OR leave none out, and neither do
+//! [`ExprKind::Select`] and [`ExprKind::Mux`]. An assignment computes its value before the subscripts of its place;
+//! a call computes all that it gives before the callee's cells are made.
 
 mod base;
 pub(crate) mod build;
