@@ -153,10 +153,15 @@ impl Diagnostic {
 }
 
 impl fmt::Display for Code {
-    /// `IL-11`, `ST-101`
+    /// `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = *self as u16;
-        let table = if number < 100 { "IL" } else { "ST" };
+        let table = match number {
+            0..=99 => "IL",
+            100..=299 => "ST",
+            300..=399 => "ISCL",
+            _ => "LCE",
+        };
         write!(f, "{table}-{number}")
     }
 }
@@ -223,6 +228,11 @@ impl Found {
         let errors = self.told.iter();
         let errors = errors.filter(|d| d.severity() == Severity::Error);
         errors.map(|d| d.span)
+    }
+
+    /// Whether this was told there.
+    pub(crate) fn was_told(&self, code: Code, span: Span) -> bool {
+        self.seen.contains(&(code, span))
     }
 
     /// The first place where this was told.

@@ -10,17 +10,28 @@ pub enum TextLanguage {
     St,
     /// Structured Text as Siemens writes it: `#name`, `"name"`.
     Scl,
+    /// InterSCL, a small SCL for teaching.
+    Iscl,
+    /// LCE, the language of SimuPLC.
+    Lce,
 }
 
 impl TextLanguage {
     /// Every typed language.
-    pub const ALL: [TextLanguage; 2] = [TextLanguage::St, TextLanguage::Scl];
+    pub const ALL: [TextLanguage; 4] = [
+        TextLanguage::St,
+        TextLanguage::Scl,
+        TextLanguage::Iscl,
+        TextLanguage::Lce,
+    ];
 
-    /// Its name on a command line: `st`, `scl`.
+    /// Its name on a command line: `st`, `scl`, `iscl`, `lce`.
     pub const fn name(self) -> &'static str {
         match self {
             TextLanguage::St => "st",
             TextLanguage::Scl => "scl",
+            TextLanguage::Iscl => "iscl",
+            TextLanguage::Lce => "lce",
         }
     }
 
@@ -47,6 +58,8 @@ pub fn check(text: &str, language: TextLanguage) -> CheckedText {
     let tree = match language {
         TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, &mut found),
         TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, &mut found),
+        TextLanguage::Iscl => crate::iscl::check(text, &mut found),
+        TextLanguage::Lce => crate::lce::check(text, &mut found),
     };
     let tree = tree.filter(|_| !found.has_errors());
     CheckedText {

@@ -5,11 +5,17 @@
 //!
 //! - `il`: Instruction List, 11 to 99; `docs/il-diagnostics.md` and its translation have an entry for each
 //! - `st`: Structured Text and what the typed languages share, 101 to 299; `docs/st-diagnostics.md` likewise
+//! - `iscl`: InterSCL alone, 301 to 399; `docs/interscl-diagnostics.md` likewise
+//! - `lce`: LCE alone, 401 to 499; `docs/lce-diagnostics.md` likewise
 
 #[macro_use]
 mod il;
 #[macro_use]
 mod st;
+#[macro_use]
+mod iscl;
+#[macro_use]
+mod lce;
 
 use crate::diagnostics::Severity;
 
@@ -21,7 +27,7 @@ pub(crate) struct Words {
 
 macro_rules! messages {
     ($($number:literal $name:ident $severity:ident $en:literal $en_help:literal $pt:literal $pt_help:literal;)*) => {
-        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`, `ST-101`.
+        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[repr(u16)]
         pub enum Code {
@@ -54,4 +60,4 @@ macro_rules! messages {
     };
 }
 
-il_rows! { st_rows messages }
+il_rows! { st_rows iscl_rows lce_rows messages }

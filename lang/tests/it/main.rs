@@ -11,6 +11,7 @@ mod limits;
 mod places;
 mod random_programs;
 mod round_trip;
+mod small_any_text;
 mod twins;
 mod typed;
 mod typed_any_text;

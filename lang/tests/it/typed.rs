@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use unoclp_lang::run::Machine;
-use unoclp_lang::typed::{Symbol, Tree};
+use unoclp_lang::typed::{Holds, Symbol, Tree};
 use unoclp_lang::{Lang, Lines, TextLanguage, check, given};
 
 #[derive(Deserialize)]
@@ -22,6 +22,8 @@ struct Case {
     name: String,
     st: Option<String>,
     scl: Option<String>,
+    iscl: Option<String>,
+    lce: Option<String>,
     /// What is told: the code, the line and the column of each, `ST-110 3:5`.
     #[serde(default)]
     told: Vec<String>,
@@ -42,6 +44,9 @@ struct Case {
     /// Symbols behind the last scan; a list gives those behind each.
     #[serde(default)]
     after: BTreeMap<String, toml::Value>,
+    /// What PRINT shows, in all scans.
+    #[serde(default)]
+    printed: Vec<toml::Value>,
     /// The line in which S 04 is set first.
     fails: Option<u32>,
 }
@@ -57,16 +62,24 @@ fn text(value: &toml::Value) -> String {
 
 fn symbol<'t>(tree: &'t Tree, name: &str) -> Result<&'t Symbol, String> {
     let mut symbols = tree.symbols.iter();
-    let found = symbols.find(|symbol| symbol.name.eq_ignore_ascii_case(name));
+    let exact = tree.symbols.iter().find(|symbol| symbol.name == name);
+    let found = exact.or_else(|| symbols.find(|symbol| symbol.name.eq_ignore_ascii_case(name)));
     found.ok_or_else(|| format!("there is no symbol {name}"))
 }
 
 impl Case {
     fn fault(&self) -> Option<String> {
-        let (source, language) = match (&self.st, &self.scl) {
-            (Some(st), None) => (st, TextLanguage::St),
-            (None, Some(scl)) => (scl, TextLanguage::Scl),
-            _ => return Some("needs one text".to_owned()),
+        let texts = [
+            (&self.st, TextLanguage::St),
+            (&self.scl, TextLanguage::Scl),
+            (&self.iscl, TextLanguage::Iscl),
+            (&self.lce, TextLanguage::Lce),
+        ];
+        let mut texts = texts
+            .iter()
+            .filter_map(|(text, language)| Some((text.as_ref()?, *language)));
+        let (Some((source, language)), None) = (texts.next(), texts.next()) else {
+            return Some("needs one text".to_owned());
         };
         let checked = check(source, language);
         let lines = Lines::new(source);
@@ -113,8 +126,8 @@ impl Case {
                 };
                 let symbol = symbol(tree, name)?;
                 let (_, base) = machine.value(symbol);
-                let unoclp_lang::typed::Holds::Cell(cell) = symbol.holds else {
-                    continue;
+                let Holds::Cell(cell) = symbol.holds else {
+                    return Err(format!("{name} is of mixed kinds"));
                 };
                 let value = given(&value, base, &symbol.values)
                     .ok_or(format!("{name} cannot be {value}"))?;
@@ -135,6 +148,13 @@ impl Case {
             if !value.is_array() {
                 self.expect(tree, &machine, name, &text(value), None)?;
             }
+        }
+        let printed = machine.printed();
+        let shown = printed.iter().map(|one| one.value.shown(one.base));
+        let (shown, wanted): (Vec<_>, Vec<_>) =
+            (shown.collect(), self.printed.iter().map(text).collect());
+        if shown != wanted {
+            return Err(format!("printed {shown:?}, not {wanted:?}"));
         }
         let fails = machine.failed().map(|at| lines.place(source, at.start).0);
         match fails == self.fails {

@@ -69,7 +69,7 @@ impl Builder<'_, '_> {
     }
 
     /// Converts without asking; a constant at once.
-    pub(super) fn converted(&mut self, expr: Expr, how: Convert, ty: TypeId) -> Expr {
+    pub(crate) fn converted(&mut self, expr: Expr, how: Convert, ty: TypeId) -> Expr {
         let Some(to) = self.tree.types.base(ty) else {
             return self.wrong(expr.at);
         };

@@ -85,7 +85,6 @@ pub(crate) enum Letters {
     /// `Motor` is `MOTOR`.
     Alike,
     /// They are two names.
-    #[allow(dead_code)]
     Apart,
 }
 
@@ -311,6 +310,11 @@ impl<'t, 'f> Builder<'t, 'f> {
         if let Some(draft) = self.here() {
             draft.gives = true;
         }
+    }
+
+    /// The program may change nothing without a word about it.
+    pub fn may_do_nothing(&mut self) {
+        self.writes = true;
     }
 
     /// A name whose declaration is wrong: what is done with it is not told.

@@ -256,8 +256,6 @@ impl Builder<'_, '_> {
     }
 
     /// Shows a variable.
-    // InterSCL's alone.
-    #[allow(dead_code)]
     pub fn print(&mut self, name: &str, value: Expr, at: Span) -> Option<Stmt> {
         self.writes = true;
         let value = self.settled(value);

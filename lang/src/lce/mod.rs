@@ -1,0 +1,30 @@
+//! LCE, the language of SimuPLC: from a text to the typed tree.
+//!
+//! `words` (its signs and keywords), `parser` (words → `ast`), `check` (what names stand for, and as what each value
+//! is taken). It knows no board and no files, and no text makes it panic.
+
+mod ast;
+mod check;
+mod coils;
+mod command;
+mod expression;
+mod kinds;
+mod parser;
+mod slots;
+mod values;
+mod var;
+mod words;
+
+use crate::diagnostics::{Code, Found};
+use crate::typed::Tree;
+
+/// The tree of a text; none where something is wrong, which is told.
+pub(crate) fn check(text: &str, found: &mut Found) -> Option<Tree> {
+    let program = parser::parse(text, found);
+    if let Some(open) = found.place_of(Code::StCommentOpen) {
+        // It swallows the rest; what is missing there follows from it.
+        found.keep(|d| d.code == Code::StCommentOpen && d.span == open);
+        return None;
+    }
+    check::check(text, &program?, found)
+}

@@ -1,0 +1,258 @@
+//! What names stand for: variables `V0`, points, and the names that `var` gives them.
+//!
+//! Owns which places there are and in which cells a variable lives. Must not know expressions.
+
+use super::ast::{Kind, Name};
+use super::check::Checker;
+use crate::address::{Address, parse};
+use crate::diagnostics::{Code, Span};
+use crate::dialect::Dialect;
+use crate::names::near::nearest;
+use crate::typed::build::both;
+use crate::typed::{Base, Cell, Holds, Point, Symbol, Value};
+use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, MARKERS};
+
+/// For more names than this, no near one is looked for.
+const MOST_NEAR: u32 = 32;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Slot {
+    /// A variable, by its number here.
+    Variable(usize),
+    /// A point of the board.
+    Point(Point),
+}
+
+/// What is written to a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Written {
+    Bit,
+    Whole,
+    Real,
+}
+
+/// A variable: as what it is written, and where it lives.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Variable {
+    pub bit: bool,
+    pub whole: bool,
+    pub real: bool,
+    pub cells: Option<Cells>,
+}
+
+/// The cells of a variable.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Cells {
+    /// One kind alone is written to it.
+    One(u32, Base),
+    /// Mixed kinds: a marker says which of two cells holds what was last written.
+    Two { flag: u32, real: u32, whole: u32 },
+}
+
+/// A name that is shown.
+pub(super) struct Shown {
+    pub name: String,
+    pub slot: Slot,
+    pub at: Span,
+}
+
+/// Whether it is written like a place: `V0`, `I0.0`, `AIW1`.
+pub(super) fn is_place(text: &str) -> bool {
+    let end = text.find(|c: char| !c.is_ascii_uppercase());
+    let (letters, digits) = text.split_at(end.unwrap_or(text.len()));
+    let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    match letters {
+        "V" | "AIW" => number(digits),
+        "I" | "Q" | "M" => digits
+            .split_once('.')
+            .is_some_and(|(byte, bit)| number(byte) && number(bit)),
+        _ => false,
+    }
+}
+
+/// The point of this name; none where the board has no such point.
+fn point(text: &str) -> Option<Point> {
+    let within = |n: u32, last: u8| (1..=u32::from(last)).contains(&n);
+    if let Some(digits) = text.strip_prefix("AIW") {
+        let number = digits.parse().ok()?;
+        return (number < u32::from(ANALOGUE)).then_some(Point::Analogue(number));
+    }
+    match parse(text, Dialect::Iec)? {
+        Address::Input(n) if within(n, Profile::UNO.inputs) => Some(Point::Input(n)),
+        Address::Output(n) if within(n, Profile::UNO.outputs) => Some(Point::Output(n)),
+        Address::Marker(n) if within(n, MARKERS) => Some(Point::Marker(n)),
+        _ => None,
+    }
+}
+
+impl Checker<'_, '_> {
+    /// What a name stands for; none where that is nothing, which is told once.
+    pub(super) fn slot(&mut self, name: &Name) -> Option<Slot> {
+        if let Some(slot) = self.names.get(&name.text) {
+            return *slot;
+        }
+        let slot = self.place(&name.text);
+        if slot.is_none() {
+            self.told_no_place(name);
+        }
+        self.names.insert(name.text.clone(), slot);
+        if let Some(slot) = slot {
+            self.shown.push(Shown {
+                name: name.text.clone(),
+                slot,
+                at: name.span,
+            });
+        }
+        slot
+    }
+
+    /// The place that a text names.
+    fn place(&mut self, text: &str) -> Option<Slot> {
+        if !is_place(text) {
+            return None;
+        }
+        if !text.starts_with('V') {
+            return point(text).map(Slot::Point);
+        }
+        self.variables.push(Variable::default());
+        Some(Slot::Variable(self.variables.len() - 1))
+    }
+
+    fn told_no_place(&mut self, name: &Name) {
+        let text = name.text.as_str();
+        let upper = text.to_uppercase();
+        let pointed = text.contains('.');
+        if is_place(text) || pointed && !is_place(&upper) {
+            self.builder
+                .tell(Code::LceNoPoint, name.span, [text.into()]);
+            return;
+        }
+        self.asked += 1;
+        let names = self.names.iter().filter(|(_, slot)| slot.is_some());
+        let near = match self.asked > MOST_NEAR {
+            true => None,
+            false => {
+                let mut same = names.clone().map(|(name, _)| name.as_str());
+                let same = same.find(|name| name.to_uppercase() == upper);
+                same.or_else(|| nearest(text, names.map(|(name, _)| name.as_str())))
+            }
+        };
+        let help = match near {
+            _ if is_place(&upper) => both(
+                format!("capitals and small letters differ: write {upper}"),
+                format!("maiúsculas e minúsculas são diferentes: escreva {upper}"),
+            ),
+            Some(near) if near.to_uppercase() == upper => both(
+                format!("capitals and small letters differ: is it `{near}`?"),
+                format!("maiúsculas e minúsculas são diferentes: seria `{near}`?"),
+            ),
+            Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
+            None => both(
+                format!("name a variable so: var V0 = {text};"),
+                format!("dê esse nome a uma variável: var V0 = {text};"),
+            ),
+        };
+        self.builder
+            .tell(Code::LceUndeclared, name.span, [text.into(), help]);
+    }
+
+    /// Notes as what a name is written.
+    pub(super) fn note(&mut self, name: &Name, written: Written) {
+        let Some(Slot::Variable(number)) = self.slot(name) else {
+            return;
+        };
+        if let Some(variable) = self.variables.get_mut(number) {
+            match written {
+                Written::Bit => variable.bit = true,
+                Written::Whole => variable.whole = true,
+                Written::Real => variable.real = true,
+            }
+        }
+    }
+
+    /// The cells of a variable, made when they are asked for first.
+    pub(super) fn cells(&mut self, number: usize) -> Cells {
+        let Some(variable) = self.variables.get(number) else {
+            return Cells::One(0, Base::Dint);
+        };
+        if let Some(cells) = variable.cells {
+            return cells;
+        }
+        let cells = match (variable.real, variable.whole, variable.bit) {
+            (true, true, _) => Cells::Two {
+                flag: self.cell(Base::Bool),
+                real: self.cell(Base::Real),
+                whole: self.cell(Base::Dint),
+            },
+            // 1 and 0 are the same as a REAL, so a bit needs no marker beside it.
+            (true, false, _) => Cells::One(self.cell(Base::Real), Base::Real),
+            (false, false, true) => Cells::One(self.cell(Base::Bool), Base::Bool),
+            _ => Cells::One(self.cell(Base::Dint), Base::Dint),
+        };
+        if let Some(variable) = self.variables.get_mut(number) {
+            variable.cells = Some(cells);
+        }
+        cells
+    }
+
+    fn cell(&mut self, base: Base) -> u32 {
+        let cells = &mut self.builder.tree.cells;
+        cells.push(Cell {
+            base,
+            initial: Value::zero(base),
+            retain: false,
+        });
+        cells.len() as u32 - 1
+    }
+
+    /// All names with what they stand for.
+    pub(super) fn symbols(&mut self) -> Vec<Symbol> {
+        let shown = std::mem::take(&mut self.shown);
+        let symbol = |Shown { name, slot, at }| {
+            let (holds, type_name) = match slot {
+                Slot::Point(point) => {
+                    let base = if point.is_bit() {
+                        Base::Bool
+                    } else {
+                        Base::Int
+                    };
+                    (
+                        Holds::Cell(self.builder.point(point)),
+                        base.name().to_owned(),
+                    )
+                }
+                Slot::Variable(number) => match self.cells(number) {
+                    Cells::One(cell, base) => (Holds::Cell(cell), base.name().to_owned()),
+                    Cells::Two { flag, real, whole } => {
+                        let holds = Holds::Either {
+                            flag,
+                            set: real,
+                            clear: whole,
+                        };
+                        (holds, format!("{}/{}", Base::Real, Base::Dint))
+                    }
+                },
+            };
+            Symbol {
+                name,
+                type_name,
+                holds,
+                at,
+                values: Vec::new(),
+            }
+        };
+        shown.into_iter().map(symbol).collect()
+    }
+}
+
+impl Written {
+    /// As what an assignment of this type writes.
+    pub fn of(kind: Option<Kind>) -> Written {
+        match kind {
+            Some(Kind::R) => Written::Real,
+            _ => Written::Whole,
+        }
+    }
+}
