@@ -29,6 +29,9 @@ pub fn guess(path: Option<&Path>, text: &str) -> LanguageName {
     if crate::is_numeric(text.as_bytes()) {
         return "numeric";
     }
+    if text.lines().any(is_typed_store) {
+        return "lce";
+    }
     let structured = text.contains(":=") && text.contains(';') || has_word(text, "END_PROGRAM");
     match structured {
         true if has_local_names(text) => "scl",
@@ -72,6 +75,22 @@ fn has_local_names(text: &str) -> bool {
         .any(|(at, _)| is_letter(at + 1) && !is_word(at.checked_sub(1)))
 }
 
+/// `V0 R:= 1.5`, as LCE alone writes it.
+fn is_typed_store(line: &str) -> bool {
+    let mut parts = line.split(":=");
+    let before = parts.next().unwrap_or_default();
+    let letter = before.chars().next_back();
+    let name = match letter {
+        Some('R' | 'D' | 'W' | 'B') => before.get(..before.len() - 1).unwrap_or_default(),
+        _ => return false,
+    };
+    let last = name.split([' ', '\t', ';']).rfind(|word| !word.is_empty());
+    let number = last.and_then(|word| word.strip_prefix('V'));
+    let typed = name.ends_with([' ', '\t'])
+        && number.is_some_and(|n| !n.is_empty() && n.bytes().all(|byte| byte.is_ascii_digit()));
+    typed && parts.next().is_some()
+}
+
 /// `LD I1`
 fn is_instruction(line: &str) -> bool {
     let operators = [
@@ -92,6 +111,12 @@ mod tests {
             (Some("a.st"), "", "st"),
             (Some("A.SCL"), "", "scl"),
             (Some("a.txt"), "(* x *) bloco INT x; END_BLOCK", "iscl"),
+            (None, "BLOCO\n", "iscl"),
+            (Some("b.iscl"), "x := 1", "iscl"),
+            (Some("a.lce"), "x := 1;", "lce"),
+            (None, "plc gate end", "lce"),
+            (None, "V0 R:= 100000.125;\nV1 := V0;", "lce"),
+            (None, "VAR R : INT; END_VAR R:= 1;", "st"),
             (None, "// first\nclp teste\nfim", "lce"),
             (None, "PROGRAM main\nEND_PROGRAM", "st"),
             (None, "VAR x : INT; END_VAR x := 1;", "st"),

@@ -21,8 +21,8 @@ unoclp_source::messages! {
         "say what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
     not_run(language)
-        "run does not read {language}; it reads Structured Text (.st, .scl). Say --language st if the text is that"
-        "run não lê {language}; lê Texto Estruturado (.st, .scl). Indique --language st se o texto for isso";
+        "run does not read {language}; it reads Structured Text (.st, .scl), InterSCL (.iscl) and LCE (.lce). Say --language st, iscl or lce if the text is that"
+        "run não lê {language}; lê Texto Estruturado (.st, .scl), InterSCL (.iscl) e LCE (.lce). Indique --language st, iscl ou lce se o texto for isso";
     the_text() "the text" "o texto";
     the_input() "standard input" "entrada padrão";
     set_form(given)

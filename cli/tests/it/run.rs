@@ -164,3 +164,93 @@ fn a_value_that_cannot_be_computed_is_told() {
         "{err}"
     );
 }
+
+/// The lines of the language's own page give its own values.
+#[test]
+fn lce_runs_by_extension_by_first_word_and_by_language() {
+    let lines = "V0 R:= 100000.125;\nV1 R:= V0;\nV2 := V0; V3 W:= V0; V4 B:= V0;\n";
+    let table = concat!(
+        "name  type  value       place\n",
+        "V0    REAL  100000.125  -\n",
+        "V1    REAL  100000.125  -\n",
+        "V2    DINT  100000      -\n",
+        "V3    DINT  34464       -\n",
+        "V4    DINT  160         -\n",
+    );
+    let named = file("typed.lce", lines);
+    let begun = format!("clp teste\n{lines}fim\n");
+    let begun = file("typed.txt", &begun);
+    for arguments in [
+        vec!["run", &named],
+        vec!["run", &begun],
+        vec!["run", "--text", lines],
+        vec!["run", "--language", "lce", "--text", lines],
+    ] {
+        let expected = (0, table.to_owned(), String::new());
+        assert_eq!(outcome(&arguments), expected, "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_variable_of_mixed_kinds_is_what_it_holds() {
+    let text = "clp x se (I0.0) { V0 R:= 2.5; } senao { V0 := 7; } fim";
+    for (set, json) in [
+        ("I0.0=1", r#""type": "REAL", "value": 2.5"#),
+        ("I0.0=0", r#""type": "DINT", "value": 7"#),
+    ] {
+        let (code, out, err) = outcome(&["run", "--json", "--set", set, "--text", text]);
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(out.contains(&format!(r#"{{"name": "V0", {json}"#)), "{out}");
+    }
+}
+
+#[test]
+fn interscl_runs_by_extension_by_first_word_and_by_language() {
+    let block = "BLOCO\n  INT i; INT s;\n  FOR i := 1 TO 10 DO s := s + i * i; END_FOR;\n  PRINT(s);\nEND_BLOCK\n";
+    let expected = "385\nname  type  value  place\ni     INT   11     -\ns     INT   385    -\n";
+    let named = file("squares.iscl", block);
+    for arguments in [
+        vec!["run", &named],
+        vec!["run", "--text", block],
+        vec!["run", "--language", "iscl", "--text", block],
+    ] {
+        let expected = (0, expected.to_owned(), String::new());
+        assert_eq!(outcome(&arguments), expected, "{arguments:?}");
+    }
+    let (code, out, _) = outcome(&["run", "--json", "--scans", "2", "--text", block]);
+    assert_eq!(code, 0);
+    assert!(
+        out.starts_with(r#"{"scans": 2, "printed": [385, 770], "#),
+        "{out}"
+    );
+}
+
+#[test]
+fn what_is_wrong_in_interscl_and_lce_is_told_in_both_languages() {
+    for (text, lang, told) in [
+        (
+            "BLOCO INT a, b; END_BLOCK",
+            "C",
+            "error[ISCL-304]: a declaration has one name, and `b` follows behind a comma\n --> the text:1:12\n",
+        ),
+        (
+            "BLOCO INT a, b; END_BLOCK",
+            "pt_BR",
+            "erro[ISCL-304]: uma declaração tem um só nome, e `b` vem depois de uma vírgula\n --> o texto:1:12\n",
+        ),
+        (
+            "clp x 5 := V0; fim",
+            "C",
+            "error[LCE-403]: `5` is a constant, and a variable is needed here\n --> the text:1:7\n",
+        ),
+        (
+            "clp x 5 := V0; fim",
+            "pt_BR",
+            "erro[LCE-403]: `5` é uma constante, e aqui é preciso uma variável\n --> o texto:1:7\n",
+        ),
+    ] {
+        let (code, out, err) = outcome_in(&["run", "--text", text], lang);
+        assert_eq!((code, err.as_str()), (1, ""));
+        assert!(out.starts_with(told), "{out}");
+    }
+}

@@ -1,6 +1,6 @@
 //! What a run has come to, for a program: one object.
 
-use super::{Ran, written};
+use super::{Ran, type_name, written};
 use unoclp_lang::typed::{Base, Symbol, Value};
 
 pub(super) fn json(ran: &Ran<'_>) -> String {
@@ -16,7 +16,7 @@ pub(super) fn json(ran: &Ran<'_>) -> String {
             format!(
                 r#"{{"name": {}, "type": {}, "value": {}, "place": null}}"#,
                 quoted(&symbol.name),
-                quoted(&symbol.type_name),
+                quoted(&type_name(symbol, *base)),
                 value(held, *base, Some(symbol))
             )
         })

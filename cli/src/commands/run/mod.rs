@@ -207,6 +207,14 @@ fn placed(text: &Text, at: Span, told: impl Fn(String) -> String) -> String {
     )
 }
 
+/// The type of a symbol; of one that holds what was last written, that of what it holds.
+fn type_name(symbol: &Symbol, base: Base) -> String {
+    match symbol.holds {
+        Holds::Cell(_) => symbol.type_name.clone(),
+        Holds::Either { .. } => base.name().to_owned(),
+    }
+}
+
 /// A value as a person reads it: an enumeration by its names.
 fn written(symbol: &Symbol, value: &Value, base: Base) -> String {
     let named = usize::try_from(value.int())

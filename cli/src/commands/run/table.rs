@@ -1,6 +1,6 @@
 //! What a run has come to, for a person: what was printed, and the symbols in columns.
 
-use super::{Ran, written};
+use super::{Ran, type_name, written};
 use unoclp_cli::messages;
 use unoclp_lang::run::Printed;
 use unoclp_lang::typed::Value;
@@ -35,7 +35,7 @@ pub(super) fn table(ran: &Ran<'_>) -> String {
         let shown = written(symbol, value, *base);
         rows.push([
             symbol.name.clone(),
-            symbol.type_name.clone(),
+            type_name(symbol, *base),
             shown,
             "-".to_owned(),
         ]);
