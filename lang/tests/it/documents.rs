@@ -6,7 +6,7 @@ use unoclp_lang::{
     Code, Diagnostic, Lang, Lines, Options, Severity, Span, TextLanguage, check, compile,
 };
 
-const PAGES: [(&str, &str, Lang, [&str; 2]); 4] = [
+const PAGES: [(&str, &str, Lang, [&str; 2]); 8] = [
     (
         "docs/il-diagnostics.md",
         "IL-",
@@ -28,6 +28,30 @@ const PAGES: [(&str, &str, Lang, [&str; 2]); 4] = [
     (
         "docs/st-diagnostics.pt-BR.md",
         "ST-",
+        Lang::Pt,
+        ["Erro", "Aviso"],
+    ),
+    (
+        "docs/interscl-diagnostics.md",
+        "ISCL-",
+        Lang::En,
+        ["Error", "Warning"],
+    ),
+    (
+        "docs/interscl-diagnostics.pt-BR.md",
+        "ISCL-",
+        Lang::Pt,
+        ["Erro", "Aviso"],
+    ),
+    (
+        "docs/lce-diagnostics.md",
+        "LCE-",
+        Lang::En,
+        ["Error", "Warning"],
+    ),
+    (
+        "docs/lce-diagnostics.pt-BR.md",
+        "LCE-",
         Lang::Pt,
         ["Erro", "Aviso"],
     ),
@@ -95,6 +119,8 @@ fn examples() {
             };
             let told = |text| match table {
                 "IL-" => compile(text, &Options::default()).diagnostics,
+                "ISCL-" => check(text, TextLanguage::Iscl).diagnostics,
+                "LCE-" => check(text, TextLanguage::Lce).diagnostics,
                 _ => check(text, TextLanguage::St).diagnostics,
             };
             let wrong = told(wrong);
