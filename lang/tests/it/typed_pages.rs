@@ -5,7 +5,12 @@ use std::path::Path;
 use unoclp_lang::run::Machine;
 use unoclp_lang::{TextLanguage, check};
 
-const PAGES: [&str; 2] = ["structured-text.md", "structured-text.pt-BR.md"];
+/// A language, its page, and how many examples that has at least.
+const PAGES: [(TextLanguage, &str, usize); 3] = [
+    (TextLanguage::St, "structured-text", 9),
+    (TextLanguage::Iscl, "interscl", 3),
+    (TextLanguage::Lce, "lce", 4),
+];
 
 fn read(page: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -35,13 +40,13 @@ fn scans(line: &str) -> Option<(i64, i64)> {
 
 #[test]
 fn each_example_does_what_stands_below_it() {
-    for page in PAGES {
-        let text = read(page);
-        let (programs, results) = (blocks(&text, "st"), blocks(&text, "text"));
+    for (language, page, least) in PAGES {
+        let text = read(&format!("{page}.md"));
+        let (programs, results) = (blocks(&text, language.name()), blocks(&text, "text"));
         assert_eq!(programs.len(), results.len(), "{page}");
-        assert!(programs.len() >= 9, "{page}");
+        assert!(programs.len() >= least, "{page}");
         for (program, result) in programs.into_iter().zip(results) {
-            let checked = check(program, TextLanguage::St);
+            let checked = check(program, language);
             assert_eq!(checked.diagnostics.listed, [], "{page}: {program}");
             let tree = checked.tree.unwrap();
             let mut machine = Machine::new(&tree);
@@ -64,7 +69,10 @@ fn each_example_does_what_stands_below_it() {
 
 #[test]
 fn both_languages_have_the_same_examples() {
-    let [english, portuguese] = PAGES.map(read);
-    assert_eq!(blocks(&english, "st"), blocks(&portuguese, "st"));
-    assert_eq!(blocks(&english, "text"), blocks(&portuguese, "text"));
+    for (language, page, _) in PAGES {
+        let [english, portuguese] = ["md", "pt-BR.md"].map(|end| read(&format!("{page}.{end}")));
+        for kind in [language.name(), "text"] {
+            assert_eq!(blocks(&english, kind), blocks(&portuguese, kind), "{page}");
+        }
+    }
 }
