@@ -7,6 +7,7 @@ mod common;
 mod documents;
 mod examples;
 mod fuzzed;
+mod grammars;
 mod limits;
 mod places;
 mod random_programs;
