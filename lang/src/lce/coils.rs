@@ -104,6 +104,10 @@ impl Checker<'_, '_> {
 
     /// Turns off the coils of what is not reached.
     fn turn_off(&mut self, coils: &[Coil], at: Span, all: &mut Vec<Stmt>) {
+        if self.resets > MOST_RESETS {
+            // Told.
+            return;
+        }
         self.resets += coils.len();
         if self.resets > MOST_RESETS {
             self.builder.tell(Code::StTooDeep, at, []);
