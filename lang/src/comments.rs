@@ -3,6 +3,7 @@
 //! Owns which line says what; must not know where a comment begins or ends: the lexer says so.
 
 use crate::diagnostics::{Lines, Span};
+use std::collections::HashMap;
 
 /// The lines of a text, as far as they hold comments or more.
 pub(crate) struct Comments(Vec<Line>);
@@ -59,6 +60,35 @@ impl Comments {
             .filter_map(|line| some(&std::mem::take(&mut line.words)))
             .collect()
     }
+}
+
+/// Where comments that hold whole comments begin and end. A `(*` within a comment that has no end of its own
+/// is a part of what the comment says.
+pub(crate) fn nested(bytes: &[u8]) -> HashMap<usize, usize> {
+    let mut ends = HashMap::new();
+    // Those that are open, and whether they hold another.
+    let mut open: Vec<(usize, bool)> = Vec::new();
+    let mut at = 0;
+    while let Some(pair) = bytes.get(at..at + 2) {
+        match pair {
+            b"(*" => open.push((at, false)),
+            b"*)" => {
+                if let Some((start, true)) = open.pop() {
+                    ends.insert(start, at + 2);
+                }
+                open.iter_mut()
+                    .rev()
+                    .take(1)
+                    .for_each(|outer| outer.1 = true);
+            }
+            _ => {
+                at += 1;
+                continue;
+            }
+        }
+        at += 2;
+    }
+    ends
 }
 
 /// What a comment says, without what begins and ends it.

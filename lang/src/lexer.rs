@@ -3,7 +3,9 @@
 //! Owns comments, numbers and names; must not know an operator from a name. Of `;` it knows that it ends a
 //! declaration between VAR and END_VAR, and begins a comment elsewhere.
 
+use crate::comments;
 use crate::diagnostics::{Code, Found, Span};
+use std::collections::HashMap;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +30,7 @@ pub(crate) enum Kind {
     /// `&`
     And,
     Minus,
+    Plus,
     /// The end of a line.
     NewLine,
     /// The end of the text.
@@ -70,6 +73,7 @@ pub(crate) fn words(text: &str, found: &mut Found) -> Words {
         bytes: text.as_bytes(),
         at: 0,
         unclosed: 0,
+        nested: comments::nested(text.as_bytes()),
         comments: Vec::new(),
         declares: false,
         remarks: Vec::new(),
@@ -106,6 +110,8 @@ struct Lexer<'t, 'f> {
     at: usize,
     /// There is no `*)` from `at` to here.
     unclosed: usize,
+    /// Comments that hold others: where they begin, and where they end.
+    nested: HashMap<usize, usize>,
     comments: Vec<Span>,
     /// Between VAR and END_VAR.
     declares: bool,
@@ -146,6 +152,7 @@ impl Lexer<'_, '_> {
                 b';' => Kind::Semicolon,
                 b'&' => Kind::And,
                 b'-' => Kind::Minus,
+                b'+' => Kind::Plus,
                 b':' if second == Some(b'=') => self.two(Kind::Assign),
                 b':' => Kind::Colon,
                 b'=' if second == Some(b'>') => self.two(Kind::Arrow),
@@ -302,7 +309,7 @@ impl Lexer<'_, '_> {
                 Some(b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.')
             )
         };
-        while part(self) {
+        while part(self) || self.is_typed_radix() {
             self.at += 1;
             self.minus_of_exponent();
             let before = self.bytes.get(self.at - 1);
@@ -312,9 +319,20 @@ impl Lexer<'_, '_> {
         }
     }
 
+    /// The second `#` of `UINT#16#F`.
+    fn is_typed_radix(&self) -> bool {
+        let [before, sign, behind] = [self.at.wrapping_sub(1), self.at, self.at + 1]
+            .map(|at| self.bytes.get(at).copied().unwrap_or_default());
+        sign == b'#' && before.is_ascii_digit() && behind.is_ascii_alphanumeric()
+    }
+
     /// A comment, from behind its `(`. It may go over lines. One that the line closes by `* )` is meant to
     /// be closed there: else it would swallow the next instructions without a word.
     fn comment(&mut self, start: usize) {
+        if let Some(&end) = self.nested.get(&start) {
+            self.at = end;
+            return;
+        }
         self.at += 1;
         let mut spaced = None;
         while let Some(&byte) = self.bytes.get(self.at) {

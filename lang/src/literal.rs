@@ -14,7 +14,11 @@ pub(crate) fn value(text: &str) -> Option<i32> {
         "16" => whole(rest, 16),
         "T" | "TIME" => time(rest),
         "REAL" => real(rest),
-        "INT" | "DINT" | "UINT" | "WORD" | "BYTE" => value(rest),
+        "SINT" | "INT" | "DINT" | "USINT" | "UINT" | "UDINT" | "BYTE" | "WORD" | "DWORD"
+            if rest.matches('#').count() <= 1 =>
+        {
+            value(rest)
+        }
         "BOOL" => value(rest).filter(|number| (0..=1).contains(number)),
         _ => None,
     }
@@ -134,6 +138,9 @@ mod tests {
             ("99999999999", None),
             ("2#3", None),
             ("7#3", None),
+            ("UINT#16#F", Some(15)),
+            ("DWORD#2#1010", Some(10)),
+            ("INT#INT#16#F", None),
             ("REAL#0.5", Some(0x3F00_0000)),
             ("REAL#-1.5E3", Some(0xC4BB_8000_u32.cast_signed())),
             ("REAL#1E39", None),
