@@ -34,6 +34,12 @@ pub(crate) enum Address {
     Counter(String, Option<String>),
 }
 
+/// The letters of addresses, which may stand apart from their numbers: `I 0.0`.
+pub(crate) const LETTERS: [&str; 26] = [
+    "I", "IX", "Q", "QX", "M", "MX", "X", "Y", "W", "S", "SM", "IW", "AIW", "QW", "D", "MW", "MD",
+    "VW", "MB", "IB", "QB", "T", "TM", "TIM", "C", "CNT",
+];
+
 /// The address that a name spells; none where it spells none. The name is in upper case.
 pub(crate) fn parse(name: &str, dialect: Dialect) -> Option<Address> {
     let text = name.strip_prefix('%').unwrap_or(name);

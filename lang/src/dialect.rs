@@ -59,6 +59,8 @@ pub(crate) struct Signs {
     seen: [u32; 5],
     /// OUT, which Mitsubishi and OMRON share.
     out: bool,
+    /// Whose a point can only be.
+    point: Option<Dialect>,
 }
 
 impl Signs {
@@ -71,6 +73,11 @@ impl Signs {
         self.out = true;
     }
 
+    /// A point that only this dialect has; the first one counts.
+    pub(crate) fn see_point(&mut self, dialect: Dialect) {
+        self.point.get_or_insert(dialect);
+    }
+
     /// The dialect of which most was seen; IEC where nothing was.
     pub(crate) fn dialect(&self) -> Dialect {
         let all = Dialect::ALL.into_iter();
@@ -78,7 +85,7 @@ impl Signs {
         match most {
             Some(dialect) if self.seen[dialect as usize] > 0 => dialect,
             _ if self.out => Dialect::Mitsubishi,
-            _ => Dialect::Iec,
+            _ => self.point.unwrap_or_default(),
         }
     }
 }

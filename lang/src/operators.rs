@@ -34,6 +34,8 @@ pub(crate) enum Op {
     Jump,
     Call,
     Return,
+    /// END: the program's end, whatever follows.
+    End,
     /// TON, TOF, TP, TONR with a timer and its preset.
     Timer(Opcode),
     CountUp,
@@ -79,6 +81,7 @@ impl Op {
                 | Op::Part(_)
                 | Op::Edge(_)
                 | Op::Return
+                | Op::End
                 | Op::AndBlock
                 | Op::OrBlock
                 | Op::OutBlock
@@ -98,6 +101,16 @@ impl Op {
                 | Op::Code
                 | Op::Table(_)
         )
+    }
+
+    /// Whether a list of operands is worked through one by one: `ADD 2, 4, 7`.
+    pub(crate) fn takes_list(self) -> bool {
+        let number = |opcode| matches!(opcode, Opcode::Add | Opcode::Multiply);
+        match self {
+            Op::And | Op::Or | Op::Xor => true,
+            Op::Number(opcode) => number(opcode),
+            _ => false,
+        }
     }
 
     /// Whether its operand is a REAL number.
@@ -149,6 +162,7 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "CU" => plain(Op::Input(Opcode::CountUp)),
         "CD" => plain(Op::Input(Opcode::CountDown)),
         "CODE" => plain(Op::Code),
+        "END" | "MEND" | "FEND" => plain(Op::End),
         "LDI" => maker(Op::Load, true, Dialect::Mitsubishi),
         "ANI" => maker(Op::And, true, Dialect::Mitsubishi),
         "ORI" => maker(Op::Or, true, Dialect::Mitsubishi),

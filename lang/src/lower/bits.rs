@@ -95,16 +95,24 @@ impl Lower<'_, '_> {
         let Some(operand) = instr.operands.first() else {
             return self.missing(name(instr.op), instr.span);
         };
-        self.only(instr, 1);
+        let more = instr.op.takes_list() && !instr.negated;
+        self.only(instr, if more { usize::MAX } else { 1 });
         if let Op::Number(opcode) | Op::Compare(opcode) = instr.op
             && operand.name() == Some(POP)
         {
+            self.only(instr, 1);
             return self.pop(instr, opcode, left);
         }
         let right = self.value(operand);
         let span = instr.whole;
         self.acc = self.apply(instr.op, instr.negated, left, right, span);
         self.link(span);
+        for operand in instr.operands.iter().skip(1).filter(|_| more) {
+            let left = std::mem::replace(&mut self.acc, Acc::Unknown);
+            let right = self.value(operand);
+            self.acc = self.apply(instr.op, false, left, right, operand.span);
+            self.link(span);
+        }
     }
 
     /// The result of an operation on two values.

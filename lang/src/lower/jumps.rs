@@ -201,6 +201,16 @@ impl Lower<'_, '_> {
         self.unreachable = true;
     }
 
+    /// END, which needs no code where nothing follows.
+    pub(super) fn end(&mut self, instr: &Instr, next: Option<&Stmt>) {
+        self.warn_unused();
+        self.not_deferred("END", instr.span);
+        match next {
+            Some(_) => self.ret(instr),
+            None => self.only(instr, 0),
+        }
+    }
+
     /// Jumps and labels do not stand between parentheses; what LD has pushed is lost there.
     pub(super) fn not_deferred(&mut self, what: &str, span: Span) {
         let deferred = |waiting: &Waiting| matches!(waiting, Waiting::Deferred(..));

@@ -255,6 +255,7 @@ impl<'a> Lower<'a, '_> {
             Op::Edge(opcode) => self.edge(instr, opcode),
             Op::Jump => self.jump(instr),
             Op::Return => self.ret(instr),
+            Op::End => self.end(instr, next),
             Op::Call => self.call(instr),
             Op::Function => self.function(instr),
             Op::Timer(opcode) => self.timer_operator(instr, opcode, next),

@@ -263,6 +263,11 @@ macro_rules! il_rows {
         "store it, or use AND or OR in place of the LD that follows"
         "o resultado disto nunca é usado: não há ST antes do próximo LD ou do fim"
         "armazene-o, ou use AND ou OR no lugar do LD que segue";
+    66 Configuration Warning
+        "CONFIGURATION was passed over: the board runs one program, in every scan"
+        "delete it; what its VAR_GLOBAL declares is kept"
+        "CONFIGURATION foi ignorada: a placa executa um só programa, em cada varredura"
+        "apague-a; o que o VAR_GLOBAL dela declara foi mantido";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
         "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"

@@ -1,6 +1,7 @@
 //! What is no Instruction List, or no more of it: numeric code, Structured Text, comments that read like code.
 
 use super::Parser;
+use crate::ast::Unit;
 use crate::diagnostics::{Code, Span};
 use crate::lexer::{Kind, Token};
 use crate::operators;
@@ -24,6 +25,31 @@ impl Parser<'_, '_> {
         };
         let ends = matches!(next.kind, Kind::NewLine | Kind::End);
         (ends || self.text_of(between).trim_start().starts_with('/')) && is_code(code)
+    }
+
+    /// From CONFIGURATION to END_CONFIGURATION: who runs the program, and how often, is no question here. What
+    /// is declared there holds for the program.
+    pub(super) fn configuration(&mut self, unit: &mut Unit) {
+        let opening = self.advance();
+        self.tell(Code::Configuration, opening.span, []);
+        loop {
+            let token = self.peek();
+            if token.kind == Kind::End {
+                let why = (
+                    "write END_CONFIGURATION behind it",
+                    "escreva END_CONFIGURATION depois dela",
+                );
+                let words = ["CONFIGURATION".into(), why.into()];
+                return self.tell(Code::Structure, opening.span, words);
+            }
+            self.at += 1;
+            if self.is(token, "END_CONFIGURATION") {
+                return while self.take(Kind::Semicolon).is_some() {};
+            }
+            if let Some(section) = self.section(token) {
+                self.declarations(token, section, unit);
+            }
+        }
     }
 
     /// Structured Text is told once: what else could be said of it helps nobody.

@@ -3,6 +3,7 @@
 mod declare;
 mod foreign;
 mod operand;
+mod points;
 mod statement;
 
 use declare::TYPES;
@@ -48,6 +49,7 @@ pub(crate) fn parse(text: &str, found: &mut Found) -> Parsed {
         declaring: false,
         wrong_declarations: false,
         headless: false,
+        open_here: 0,
         errors: 0,
         found,
     };
@@ -80,6 +82,8 @@ struct Parser<'t, 'f> {
     wrong_declarations: bool,
     /// A declaration or the head of a unit has been told, so its END_… stands alone.
     headless: bool,
+    /// Parentheses that were opened in this line, and are open.
+    open_here: u32,
     /// Errors so far, also those that were not told.
     errors: u32,
     found: &'f mut Found,
@@ -195,6 +199,7 @@ impl Parser<'_, '_> {
             let declares = matches!(name.kind, Kind::Colon | Kind::Comma) || self.is(name, "AT");
             self.declares_n |= declares && self.is(before, "N");
         }
+        self.find_points();
     }
 
     /// What stands outside of any unit is the program's.
@@ -233,6 +238,8 @@ impl Parser<'_, '_> {
                     unit => others.extend(unit),
                 }
                 self.end_of_statement();
+            } else if self.is(token, "CONFIGURATION") {
+                self.configuration(inside.as_mut().unwrap_or(&mut program));
             } else {
                 let mut unit = inside.take();
                 self.part(unit.as_mut().unwrap_or(&mut program));

@@ -1,7 +1,8 @@
 //! Operands and parameters.
 
 use super::Parser;
-use crate::ast::{Operand, OperandKind, Param};
+use crate::address;
+use crate::ast::{Operand, OperandKind, Param, Word};
 use crate::diagnostics::Code;
 use crate::lexer::Kind;
 use crate::literal;
@@ -25,6 +26,10 @@ impl Parser<'_, '_> {
                     None => (self.bad_number(&text, span), span),
                 }
             }
+            Kind::Plus if self.ahead(1).kind == Kind::Number => {
+                self.at += 1;
+                return self.operand();
+            }
             Kind::Number | Kind::Literal => {
                 self.at += 1;
                 let text = self.text_of(token.span).to_owned();
@@ -44,7 +49,7 @@ impl Parser<'_, '_> {
             }
             Kind::Name => {
                 self.at += 1;
-                let word = self.word(token);
+                let word = self.spaced(self.word(token));
                 let kind = match word.text.as_str() {
                     "TRUE" => OperandKind::Bool(true),
                     "FALSE" => OperandKind::Bool(false),
@@ -57,17 +62,36 @@ impl Parser<'_, '_> {
         Some(Operand { kind, span })
     }
 
+    /// `I 0.0`, as Siemens spaces addresses, and `TIM 000`, as OMRON does.
+    fn spaced(&mut self, letters: Word) -> Word {
+        let number = self.peek();
+        let spelt = letters.text.trim_start_matches('%');
+        if number.kind != Kind::Number || !address::LETTERS.contains(&spelt) {
+            return letters;
+        }
+        let digits = self.text_of(number.span).to_owned();
+        if !digits.bytes().all(|b| b.is_ascii_digit() || b == b'.') {
+            return letters;
+        }
+        self.at += 1;
+        Word {
+            text: letters.text + &digits,
+            span: letters.span.to(number.span),
+        }
+    }
+
     /// A REAL number without `REAL#`; none, and nothing taken, where none comes next.
     pub(super) fn real(&mut self) -> Option<Operand> {
-        let minus = usize::from(self.peek().kind == Kind::Minus);
+        let minus = usize::from(matches!(self.peek().kind, Kind::Minus | Kind::Plus));
         let number = self.ahead(minus);
         if number.kind != Kind::Number {
             return None;
         }
         let span = self.peek().span.to(number.span);
         let bits = literal::real(self.text_of(number.span))?;
+        let negative = self.peek().kind == Kind::Minus;
         self.at += minus + 1;
-        let sign = if minus == 0 { 0 } else { i32::MIN };
+        let sign = if negative { i32::MIN } else { 0 };
         let kind = OperandKind::Number(bits ^ sign);
         Some(Operand { kind, span })
     }
@@ -104,7 +128,10 @@ impl Parser<'_, '_> {
         let kinds = [whole.kind, comma.kind, parts.kind];
         let span = whole.span.to(parts.span);
         let text = self.text_of(span);
-        if kinds != [Kind::Number, Kind::Comma, Kind::Number] || !literal::is_fraction(text) {
+        // ADD 2,4,7 adds each of them.
+        let list = self.ahead(3).kind == Kind::Comma;
+        let numbers = kinds == [Kind::Number, Kind::Comma, Kind::Number];
+        if !numbers || list || !literal::is_fraction(text) {
             return None;
         }
         let text = text.to_owned();
@@ -118,7 +145,7 @@ impl Parser<'_, '_> {
         let next = self.peek();
         let follows = matches!(
             next.kind,
-            Kind::Number | Kind::Literal | Kind::Name | Kind::Minus
+            Kind::Number | Kind::Literal | Kind::Name | Kind::Minus | Kind::Plus
         );
         let is_operator =
             next.kind == Kind::Name && operators::find(&self.word(next).text).is_some();

@@ -19,9 +19,13 @@ impl Parser<'_, '_> {
             return;
         }
         match token.kind {
-            Kind::NewLine | Kind::Semicolon => self.at += 1,
+            Kind::NewLine | Kind::Semicolon => {
+                self.at += 1;
+                self.open_here = 0;
+            }
             Kind::Close => {
                 self.at += 1;
+                self.open_here = self.open_here.saturating_sub(1);
                 unit.body.push(Stmt::Close(token.span));
             }
             Kind::Number | Kind::Minus if self.begins_line() && self.is_numeric_code() => {
@@ -149,6 +153,7 @@ impl Parser<'_, '_> {
                     span = span.to(n.span);
                 }
                 let span = paren.span;
+                self.open_here += 1;
                 open = Some(Open { span, negated });
             } else {
                 let name = self.text_of(span).to_owned();
@@ -161,10 +166,12 @@ impl Parser<'_, '_> {
             | Op::Unary(_)
             | Op::Push
             | Op::Part(_)
+            | Op::End
             | Op::AndBlock
             | Op::OrBlock
             | Op::OutBlock
             | Op::EndBlock => Vec::new(),
+            _ if open.is_some() && self.loads() => Vec::new(),
             op if op.is_real() => self
                 .real()
                 .map_or_else(|| self.operands(false), |real| vec![real]),
@@ -194,12 +201,40 @@ impl Parser<'_, '_> {
         match self.peek().kind {
             // It closes what was deferred, on the same line.
             Kind::Close | Kind::NewLine | Kind::End | Kind::Semicolon => {}
+            // What is in parentheses may stand on one line.
+            Kind::Name | Kind::And if self.open_here > 0 && self.acts() => {}
             _ => self.unexpected(),
         }
         if self.errors > errors {
             unit.body.pop();
             self.wrong(first, unit);
         }
+    }
+
+    /// Whether an operator comes next.
+    fn acts(&self) -> bool {
+        let next = self.peek();
+        next.kind == Kind::And || operators::find(&self.word(next).text).is_some()
+    }
+
+    /// Whether `LD I2` comes next, and not the name of an operand.
+    fn loads(&self) -> bool {
+        let word = operators::find(&self.word(self.peek()).text);
+        let load = word.is_some_and(|word| word.op == Op::Load);
+        load && matches!(
+            self.ahead(1).kind,
+            Kind::Name | Kind::Number | Kind::Literal
+        )
+    }
+
+    /// Whether a block is called by its name alone, `T1 (IN := I1)`: its parenthesis comes next.
+    fn calls_by_name(&self) -> bool {
+        let behind = self.tokens.get(self.at + 1..).unwrap_or_default();
+        let mut behind = behind.iter().filter(|token| token.kind != Kind::NewLine);
+        let named = behind.next().is_some_and(|token| token.kind == Kind::Name);
+        let given = behind.next().map(|token| token.kind);
+        let assigns = matches!(given, Some(Kind::Assign | Kind::Arrow));
+        self.peek().kind == Kind::Open && named && assigns
     }
 
     /// The operator that comes next, its modifiers but the parenthesis, and its place.
@@ -239,6 +274,11 @@ impl Parser<'_, '_> {
             if operators::is_structured_text(&word) {
                 self.structured_text(token.span);
                 return None;
+            }
+            if self.calls_by_name() {
+                // The name is the operand.
+                self.at -= 1;
+                return operators::find("CAL").map(|call| (call, token.span));
             }
             if let Some(meant) = operators::of_other_language(&word) {
                 let text = self.text_of(token.span).to_owned();
@@ -296,12 +336,7 @@ impl Parser<'_, '_> {
                 );
             }
         }
-        let calls = self.peek().kind == Kind::Open && self.ahead(2).kind == Kind::Assign;
         let help = match operators::nearest(word) {
-            _ if calls => (
-                format!("to call it, write CAL {written} (…)"),
-                format!("para chamá-lo, escreva CAL {written} (…)"),
-            ),
             Some(near) => (format!("is it {near}?"), format!("seria {near}?")),
             None => (
                 "each line begins with an operator, like LD, AND, OR or ST".to_owned(),
