@@ -58,7 +58,9 @@ pub(crate) fn parse(name: &str, dialect: Dialect) -> Option<Address> {
         behind => Some(behind.strip_prefix('.')?),
     };
     let bit: Option<u32> = match member {
-        Some(bit) if !matches!(letters, "T" | "TM" | "C") => Some(bit.parse().ok()?),
+        Some(bit) if !matches!(letters, "T" | "TM" | "TIM" | "C" | "CNT") => {
+            Some(bit.parse().ok()?)
+        }
         _ => None,
     };
     let zero_based = u32::from(matches!(dialect, Dialect::Twido | Dialect::Mitsubishi));
@@ -105,10 +107,17 @@ pub(crate) fn parse(name: &str, dialect: Dialect) -> Option<Address> {
         "MB" => Address::Group(word(first)?),
         "IB" => word(first).map(|_| Address::Inputs)?,
         "QB" => word(first).map(|_| Address::Outputs)?,
+        "TIM" => Address::Timer(format!("T{first}"), member.map(str::to_owned)),
         "T" | "TM" => Address::Timer(format!("{letters}{first}"), member.map(str::to_owned)),
-        "C" => Address::Counter(format!("{letters}{first}"), member.map(str::to_owned)),
+        "C" | "CNT" => Address::Counter(format!("C{first}"), member.map(str::to_owned)),
         _ => return None,
     })
+}
+
+/// Whether a name is that of a timer or counter as a whole: `T0`, `C1`.
+pub(crate) fn is_block(name: &str) -> bool {
+    let number = name.trim_start_matches('%').strip_prefix(['T', 'C']);
+    number.is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// How an address is written: its letters, its number, and its bit. `I1`, `I.1`, `% IX01` are one spelling.

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::Span;
 use crate::operators::Op;
+use unoclp_core::isa::Opcode;
 
 /// A name as it is written, in upper case and without blanks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -111,6 +112,8 @@ pub(crate) struct Instr {
     pub negated: bool,
     /// The modifier C.
     pub conditional: bool,
+    /// The edge of the operand is meant, and not its state.
+    pub edge: Option<Opcode>,
     pub open: Option<Open>,
     pub operands: Vec<Operand>,
     /// What stands in the parentheses of a call.

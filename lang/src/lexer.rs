@@ -158,6 +158,11 @@ impl Lexer<'_, '_> {
                 b'=' if second == Some(b'>') => self.two(Kind::Arrow),
                 b'=' => Kind::Equals,
                 b'0'..=b'9' => self.number(),
+                // OMRON's #0050.
+                b'#' if second.is_some_and(|byte| byte.is_ascii_digit()) => {
+                    self.digits();
+                    Kind::Literal
+                }
                 b'%' => {
                     while matches!(self.bytes.get(self.at), Some(b' ' | b'\t')) {
                         self.at += 1;

@@ -8,9 +8,10 @@ pub(crate) fn value(text: &str) -> Option<i32> {
         return whole(text, 10);
     };
     match prefix.to_ascii_uppercase().as_str() {
+        // OMRON's: each digit is a decimal one.
+        "" | "10" => whole(rest, 10),
         "2" => whole(rest, 2),
         "8" => whole(rest, 8),
-        "10" => whole(rest, 10),
         "16" => whole(rest, 16),
         "T" | "TIME" => time(rest),
         "REAL" => real(rest),

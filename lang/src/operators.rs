@@ -34,6 +34,15 @@ pub(crate) enum Op {
     Jump,
     Call,
     Return,
+    /// MPS, MRD, MPP, and LPS, LRD, LPP of the S7-200: the accumulator is kept for branches.
+    Keep,
+    Recall,
+    Release,
+    /// PLS, PLF, DIFU, DIFD: the operand is 1 for the scan of an edge.
+    Differentiate(Opcode),
+    /// TIM and CNT of OMRON.
+    OmronTimer,
+    OmronCounter,
     /// END: the program's end, whatever follows.
     End,
     /// TON, TOF, TP, TONR with a timer and its preset.
@@ -61,6 +70,8 @@ pub(crate) struct Spelling {
     pub op: Op,
     pub negated: bool,
     pub conditional: bool,
+    /// LDP, ANDF: the edge of the operand is what counts.
+    pub edge: Option<Opcode>,
     /// The maker whose spelling it is.
     pub dialect: Option<Dialect>,
 }
@@ -80,6 +91,9 @@ impl Op {
                 | Op::Push
                 | Op::Part(_)
                 | Op::Edge(_)
+                | Op::Keep
+                | Op::Recall
+                | Op::Release
                 | Op::Return
                 | Op::End
                 | Op::AndBlock
@@ -97,6 +111,8 @@ impl Op {
                 | Op::CountUp
                 | Op::CountDown
                 | Op::CountUpDown
+                | Op::OmronTimer
+                | Op::OmronCounter
                 | Op::Function
                 | Op::Code
                 | Op::Table(_)
@@ -131,6 +147,12 @@ impl Op {
 pub(crate) fn find(word: &str) -> Option<Spelling> {
     let plain = |op| spelling(op, false, false, None);
     let maker = |op, negated, dialect| spelling(op, negated, false, Some(dialect));
+    let edge = |op, edge| Spelling {
+        edge: Some(edge),
+        ..maker(op, false, Dialect::Mitsubishi)
+    };
+    let rise = Op::Differentiate(Opcode::RisingEdge);
+    let fall = Op::Differentiate(Opcode::FallingEdge);
     Some(match word {
         "LD" => plain(Op::Load),
         "ST" => plain(Op::Store),
@@ -171,6 +193,25 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "ORB" => maker(Op::OrBlock, false, Dialect::Mitsubishi),
         "SET" => plain(Op::Set),
         "RST" => plain(Op::Reset),
+        "MPS" => maker(Op::Keep, false, Dialect::Mitsubishi),
+        "MRD" => maker(Op::Recall, false, Dialect::Mitsubishi),
+        "MPP" => maker(Op::Release, false, Dialect::Mitsubishi),
+        "LPS" => maker(Op::Keep, false, Dialect::S7200),
+        "LRD" => maker(Op::Recall, false, Dialect::S7200),
+        "LPP" => maker(Op::Release, false, Dialect::S7200),
+        "LDP" => edge(Op::Load, Opcode::RisingEdge),
+        "LDF" => edge(Op::Load, Opcode::FallingEdge),
+        "ANDP" | "ANP" => edge(Op::And, Opcode::RisingEdge),
+        "ANDF" | "ANF" => edge(Op::And, Opcode::FallingEdge),
+        "ORP" => edge(Op::Or, Opcode::RisingEdge),
+        "ORF" => edge(Op::Or, Opcode::FallingEdge),
+        "PLS" => maker(rise, false, Dialect::Mitsubishi),
+        "PLF" => maker(fall, false, Dialect::Mitsubishi),
+        "DIFU" => maker(rise, false, Dialect::Omron),
+        "DIFD" => maker(fall, false, Dialect::Omron),
+        "RSET" => maker(Op::Reset, false, Dialect::Omron),
+        "TIM" => maker(Op::OmronTimer, false, Dialect::Omron),
+        "CNT" => maker(Op::OmronCounter, false, Dialect::Omron),
         "A" => maker(Op::And, false, Dialect::S7200),
         "AN" => maker(Op::And, true, Dialect::S7200),
         "O" => maker(Op::Or, false, Dialect::S7200),
@@ -229,6 +270,7 @@ fn spelling(op: Op, negated: bool, conditional: bool, dialect: Option<Dialect>) 
         op,
         negated,
         conditional,
+        edge: None,
         dialect,
     }
 }

@@ -16,7 +16,7 @@ impl Lower<'_, '_> {
         self.warn_unused();
         self.unused = Some(instr.whole);
         let inverted = std::mem::take(&mut self.invert_load) != instr.negated;
-        if self.frames.is_empty() && self.block.is_none() && self.waiting == 0 {
+        if self.frames.is_empty() && self.is_alone() {
             self.rungs.temps.release();
         }
         self.links = 0;
@@ -41,6 +41,14 @@ impl Lower<'_, '_> {
         } else {
             acc
         };
+        if let Some(edge) = instr.edge {
+            self.edge_of_operand(instr, edge);
+        }
+    }
+
+    /// Whether nothing outside of the accumulator and the frames waits.
+    fn is_alone(&self) -> bool {
+        self.block.is_none() && self.kept.is_empty() && self.waiting == 0
     }
 
     pub(super) fn missing(&mut self, what: &str, span: Span) {
@@ -102,6 +110,9 @@ impl Lower<'_, '_> {
         {
             self.only(instr, 1);
             return self.pop(instr, opcode, left);
+        }
+        if let Some(edge) = instr.edge {
+            return self.operate_edge(instr, edge, left);
         }
         let right = self.value(operand);
         let span = instr.whole;

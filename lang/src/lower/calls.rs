@@ -25,6 +25,7 @@ impl Lower<'_, '_> {
                 return;
             };
             let behind = self.new_label(span, None);
+            self.freeze(span);
             self.jump_if(condition, instr.negated, behind, span);
             skip = Some(behind);
         }

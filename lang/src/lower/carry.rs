@@ -37,7 +37,14 @@ pub(super) fn needs(body: &[Stmt]) -> HashSet<String> {
                         let target = instr.operands.first().and_then(|operand| operand.name());
                         target.is_some_and(|target| needs.contains(target))
                     }
-                    Op::Load | Op::Call | Op::Function | Op::Return | Op::End | Op::Code => false,
+                    Op::Load
+                    | Op::Recall
+                    | Op::Release
+                    | Op::Call
+                    | Op::Function
+                    | Op::Return
+                    | Op::End
+                    | Op::Code => false,
                     Op::Block | Op::OutBlock | Op::EndBlock => false,
                     _ => true,
                 };

@@ -66,6 +66,7 @@ impl Lower<'_, '_> {
         let Some(index) = index else { return };
         let name = self.names.written(word.span);
         self.not_deferred(&name, word.span);
+        self.kept.clear();
         let falls_in = !std::mem::replace(&mut self.unreachable, false);
         if !self.is_needed(&word.text) {
             self.warn_unused();

@@ -26,6 +26,7 @@ impl Lower<'_, '_> {
             frame.acc = self.fixed(std::mem::replace(&mut frame.acc, Acc::Unknown), frame.span);
         }
         self.frames = frames;
+        self.freeze_branches();
         self.freeze_block(span);
     }
 

@@ -1,6 +1,6 @@
 //! From the syntax tree to codes: a run of the program on expressions in place of values.
 //!
-//! `values` tells what operands are worth; `bits`, `defer` and `stack` have what works on the accumulator,
+//! `values` tells what operands are worth; `bits`, `defer`, `stack` and `branches` have what works on the accumulator,
 //! `stores` what writes, `jumps` and `carry` labels and the accumulator over them; `calls` leads to `timers`,
 //! `counters`, `blocks` and `units`, the text's own functions: what is new at each call is in `fresh`, what is
 //! called more than once in `again`. `keep` says when an expression is written out.
@@ -8,6 +8,7 @@
 mod again;
 mod bits;
 mod blocks;
+mod branches;
 mod calls;
 mod carry;
 mod counters;
@@ -16,6 +17,7 @@ mod finish;
 mod fresh;
 mod jumps;
 mod keep;
+mod makers;
 mod parts;
 mod push;
 mod run;
@@ -114,6 +116,8 @@ pub(crate) struct Lower<'a, 'f> {
     scopes: Vec<Scope>,
     /// The block between BLK and END_BLK.
     block: Option<blocks::Block>,
+    /// What MPS has kept, the last one on top, and where.
+    kept: Vec<(Acc, Span)>,
     /// The load whose result nothing has used yet.
     unused: Option<Span>,
     /// Nothing comes here.
@@ -150,8 +154,9 @@ impl<'a> Lower<'a, '_> {
         let frames = std::mem::take(&mut self.frames);
         let lost = std::mem::take(&mut self.lost);
         let block = self.block.take();
+        let kept = std::mem::take(&mut self.kept);
         let ifs = std::mem::take(&mut self.ifs);
-        let waits = frames.len() + usize::from(block.is_some());
+        let waits = frames.len() + kept.len() + usize::from(block.is_some());
         self.waiting += waits;
         self.acc = Acc::Empty;
         self.unused = None;
@@ -185,6 +190,7 @@ impl<'a> Lower<'a, '_> {
         self.frames = frames;
         self.lost = lost;
         self.block = block;
+        self.kept = kept;
         self.waiting -= waits;
         self.scopes.pop();
         self.unreachable = false;
@@ -214,6 +220,7 @@ impl<'a> Lower<'a, '_> {
             }
         }
         self.end_of_blocks();
+        self.end_of_branches();
         self.acc = Acc::Empty;
     }
 
@@ -241,7 +248,12 @@ impl<'a> Lower<'a, '_> {
         }
         match instr.op {
             Op::Load => self.load(instr),
-            Op::Store => self.store(instr),
+            Op::Store => self.store(instr, next),
+            Op::OmronTimer => self.omron_timer(instr, next),
+            Op::OmronCounter => self.omron_counter(instr),
+            Op::Keep => self.keep_result(instr.whole),
+            Op::Recall | Op::Release => self.recall_result(instr),
+            Op::Differentiate(opcode) => self.differentiate(instr, opcode, next),
             Op::Set | Op::Reset => self.set_or_reset(instr),
             Op::Not => self.not(instr),
             Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => {

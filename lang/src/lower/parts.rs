@@ -11,6 +11,7 @@ impl Lower<'_, '_> {
         let span = instr.span;
         let word = self.names.written(span);
         self.not_deferred(&word, span);
+        self.kept.clear();
         if opcode == Opcode::If {
             let Some(condition) = self.take_condition("IF", span) else {
                 return;

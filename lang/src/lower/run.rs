@@ -52,6 +52,7 @@ fn run<'a>(
         waiting: 0,
         scopes: Vec::new(),
         block: None,
+        kept: Vec::new(),
         unused: None,
         unreachable: false,
         invert_load: false,

@@ -1,7 +1,7 @@
 //! What writes: ST, S, R.
 
 use super::{ACCUMULATOR, Acc, BLOCK, BOOL, Lower, NUMBER};
-use crate::ast::{Instr, Operand};
+use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::operators::Op;
@@ -11,10 +11,13 @@ use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 
 impl Lower<'_, '_> {
-    pub(super) fn store(&mut self, instr: &Instr) {
+    pub(super) fn store(&mut self, instr: &Instr, next: Option<&Stmt>) {
         let acc = self.take_acc("ST", instr.span);
         if instr.operands.is_empty() {
             return self.missing("ST", instr.span);
+        }
+        if instr.operands.len() == 2 {
+            return self.out_block_of(instr, acc, next);
         }
         let mut acc = acc;
         for operand in &instr.operands {

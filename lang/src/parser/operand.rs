@@ -6,7 +6,7 @@ use crate::ast::{Operand, OperandKind, Param, Word};
 use crate::diagnostics::Code;
 use crate::lexer::Kind;
 use crate::literal;
-use crate::operators;
+use crate::operators::{self, Op};
 
 impl Parser<'_, '_> {
     /// The operand that comes next; none, and nothing taken, where there is none.
@@ -122,6 +122,39 @@ impl Parser<'_, '_> {
         operands
     }
 
+    /// What is stored to. Mitsubishi's OUT may start a timer or counter: `T0 K50`, `C1 D5`.
+    pub(super) fn stored(&mut self) -> Vec<Operand> {
+        let mut operands = self.operands(false);
+        let behind = matches!(self.peek().kind, Kind::Name | Kind::Number);
+        if let [block] = &operands[..]
+            && behind
+            && block.name().is_some_and(address::is_block)
+        {
+            operands.extend(self.operand().map(maker_constant));
+        }
+        operands
+    }
+
+    /// `000 #0050` behind TIM and CNT: the number is that of the timer or counter.
+    pub(super) fn omron_operands(&mut self, op: Op) -> Vec<Operand> {
+        let number = self.peek();
+        let letters = if op == Op::OmronTimer { "TIM" } else { "CNT" };
+        let mut operands = Vec::new();
+        if number.kind == Kind::Number && self.is_digits(number) {
+            let kind = OperandKind::Name(letters.to_owned() + self.text_of(number.span));
+            self.at += 1;
+            let span = number.span;
+            operands.push(Operand { kind, span });
+        } else {
+            operands.extend(self.operand());
+        }
+        if !operands.is_empty() {
+            self.take(Kind::Comma);
+            operands.extend(self.operand().map(maker_constant));
+        }
+        operands
+    }
+
     /// `2,5`, where no second operand can stand.
     fn fraction(&mut self) -> Option<Operand> {
         let [whole, comma, parts] = [0, 1, 2].map(|more| self.ahead(more));
@@ -222,5 +255,17 @@ impl Parser<'_, '_> {
             negated,
             value,
         })
+    }
+}
+
+/// Mitsubishi's `K50`, a constant.
+fn maker_constant(operand: Operand) -> Operand {
+    let digits = operand.name().and_then(|name| name.strip_prefix('K'));
+    match digits.and_then(literal::value) {
+        Some(value) => Operand {
+            kind: OperandKind::Number(value),
+            ..operand
+        },
+        None => operand,
     }
 }

@@ -167,6 +167,9 @@ impl Parser<'_, '_> {
             | Op::Push
             | Op::Part(_)
             | Op::End
+            | Op::Keep
+            | Op::Recall
+            | Op::Release
             | Op::AndBlock
             | Op::OrBlock
             | Op::OutBlock
@@ -175,6 +178,8 @@ impl Parser<'_, '_> {
             op if op.is_real() => self
                 .real()
                 .map_or_else(|| self.operands(false), |real| vec![real]),
+            Op::Store => self.stored(),
+            Op::OmronTimer | Op::OmronCounter => self.omron_operands(op),
             op => self.operands(op.may_have_more()),
         };
         let mut params = Vec::new();
@@ -188,6 +193,7 @@ impl Parser<'_, '_> {
             function: (op == Op::Function).then(|| self.word_at(span)),
             negated: spelling.negated,
             conditional: spelling.conditional,
+            edge: spelling.edge,
             open,
             operands,
             params,
@@ -244,6 +250,7 @@ impl Parser<'_, '_> {
             op,
             negated,
             conditional: false,
+            edge: None,
             dialect: None,
         };
         if token.kind == Kind::Equals {
