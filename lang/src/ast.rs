@@ -1,5 +1,6 @@
 //! The syntax tree: what a text says, each part with its place, before anything is known of its names.
 
+use crate::address::is_block;
 use crate::diagnostics::Span;
 use crate::operators::Op;
 use unoclp_core::isa::Opcode;
@@ -138,12 +139,28 @@ pub(crate) enum Stmt {
     },
 }
 
+impl Instr {
+    /// Whether it is a store that starts a timer or counter: `OUT T0 K50`.
+    pub(crate) fn starts_block(&self) -> bool {
+        let block = self.operands.first().and_then(Operand::name);
+        self.op == Op::Store && self.operands.len() == 2 && block.is_some_and(is_block)
+    }
+}
+
 impl Operand {
     /// The name; none of a constant.
     pub(crate) fn name(&self) -> Option<&str> {
         match &self.kind {
             OperandKind::Name(name) => Some(name),
             _ => None,
+        }
+    }
+
+    /// Makes the name of a block that of its part: `T1` becomes `T1.PT`.
+    pub(crate) fn add_member(&mut self, member: &str) {
+        if let OperandKind::Name(name) = &mut self.kind {
+            name.push('.');
+            name.push_str(member);
         }
     }
 

@@ -57,7 +57,9 @@ pub(crate) enum Op {
     Block,
     OutBlock,
     EndBlock,
-    /// IN, CU, CD: an input of the block.
+    /// PT, PV: the preset of the operand is stored.
+    Preset,
+    /// IN, CU, CD, CLK: an input of the block.
     Input(Opcode),
     /// Numeric codes as they are.
     Code,
@@ -183,6 +185,8 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
         "IN" => plain(Op::Input(Opcode::OnDelay)),
         "CU" => plain(Op::Input(Opcode::CountUp)),
         "CD" => plain(Op::Input(Opcode::CountDown)),
+        "CLK" => plain(Op::Input(Opcode::RisingEdge)),
+        "PT" | "PV" => plain(Op::Preset),
         "CODE" => plain(Op::Code),
         "END" | "MEND" | "FEND" => plain(Op::End),
         "LDI" => maker(Op::Load, true, Dialect::Mitsubishi),

@@ -57,6 +57,7 @@ impl Lower<'_, '_> {
             "JMP" => ("the name of a label", "o nome de um rótulo"),
             "CAL" | "BLK" | "IN" | "TON" | "TOF" | "TP" | "TONR" => ("T1 or C1", "T1 ou C1"),
             "CU" | "CD" | "CTU" | "CTD" | "CTUD" => ("C1", "C1"),
+            "CLK" => ("the name of an R_TRIG", "o nome de um R_TRIG"),
             "CODE" => ("827301", "827301"),
             _ => ("I1, Q1 or M1", "I1, Q1 ou M1"),
         };

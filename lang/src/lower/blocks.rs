@@ -121,11 +121,13 @@ impl Lower<'_, '_> {
             "CU"
         } else if opcode == Opcode::CountDown {
             "CD"
+        } else if opcode == Opcode::RisingEdge {
+            "CLK"
         } else {
             "IN"
         };
         let Some(operand) = instr.operands.first() else {
-            if self.block.is_none() {
+            if self.block.is_none() || word == "CLK" {
                 return self.missing(word, instr.span);
             }
             return self.wire(word, instr.span);
@@ -159,6 +161,9 @@ impl Lower<'_, '_> {
                     };
                     self.count(counter, inputs, span);
                 }
+            }
+            (Place::Trigger(edge, marker), Opcode::RisingEdge) => {
+                self.run_trigger(edge, marker, expr, span);
             }
             (Place::Unknown, _) => {}
             _ => self.not_callable(operand),

@@ -49,7 +49,14 @@ impl Lower<'_, '_> {
         match self.callable(operand) {
             Place::Timer(timer) => self.call_timer(timer, params, span),
             Place::Counter(counter) => self.call_counter(counter, params, span),
-            Place::Trigger(opcode, marker) => self.call_trigger(opcode, marker, params, span),
+            Place::Trigger(opcode, marker) => {
+                let name = self.spelled(operand);
+                self.call_trigger(opcode, marker, &name, params, span);
+            }
+            place @ Place::Latch(..) => {
+                let name = self.spelled(operand);
+                self.call_latch(place, &name, params, span);
+            }
             Place::Instance(instance) => {
                 let unit = self.names.instances[instance].unit;
                 return self.call_unit(unit, instance, params, span);
@@ -79,7 +86,14 @@ impl Lower<'_, '_> {
     }
 
     /// R_TRIG, F_TRIG: its Q is 1 for one scan.
-    fn call_trigger(&mut self, opcode: Opcode, marker: u8, params: &[Param], span: Span) {
+    fn call_trigger(
+        &mut self,
+        opcode: Opcode,
+        marker: u8,
+        name: &str,
+        params: &[Param],
+        span: Span,
+    ) {
         let block = match opcode {
             Opcode::RisingEdge => "R_TRIG",
             _ => "F_TRIG",
@@ -94,25 +108,33 @@ impl Lower<'_, '_> {
                 _ => self.no_parameter(block, param, has),
             }
         }
-        let Some(clock) = clock else {
+        let place = Place::Trigger(opcode, marker);
+        let expr = match clock {
+            Some(clock) => self.param_bit(clock).map(Some),
+            None => Some(self.wired(place, name, "CLK", span)),
+        };
+        let Some(expr) = expr else { return };
+        let Some(expr) = expr else {
             let needs = ("its input, CLK", "sua entrada, CLK");
             return self
                 .found
                 .tell(Code::ParameterMissing, span, [block.into(), needs.into()]);
         };
-        let Some(expr) = self.param_bit(clock) else {
-            return;
-        };
-        self.rise_or_fall(Edge::Trigger(marker), opcode, expr, span);
-        let Some(changed) = self.take_bit(block, span) else {
-            return;
-        };
-        self.rungs.logic(changed, span);
-        self.rungs.coil(Target::Marker(marker), false, span);
+        self.run_trigger(opcode, marker, expr, span);
         for param in params.iter().filter(|param| param.out) {
             let acc = lit(Bit::Marker(marker), span);
             self.store_to(acc, &param.value, param.negated, param.value.span);
         }
+    }
+
+    /// R_TRIG or F_TRIG on an expression: its Q holds what has changed.
+    pub(super) fn run_trigger(&mut self, opcode: Opcode, marker: u8, expr: Expr, span: Span) {
+        self.rise_or_fall(Edge::Trigger(marker), opcode, expr, span);
+        let Some(changed) = self.take_bit("CLK", span) else {
+            return;
+        };
+        self.rungs.logic(changed, span);
+        self.rungs.coil(Target::Marker(marker), false, span);
     }
 
     /// `LIMIT a, b`: a function as an operator. One operand less than it has inputs, and the accumulator is the

@@ -11,6 +11,8 @@ use crate::rung::{Holds, Written};
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::isa::Opcode;
 
+/// What no preset is: none is given here.
+const UNSAID: i32 = -1;
 /// No parameter has this place.
 const NOWHERE: usize = usize::MAX;
 
@@ -122,8 +124,7 @@ impl Lower<'_, '_> {
     pub(super) fn declared_count(&mut self, counter: usize, span: Span) -> Option<Preset> {
         let counter = &self.names.counters[counter];
         let (name, preset) = (counter.name.clone(), counter.preset);
-        let needs = ("how far it counts, PV", "até quanto conta, PV");
-        self.declared(name, preset, needs, span)
+        self.declared(&name, preset, ["PV", "P"], span)
     }
 
     /// Writes a counter: it counts, then it is loaded, then it is reset, as the norm has it.
@@ -131,6 +132,9 @@ impl Lower<'_, '_> {
         let number = self.names.counters[counter].number;
         self.writes = true;
         self.freeze(span);
+        if let Some(Preset::Unsaid) = inputs.preset {
+            self.note_preset(number, UNSAID);
+        }
         if let Some(Preset::Constant(preset)) = inputs.preset {
             self.note_preset(number, preset);
             if self.again.presets(number) {
@@ -168,7 +172,7 @@ impl Lower<'_, '_> {
                 self.write(Opcode::PresetCounter, number, span);
                 self.names.counters[counter].preset.unwrap_or(0)
             }
-            None => 0,
+            Some(Preset::Unsaid) | None => self.names.counters[counter].preset.unwrap_or(0),
         };
         for (expr, opcode, bit) in [
             (inputs.up, Opcode::CountUp, Bit::Reached(number)),
@@ -198,7 +202,7 @@ impl Lower<'_, '_> {
         let name = self.names.counters[counter].name.clone();
         let kind = match self.names.counters[counter].kind {
             Some(kind) => kind,
-            None if given(params, "CD", NOWHERE) && !given(params, "CU", NOWHERE) => {
+            None if self.has(counter, params, "CD") && !self.has(counter, params, "CU") => {
                 Opcode::CountDown
             }
             None => Opcode::CountUp,
@@ -227,7 +231,19 @@ impl Lower<'_, '_> {
                 }
             }
         }
-        if !given(params, "CU", 0) && !given(params, "CD", 0) {
+        let place = Place::Counter(counter);
+        for (input, wired) in [
+            (&mut inputs.up, "CU"),
+            (&mut inputs.down, "CD"),
+            (&mut inputs.reset, "R"),
+            (&mut inputs.load, "LD"),
+        ] {
+            if input.is_none() && !given(params, wired, NOWHERE) {
+                *input = self.wired(place, &name, wired, span);
+            }
+        }
+        let counts = given(params, "CU", 0) || given(params, "CD", 0);
+        if !counts && inputs.up.is_none() && inputs.down.is_none() {
             let needs = ("what it counts, CU", "o que contar, CU");
             self.found.tell(
                 Code::ParameterMissing,
@@ -260,5 +276,11 @@ impl Lower<'_, '_> {
             };
             self.store_to(acc, &param.value, param.negated, param.value.span);
         }
+    }
+
+    /// Whether a call gives a counter this input, or the text stores to it.
+    fn has(&self, counter: usize, params: &[Param], input: &str) -> bool {
+        let name = &self.names.counters[counter].name;
+        given(params, input, NOWHERE) || self.names.stores(name, input)
     }
 }

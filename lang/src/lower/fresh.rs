@@ -60,10 +60,10 @@ fn stored_first(unit: &Unit) -> HashSet<&str> {
     let mut read = HashSet::new();
     for stmt in &unit.body {
         let Stmt::Instr(instr) = stmt else { continue };
-        if instr.conditional || matches!(instr.op, Op::Jump | Op::Return | Op::Code) {
+        if instr.conditional || matches!(instr.op, Op::Jump | Op::Return | Op::End | Op::Code) {
             break;
         }
-        let stores = instr.op == Op::Store;
+        let stores = instr.op == Op::Store && !instr.starts_block();
         let operands = instr.operands.iter().map(|operand| (operand, stores));
         let params = instr.params.iter().map(|param| (&param.value, param.out));
         for (operand, stores) in operands.chain(params) {

@@ -17,6 +17,7 @@ mod finish;
 mod fresh;
 mod jumps;
 mod keep;
+mod latches;
 mod makers;
 mod parts;
 mod push;
@@ -276,6 +277,8 @@ impl<'a> Lower<'a, '_> {
             Op::Block => self.begin_block(instr),
             Op::OutBlock => self.out_block(instr),
             Op::EndBlock => self.end_block(instr),
+            // The parser has made a store of it.
+            Op::Preset => {}
             Op::Input(opcode) => self.input_operator(instr, opcode),
             Op::Code => self.code(instr),
         }

@@ -16,7 +16,7 @@ impl Lower<'_, '_> {
         if instr.operands.is_empty() {
             return self.missing("ST", instr.span);
         }
-        if instr.operands.len() == 2 {
+        if instr.starts_block() {
             return self.out_block_of(instr, acc, next);
         }
         let mut acc = acc;

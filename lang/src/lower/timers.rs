@@ -15,6 +15,8 @@ pub(super) enum Preset {
     Constant(i32),
     /// From a variable, in each scan.
     Number(Number),
+    /// Nothing says it here: 0, or what has been stored in it.
+    Unsaid,
 }
 
 impl Lower<'_, '_> {
@@ -113,23 +115,27 @@ impl Lower<'_, '_> {
     pub(super) fn declared_preset(&mut self, timer: usize, span: Span) -> Option<Preset> {
         let timer = &self.names.timers[timer];
         let (name, preset) = (timer.name.clone(), timer.preset);
-        self.declared(name, preset, ("its time, PT", "seu tempo, PT"), span)
+        self.declared(&name, preset, ["PT", "P"], span)
     }
 
-    /// The preset of a declaration; where there is none, what the block of this name needs is told, in both
-    /// languages.
+    /// The preset of a declaration. Where there is none, and the text stores to none of these parts of the block, it is
+    /// 0, which is told.
     pub(super) fn declared(
         &mut self,
-        name: String,
+        name: &str,
         preset: Option<i32>,
-        needs: (&'static str, &'static str),
+        parts: [&str; 2],
         span: Span,
     ) -> Option<Preset> {
-        if preset.is_none() {
-            self.found
-                .tell(Code::ParameterMissing, span, [name.into(), needs.into()]);
+        if let Some(preset) = preset {
+            return Some(Preset::Constant(preset));
         }
-        preset.map(Preset::Constant)
+        if !parts.iter().any(|part| self.names.stores(name, part)) {
+            let [part, _] = parts;
+            let words = [name.into(), part.into()];
+            self.found.tell(Code::PresetZero, span, words);
+        }
+        Some(Preset::Unsaid)
     }
 
     /// Writes a timer block; the board's accumulator is its Q then.
@@ -158,6 +164,7 @@ impl Lower<'_, '_> {
         self.freeze(span);
         let (input, preset) = match preset {
             Preset::Constant(preset) => (input, preset),
+            Preset::Unsaid => (input, first),
             Preset::Number(number) => {
                 let input = if input.is_first() {
                     self.fixed_bit(input, span)
@@ -201,6 +208,9 @@ impl Lower<'_, '_> {
             }
         }
         if !given(params, "IN", 0) {
+            input = self.wired(Place::Timer(timer), &name, "IN", span);
+        }
+        if !given(params, "IN", 0) && input.is_none() {
             let needs = ("its input, IN", "sua entrada, IN");
             self.found.tell(
                 Code::ParameterMissing,

@@ -75,7 +75,7 @@ impl Lower<'_, '_> {
                     bit(Bit::Reached(counter.number))
                 }
             }
-            Place::Trigger(_, marker) => bit(Bit::Marker(marker)),
+            Place::Trigger(_, marker) | Place::Latch(_, marker) => bit(Bit::Marker(marker)),
             Place::Instance(_) => {
                 let name = self.spelled(operand);
                 self.wrong_type(name, span, BLOCK, BOOL);

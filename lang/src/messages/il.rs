@@ -155,9 +155,9 @@ macro_rules! il_rows {
         "dê outro nome a um deles";
     44 UnknownType Error
         "there is no type `{0}`"
-        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD or a FUNCTION_BLOCK of this file"
+        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS or a FUNCTION_BLOCK of this file"
         "não existe o tipo `{0}`"
-        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD ou um FUNCTION_BLOCK deste arquivo";
+        "use BOOL, INT, DINT, TIME, TON, TOF, TP, TONR, CTU, CTD, CTUD, R_TRIG, F_TRIG, SR, RS ou um FUNCTION_BLOCK deste arquivo";
     45 NoSuchMember Error
         "{0} has nothing called `{1}`"
         "{2}"
@@ -268,6 +268,11 @@ macro_rules! il_rows {
         "delete it; what its VAR_GLOBAL declares is kept"
         "CONFIGURATION foi ignorada: a placa executa um só programa, em cada varredura"
         "apague-a; o que o VAR_GLOBAL dela declara foi mantido";
+    67 PresetZero Warning
+        "nothing says the preset of {0}, so it is 0"
+        "write it in the call, as {1}:=20 or {1}:=T#20s, or declare it: VAR {0} : TON := T#20s; END_VAR"
+        "nada diz a pré-seleção de {0}, por isso ela é 0"
+        "escreva-a na chamada, como {1}:=20 ou {1}:=T#20s, ou declare-a: VAR {0} : TON := T#20s; END_VAR";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
         "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"

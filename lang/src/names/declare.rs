@@ -88,6 +88,9 @@ impl Names<'_> {
             _ => match ty {
                 "R_TRIG" => Place::Trigger(Opcode::RisingEdge, self.temps.named_marker(false)),
                 "F_TRIG" => Place::Trigger(Opcode::FallingEdge, self.temps.named_marker(false)),
+                "SR" | "RS" if !self.blocks.contains_key(ty) => {
+                    Place::Latch(ty == "SR", self.temps.named_marker(var.retain))
+                }
                 ty => match self.blocks.get(ty) {
                     Some(&unit) => {
                         self.instances.push(Instance {

@@ -94,7 +94,7 @@ impl Names<'_> {
                     ("four outputs are 0 to 15", "quatro saídas vão de 0 a 15"),
                 )?;
             }
-            Place::Trigger(..) | Place::Instance(_) => return Err(NO_VALUE),
+            Place::Trigger(..) | Place::Latch(..) | Place::Instance(_) => return Err(NO_VALUE),
             _ => return Err(READ_ONLY),
         }
         // All begins with 0 by itself, but for retentive markers: another program may have left them 1.

@@ -2,6 +2,7 @@
 
 pub(crate) mod declare;
 mod first;
+mod inputs;
 pub(crate) mod near;
 mod points;
 mod retain;
@@ -33,6 +34,8 @@ pub(crate) enum Place {
     Counter(usize),
     /// R_TRIG or F_TRIG: its Q.
     Trigger(Opcode, u8),
+    /// SR, where to set wins, or RS: its Q1.
+    Latch(bool, u8),
     /// An instance of a function block of the file, by its index.
     Instance(usize),
     /// Something was wrong with it, and has been told.
@@ -107,6 +110,8 @@ pub(crate) struct Names<'t> {
     blocks: HashMap<String, usize>,
     /// The inputs of each unit that may begin with a value of an instance's own.
     inputs_of: HashSet<(usize, String)>,
+    /// The markers of inputs that the text stores to: `T1.IN`.
+    block_inputs: HashMap<inputs::Input, u8>,
     counters_used: u16,
     /// Bit 0 is input 01.
     pub inputs_read: u16,
@@ -137,6 +142,7 @@ impl<'t> Names<'t> {
             global: HashMap::new(),
             blocks: HashMap::new(),
             inputs_of: HashSet::new(),
+            block_inputs: HashMap::new(),
             counters_used: 0,
             inputs_read: 0,
             points: HashMap::new(),

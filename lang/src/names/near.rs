@@ -23,6 +23,11 @@ impl Near {
         self.declared.push(name);
     }
 
+    /// Whether the text stores to a name in upper case, with or without `%`.
+    pub(super) fn is_stored(&self, name: &str) -> bool {
+        self.stored.contains(name) || self.stored.contains(&format!("%{name}"))
+    }
+
     pub(super) fn note_stores(&mut self, instr: &Instr) {
         let stores = matches!(instr.op, Op::Store | Op::Set | Op::Reset);
         let operands = instr.operands.iter().filter(|_| stores);

@@ -120,6 +120,10 @@ impl Names<'_> {
         span: Span,
         found: &mut Found,
     ) -> Place {
+        if let Some(input) = self.input(block, member) {
+            self.told_none_left(span, found);
+            return input;
+        }
         let (place, has) = match block {
             Place::Timer(timer) => (
                 match member {
@@ -128,7 +132,7 @@ impl Names<'_> {
                     "PT" | "P" => Some(Place::Number(Num::TimerPreset(timer))),
                     _ => None,
                 },
-                "Q, ET, PT",
+                "Q, ET, PT, IN",
             ),
             Place::Counter(counter) => {
                 let Counter { number, kind, .. } = self.counters[counter];
@@ -142,13 +146,18 @@ impl Names<'_> {
                         "PV" | "P" => Some(Place::Number(Num::CountPreset(number))),
                         _ => None,
                     },
-                    "Q, QU, QD, D, CV, PV",
+                    "Q, QU, QD, D, CV, PV, CU, CD, R, LD",
                 )
             }
             Place::Trigger(_, marker) if member == "Q" => {
                 (Some(Place::Bit(Bit::Marker(marker))), "Q")
             }
-            Place::Trigger(..) => (None, "Q"),
+            Place::Trigger(..) => (None, "Q, CLK"),
+            Place::Latch(_, marker) if matches!(member, "Q1" | "Q") => {
+                (Some(Place::Bit(Bit::Marker(marker))), "Q1")
+            }
+            Place::Latch(true, _) => (None, "Q1, S1, R"),
+            Place::Latch(false, _) => (None, "Q1, S, R1"),
             Place::Instance(instance) => (
                 self.instances[instance].names.get(member).copied(),
                 "VAR_INPUT, VAR_OUTPUT",

@@ -85,6 +85,8 @@ impl Names<'_> {
             Place::Number(Num::Register(register)) => Some(Number::Register(register)),
             Place::Number(Num::Count(counter)) => Some(Number::Counter(counter)),
             Place::Counter(counter) => Some(Number::Counter(self.counters[counter].number)),
+            // Its marker is a retentive one.
+            Place::Latch(..) => None,
             Place::Bit(Bit::Marker(marker)) if marker >= RETENTIVE => None,
             Place::Number(Num::Group(group)) if group >= GROUP => None,
             // It has been told.

@@ -7,9 +7,9 @@ use crate::lexer::{Kind, SECTIONS, Token};
 use crate::operators;
 
 /// Words that are types, so that what stands before them is a name.
-pub(super) const TYPES: [&str; 20] = [
+pub(super) const TYPES: [&str; 22] = [
     "BOOL", "SINT", "INT", "DINT", "USINT", "UINT", "UDINT", "BYTE", "WORD", "DWORD", "TIME",
-    "TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD", "R_TRIG", "F_TRIG",
+    "TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD", "R_TRIG", "F_TRIG", "SR", "RS",
 ];
 
 impl Parser<'_, '_> {

@@ -138,7 +138,7 @@ impl Parser<'_, '_> {
             self.skip_line();
             return self.wrong(first, unit);
         };
-        let op = spelling.op;
+        let mut op = spelling.op;
         let mut open = None;
         if !matches!(op, Op::Function) && self.peek().kind == Kind::Open {
             let paren = self.advance();
@@ -160,7 +160,7 @@ impl Parser<'_, '_> {
                 self.tell(Code::BadModifier, span, [name.into(), "(".into()]);
             }
         }
-        let operands = match op {
+        let mut operands = match op {
             Op::Not
             | Op::Edge(_)
             | Op::Unary(_)
@@ -182,6 +182,14 @@ impl Parser<'_, '_> {
             Op::OmronTimer | Op::OmronCounter => self.omron_operands(op),
             op => self.operands(op.may_have_more()),
         };
+        if op == Op::Preset {
+            op = Op::Store;
+            let member = self.word_at(span);
+            operands
+                .iter_mut()
+                .take(1)
+                .for_each(|block| block.add_member(&member));
+        }
         let mut params = Vec::new();
         if matches!(op, Op::Call | Op::Function) && self.take(Kind::Open).is_some() {
             params = self.params();

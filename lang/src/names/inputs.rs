@@ -1,0 +1,70 @@
+//! Inputs of blocks that a text stores to before it calls them: `ST T1.IN`. Each is a marker, and keeps what it was
+//! given last, as the norm has it.
+
+use super::{Names, Place};
+use crate::tree::Bit;
+
+/// A block and one of its inputs.
+pub(super) type Input = (Block, &'static str);
+
+/// What has inputs: a timer or counter by its index, an edge or a latch by its marker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Block {
+    Timer(usize),
+    Counter(usize),
+    Edge(u8),
+    Latch(u8),
+}
+
+/// The spellings of an input; the first is its own.
+fn spellings(place: Place) -> &'static [&'static [&'static str]] {
+    match place {
+        Place::Timer(_) => &[&["IN"]],
+        Place::Counter(_) => &[&["CU"], &["CD"], &["R", "RESET"], &["LD", "LOAD"]],
+        Place::Trigger(..) => &[&["CLK"]],
+        Place::Latch(..) => &[&["S", "S1", "SET", "SET1"], &["R", "R1", "RESET", "RESET1"]],
+        _ => &[],
+    }
+}
+
+impl Names<'_> {
+    /// The place of an input of a block; none where there is no such input.
+    pub(super) fn input(&mut self, place: Place, member: &str) -> Option<Place> {
+        let block = match place {
+            Place::Timer(timer) => Block::Timer(timer),
+            Place::Counter(counter) => Block::Counter(counter),
+            Place::Trigger(_, marker) => Block::Edge(marker),
+            Place::Latch(_, marker) => Block::Latch(marker),
+            _ => return None,
+        };
+        let mut all = spellings(place).iter();
+        let input = all.find(|input| input.contains(&member))?.first()?;
+        let marker = match self.block_inputs.get(&(block, *input)) {
+            Some(&marker) => marker,
+            None => {
+                let marker = self.temps.named_marker(false);
+                self.block_inputs.insert((block, *input), marker);
+                marker
+            }
+        };
+        Some(Place::Bit(Bit::Marker(marker)))
+    }
+
+    /// The place of an input that the text stores to, of a block with this name.
+    pub(crate) fn wired(&mut self, place: Place, name: &str, input: &str) -> Option<Place> {
+        let mut all = spellings(place).iter();
+        let same = all.find(|spelt| spelt.contains(&input))?;
+        let stored = same.iter().any(|spelt| self.stores(name, spelt));
+        if stored {
+            self.input(place, input)
+        } else {
+            None
+        }
+    }
+
+    /// Whether the text stores to this part of a block.
+    pub(crate) fn stores(&self, name: &str, member: &str) -> bool {
+        let name = name.to_uppercase();
+        self.near.is_stored(&format!("{name}.{member}"))
+    }
+}
