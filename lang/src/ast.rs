@@ -43,6 +43,11 @@ pub(crate) enum Section {
     Temp,
     Input,
     Output,
+    /// The caller's own variable, under another name.
+    InOut,
+    /// Of the whole file, and its mention in a unit.
+    Global,
+    External,
 }
 
 /// A declared variable.

@@ -2,6 +2,7 @@
 
 use super::again::Edge;
 use super::timers::lit;
+use super::units::is_input;
 use super::{Acc, Lower};
 use crate::ast::{Instr, Operand, Param, Section};
 use crate::diagnostics::{Code, Span};
@@ -149,17 +150,15 @@ impl Lower<'_, '_> {
         let inputs = self.units[unit]
             .vars
             .iter()
-            .filter(|var| var.section == Section::Input)
+            .filter(|var| is_input(var))
             .count();
         let mut params = instr.params.clone();
         params.extend(instr.operands.iter().map(positional));
         let instance = self.function_instance(unit);
-        if params.len() + 1 == inputs {
+        let first = self.units[unit].vars.iter().find(|var| is_input(var));
+        let copied = first.is_some_and(|var| var.section == Section::Input);
+        if params.len() + 1 == inputs && copied {
             let acc = self.take_acc("CAL", name);
-            let first = self.units[unit]
-                .vars
-                .iter()
-                .find(|var| var.section == Section::Input);
             if let Some(var) = first {
                 let place = self.names.instances[instance]
                     .names

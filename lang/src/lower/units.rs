@@ -1,7 +1,7 @@
 //! Functions and function blocks of the text's own. A call compiles the body in its place.
 
 use super::{Acc, Lower, MOST_CALLS, MOST_SCOPES, MOST_STEPS};
-use crate::ast::{Param, Section, Unit, UnitKind};
+use crate::ast::{Param, Section, Unit, UnitKind, Var};
 use crate::diagnostics::{Code, Span};
 use crate::names::{Instance, Place};
 use crate::rung::{Rungs, Written};
@@ -139,7 +139,7 @@ impl Lower<'_, '_> {
         let vars = &self.units[unit].vars;
         let inputs: Vec<&str> = vars
             .iter()
-            .filter(|var| var.section == Section::Input)
+            .filter(|var| is_input(var))
             .map(|var| var.name.text.as_str())
             .collect();
         let mut given: Vec<String> = inputs.iter().take(done).map(|&i| i.to_owned()).collect();
@@ -163,6 +163,11 @@ impl Lower<'_, '_> {
                 continue;
             };
             given.push(input.to_owned());
+            let shared = |var: &&Var| var.section == Section::InOut && var.name.text == input;
+            if let Some(var) = vars.iter().find(shared) {
+                self.bind(instance, var, param);
+                continue;
+            }
             let place = self.names.instances[instance].names.get(input).copied();
             let mut acc = self.value(&param.value);
             if param.negated
@@ -172,6 +177,7 @@ impl Lower<'_, '_> {
             }
             self.assign(acc, place.unwrap_or(Place::Unknown), param.value.span);
         }
+        self.unbound(unit, instance, &given, span);
         self.freeze(span);
         self.renew(unit, instance, &given, span);
         let end = self.new_label(span, None);
@@ -251,6 +257,11 @@ impl Lower<'_, '_> {
         }
         (self.names.temps, self.writes) = (temps, writes);
     }
+}
+
+/// Whether a call gives a variable: VAR_INPUT, VAR_IN_OUT.
+pub(super) fn is_input(var: &Var) -> bool {
+    matches!(var.section, Section::Input | Section::InOut)
 }
 
 /// See [`Lower::nesting`].

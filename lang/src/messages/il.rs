@@ -273,6 +273,11 @@ macro_rules! il_rows {
         "write it in the call, as {1}:=20 or {1}:=T#20s, or declare it: VAR {0} : TON := T#20s; END_VAR"
         "nada diz a pré-seleção de {0}, por isso ela é 0"
         "escreva-a na chamada, como {1}:=20 ou {1}:=T#20s, ou declare-a: VAR {0} : TON := T#20s; END_VAR";
+    68 NoGlobal Warning
+        "no VAR_GLOBAL of this text declares `{0}`, so it was given a place of its own"
+        "declare it in VAR_GLOBAL … END_VAR, before PROGRAM, where it may also have an address"
+        "nenhum VAR_GLOBAL deste texto declara `{0}`, por isso ela ganhou um lugar próprio"
+        "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM, onde também pode ter um endereço";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
         "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"

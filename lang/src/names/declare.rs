@@ -18,6 +18,9 @@ impl Names<'_> {
         found: &mut Found,
     ) {
         for var in vars {
+            if self.is_elsewhere(var, kind, instance, found) {
+                continue;
+            }
             let initials = self.initials.len();
             let place = self.declared(var, kind, instance, found);
             if var.retain {
@@ -30,7 +33,8 @@ impl Names<'_> {
             }
             // An address that is declared, such as %TM1, means the same in the whole file.
             let direct = parse(&var.name.text, self.dialect).is_some();
-            let names = match direct {
+            let shared = matches!(var.section, Section::Global | Section::External);
+            let names = match direct || shared {
                 true => &mut self.global,
                 false => &mut self.instances[instance].names,
             };
@@ -196,5 +200,9 @@ fn counter_kind(ty: &str) -> Option<Opcode> {
 
 /// Whether a variable is new at each call: all of a function, VAR_TEMP of the others.
 pub(crate) fn is_new(var: &Var, kind: UnitKind) -> bool {
-    var.at.is_none() && (kind == UnitKind::Function || var.section == Section::Temp)
+    let own = !matches!(
+        var.section,
+        Section::InOut | Section::Global | Section::External
+    );
+    own && var.at.is_none() && (kind == UnitKind::Function || var.section == Section::Temp)
 }

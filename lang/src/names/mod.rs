@@ -6,6 +6,7 @@ mod inputs;
 pub(crate) mod near;
 mod points;
 mod retain;
+mod shared;
 
 use crate::Dialect;
 use crate::address::{Address, Spelling, parse};
@@ -106,6 +107,8 @@ pub(crate) struct Names<'t> {
     pub temps: Temps,
     /// Names that hold in the whole file: those that nothing declares, timers and counters.
     global: HashMap<String, Place>,
+    /// What VAR_GLOBAL declares somewhere in the file.
+    globals: HashSet<String>,
     /// Function blocks of the file.
     blocks: HashMap<String, usize>,
     /// The inputs of each unit that may begin with a value of an instance's own.
@@ -140,6 +143,7 @@ impl<'t> Names<'t> {
             retained: Retained::default(),
             temps: Temps::default(),
             global: HashMap::new(),
+            globals: HashSet::new(),
             blocks: HashMap::new(),
             inputs_of: HashSet::new(),
             block_inputs: HashMap::new(),
@@ -159,6 +163,9 @@ impl<'t> Names<'t> {
             for var in &unit.vars {
                 var.at.iter().for_each(|at| names.note(at));
                 names.note_name(&var.name.text);
+                if var.section == Section::Global {
+                    names.globals.insert(var.name.text.clone());
+                }
                 if var.section == Section::Input {
                     names.inputs_of.insert((index, var.name.text.clone()));
                 }

@@ -18,7 +18,9 @@ impl Parser<'_, '_> {
         let words = [
             ("VAR", Section::Local),
             ("VAR_TEMP", Section::Temp),
-            ("VAR_GLOBAL", Section::Local),
+            ("VAR_GLOBAL", Section::Global),
+            ("VAR_EXTERNAL", Section::External),
+            ("VAR_IN_OUT", Section::InOut),
             ("VAR_INPUT", Section::Input),
             ("VAR_OUTPUT", Section::Output),
         ];
@@ -35,8 +37,8 @@ impl Parser<'_, '_> {
         let unknown = SECTIONS.iter().any(|section| known(section));
         if unknown {
             let help = (
-                "declarations begin with VAR, VAR_INPUT, VAR_OUTPUT, VAR_TEMP or VAR_GLOBAL",
-                "as declarações começam com VAR, VAR_INPUT, VAR_OUTPUT, VAR_TEMP ou VAR_GLOBAL",
+                "declarations begin with VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT, VAR_TEMP, VAR_GLOBAL or VAR_EXTERNAL",
+                "as declarações começam com VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT, VAR_TEMP, VAR_GLOBAL ou VAR_EXTERNAL",
             );
             self.tell(
                 Code::UnknownOperator,
