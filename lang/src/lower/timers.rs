@@ -131,8 +131,11 @@ impl Lower<'_, '_> {
             return Some(Preset::Constant(preset));
         }
         if !parts.iter().any(|part| self.names.stores(name, part)) {
-            let [part, _] = parts;
-            let words = [name.into(), part.into()];
+            let [given, declared] = match parts {
+                ["PT", _] => ["PT:=T#20s", "TON := T#20s"],
+                _ => ["PV:=20", "CTU := 20"],
+            };
+            let words = [name.into(), given.into(), declared.into()];
             self.found.tell(Code::PresetZero, span, words);
         }
         Some(Preset::Unsaid)

@@ -270,9 +270,9 @@ macro_rules! il_rows {
         "apague-a; o que o VAR_GLOBAL dela declara foi mantido";
     67 PresetZero Warning
         "nothing says the preset of {0}, so it is 0"
-        "write it in the call, as {1}:=20 or {1}:=T#20s, or declare it: VAR {0} : TON := T#20s; END_VAR"
+        "write it in the call, as {1}, or declare it: VAR {0} : {2}; END_VAR"
         "nada diz a pré-seleção de {0}, por isso ela é 0"
-        "escreva-a na chamada, como {1}:=20 ou {1}:=T#20s, ou declare-a: VAR {0} : TON := T#20s; END_VAR";
+        "escreva-a na chamada, como {1}, ou declare-a: VAR {0} : {2}; END_VAR";
     68 NoGlobal Warning
         "no VAR_GLOBAL of this text declares `{0}`, so it was given a place of its own"
         "declare it in VAR_GLOBAL … END_VAR, before PROGRAM, where it may also have an address"

@@ -35,6 +35,13 @@ impl Near {
         let stored = operands.chain(outputs.map(|Param { value, .. }| value));
         let names = stored.filter_map(|operand| operand.name());
         self.stored.extend(names.map(str::to_owned));
+        // A preset that one call gives is there for the others.
+        let block = instr.operands.first().and_then(|block| block.name());
+        let named = instr.params.iter().filter_map(|param| param.name.as_ref());
+        for preset in named.filter(|name| matches!(name.text.as_str(), "PT" | "PV")) {
+            self.stored
+                .extend(block.map(|block| format!("{block}.{}", preset.text)));
+        }
     }
 
     /// How a name may be declared, or which declared one was meant.
