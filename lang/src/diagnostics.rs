@@ -249,6 +249,20 @@ impl Found {
         self.warnings = self.told.len() - self.errors;
     }
 
+    /// Takes what others have found.
+    pub(crate) fn join(&mut self, other: Found) {
+        for diagnostic in other.told {
+            let Diagnostic { code, span, .. } = diagnostic;
+            if self.seen.insert((code, span)) {
+                match code.severity() {
+                    Severity::Error => self.errors += 1,
+                    Severity::Warning => self.warnings += 1,
+                }
+                self.told.push(diagnostic);
+            }
+        }
+    }
+
     pub(crate) fn finish(mut self) -> Told {
         self.told
             .sort_by_key(|d| (d.span.start, d.span.end, d.code));

@@ -140,7 +140,7 @@ pub(crate) fn emit(
 }
 
 /// What a code spells, with its XX.
-fn letters(instruction: Instruction<'_>) -> String {
+pub(crate) fn letters(instruction: Instruction<'_>) -> String {
     let letters = instruction.opcode.row().letters;
     match instruction.number() {
         Some(number) => format!("{letters} {number:02}"),

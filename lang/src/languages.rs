@@ -55,15 +55,20 @@ pub struct CheckedText {
 /// Reads a text and checks its names and types. It takes a time in proportion to the text's size.
 pub fn check(text: &str, language: TextLanguage) -> CheckedText {
     let mut found = Found::default();
-    let tree = match language {
-        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, &mut found),
-        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, &mut found),
-        TextLanguage::Iscl => crate::iscl::check(text, &mut found),
-        TextLanguage::Lce => crate::lce::check(text, &mut found),
-    };
-    let tree = tree.filter(|_| !found.has_errors());
+    let tree = read(text, language, &mut found);
     CheckedText {
         tree,
         diagnostics: found.finish(),
     }
+}
+
+/// The tree of a text; none where something is wrong, which is told.
+pub(crate) fn read(text: &str, language: TextLanguage, found: &mut Found) -> Option<Tree> {
+    let tree = match language {
+        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, found),
+        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, found),
+        TextLanguage::Iscl => crate::iscl::check(text, found),
+        TextLanguage::Lce => crate::lce::check(text, found),
+    };
+    tree.filter(|_| !found.has_errors())
 }

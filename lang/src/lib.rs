@@ -16,6 +16,7 @@
 mod address;
 mod ast;
 mod back;
+mod code;
 mod comments;
 mod diagnostics;
 mod dialect;
@@ -46,6 +47,7 @@ mod whole;
 mod words;
 
 pub use back::{instructions_to_il, to_il};
+pub use code::{CompiledText, compile_text, places};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;

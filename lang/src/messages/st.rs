@@ -338,6 +338,56 @@ macro_rules! st_rows {
         "store something: lamp := start;"
         "o programa não muda nada: nenhum comando guarda um valor nem chama um bloco"
         "guarde alguma coisa: lampada := liga;";
+    201 BoardType Error
+        "the board cannot hold `{0}`: it has no {1}"
+        "{2}; unoclp run has all types"
+        "a placa não consegue guardar `{0}`: ela não tem {1}"
+        "{2}; o unoclp run tem todos os tipos";
+    202 BoardLacks Error
+        "the board does not have {0}"
+        "{1}"
+        "a placa não tem {0}"
+        "{1}";
+    203 BoardNoneLeft Error
+        "no {0} is left for `{2}`: the board has {1}"
+        "use fewer variables, or one for several purposes"
+        "não sobrou {0} para `{2}`: a placa tem {1}"
+        "use menos variáveis, ou a mesma para mais de um fim";
+    204 BoardRow Error
+        "`{0}` takes {1} registers in a row, and {2} are free"
+        "make the array smaller; an array with computed subscripts takes a register for each element"
+        "`{0}` ocupa {1} registradores seguidos, e há {2} livres"
+        "diminua a matriz; uma matriz de índice calculado ocupa um registrador por elemento";
+    205 BoardRetain Error
+        "the board cannot keep a {0} over a power cut"
+        "keep what matters of it in a variable of its own with RETAIN"
+        "a placa não consegue guardar um {0} na falta de energia"
+        "guarde o que importa dele em uma variável própria com RETAIN";
+    206 BoardTwice Error
+        "`{0}` runs at more than one place, and the board's {1} has one"
+        "call the block that it stands in once, or declare another instance of it"
+        "`{0}` roda em mais de um lugar, e o {1} da placa só fica em um"
+        "chame uma só vez o bloco em que ele está, ou declare outra instância";
+    207 BoardLoop Error
+        "the jumps of this loop cost {0}, and a scan has {1}"
+        "let it turn {2} times at most, or do a part of it in each scan"
+        "os desvios deste laço custam {0}, e uma varredura tem {1}"
+        "faça-o dar no máximo {2} voltas, ou faça uma parte dele em cada varredura";
+    208 BoardLoopOpen Warning
+        "it is not known how often this loop turns; beyond {0} turns in a scan the board stops with fault 75"
+        "count with FOR between two constants, and leave it with EXIT"
+        "não se sabe quantas voltas este laço dá; com mais de {0} voltas em uma varredura a placa para com a falha 75"
+        "conte com FOR entre duas constantes e saia dele com EXIT";
+    209 BoardLabels Error
+        "no label is left for this: the board has {0}"
+        "use fewer loops, EXIT and RETURN"
+        "não sobrou rótulo para isto: a placa tem {0}"
+        "use menos laços, EXIT e RETURN";
+    210 BoardTooLarge Error
+        "with all calls in it, the program is far too large for the board"
+        "call fewer blocks and functions, or smaller ones: each call takes the room of their bodies"
+        "com todas as chamadas, o programa é grande demais para a placa"
+        "chame menos blocos e funções, ou menores: cada chamada ocupa o espaço do corpo deles";
         }
     };
 }

@@ -44,7 +44,7 @@ mod types;
 mod value;
 
 pub use base::{Base, Generic, Width};
-pub(crate) use ops::given as convert_given;
+pub(crate) use ops::{given as convert_given, narrow};
 pub use standard::{Part, Role, Standard};
 pub use tree::{
     Arm, Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input,

@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::path::Path;
+use unoclp_core::Profile;
 use unoclp_lang::{
     Code, Diagnostic, Lang, Lines, Options, Severity, Span, TextLanguage, check, compile,
+    compile_text,
 };
 
 const PAGES: [(&str, &str, Lang, [&str; 2]); 8] = [
@@ -113,7 +115,14 @@ fn examples() {
         for ((id, entry), code) in entries(page).iter().zip(codes(table)) {
             let blocks: Vec<&str> = entry.split("```\n").skip(1).step_by(2).collect();
             let [wrong, right] = blocks[..] else {
-                let long = [Code::NoneLeft, Code::DoesNotFit, Code::StTooDeep];
+                let long = [
+                    Code::NoneLeft,
+                    Code::DoesNotFit,
+                    Code::StTooDeep,
+                    Code::BoardNoneLeft,
+                    Code::BoardLabels,
+                    Code::BoardTooLarge,
+                ];
                 assert!(long.contains(&code), "{page}: {id}");
                 continue;
             };
@@ -121,6 +130,10 @@ fn examples() {
                 "IL-" => compile(text, &Options::default()).diagnostics,
                 "ISCL-" => check(text, TextLanguage::Iscl).diagnostics,
                 "LCE-" => check(text, TextLanguage::Lce).diagnostics,
+                // Those about the board.
+                _ if code as u16 > 200 => {
+                    compile_text(text, TextLanguage::St, Profile::UNO).diagnostics
+                }
                 _ => check(text, TextLanguage::St).diagnostics,
             };
             let wrong = told(wrong);

@@ -2,6 +2,7 @@
 
 mod any_text;
 mod blocks;
+mod board;
 mod cases;
 mod common;
 mod documents;
@@ -11,6 +12,7 @@ mod grammars;
 mod limits;
 mod places;
 mod random_programs;
+mod random_typed;
 mod round_trip;
 mod small_any_text;
 mod twins;

@@ -1,5 +1,6 @@
 //! The cases of `typed/`: what a text in a typed language is told, and what it does in the interpreter.
 
+use crate::board;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -107,7 +108,10 @@ impl Case {
             return Some(format!("{all:?} does not say {part:?}"));
         }
         match &checked.tree {
-            Some(tree) => self.run(tree, source, &lines).err(),
+            Some(tree) => {
+                let ran = self.run(tree, source, &lines).err();
+                ran.or_else(|| self.on_board(source, language).err())
+            }
             None => (!self.after.is_empty()).then(|| "there is no program".to_owned()),
         }
     }
@@ -161,6 +165,67 @@ impl Case {
             true => Ok(()),
             false => Err(format!("S 04 was set in line {fails:?}")),
         }
+    }
+
+    /// The same on the board's core, where the board can do it.
+    fn on_board(&self, source: &str, language: TextLanguage) -> Result<(), String> {
+        let made = board::compiled(source, language);
+        if let Some(errors) = board::errors(&made) {
+            // What the board lacks is told by messages of its own.
+            let own = made
+                .diagnostics
+                .iter()
+                .any(|d| (201..=210).contains(&(d.code as u16)));
+            return match own {
+                true => {
+                    if std::env::var("UNOCLP_SHOW").is_ok() {
+                        println!("not on the board: {}: {errors}", self.name);
+                    }
+                    Ok(())
+                }
+                false => Err(format!("does not compile: {errors}")),
+            };
+        }
+        let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
+            return Err("no program".to_owned());
+        };
+        board::with_plc(&mut checked, |plc| {
+            let mut twins = board::Twins::new(&tree, &made.places);
+            for scan in 0..self.scans.unwrap_or(1) {
+                for (name, value) in &self.set {
+                    let value = match value {
+                        toml::Value::Array(values) => match values.get(scan as usize) {
+                            Some(value) => text(value),
+                            None => continue,
+                        },
+                        _ if scan > 0 => continue,
+                        value => text(value),
+                    };
+                    let symbols = &tree.symbols;
+                    let at = symbols
+                        .iter()
+                        .position(|s| s.name.eq_ignore_ascii_case(name));
+                    let Some(at) = at else { continue };
+                    let (_, base) = twins.machine.value(&symbols[at]);
+                    if let Some(value) = given(&value, base, &symbols[at].values) {
+                        twins.set(plc, at, &value);
+                    }
+                }
+                let ran = twins.scan(plc, (scan as i64 * self.every) as u32);
+                match ran {
+                    Err(why) if why == "stopped" => return Ok(()),
+                    other => other.map_err(|why| {
+                        let lines: Vec<String> = made
+                            .lines
+                            .iter()
+                            .map(|l| format!("{} {} {}", l.code, l.letters, l.symbol))
+                            .collect();
+                        format!("scan {scan}: {why}\n{}", lines.join("\n"))
+                    })?,
+                }
+            }
+            Ok(())
+        })
     }
 
     fn expect(

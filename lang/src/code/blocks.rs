@@ -1,0 +1,276 @@
+//! The function blocks of the norm by the board's own instructions.
+//!
+//! Owns which instructions a block becomes and which of its members need a place. Must not know other statements.
+
+use super::coder::Coder;
+use super::flat::{Does, Step, constant, place, read};
+use super::inline::{both, not};
+use super::pen::Acc;
+use super::seats::Seat;
+use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
+use unoclp_core::Target;
+use unoclp_core::isa::{Opcode, Operand};
+
+impl Coder<'_, '_> {
+    /// Calls a block; whether the step behind it is done too.
+    pub(super) fn standard(
+        &mut self,
+        block: Standard,
+        cell: u32,
+        inputs: &[(u32, Expr)],
+        next: Option<&Step>,
+    ) -> bool {
+        let input = |this: &mut Self, part: u32| -> Expr {
+            let given = inputs.iter().find(|(at, _)| *at == part);
+            match given {
+                Some((_, value)) => this.prepare(value.clone()),
+                None => this.held(cell + part),
+            }
+        };
+        match block {
+            Standard::Sr => {
+                let (set, reset) = (input(self, 0), input(self, 1));
+                let held = read(cell + 2, Base::Bool, self.pen.at);
+                let stays = both(Binary::And, held, not(reset));
+                self.result(cell + 2, &both(Binary::Or, set, stays));
+            }
+            Standard::Rs => {
+                let (set, reset) = (input(self, 0), input(self, 1));
+                let held = read(cell + 2, Base::Bool, self.pen.at);
+                let on = both(Binary::Or, set, held);
+                self.result(cell + 2, &both(Binary::And, not(reset), on));
+            }
+            Standard::RTrig | Standard::FTrig => {
+                let clock = input(self, 0);
+                self.bit(&clock, false);
+                self.pen.plain(match block {
+                    Standard::RTrig => Opcode::RisingEdge,
+                    _ => Opcode::FallingEdge,
+                });
+                self.pen.acc = Acc::Other;
+                if let Some(seat) = self.seats.of.get(&(cell + 1)).copied() {
+                    self.drive_any(seat, cell + 1);
+                }
+            }
+            Standard::Ton | Standard::Tof | Standard::Tp => {
+                let (on, preset) = (input(self, 0), input(self, 1));
+                return self.timer(block, cell, &on, &preset, next);
+            }
+            Standard::Ctu => {
+                let (up, reset, preset) = (input(self, 0), input(self, 1), input(self, 2));
+                let Some(&counter) = self.seats.counters.get(&cell) else {
+                    return false;
+                };
+                self.counts(Opcode::CountUp, counter, &up, &preset, cell);
+                self.reset(counter, &reset, cell);
+                self.reached(cell + 3, Seat::Reached(counter));
+            }
+            Standard::Ctd => {
+                let (down, load, preset) = (input(self, 0), input(self, 1), input(self, 2));
+                let Some(&counter) = self.seats.counters.get(&cell) else {
+                    return false;
+                };
+                let steady = constant(Value::Int(0), Base::Int, self.pen.at);
+                let own = if is_preset(&preset) { &preset } else { &steady };
+                self.counts(Opcode::CountDown, counter, &down, own, cell);
+                self.load_counter(counter, &load, &preset, cell);
+                self.reached(cell + 3, Seat::Zero(counter));
+            }
+            Standard::Ctud => {
+                let (up, down) = (input(self, 0), input(self, 1));
+                let (reset, load) = (input(self, 2), input(self, 3));
+                let mut preset = input(self, 4);
+                let Some(&counter) = self.seats.counters.get(&cell) else {
+                    return false;
+                };
+                if self.operand(&preset).is_none() {
+                    preset = self.keep(preset);
+                }
+                self.counts(Opcode::CountUp, counter, &up, &preset, cell);
+                let steady = constant(Value::Int(0), Base::Int, self.pen.at);
+                let own = if is_preset(&preset) { &preset } else { &steady };
+                self.counts_down_too(counter, &down, own, &preset, cell);
+                self.load_counter(counter, &load, &preset, cell);
+                self.reset(counter, &reset, cell);
+                self.reached(cell + 5, Seat::Reached(counter));
+                self.reached(cell + 6, Seat::Zero(counter));
+            }
+        }
+        false
+    }
+
+    /// An input that the call does not give: what it holds.
+    fn held(&self, cell: u32) -> Expr {
+        let at = self.pen.at;
+        let Some(of) = self.flat.cells.get(cell as usize) else {
+            return constant(Value::Int(0), Base::Bool, at);
+        };
+        match self.seats.of.contains_key(&cell) {
+            true => read(cell, of.base, at),
+            false => constant(of.initial.clone(), of.base, at),
+        }
+    }
+
+    fn result(&mut self, cell: u32, value: &Expr) {
+        self.assign_prepared(&place(cell, value.at), value, Store::Narrow(Base::Bool));
+    }
+
+    /// acc into whatever the bit is; behind it acc may be anything.
+    fn drive_any(&mut self, seat: Seat, cell: u32) {
+        match seat {
+            Seat::Register(_) => {
+                self.pen.changes_value(Opcode::LoadBit);
+                self.pen.fresh();
+                self.store(cell);
+            }
+            seat => self.drive(seat, cell),
+        }
+    }
+
+    fn timer(
+        &mut self,
+        block: Standard,
+        cell: u32,
+        on: &Expr,
+        preset: &Expr,
+        next: Option<&Step>,
+    ) -> bool {
+        let Some(&timer) = self.seats.timers.get(&cell) else {
+            return false;
+        };
+        let at = self.pen.at;
+        let fixed = match &preset.kind {
+            ExprKind::Constant(value) => value.int().max(0) as i32,
+            _ => {
+                self.pen.fresh();
+                self.value(preset);
+                self.pen.of_timer(Opcode::PresetTimer, timer, Some(cell));
+                0
+            }
+        };
+        self.bit(on, false);
+        let opcode = match block {
+            Standard::Ton => Opcode::OnDelay,
+            Standard::Tof => Opcode::OffDelay,
+            _ => Opcode::Pulse,
+        };
+        // A coil of Q right behind it is the timer's own.
+        let own = next.and_then(|next| self.coil_of(next, cell + 2));
+        let target = match own {
+            Some((target, _)) => target,
+            None => self.idle_target(at),
+        };
+        self.pen.timer(opcode, timer, fixed, Some(target), cell);
+        self.pen.acc = match own {
+            Some((_, seat)) => Acc::Bit(seat),
+            None => Acc::Bit(Seat::Timer(timer)),
+        };
+        let elapsed = self.seats.of.get(&(cell + 3)).copied();
+        if let Some(Seat::Register(_)) = elapsed {
+            if block == Standard::Tof {
+                // While Q is 1 the time runs; where it falls, it is the preset from then on.
+                self.pen.of_timer(Opcode::LoadTimer, timer, None);
+                self.pen.holds = None;
+                self.store(cell + 3);
+                self.pen.plain(Opcode::FallingEdge);
+                self.pen.acc = Acc::Other;
+                self.value(preset);
+                self.store(cell + 3);
+                self.pen.holds = None;
+            } else {
+                self.pen.fresh();
+                self.pen.of_timer(Opcode::LoadTimer, timer, None);
+                self.pen.holds = None;
+                self.store(cell + 3);
+            }
+        }
+        own.is_some()
+    }
+
+    /// `lamp := t.Q;` of a bit that a timer may drive.
+    fn coil_of(&self, step: &Step, q: u32) -> Option<(Target, Seat)> {
+        let Does::Assign(to, value, _) = &step.does else {
+            return None;
+        };
+        let ExprKind::Read(from) = &value.kind else {
+            return None;
+        };
+        if from.offset != q || !from.indices.is_empty() || !to.indices.is_empty() {
+            return None;
+        }
+        match self.seats.of.get(&to.offset)? {
+            seat @ Seat::Output(n) => Some((Target::Output(*n), *seat)),
+            seat @ Seat::Marker(n) => Some((Target::Marker(*n), *seat)),
+            _ => None,
+        }
+    }
+
+    /// Counts where it rises.
+    fn counts(&mut self, opcode: Opcode, counter: u8, on: &Expr, preset: &Expr, cell: u32) {
+        let fixed = match &preset.kind {
+            ExprKind::Constant(value) => value.int().max(0) as i32,
+            _ => {
+                self.pen.fresh();
+                self.value(preset);
+                self.pen
+                    .numbered(Opcode::PresetCounter, counter, Some(cell));
+                0
+            }
+        };
+        self.bit(on, false);
+        let count = Operand::Count {
+            counter,
+            preset: fixed,
+        };
+        self.pen.with(opcode, count, Some(cell));
+        self.pen.acc = Acc::Other;
+    }
+
+    /// The second of two codes of one counter, both of which set its preset at the start.
+    fn counts_down_too(&mut self, counter: u8, on: &Expr, own: &Expr, preset: &Expr, cell: u32) {
+        let own = if is_preset(preset) { preset } else { own };
+        self.counts(Opcode::CountDown, counter, on, own, cell);
+    }
+
+    fn reset(&mut self, counter: u8, on: &Expr, cell: u32) {
+        if !is_never(on) {
+            self.bit(on, false);
+            self.pen.numbered(Opcode::ResetCounter, counter, Some(cell));
+        }
+    }
+
+    fn load_counter(&mut self, counter: u8, on: &Expr, preset: &Expr, cell: u32) {
+        if is_never(on) {
+            return;
+        }
+        self.bit(on, false);
+        if is_preset(preset) {
+            self.pen.numbered(Opcode::LoadCounter, counter, Some(cell));
+        } else {
+            self.value(preset);
+            self.pen.numbered(Opcode::StoreCount, counter, Some(cell));
+        }
+    }
+
+    /// Q where it needs a place of its own.
+    fn reached(&mut self, cell: u32, seat: Seat) {
+        let Some(held) = self.seats.of.get(&cell).copied() else {
+            return;
+        };
+        if held == seat {
+            return;
+        }
+        self.pen.fresh();
+        self.series(&super::bits::Bit::Contact(seat, false, cell));
+        self.drive_any(held, cell);
+    }
+}
+
+fn is_never(on: &Expr) -> bool {
+    matches!(&on.kind, ExprKind::Constant(value) if !value.is_true())
+}
+
+/// Whether a counter's code may say it.
+fn is_preset(preset: &Expr) -> bool {
+    matches!(&preset.kind, ExprKind::Constant(value) if value.int() >= 0)
+}

@@ -1,0 +1,276 @@
+//! From instructions to the lines of a program file.
+//!
+//! Owns the numbers of labels and timers, what the jumps of loops cost, and what stands before the program: what is kept,
+//! and first values. Must not know statements.
+
+use super::coder::Coder;
+use super::flat::Turns;
+use super::pen::{Line, Written};
+use super::seats::Seat;
+use crate::diagnostics::{Code, Found, Lines, Span};
+use crate::emit::{CodeLine, Origin, letters};
+use crate::typed::{Cell, Tree};
+use std::collections::HashMap;
+use unoclp_core::isa::{self, JUMP_BUDGET, LABELS, Opcode, Operand, Value};
+use unoclp_core::{Instruction, TimerBlock};
+
+impl Coder<'_, '_> {
+    /// First values, in the first scan after each start; of what is kept only where nothing is kept.
+    pub(super) fn first_values(&mut self, tree: &Tree) {
+        let mut own: Vec<(Seat, i32, u32)> = Vec::new();
+        let mut kept = Vec::new();
+        for (number, cell) in (0..).zip(&tree.cells) {
+            let value = super::numbers::bits(&cell.initial, cell.base);
+            let seat = self.seats.of.get(&number).copied();
+            let Some(seat) = seat.filter(|_| value != 0 && self.is_first(number, cell)) else {
+                continue;
+            };
+            match cell.retain {
+                true => kept.push((seat, value, number)),
+                false => own.push((seat, value, number)),
+            }
+        }
+        own.sort_by_key(|(seat, value, number)| {
+            (matches!(seat, Seat::Register(_)), *value, *number)
+        });
+        kept.sort_by_key(|(_, value, number)| (*value, *number));
+        if !kept.is_empty()
+            && let Some(Seat::Register(flag)) = self.seats.lasting(false)
+        {
+            self.seats.kept_registers.push(flag);
+            self.pen.fresh();
+            self.pen
+                .operation(Opcode::Load, Value::Register(flag), None);
+            self.pen.operation(Opcode::Equal, Value::Constant(0), None);
+            self.pen.acc = super::pen::Acc::Other;
+            self.set_all(&kept);
+            self.pen.operation(Opcode::Load, Value::Constant(1), None);
+            self.pen.numbered(Opcode::Store, flag, None);
+        }
+        if !own.is_empty() {
+            self.pen.fresh();
+            self.pen.numbered(Opcode::SystemContact, 1, None);
+            self.pen.acc = super::pen::Acc::Other;
+            self.set_all(&own);
+        }
+        self.pen.holds = None;
+    }
+
+    /// Whether the board does not have the first value by itself.
+    fn is_first(&self, number: u32, cell: &Cell) -> bool {
+        let used = self.uses.get(number).is_some() || self.uses.row_of(number).is_some();
+        let member = self.seats.of.get(&number);
+        let settable = matches!(
+            member,
+            Some(
+                Seat::Register(_)
+                    | Seat::Marker(_)
+                    | Seat::Output(_)
+                    | Seat::Pwm(_)
+                    | Seat::Count(_)
+            )
+        );
+        let _ = cell;
+        used && settable
+    }
+
+    /// Stores where acc is 1.
+    fn set_all(&mut self, all: &[(Seat, i32, u32)]) {
+        let mut held = None;
+        for &(seat, value, cell) in all {
+            let bit = match seat {
+                Seat::Marker(n) => Some((Opcode::SetMarker, n)),
+                Seat::Output(n) => Some((Opcode::SetCoil, n)),
+                _ => None,
+            };
+            if let Some((opcode, number)) = bit {
+                self.pen.numbered(opcode, number, Some(cell));
+                continue;
+            }
+            if held != Some(value) {
+                self.pen
+                    .operation(Opcode::Load, Value::Constant(value), None);
+                held = Some(value);
+            }
+            self.store(cell);
+        }
+    }
+}
+
+/// What stands at its end: the lines, where each comes from, and each timer's number.
+pub(super) struct Finished {
+    pub lines: Vec<CodeLine>,
+    pub origins: Vec<Origin>,
+    pub timers: Vec<u8>,
+}
+
+pub(super) fn finish(
+    coder: &Coder<'_, '_>,
+    tree: &Tree,
+    text: &str,
+    loops: &[Turns],
+    found: &mut Found,
+) -> Finished {
+    let starts = Lines::new(text);
+    let names = super::seats::named(tree);
+    let mut timers = vec![0; coder.seats.timers.len()];
+    let mut labels: HashMap<u32, u8> = HashMap::new();
+    let mut number = 0_u8;
+    for line in &coder.pen.lines {
+        match line.written {
+            Written::Timer(_, timer, ..) => {
+                number = number.saturating_add(1);
+                if let Some(held) = timers.get_mut(timer) {
+                    *held = number;
+                }
+            }
+            Written::Label(label) => {
+                let next = labels.len() as u8 + 1;
+                if next > LABELS {
+                    found.tell(Code::BoardLabels, line.at, [LABELS.to_string().into()]);
+                    break;
+                }
+                labels.insert(label, next);
+            }
+            _ => {}
+        }
+    }
+    cost(&coder.pen.lines, loops, found);
+    let mut lines = vec![CodeLine {
+        code: isa::START,
+        letters: "program start".to_owned(),
+        symbol: String::new(),
+        source: None,
+    }];
+    let mut origins = vec![Origin::default()];
+    let mut kept: Vec<Line> = Vec::new();
+    for &register in &coder.seats.kept_registers {
+        kept.push(Line {
+            written: Written::Is(Instruction::numbered(Opcode::KeepRegister, register)),
+            at: Span::default(),
+            cell: None,
+        });
+    }
+    for &counter in &coder.seats.kept_counters {
+        kept.push(Line {
+            written: Written::Is(Instruction::numbered(Opcode::KeepCounter, counter)),
+            at: Span::default(),
+            cell: None,
+        });
+    }
+    let label = |label: &u32| labels.get(label).copied().unwrap_or(1);
+    let timer = |index: usize| timers.get(index).copied().unwrap_or(1).max(1);
+    for line in kept.iter().chain(&coder.pen.lines) {
+        let instruction = match &line.written {
+            Written::Is(instruction) => *instruction,
+            Written::Label(number) => Instruction::numbered(Opcode::Label, label(number)),
+            Written::Jump(opcode, number, _) => Instruction {
+                opcode: *opcode,
+                operand: Operand::Jump {
+                    label: label(number),
+                    line: 0,
+                },
+            },
+            Written::Timer(opcode, _, preset, target) => Instruction {
+                opcode: *opcode,
+                operand: match target {
+                    Some(target) => Operand::Timer(TimerBlock {
+                        preset: preset.cast_unsigned(),
+                        target: *target,
+                    }),
+                    None => Operand::None,
+                },
+            },
+            Written::OfTimer(opcode, index) => Instruction::numbered(*opcode, timer(*index)),
+        };
+        let name = line.cell.and_then(|cell| names.get(&cell));
+        let name = name.map(|(name, _)| name.clone());
+        for (at, code) in instruction.codes().enumerate() {
+            let first = at == 0;
+            let own = |text: String| if first { text } else { String::new() };
+            lines.push(CodeLine {
+                code,
+                letters: own(letters(instruction)),
+                symbol: own(name.clone().unwrap_or_default()),
+                source: Some(starts.line(line.at.start)),
+            });
+            origins.push(Origin {
+                span: line.at,
+                name: name.clone().filter(|_| first),
+            });
+        }
+    }
+    Finished {
+        lines,
+        origins,
+        timers,
+    }
+}
+
+/// What the jumps back of each loop cost in a scan (NC-19).
+fn cost(lines: &[Line], loops: &[Turns], found: &mut Found) {
+    let sizes: Vec<u128> = lines.iter().map(|line| size(line).into()).collect();
+    let mut labels: HashMap<u32, usize> = HashMap::new();
+    let mut costs = vec![0_u128; loops.len()];
+    for (at, line) in lines.iter().enumerate() {
+        match line.written {
+            Written::Label(label) => {
+                labels.insert(label, at);
+            }
+            Written::Jump(_, label, Some(number)) => {
+                if let (Some(&from), Some(cost)) = (labels.get(&label), costs.get_mut(number)) {
+                    // One of its jumps is made in each turn, the dearest at worst.
+                    *cost = (*cost).max(sizes[from..=at].iter().sum());
+                }
+            }
+            _ => {}
+        }
+    }
+    let budget = u128::from(JUMP_BUDGET);
+    let mut all = 0;
+    for (turns, cost) in loops.iter().zip(&costs) {
+        let mut jumps = turns.jumps;
+        let mut outer = turns.outer;
+        while let Some(around) = outer.and_then(|number| loops.get(number)) {
+            // Each turn around it begins it anew; there is one turn more than jumps at most.
+            jumps = jumps
+                .zip(around.jumps)
+                .map(|(a, b)| a.saturating_mul(b.saturating_add(1)));
+            outer = around.outer;
+        }
+        let most = (budget / (*cost).max(1)).to_string();
+        match jumps {
+            None => found.tell(Code::BoardLoopOpen, turns.at, [most.into()]),
+            Some(jumps) => {
+                let whole = jumps.saturating_mul(*cost);
+                all += whole;
+                if all > budget {
+                    let words = [
+                        whole.to_string().into(),
+                        budget.to_string().into(),
+                        most.into(),
+                    ];
+                    found.tell(Code::BoardLoop, turns.at, words);
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// Stored bytes, each constant counted as 4.
+fn size(line: &Line) -> u32 {
+    match &line.written {
+        Written::Label(_) | Written::OfTimer(..) => 2,
+        Written::Jump(..) => 2 + 2,
+        Written::Timer(..) => 6,
+        Written::Is(Instruction { opcode, operand }) => match operand {
+            Operand::Value(Value::Constant(_)) | Operand::Count { .. } => 6,
+            Operand::Table { .. } => 3,
+            Operand::Move { .. } => 4,
+            Operand::None => 1,
+            Operand::Number(_) if isa::holds_point(*opcode as u8) => 1,
+            _ => 2,
+        },
+    }
+}

@@ -1,0 +1,149 @@
+//! Values that are put aside and used once, at once: they go where they are used.
+//!
+//! Owns that one rewriting. Must not know the board.
+
+use super::flat::{Does, Flat, Step, each, expr, own_expressions, own_expressions_mut, parts_mut};
+use super::uses::Uses;
+use crate::typed::{Base, Convert, Expr, ExprKind, Place, Store};
+
+/// Rewrites a program; `own` is how many cells are not those of calls.
+pub(super) fn merge(flat: &mut Flat, own: u32) {
+    let uses = Uses::of(flat);
+    let body = std::mem::take(&mut flat.body);
+    flat.body = merged(body, &uses, own);
+}
+
+fn merged(steps: Vec<Step>, uses: &Uses, own: u32) -> Vec<Step> {
+    let mut out: Vec<Step> = Vec::with_capacity(steps.len());
+    for mut step in steps {
+        while let Some(cell) = out.last().and_then(|last| once(last, uses, own)) {
+            if !reads(&step.does, cell) {
+                break;
+            }
+            let Some(Step {
+                does: Does::Assign(_, value, store),
+                ..
+            }) = out.pop()
+            else {
+                break;
+            };
+            let Store::Narrow(base) = store else {
+                break;
+            };
+            let value = as_stored(value, base);
+            for expr in own_expressions_mut(&mut step.does) {
+                put(expr, cell, &value);
+            }
+        }
+        step.does = match step.does {
+            Does::If(condition, then, otherwise) => Does::If(
+                condition,
+                merged(then, uses, own),
+                merged(otherwise, uses, own),
+            ),
+            Does::Case(selector, arms, otherwise) => {
+                let arms = arms.into_iter();
+                let arms = arms.map(|(bounds, body)| (bounds, merged(body, uses, own)));
+                Does::Case(selector, arms.collect(), merged(otherwise, uses, own))
+            }
+            other => other,
+        };
+        out.push(step);
+    }
+    out
+}
+
+/// The cell that this step stores to, if that is stored once and read once.
+fn once(step: &Step, uses: &Uses, own: u32) -> Option<u32> {
+    let Does::Assign(to, _, Store::Narrow(_)) = &step.does else {
+        return None;
+    };
+    let of = uses.get(to.offset)?;
+    let single = to.indices.is_empty() && to.offset >= own && of.reads == 1 && of.stores == 1;
+    (single && uses.row_of(to.offset).is_none()).then_some(to.offset)
+}
+
+fn is_read_of(place: &Place, cell: u32) -> bool {
+    place.offset == cell && place.indices.is_empty()
+}
+
+fn reads(does: &Does, cell: u32) -> bool {
+    let mut found = false;
+    for expr in own_expressions(does) {
+        each(expr, &mut |e| {
+            if let ExprKind::Read(place) = &e.kind {
+                found |= is_read_of(place, cell);
+            }
+        });
+    }
+    found
+}
+
+fn put(into: &mut Expr, cell: u32, value: &Expr) {
+    if let ExprKind::Read(place) = &into.kind
+        && is_read_of(place, cell)
+    {
+        *into = value.clone();
+        return;
+    }
+    for part in parts_mut(into) {
+        put(part, cell, value);
+    }
+}
+
+/// As the cell would hold it.
+fn as_stored(value: Expr, base: Base) -> Expr {
+    let whole = matches!(base.bits(), 1 | 32) || base.is_real();
+    if whole && value.base == base {
+        return value;
+    }
+    let at = value.at;
+    let how = match base {
+        _ if base.is_real() || base == value.base && base.bits() == 32 => Convert::Keep,
+        _ => Convert::Wrap,
+    };
+    expr(ExprKind::Convert(how, Box::new(value)), base, at)
+}
+
+/// Gives each block of the norm the inputs that are stored right before it and read by nothing else.
+pub(super) fn gather(flat: &mut Flat) {
+    let uses = Uses::of(flat);
+    let body = std::mem::take(&mut flat.body);
+    flat.body = gathered(body, &uses);
+}
+
+fn gathered(steps: Vec<Step>, uses: &Uses) -> Vec<Step> {
+    let mut out: Vec<Step> = Vec::with_capacity(steps.len());
+    for mut step in steps {
+        if let Does::Standard(block, cell, inputs) = &mut step.does {
+            let members = *cell..*cell + block.cells();
+            while let Some(input) = out.last().and_then(|last| input(last, &members, uses)) {
+                out.pop();
+                inputs.push((input.0 - *cell, input.1));
+            }
+        }
+        step.does = match step.does {
+            Does::If(c, then, otherwise) => {
+                Does::If(c, gathered(then, uses), gathered(otherwise, uses))
+            }
+            Does::Case(selector, arms, otherwise) => {
+                let arms = arms.into_iter();
+                let arms = arms.map(|(bounds, body)| (bounds, gathered(body, uses)));
+                Does::Case(selector, arms.collect(), gathered(otherwise, uses))
+            }
+            other => other,
+        };
+        out.push(step);
+    }
+    out
+}
+
+fn input(step: &Step, members: &std::ops::Range<u32>, uses: &Uses) -> Option<(u32, Expr)> {
+    let Does::Assign(to, value, Store::Narrow(base)) = &step.does else {
+        return None;
+    };
+    let of = uses.get(to.offset)?;
+    let alone = to.indices.is_empty() && of.reads == 0 && of.stores == 1;
+    let alone = alone && members.contains(&to.offset) && uses.row_of(to.offset).is_none();
+    alone.then(|| (to.offset, as_stored(value.clone(), *base)))
+}

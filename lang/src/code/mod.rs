@@ -1,0 +1,148 @@
+//! From the typed tree to the numeric code.
+//!
+//! Owns the one lowering and the one allocation of all typed languages. Must not know how a text is written, pins, nor
+//! files. A tree that the board cannot do is told at its place; none makes this panic.
+//!
+//! The way of a tree:
+//!
+//! ```text
+//! Tree ─inline─► Flat (no calls) ─merge─► Flat ─seats─► places ─coder─► instructions ─finish─► lines of a file
+//! ```
+//!
+//! - `flat`: steps without calls; `inline`, `loops`, `pure`: the way there
+//! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
+//! - `uses`: what is done with each cell; `seats`: markers, registers, timers, counters
+//! - `ranges`: which values an expression may have
+//! - `prepare`: what no instruction does in one piece; `bits`, `numbers`: what is left
+//! - `coder`: statements; `blocks`: the blocks of the norm; `pen`: what acc and value hold
+//! - `finish`: labels, first values, what is kept, the cost of loops
+
+mod bits;
+mod blocks;
+mod coder;
+mod finish;
+mod flat;
+mod inline;
+mod loops;
+mod merge;
+mod numbers;
+mod pen;
+mod prepare;
+mod pure;
+mod ranges;
+mod seats;
+mod uses;
+
+use crate::comments::Comments;
+use crate::diagnostics::{Found, Lines, Told};
+use crate::emit::{self, CodeLine};
+use crate::languages::{self, TextLanguage};
+use crate::places::Places;
+use crate::typed::{Holds, Tree};
+use unoclp_checked::{Checked, SourceMap};
+use unoclp_core::Profile;
+
+/// What has come of a text in a typed language.
+#[derive(Debug)]
+pub struct CompiledText {
+    /// What it means; none where its names or types are wrong.
+    pub tree: Option<Tree>,
+    /// The lines of the program file.
+    pub lines: Vec<CodeLine>,
+    /// The program, as the board's own loader has checked it, and where its steps stand in the text.
+    pub program: Option<(Checked, SourceMap)>,
+    /// Where the board keeps each symbol of the tree, in their order: `D 01`, `M 03`, `Q 01`.
+    pub places: Vec<Option<String>>,
+    /// What was found in the text.
+    pub diagnostics: Told,
+}
+
+impl CompiledText {
+    /// The program file with its comments; none where there are errors.
+    pub fn file(&self) -> Option<String> {
+        self.program.as_ref().map(|_| emit::file(&self.lines))
+    }
+}
+
+/// Compiles a text for a board.
+pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> CompiledText {
+    let mut found = Found::default();
+    let tree = languages::read(text, language, &mut found);
+    let mut made = CompiledText {
+        tree: None,
+        lines: Vec::new(),
+        program: None,
+        places: Vec::new(),
+        diagnostics: Told::default(),
+    };
+    if let Some(tree) = &tree {
+        lower(text, tree, board, &mut found, &mut made);
+    }
+    made.tree = tree;
+    made.diagnostics = found.finish();
+    made
+}
+
+/// Where the board keeps each symbol of a text, in their order; nothing where the board cannot do the text.
+pub fn places(text: &str, language: TextLanguage, board: Profile) -> Vec<Option<String>> {
+    let made = compile_text(text, language, board);
+    match made.program {
+        Some(_) => made.places,
+        None => Vec::new(),
+    }
+}
+
+fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut CompiledText) {
+    let own = tree.cells.len() as u32;
+    let mut flat = inline::inline(tree, found);
+    if found.has_errors() {
+        return;
+    }
+    merge::merge(&mut flat, own);
+    merge::gather(&mut flat);
+    let uses = uses::Uses::of(&flat);
+    let seats = seats::allot(tree, &flat, &uses, found);
+    if found.has_errors() {
+        return;
+    }
+    let mut apart = Found::default();
+    let mut coder = coder::Coder {
+        flat: &flat,
+        uses: &uses,
+        seats,
+        pen: pen::Pen::new(),
+        found: &mut apart,
+        labels: flat.labels,
+        deep: 0,
+        unused: None,
+    };
+    coder.first_values(tree);
+    coder.steps(&flat.body);
+    if coder.seats.none_left && !coder.found.has_errors() {
+        let words = ("register or marker", "registrador ou memória");
+        let at = coder.pen.at;
+        let none = [words.into(), "98".into(), "".into()];
+        coder.found.tell(crate::Code::BoardNoneLeft, at, none);
+    }
+    let finished = finish::finish(&coder, tree, text, &flat.loops, found);
+    let seats = std::mem::take(&mut coder.seats);
+    found.join(apart);
+    made.places = tree
+        .symbols
+        .iter()
+        .map(|symbol| match symbol.holds {
+            Holds::Cell(cell) => seats
+                .of
+                .get(&cell)
+                .and_then(|seat| seat.shown(&finished.timers)),
+            Holds::Either { .. } => None,
+        })
+        .collect();
+    made.lines = finished.lines;
+    if found.has_errors() {
+        return;
+    }
+    let starts = Lines::new(text);
+    let places = Places::new(text, &starts, &[], Comments::new(text, &starts, &[]));
+    made.program = emit::check(text, &made.lines, &finished.origins, board, places, found);
+}

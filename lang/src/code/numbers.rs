@@ -1,0 +1,295 @@
+//! Numbers: expressions in the board's value, without temporaries.
+//!
+//! Owns which instructions an operation takes. Must not know statements; acc stays as it is.
+
+use super::coder::Coder;
+use super::ranges::bounds;
+use super::seats::Seat;
+use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Place, Unary, Value, Width};
+use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+
+/// A constant as a register holds it.
+pub(super) fn bits(value: &Value, base: Base) -> i32 {
+    match value {
+        Value::Real(number) => (*number as f32).to_bits().cast_signed(),
+        Value::Int(number) if base.is_real() => (*number as f32).to_bits().cast_signed(),
+        other => other.int() as i32,
+    }
+}
+
+impl Coder<'_, '_> {
+    /// What an operation takes as it stands: a constant or a register.
+    pub(super) fn operand(&self, expr: &Expr) -> Option<Taken> {
+        match &expr.kind {
+            ExprKind::Constant(value) => Some(Taken::Constant(bits(value, expr.base))),
+            ExprKind::Read(place) if place.indices.is_empty() => {
+                match self.seats.of.get(&place.offset) {
+                    Some(Seat::Register(register)) => Some(Taken::Register(*register)),
+                    _ => None,
+                }
+            }
+            ExprKind::Convert(Convert::Keep, a) if a.base != Base::Bool => self.operand(a),
+            ExprKind::Convert(Convert::Wrap, a)
+                if a.base != Base::Bool && self.is_within(a, expr.base) =>
+            {
+                self.operand(a)
+            }
+            _ => None,
+        }
+    }
+
+    /// The cell that an operand names.
+    pub(super) fn named_operand(&self, operand: Taken, expr: &Expr) -> Option<u32> {
+        match (operand, &expr.kind) {
+            (Taken::Register(_), ExprKind::Read(place)) => Some(place.offset),
+            (Taken::Register(_), ExprKind::Convert(_, a)) => self.named_operand(operand, a),
+            _ => None,
+        }
+    }
+
+    /// Whether each value of it is one of this type.
+    pub(super) fn is_within(&self, expr: &Expr, base: Base) -> bool {
+        let Some((least, most)) = base.range() else {
+            return true;
+        };
+        if base.bits() == 32 && !base.is_date() {
+            return true;
+        }
+        let (low, high) = bounds(expr);
+        least <= low && high <= most
+    }
+
+    pub(super) fn is_unsigned(&self, expr: &Expr) -> bool {
+        expr.base.width() == Width::Unsigned
+    }
+
+    /// Brings the first into value, and the second to where an operation can take it from.
+    pub(super) fn pair(&mut self, a: &Expr, b: &Expr) -> Taken {
+        if let Some(operand) = self.operand(b) {
+            self.value(a);
+            return operand;
+        }
+        self.value(a);
+        self.pen.plain(Opcode::Push);
+        self.value(b);
+        Taken::Popped
+    }
+
+    fn operation(&mut self, opcode: Opcode, a: &Expr, b: &Expr) {
+        let commutes = matches!(
+            opcode,
+            Opcode::Add
+                | Opcode::Multiply
+                | Opcode::AndWord
+                | Opcode::OrWord
+                | Opcode::XorWord
+                | Opcode::RealAdd
+                | Opcode::RealMultiply
+        );
+        let exchange = self.operand(b).is_none() && self.operand(a).is_some();
+        let (a, b) = if commutes && exchange { (b, a) } else { (a, b) };
+        let operand = self.pair(a, b);
+        let cell = self.named_operand(operand, b);
+        self.pen.operation(opcode, operand, cell);
+    }
+
+    fn number(&mut self, opcode: Opcode, number: i32) {
+        self.pen.operation(opcode, Taken::Constant(number), None);
+    }
+
+    /// Brings a prepared expression into value.
+    pub(super) fn value(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Constant(value) => {
+                self.number(Opcode::Load, bits(value, expr.base));
+            }
+            ExprKind::Read(place) => self.load(place),
+            ExprKind::Convert(how, a) => self.convert(*how, a, expr),
+            ExprKind::Unary(op, a) => {
+                self.value(a);
+                match (op, a.base.is_real()) {
+                    (Unary::Negate, false) => self.pen.changes_value(Opcode::Negate),
+                    (Unary::Negate, true) => self.pen.changes_value(Opcode::RealNegate),
+                    (Unary::Not, _) => self.number(Opcode::XorWord, -1),
+                    (Unary::Abs, _) => self.pen.changes_value(Opcode::RealAbsolute),
+                    (Unary::Sqrt, true) => self.pen.changes_value(Opcode::RealRoot),
+                    (Unary::Sqrt, false) => self.pen.changes_value(Opcode::SquareRoot),
+                }
+            }
+            ExprKind::Binary(op, a, b) => self.binary(*op, a, b, expr),
+            // Nothing else is left of a prepared expression.
+            _ => self.number(Opcode::Load, 0),
+        }
+    }
+
+    fn load(&mut self, place: &Place) {
+        let cell = Some(place.offset);
+        let seat = self.seats.of.get(&place.offset).copied();
+        if let Some(index) = place.indices.first() {
+            self.value(&index.subscript);
+            let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count))
+            else {
+                return;
+            };
+            let table = Operand::Table { first, length };
+            self.pen.with(Opcode::LoadTable, table, cell);
+            self.pen.holds = None;
+            return;
+        }
+        match seat {
+            Some(Seat::Register(register)) => {
+                if self.pen.holds != Some(register) {
+                    self.pen
+                        .operation(Opcode::Load, Taken::Register(register), cell);
+                    self.pen.holds = Some(register);
+                }
+            }
+            Some(Seat::Analogue(n)) => {
+                self.pen.numbered(Opcode::LoadAnalogue, n, cell);
+                self.pen.holds = None;
+            }
+            Some(Seat::Count(n)) => {
+                self.pen.numbered(Opcode::LoadCount, n, cell);
+                self.pen.holds = None;
+            }
+            Some(Seat::Elapsed(timer)) => {
+                self.pen.of_timer(Opcode::LoadTimer, timer, cell);
+                self.pen.holds = None;
+            }
+            _ => self.number(Opcode::Load, 0),
+        }
+    }
+
+    /// Keeps the bits of a type.
+    pub(super) fn narrow(&mut self, base: Base) {
+        let bits = base.bits() as u8;
+        if bits >= 32 {
+            return;
+        }
+        let opcode = match base.is_signed() {
+            true => Opcode::ExtendSign,
+            false => Opcode::ExtendZero,
+        };
+        self.pen.numbered(opcode, bits, None);
+        self.pen.holds = None;
+    }
+
+    fn convert(&mut self, how: Convert, a: &Expr, expr: &Expr) {
+        self.value(a);
+        match how {
+            Convert::Wrap if !self.is_within(a, expr.base) => self.narrow(expr.base),
+            Convert::Float => self.pen.changes_value(match a.base.width() {
+                Width::Unsigned => Opcode::RealFromUnsigned,
+                _ => Opcode::RealFromSigned,
+            }),
+            Convert::Round => self.pen.changes_value(Opcode::RealRound),
+            Convert::Cut => self.pen.changes_value(Opcode::RealCut),
+            // What is not finite becomes 0 by this, and all else stays.
+            Convert::Bits if expr.base.is_real() => self.number(Opcode::RealSubtract, 0),
+            Convert::Day => self.number(Opcode::UnsignedDivide, 86_400),
+            Convert::Clock => {
+                self.number(Opcode::UnsignedModulo, 86_400);
+                self.number(Opcode::Multiply, 1_000);
+            }
+            Convert::Midnight => self.number(Opcode::Multiply, 86_400),
+            _ => {}
+        }
+    }
+
+    fn binary(&mut self, op: Binary, a: &Expr, b: &Expr, expr: &Expr) {
+        let real = a.base.is_real();
+        let unsigned = self.is_unsigned(a);
+        let pick = |whole, of_reals| if real { of_reals } else { whole };
+        let sign = |signed, without| if unsigned { without } else { signed };
+        let opcode = match op {
+            Binary::Add => pick(Opcode::Add, Opcode::RealAdd),
+            Binary::Subtract => pick(Opcode::Subtract, Opcode::RealSubtract),
+            Binary::Multiply => pick(Opcode::Multiply, Opcode::RealMultiply),
+            Binary::Divide => pick(
+                sign(Opcode::Divide, Opcode::UnsignedDivide),
+                Opcode::RealDivide,
+            ),
+            Binary::Modulo => sign(Opcode::Modulo, Opcode::UnsignedModulo),
+            Binary::And => Opcode::AndWord,
+            Binary::Or => Opcode::OrWord,
+            Binary::Xor => Opcode::XorWord,
+            Binary::ShiftLeft | Binary::ShiftRight | Binary::RotateLeft | Binary::RotateRight => {
+                self.shift(op, a, b, expr.base);
+                return;
+            }
+            // What is prepared has none of the others.
+            _ => return self.number(Opcode::Load, 0),
+        };
+        self.operation(opcode, a, b);
+    }
+
+    /// By a constant.
+    fn shift(&mut self, op: Binary, a: &Expr, b: &Expr, base: Base) {
+        let ExprKind::Constant(by) = &b.kind else {
+            return;
+        };
+        let bits = i128::from(base.bits());
+        let by = by.int();
+        let turns = matches!(op, Binary::RotateLeft | Binary::RotateRight);
+        if !turns && !(0..bits).contains(&by) {
+            self.number(Opcode::Load, 0);
+            return;
+        }
+        self.value(a);
+        let shifted = |this: &mut Self, opcode, by: i128| {
+            if by > 0 {
+                this.pen.numbered(opcode, by as u8, None);
+                this.pen.holds = None;
+            }
+        };
+        match op {
+            Binary::ShiftLeft => {
+                shifted(self, Opcode::ShiftLeft, by);
+                self.narrow(base);
+            }
+            Binary::ShiftRight => {
+                if !self.is_within(a, base) {
+                    self.narrow(base);
+                }
+                shifted(self, Opcode::ShiftRight, by);
+            }
+            _ => {
+                let by = by.rem_euclid(bits);
+                let left = if op == Binary::RotateLeft {
+                    by
+                } else {
+                    bits - by
+                };
+                if by == 0 {
+                    return;
+                }
+                shifted(self, Opcode::ShiftLeft, left);
+                self.pen.plain(Opcode::Push);
+                self.value(a);
+                shifted(self, Opcode::ShiftRight, bits - left);
+                self.pen.operation(Opcode::OrWord, Taken::Popped, None);
+                self.narrow(base);
+            }
+        }
+    }
+
+    /// How many values wait at most while this is computed.
+    pub(super) fn height(&self, expr: &Expr) -> u32 {
+        let of = |e: &Expr| self.height(e);
+        match &expr.kind {
+            ExprKind::Binary(Binary::RotateLeft | Binary::RotateRight, ..) => 1,
+            ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => match self.operand(b) {
+                Some(_) => of(a),
+                None => of(a).max(of(b) + 1),
+            },
+            ExprKind::Convert(_, a) | ExprKind::Unary(_, a) => of(a),
+            ExprKind::Read(place) => place
+                .indices
+                .iter()
+                .map(|i| of(&i.subscript))
+                .max()
+                .unwrap_or(0),
+            _ => 0,
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The instructions as far as they are written.
+//!
+//! Owns what acc and value hold at each moment, where a rung begins and a label may stand. Must not know the program.
+
+use super::seats::Seat;
+use crate::diagnostics::Span;
+use unoclp_core::isa::{Opcode, Operand, Value};
+use unoclp_core::{Instruction, Target};
+
+/// An instruction, with what is decided at the end.
+#[derive(Clone, Debug)]
+pub(super) enum Written {
+    Is(Instruction<'static>),
+    Label(u32),
+    /// A jump; one back belongs to a loop.
+    Jump(Opcode, u32, Option<usize>),
+    /// A timer's block, by the timer's index, with its preset and what it drives.
+    Timer(Opcode, usize, i32, Option<Target>),
+    /// What names a timer.
+    OfTimer(Opcode, usize),
+}
+
+/// An instruction, where it comes from, and the cell that it names.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub written: Written,
+    pub at: Span,
+    pub cell: Option<u32>,
+}
+
+/// What acc holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Acc {
+    One,
+    /// What this bit holds.
+    Bit(Seat),
+    Other,
+}
+
+#[derive(Debug)]
+pub(super) struct Pen {
+    pub lines: Vec<Line>,
+    pub acc: Acc,
+    /// Whether a label may stand here.
+    pub head: bool,
+    /// The register that value equals.
+    pub holds: Option<u8>,
+    pub at: Span,
+}
+
+impl Pen {
+    pub(super) fn new() -> Pen {
+        Pen {
+            lines: Vec::new(),
+            acc: Acc::One,
+            head: true,
+            holds: None,
+            at: Span::default(),
+        }
+    }
+
+    fn line(&mut self, written: Written, cell: Option<u32>) {
+        self.head = false;
+        self.lines.push(Line {
+            written,
+            at: self.at,
+            cell,
+        });
+    }
+
+    pub(super) fn plain(&mut self, opcode: Opcode) {
+        self.line(Written::Is(Instruction::plain(opcode)), None);
+    }
+
+    pub(super) fn numbered(&mut self, opcode: Opcode, number: u8, cell: Option<u32>) {
+        self.line(Written::Is(Instruction::numbered(opcode, number)), cell);
+    }
+
+    pub(super) fn with(&mut self, opcode: Opcode, operand: Operand<'static>, cell: Option<u32>) {
+        self.line(Written::Is(Instruction { opcode, operand }), cell);
+    }
+
+    pub(super) fn of_timer(&mut self, opcode: Opcode, timer: usize, cell: Option<u32>) {
+        self.line(Written::OfTimer(opcode, timer), cell);
+    }
+
+    pub(super) fn timer(
+        &mut self,
+        opcode: Opcode,
+        timer: usize,
+        preset: i32,
+        target: Option<Target>,
+        cell: u32,
+    ) {
+        self.line(Written::Timer(opcode, timer, preset, target), Some(cell));
+        self.acc = Acc::Other;
+    }
+
+    /// An operation, after which value is something else.
+    pub(super) fn operation(&mut self, opcode: Opcode, value: Value, cell: Option<u32>) {
+        self.with(opcode, Operand::Value(value), cell);
+        self.holds = None;
+    }
+
+    pub(super) fn changes_value(&mut self, opcode: Opcode) {
+        self.plain(opcode);
+        self.holds = None;
+    }
+
+    /// acc := 1, in a new rung where it is not so.
+    pub(super) fn fresh(&mut self) {
+        if self.acc != Acc::One {
+            self.new_rung();
+        }
+    }
+
+    pub(super) fn new_rung(&mut self) {
+        self.plain(Opcode::NewRung);
+        self.acc = Acc::One;
+        self.head = true;
+    }
+
+    /// IF, ELS, END.
+    pub(super) fn border(&mut self, opcode: Opcode) {
+        self.plain(opcode);
+        self.acc = Acc::One;
+        self.head = true;
+    }
+
+    pub(super) fn label(&mut self, label: u32) {
+        if !self.head {
+            self.new_rung();
+        }
+        self.line(Written::Label(label), None);
+        self.head = true;
+        self.acc = Acc::One;
+        self.holds = None;
+    }
+
+    /// A jump where acc is 1, or 0.
+    pub(super) fn jump(&mut self, opcode: Opcode, label: u32, back: Option<usize>) {
+        self.line(Written::Jump(opcode, label, back), None);
+        // Behind a jump that is always made nothing is reached but by a label.
+        if self.acc != Acc::One {
+            self.acc = Acc::Other;
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! What a unit of the typed tree changes.
+//!
+//! Owns questions about the body of a unit: what it stores to, and in which order. Must not know the board.
+
+use crate::typed::{Expr, ExprKind, Input, Place, Root, Stmt, StmtKind, Tree, Unit};
+
+/// The places that a statement changes, those of the statements within it too.
+fn changed<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place)) {
+    match &statement.kind {
+        StmtKind::Assign(to, ..) | StmtKind::Copy(to, ..) => visit(to),
+        StmtKind::Standard(_, instance) => visit(instance),
+        StmtKind::For(head) => visit(&head.variable),
+        _ => {}
+    }
+    for call in calls(statement) {
+        call.lent.iter().for_each(&mut *visit);
+        call.outputs.iter().for_each(|output| visit(&output.to));
+        call.instance.iter().for_each(&mut *visit);
+    }
+    for inner in within(statement) {
+        changed(inner, visit);
+    }
+}
+
+fn within(statement: &Stmt) -> Vec<&Stmt> {
+    match &statement.kind {
+        StmtKind::If(arms, otherwise) => {
+            let bodies = arms.iter().flat_map(|(_, body)| body);
+            bodies.chain(otherwise).collect()
+        }
+        StmtKind::Case(_, arms, otherwise) => {
+            let bodies = arms.iter().flat_map(|(_, body)| body);
+            bodies.chain(otherwise).collect()
+        }
+        StmtKind::While(_, body) | StmtKind::Repeat(body, _) => body.iter().collect(),
+        StmtKind::For(head) => head.body.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The expressions that a statement computes itself.
+fn expressions(statement: &Stmt) -> Vec<&Expr> {
+    fn subscripts(place: &Place) -> impl Iterator<Item = &Expr> {
+        place.indices.iter().map(|index| &index.subscript)
+    }
+    match &statement.kind {
+        StmtKind::Assign(to, value, _) => subscripts(to).chain([value]).collect(),
+        StmtKind::Copy(to, from, _) => subscripts(to).chain(subscripts(from)).collect(),
+        StmtKind::If(arms, _) => arms.iter().map(|(condition, _)| condition).collect(),
+        StmtKind::Case(value, ..)
+        | StmtKind::While(value, _)
+        | StmtKind::Repeat(_, value)
+        | StmtKind::Print(_, value) => vec![value],
+        StmtKind::For(head) => vec![&head.from, &head.to, &head.step],
+        StmtKind::Jump(condition, _) => condition.iter().collect(),
+        StmtKind::Call(call) => given(call),
+        StmtKind::Exit | StmtKind::Continue | StmtKind::Return | StmtKind::Standard(..) => {
+            Vec::new()
+        }
+    }
+}
+
+fn given(call: &crate::typed::Call) -> Vec<&Expr> {
+    let mut all = Vec::new();
+    for input in &call.inputs {
+        match input {
+            Input::Value(_, value, _) => all.push(value),
+            Input::Cells(_, place, _) => all.extend(place.indices.iter().map(|i| &i.subscript)),
+        }
+    }
+    let places = call.lent.iter().chain(call.outputs.iter().map(|o| &o.to));
+    all.extend(places.flat_map(|place| place.indices.iter().map(|i| &i.subscript)));
+    all
+}
+
+/// Each expression within one, calls' inputs too.
+fn each<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
+    visit(expr);
+    let parts = match &expr.kind {
+        ExprKind::Call(call) => given(call),
+        _ => super::flat::parts(expr),
+    };
+    for part in parts {
+        each(part, visit);
+    }
+}
+
+fn calls(statement: &Stmt) -> Vec<&crate::typed::Call> {
+    let mut all = Vec::new();
+    if let StmtKind::Call(call) = &statement.kind {
+        all.push(call);
+    }
+    for expr in expressions(statement) {
+        each(expr, &mut |e| {
+            if let ExprKind::Call(call) = &e.kind {
+                all.push(call);
+            }
+        });
+    }
+    all
+}
+
+/// Whether a call of this unit changes nothing but its own locals.
+pub(super) fn is_pure(tree: &Tree, unit: u32) -> bool {
+    let Some(unit) = tree.units.get(unit as usize) else {
+        return true;
+    };
+    let mut pure = true;
+    let mut called = Vec::new();
+    for statement in &unit.body {
+        changed(statement, &mut |place| pure &= place.root == Root::Local);
+        all_calls(statement, &mut called);
+    }
+    // No unit calls itself.
+    pure && called.into_iter().all(|unit| is_pure(tree, unit))
+}
+
+fn all_calls(statement: &Stmt, into: &mut Vec<u32>) {
+    let numbers = calls(statement).into_iter().map(|call| call.unit);
+    for number in numbers {
+        if !into.contains(&number) {
+            into.push(number);
+        }
+    }
+    for inner in within(statement) {
+        all_calls(inner, into);
+    }
+}
+
+/// Whether computing this may change what another expression reads.
+pub(super) fn may_change(tree: &Tree, expr: &Expr) -> bool {
+    let mut may = false;
+    each(expr, &mut |e| {
+        if let ExprKind::Call(call) = &e.kind {
+            may |= !call.outputs.is_empty() || !is_pure(tree, call.unit);
+        }
+    });
+    may
+}
+
+/// Whether the body stores to this local, or may.
+pub(super) fn is_written(unit: &Unit, local: u32) -> bool {
+    let mut written = false;
+    for statement in &unit.body {
+        changed(statement, &mut |place| {
+            let near = place.offset == local || !place.indices.is_empty();
+            written |= place.root == Root::Local && near;
+        });
+        // A copy stores to several.
+        written |= matches!(&statement.kind, StmtKind::Copy(to, ..) if to.root == Root::Local);
+    }
+    written
+}
+
+/// Whether the body stores to this local before anything reads it.
+pub(super) fn is_stored_first(unit: &Unit, local: u32) -> bool {
+    let reads = |statement: &Stmt| {
+        let mut reads = false;
+        mentions(statement, &mut |place, cells| {
+            let range = place.offset..place.offset.saturating_add(cells.max(1));
+            reads |=
+                place.root == Root::Local && (range.contains(&local) || !place.indices.is_empty());
+        });
+        reads
+    };
+    for statement in &unit.body {
+        if let StmtKind::Assign(to, value, crate::typed::Store::Narrow(_)) = &statement.kind
+            && to.root == Root::Local
+            && to.offset == local
+            && to.indices.is_empty()
+        {
+            let mut read = false;
+            each(value, &mut |e| {
+                if let ExprKind::Read(place) = &e.kind {
+                    let near = place.offset == local || !place.indices.is_empty();
+                    read |= place.root == Root::Local && near;
+                }
+            });
+            return !read;
+        }
+        if reads(statement) || leaves(statement) {
+            return false;
+        }
+    }
+    false
+}
+
+/// Whether something in it may leave the body, so that what stands behind it is not reached.
+fn leaves(statement: &Stmt) -> bool {
+    matches!(statement.kind, StmtKind::Return | StmtKind::Jump(..))
+        || within(statement).into_iter().any(leaves)
+}
+
+/// Every place that a statement reads or changes, with how many cells.
+fn mentions<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place, u32)) {
+    match &statement.kind {
+        StmtKind::Copy(to, from, cells) => {
+            visit(to, *cells);
+            visit(from, *cells);
+        }
+        StmtKind::Assign(to, ..) => visit(to, 1),
+        StmtKind::Standard(block, instance) => visit(instance, block.cells()),
+        StmtKind::For(head) => visit(&head.variable, 1),
+        _ => {}
+    }
+    for expr in expressions(statement) {
+        each(expr, &mut |e| {
+            if let ExprKind::Read(place) = &e.kind {
+                visit(place, 1);
+            }
+        });
+    }
+    for call in calls(statement) {
+        // What is lent may be as large as it likes.
+        call.lent.iter().for_each(|place| visit(place, 100_000));
+        for output in &call.outputs {
+            visit(&output.to, output.cells);
+        }
+        for input in &call.inputs {
+            if let Input::Cells(_, place, cells) = input {
+                visit(place, *cells);
+            }
+        }
+    }
+    for inner in within(statement) {
+        mentions(inner, visit);
+    }
+}
+
+/// The statements of a body that jumps name.
+pub(super) fn targets(unit: &Unit) -> Vec<u32> {
+    let jumps = unit
+        .body
+        .iter()
+        .filter_map(|statement| match statement.kind {
+            StmtKind::Jump(_, to) => Some(to),
+            _ => None,
+        });
+    let mut all: Vec<u32> = jumps.collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// Whether one of these statements stores to what may be this place.
+pub(super) fn stores_to(statements: &[Stmt], place: &Place) -> bool {
+    let mut stores = false;
+    for statement in statements {
+        stores |= leaves_open(statement);
+        changed(statement, &mut |to| {
+            let near = to.root != place.root
+                || to.offset == place.offset
+                || !to.indices.is_empty()
+                || !place.indices.is_empty();
+            stores |= near && may_meet(to.root, place.root);
+        });
+    }
+    stores
+}
+
+/// Places that are counted from different roots may be the same cell, but for those of a call.
+fn may_meet(a: Root, b: Root) -> bool {
+    a == b || a != Root::Local && b != Root::Local
+}
+
+/// Whether it calls or copies, so that what it stores to is not told by a place alone.
+fn leaves_open(statement: &Stmt) -> bool {
+    let wide = matches!(statement.kind, StmtKind::Copy(..));
+    wide || !calls(statement).is_empty() || within(statement).into_iter().any(leaves_open)
+}

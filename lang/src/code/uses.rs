@@ -1,0 +1,223 @@
+//! What a program without calls does with each of its cells, and where.
+//!
+//! Owns reads, stores, lives and the rows that computed subscripts ask for. Must not know registers and markers.
+
+use super::flat::{Does, Flat, Step, each, own_expressions, within};
+use crate::typed::{Expr, ExprKind, Place, Standard, Value};
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// What is done with one cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Use {
+    pub reads: u32,
+    pub stores: u32,
+    /// The first and the last step that names it.
+    pub first: u32,
+    pub last: u32,
+    /// The first step that reads it.
+    pub first_read: Option<u32>,
+    /// The value of all its stores, if it is one constant.
+    pub only: Option<Value>,
+}
+
+/// A call of a block of the norm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Called {
+    pub block: Standard,
+    pub at: u32,
+    /// Whether each scan comes to it.
+    pub always: bool,
+    pub count: u32,
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Uses {
+    pub cells: HashMap<u32, Use>,
+    /// Cells that stand in a row, since a subscript among them is computed.
+    pub rows: Vec<Range<u32>>,
+    pub blocks: HashMap<u32, Called>,
+    /// Inputs of such blocks that are used in their calls alone, and their values where those are known.
+    pub given: HashMap<u32, Option<i128>>,
+    position: u32,
+    deep: u32,
+    jumps: bool,
+    labels: HashMap<u32, u32>,
+    loops: Vec<(u32, u32)>,
+}
+
+impl Uses {
+    pub(super) fn of(flat: &Flat) -> Uses {
+        let mut uses = Uses::default();
+        uses.steps(&flat.body);
+        uses.join_rows();
+        uses.stretch();
+        uses
+    }
+
+    /// What is done with this cell.
+    pub(super) fn get(&self, cell: u32) -> Option<&Use> {
+        self.cells.get(&cell)
+    }
+
+    /// Whether it stands in a row.
+    pub(super) fn row_of(&self, cell: u32) -> Option<&Range<u32>> {
+        let at = self.rows.partition_point(|row| row.end <= cell);
+        self.rows.get(at).filter(|row| row.contains(&cell))
+    }
+
+    fn steps(&mut self, steps: &[Step]) {
+        for step in steps {
+            self.position += 1;
+            self.step(&step.does);
+            self.deep += 1;
+            for inner in within(&step.does) {
+                self.steps(inner);
+            }
+            self.deep -= 1;
+        }
+    }
+
+    fn step(&mut self, does: &Does) {
+        for expr in own_expressions(does) {
+            self.expr(expr);
+        }
+        match does {
+            Does::Assign(to, value, _) => self.stored(to, 1, Some(value)),
+            Does::Copy(to, from, cells) => {
+                self.named(from, *cells, true);
+                self.stored(to, *cells, None);
+            }
+            Does::Label(label) => {
+                self.labels.insert(*label, self.position);
+            }
+            Does::Jump(_, label, _) => {
+                self.jumps = true;
+                if let Some(&begin) = self.labels.get(label) {
+                    self.loops.push((begin, self.position));
+                }
+            }
+            Does::Standard(block, cell, inputs) => {
+                for (part, value) in inputs {
+                    let value = match &value.kind {
+                        ExprKind::Constant(value) => Some(value.int()),
+                        _ => None,
+                    };
+                    self.given.insert(cell + part, value);
+                }
+                let always = self.deep == 0 && !self.jumps;
+                let at = self.position;
+                let called = self.blocks.entry(*cell).or_insert(Called {
+                    block: *block,
+                    at,
+                    always,
+                    count: 0,
+                });
+                called.count += 1;
+            }
+            Does::If(..) | Does::Case(..) | Does::Fail => {}
+        }
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        each(expr, &mut |e| {
+            if let ExprKind::Read(place) = &e.kind {
+                self.named(place, 1, true);
+            }
+        });
+    }
+
+    /// Each cell that a place may be.
+    fn named(&mut self, place: &Place, cells: u32, read: bool) {
+        let reach = reach(place).saturating_add(cells);
+        let range = place.offset
+            ..place
+                .offset
+                .saturating_add(reach)
+                .min(place.offset + 200_000);
+        if !place.indices.is_empty() {
+            self.rows.push(range.clone());
+        }
+        for cell in range {
+            let of = self.touch(cell);
+            of.reads += u32::from(read);
+        }
+        if read {
+            let position = self.position;
+            for cell in place.offset..place.offset + reach.min(200_000) {
+                if let Some(of) = self.cells.get_mut(&cell) {
+                    of.first_read.get_or_insert(position);
+                }
+            }
+        }
+    }
+
+    fn stored(&mut self, place: &Place, cells: u32, value: Option<&Expr>) {
+        self.named(place, cells, false);
+        let value = match value.map(|value| &value.kind) {
+            Some(ExprKind::Constant(value)) if place.indices.is_empty() => Some(value),
+            _ => None,
+        };
+        let reach = reach(place).saturating_add(cells).min(200_000);
+        for cell in place.offset..place.offset + reach {
+            let Some(of) = self.cells.get_mut(&cell) else {
+                continue;
+            };
+            of.only = match (of.stores, &of.only) {
+                (0, _) => value.cloned(),
+                (_, Some(only)) if Some(only) == value => value.cloned(),
+                _ => None,
+            };
+            of.stores += 1;
+        }
+    }
+
+    fn touch(&mut self, cell: u32) -> &mut Use {
+        let position = self.position;
+        let of = self.cells.entry(cell).or_insert(Use {
+            first: position,
+            ..Use::default()
+        });
+        of.last = position;
+        of
+    }
+
+    fn join_rows(&mut self) {
+        self.rows.sort_by_key(|row| row.start);
+        let mut joined: Vec<Range<u32>> = Vec::new();
+        for row in self.rows.drain(..) {
+            match joined.last_mut() {
+                Some(last) if row.start < last.end => last.end = last.end.max(row.end),
+                _ => joined.push(row),
+            }
+        }
+        self.rows = joined;
+    }
+
+    /// What a loop finds, it needs to its end.
+    fn stretch(&mut self) {
+        let loops = std::mem::take(&mut self.loops);
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for &(begin, end) in &loops {
+                for of in self.cells.values_mut() {
+                    if of.first < begin && (begin..end).contains(&of.last) {
+                        of.last = end;
+                        changed = true;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How far the subscripts of a place reach.
+pub(super) fn reach(place: &Place) -> u32 {
+    let far = |index: &crate::typed::Index| {
+        let last = index.count.saturating_sub(1);
+        last.saturating_mul(index.stride)
+    };
+    let all = place.indices.iter().map(far);
+    all.fold(0, u32::saturating_add)
+}
