@@ -2,7 +2,7 @@
 //!
 //! Owns how each statement is written. Must not know the text, nor the numbers of labels and timers.
 
-use super::flat::{Arm, Does, Flat, Step, each, place};
+use super::flat::{Arm, Does, Flat, Step, TEMPORARY, each, place};
 use super::numbers::bits;
 use super::pen::{Acc, Pen};
 use super::seats::{Seat, Seats};
@@ -14,8 +14,8 @@ use crate::typed::{
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 
-/// IFs in one another, at most (NC-28).
-const MOST_IFS: u32 = 8;
+/// IFs in one another, at most: one of the eight (NC-28) is left for checks of values.
+const MOST_IFS: u32 = 7;
 
 pub(super) struct Coder<'a, 'f> {
     pub flat: &'a Flat,
@@ -98,7 +98,7 @@ impl Coder<'_, '_> {
             Some(&Seat::Register(register)) => {
                 self.pen.numbered(Opcode::Store, register, Some(cell));
                 if self.pen.acc == Acc::One {
-                    self.pen.holds = Some(register);
+                    self.pen.holds = Some(Seat::Register(register));
                 }
             }
             Some(&Seat::Pwm(output)) => self.pen.numbered(Opcode::StorePwm, output, Some(cell)),
@@ -110,12 +110,50 @@ impl Coder<'_, '_> {
     }
 
     fn assign(&mut self, to: &Place, value: &Expr, store: Store) {
+        let begin = self.pen.lines.len();
         let value = self.prepare(value.clone());
+        if self.is_there(to, &value, store, begin) {
+            return;
+        }
         let to = match to.indices.is_empty() {
             true => to.clone(),
             false => self.prepare_place(to.clone()),
         };
         self.assign_prepared(&to, &value, store);
+    }
+
+    /// Lets what has been made in a temporary be made where it goes, if nothing on the way reads that.
+    fn is_there(&mut self, to: &Place, value: &Expr, store: Store, begin: usize) -> bool {
+        let (ExprKind::Read(from), Store::Narrow(base)) = (&value.kind, store) else {
+            return false;
+        };
+        let plain = to.indices.is_empty() && from.indices.is_empty();
+        let seat = |cell| self.seats.of.get(&cell).copied();
+        let (Some(Seat::Register(held)), Some(Seat::Register(goal))) =
+            (seat(from.offset), seat(to.offset))
+        else {
+            return false;
+        };
+        if !plain || from.offset < TEMPORARY || !self.is_within(value, base) {
+            return false;
+        }
+        let Some(made) = self.pen.lines.get_mut(begin..) else {
+            return false;
+        };
+        let first = made.iter().position(|line| line.is_store(held));
+        let read = first.is_none_or(|first| made[first..].iter().any(|line| line.names(goal)));
+        if read {
+            return false;
+        }
+        for line in made {
+            line.rename(held, goal, to.offset);
+        }
+        if self.pen.holds == Some(Seat::Register(held)) {
+            self.pen.holds = Some(Seat::Register(goal));
+        } else if self.pen.holds == Some(Seat::Register(goal)) {
+            self.pen.holds = None;
+        }
+        true
     }
 
     pub(super) fn assign_prepared(&mut self, to: &Place, value: &Expr, store: Store) {
@@ -522,11 +560,8 @@ impl Coder<'_, '_> {
                         self.narrowed(value, *store);
                         self.store(to.offset);
                         // Where acc is 0 the register is as it was.
-                        let register = self.seats.of.get(&to.offset).copied();
-                        if let Some(Seat::Register(register)) = register
-                            && self.pen.holds == Some(register)
-                            && self.pen.acc != Acc::One
-                        {
+                        let seat = self.seats.of.get(&to.offset).copied();
+                        if seat.is_some() && self.pen.holds == seat && self.pen.acc != Acc::One {
                             self.pen.holds = None;
                         }
                     }

@@ -5,10 +5,11 @@
 
 use super::flat::{Does, Flat, Step, constant, expr, place, read};
 use super::pure;
+use super::ranges::ANALOGUE;
 use crate::diagnostics::{Code, Found, Span};
 use crate::typed::{
-    Base, Binary, Call, Cell, Convert, Expr, ExprKind, Input, Place, Root, Stmt, StmtKind, Store,
-    Tree, Unary, Unit, UnitKind, Value,
+    Base, Binary, Call, Cell, Convert, Expr, ExprKind, Input, Place, Point, Root, Stmt, StmtKind,
+    Store, Tree, Unary, Unit, UnitKind, Value, Width,
 };
 use std::collections::HashMap;
 
@@ -39,6 +40,8 @@ pub(super) struct Inner {
 
 pub(super) struct Inliner<'t, 'f> {
     pub tree: &'t Tree,
+    /// The cells that are analogue inputs.
+    analogue: Vec<u32>,
     pub flat: Flat,
     /// The steps that are being made.
     pub out: Vec<Step>,
@@ -52,8 +55,11 @@ pub(super) struct Inliner<'t, 'f> {
 
 /// The program without its calls.
 pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
+    let points = tree.points.iter();
+    let analogue = points.filter(|(_, point)| matches!(point, Point::Analogue(_)));
     let mut inliner = Inliner {
         tree,
+        analogue: analogue.map(|(cell, _)| *cell).collect(),
         flat: Flat {
             cells: tree.cells.clone(),
             ..Flat::default()
@@ -304,7 +310,17 @@ impl Inliner<'_, '_> {
                 {
                     return given.clone();
                 }
-                ExprKind::Read(Box::new(self.place(place, frame)))
+                let place = self.place(place, frame);
+                let ty = match self.analogue.contains(&place.offset) {
+                    true => ANALOGUE,
+                    false => from.ty,
+                };
+                let kind = ExprKind::Read(Box::new(place));
+                return Expr {
+                    kind,
+                    ty,
+                    ..from.clone_without_kind()
+                };
             }
             ExprKind::Convert(how, a) => ExprKind::Convert(*how, Box::new(self.expr(a, frame))),
             ExprKind::Unary(op, a) => ExprKind::Unary(*op, Box::new(self.expr(a, frame))),
@@ -372,12 +388,16 @@ impl Inliner<'_, '_> {
         made
     }
 
-    /// A value in a cell of its own.
+    /// A value in a cell of its own, which is not narrowed: nothing is stored there.
     pub(super) fn aside(&mut self, value: Expr) -> Expr {
         if matches!(value.kind, ExprKind::Constant(_)) {
             return value;
         }
-        let (base, at) = (value.base, value.at);
+        let at = value.at;
+        let base = match value.base.width() {
+            Width::Signed => Base::Dint,
+            _ => value.base,
+        };
         let cell = self.temporary(base);
         self.push(
             Does::Assign(place(cell, at), value, Store::Narrow(base)),

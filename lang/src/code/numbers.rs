@@ -138,15 +138,17 @@ impl Coder<'_, '_> {
         }
         match seat {
             Some(Seat::Register(register)) => {
-                if self.pen.holds != Some(register) {
+                if self.pen.holds != seat {
                     self.pen
                         .operation(Opcode::Load, Taken::Register(register), cell);
-                    self.pen.holds = Some(register);
+                    self.pen.holds = seat;
                 }
             }
             Some(Seat::Analogue(n)) => {
-                self.pen.numbered(Opcode::LoadAnalogue, n, cell);
-                self.pen.holds = None;
+                if self.pen.holds != seat {
+                    self.pen.numbered(Opcode::LoadAnalogue, n, cell);
+                    self.pen.holds = seat;
+                }
             }
             Some(Seat::Count(n)) => {
                 self.pen.numbered(Opcode::LoadCount, n, cell);

@@ -28,6 +28,45 @@ pub(super) struct Line {
     pub cell: Option<u32>,
 }
 
+impl Line {
+    /// Whether it stores to this register.
+    pub(super) fn is_store(&self, register: u8) -> bool {
+        matches!(&self.written, Written::Is(is) if is.opcode == Opcode::Store && is.number() == Some(register))
+    }
+
+    /// Whether it names this register, in a table or a move as well.
+    pub(super) fn names(&self, register: u8) -> bool {
+        let Written::Is(Instruction { opcode, operand }) = &self.written else {
+            return false;
+        };
+        let among =
+            |first: u8, length: u8| (first..first.saturating_add(length)).contains(&register);
+        match operand {
+            Operand::Value(Value::Register(of)) => *of == register,
+            Operand::Number(of) => *opcode == Opcode::Store && *of == register,
+            Operand::Table { first, length } => among(*first, *length),
+            Operand::Move { from, to, count } => among(*from, *count) || among(*to, *count),
+            _ => false,
+        }
+    }
+
+    /// Names another register, which this cell has.
+    pub(super) fn rename(&mut self, from: u8, to: u8, cell: u32) {
+        let Written::Is(Instruction { opcode, operand }) = &mut self.written else {
+            return;
+        };
+        let held = match operand {
+            Operand::Value(Value::Register(of)) => of,
+            Operand::Number(of) if *opcode == Opcode::Store => of,
+            _ => return,
+        };
+        if *held == from {
+            *held = to;
+            self.cell = Some(cell);
+        }
+    }
+}
+
 /// What acc holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Acc {
@@ -43,8 +82,8 @@ pub(super) struct Pen {
     pub acc: Acc,
     /// Whether a label may stand here.
     pub head: bool,
-    /// The register that value equals.
-    pub holds: Option<u8>,
+    /// The register or analogue input that value equals.
+    pub holds: Option<Seat>,
     pub at: Span,
 }
 

@@ -3,7 +3,10 @@
 //! Owns those bounds, by which narrowing and checks are left out that change nothing. Must not know what is stored where.
 
 use super::flat::TEMPORARY;
-use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Unary, Width};
+use crate::typed::{Base, Binary, Convert, Expr, ExprKind, TypeId, Unary, Width};
+
+/// The type of what an analogue input reads.
+pub(super) const ANALOGUE: TypeId = TypeId(u32::MAX);
 
 /// The least and the greatest value.
 pub(super) type Bounds = (i128, i128);
@@ -35,6 +38,7 @@ pub(super) fn bounds(expr: &Expr) -> Bounds {
     let of = |e: &Expr| bounds(e);
     match &expr.kind {
         ExprKind::Constant(value) => (value.int(), value.int()),
+        ExprKind::Read(_) if expr.ty == ANALOGUE => (0, 1023),
         ExprKind::Read(place) if place.offset >= TEMPORARY && place.offset & 1 == 1 => wide(base),
         ExprKind::Convert(Convert::Keep, a) => within(base, of(a)),
         ExprKind::Convert(Convert::Wrap, a) if !a.base.is_real() => {
