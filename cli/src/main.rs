@@ -27,7 +27,7 @@ use unoclp_host_sim::scenario::{LoadError, ProgramFile, Scenario, Verdict, check
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_ladder::NARROWEST;
 use unoclp_lang::Lang;
-use unoclp_source::{Written, is_il, list, point_names};
+use unoclp_source::{Written, is_text, list, point_names};
 
 /// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
 #[derive(Parser)]
@@ -313,7 +313,7 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
     let program = match (program, &named) {
         (Some(program), _) => Some(program),
         // Its errors are shown as `check` shows them.
-        (None, Some(named)) if is_il(named, &[]) => Some(named.as_path()),
+        (None, Some(named)) if is_text(named, &[]) => Some(named.as_path()),
         (None, _) => None,
     };
     let mut source = None;
@@ -323,7 +323,7 @@ fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il
             let ProgramFile { name, bytes } = read(program)?;
             let written = Written::new(name.clone(), bytes.clone());
             // Numeric code is run as it is: a scenario may expect a fault of it.
-            let bytes = match written.is_il {
+            let bytes = match written.is_text {
                 false => bytes,
                 true => match check_written(written, il, Shown::Here) {
                     Some(checked) => source.insert(checked).code.clone(),

@@ -28,7 +28,7 @@ mod written;
 pub use kept::Kept;
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
-pub use text::{decode, is_il, is_numeric};
+pub use text::{decode, is_numeric, is_text};
 pub use typed::{LanguageName, guess};
 pub use written::{Refused, Written};
 

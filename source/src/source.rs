@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_ladder::{Ladder, Names};
-use unoclp_lang::{Dialect, Told};
+use unoclp_lang::{Dialect, TextLanguage, Told};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
@@ -42,6 +42,23 @@ pub enum Language {
         /// What is worth a second look.
         warnings: Told,
     },
+    /// A typed language: Structured Text.
+    Typed {
+        /// Which.
+        language: TextLanguage,
+        /// What is worth a second look.
+        warnings: Told,
+    },
+}
+
+impl Language {
+    /// What is worth a second look; nothing of numeric code.
+    pub fn warnings(&self) -> Option<&Told> {
+        match self {
+            Language::Numeric => None,
+            Language::Il { warnings, .. } | Language::Typed { warnings, .. } => Some(warnings),
+        }
+    }
 }
 
 impl Source {
@@ -58,9 +75,9 @@ impl Source {
         Some((line, text.trim()))
     }
 
-    /// Whether it was written as Instruction List.
-    pub fn is_il(&self) -> bool {
-        matches!(self.language, Language::Il { .. })
+    /// Whether it was written in a language that is compiled.
+    pub fn is_text(&self) -> bool {
+        !matches!(self.language, Language::Numeric)
     }
 }
 

@@ -2,12 +2,15 @@
 
 use std::path::Path;
 
-/// Whether a file holds Instruction List: by its name, `.il`, or because more of its lines have words than
-/// have numbers alone, comments of the numeric code left out.
-pub fn is_il(path: &Path, file: &[u8]) -> bool {
+/// How the names of texts end.
+const ENDS: [&str; 3] = ["il", "st", "scl"];
+
+/// Whether a file holds a text that is compiled: by its name, `.il`, `.st`, `.scl`, or because more of its lines have
+/// words than have numbers alone, comments of the numeric code left out.
+pub fn is_text(path: &Path, file: &[u8]) -> bool {
     if path
         .extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("il"))
+        .is_some_and(|end| ENDS.iter().any(|known| end.eq_ignore_ascii_case(known)))
     {
         return true;
     }
@@ -31,7 +34,7 @@ pub fn is_numeric(file: &[u8]) -> bool {
     let mut codes = text
         .lines()
         .map(|line| line.split('/').next().unwrap_or_default().trim());
-    codes.find(|code| !code.is_empty()) == Some("0") && !is_il(Path::new(""), file)
+    codes.find(|code| !code.is_empty()) == Some("0") && !is_text(Path::new(""), file)
 }
 
 /// The text of a file, without its byte-order mark: UTF-8; UTF-16, where the mark says so; else Latin-1.
@@ -56,7 +59,7 @@ mod tests {
 
     #[test]
     fn the_language_of_a_file_is_found() {
-        let il = |name: &str, text: &str| is_il(Path::new(name), text.as_bytes());
+        let il = |name: &str, text: &str| is_text(Path::new(name), text.as_bytes());
         assert!(il("a.il", "0\n827301\n"));
         assert!(il("A.IL", ""));
         assert!(il("a.txt", "(* lamp *)\nLD I1\nST Q1\n"));
@@ -66,7 +69,7 @@ mod tests {
         // A letter in place of a digit is a fault of numeric code.
         assert!(!il("a.txt", "O\n827301\n877901\n"));
         assert!(!il("a.txt", ""));
-        assert!(!is_il(Path::new("a.txt"), b"\xFF\xFE0\0\n\0"));
+        assert!(!is_text(Path::new("a.txt"), b"\xFF\xFE0\0\n\0"));
     }
 
     #[test]

@@ -1,11 +1,11 @@
-//! A program file as it was read: a claim, in one of two languages, until it is checked.
+//! A program file as it was read: a claim, in one of its languages, until it is checked.
 //!
 //! Owns which language that is. Must not know what either means: `unoclp-checked` and `unoclp-lang` do.
 
-use crate::{BOARD, Language, Size, Source, decode, is_il};
+use crate::{BOARD, Language, Size, Source, decode, is_text};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
-use unoclp_lang::{Dialect, Options, Told, compile};
+use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile, compile_text};
 
 /// A program file. Its language is known, and nothing else.
 #[derive(Clone, Debug)]
@@ -14,8 +14,8 @@ pub struct Written {
     pub name: String,
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Whether it is Instruction List; else it is numeric code.
-    pub is_il: bool,
+    /// Whether it is a text that is compiled; else it is numeric code.
+    pub is_text: bool,
 }
 
 /// Why a file is no program.
@@ -28,8 +28,8 @@ pub enum Refused {
         /// At least one, in the order in which they are found.
         faults: Vec<Diagnosis>,
     },
-    /// The errors of Instruction List, and its warnings.
-    Il {
+    /// The errors of a text, and its warnings.
+    Text {
         /// What the file is called.
         name: String,
         /// Its text.
@@ -43,7 +43,7 @@ impl Written {
     /// A file of this name, whose language its name and its text tell.
     pub fn new(name: String, bytes: Vec<u8>) -> Written {
         Written {
-            is_il: is_il(Path::new(&name), &bytes),
+            is_text: is_text(Path::new(&name), &bytes),
             name,
             bytes,
         }
@@ -54,8 +54,11 @@ impl Written {
     /// # Errors
     /// All that is wrong with it.
     pub fn check(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
-        match self.is_il {
-            true => self.compiled(dialect),
+        match self.is_text {
+            true => match typed(&self.name) {
+                Some(language) => self.typed(language),
+                None => self.compiled(dialect),
+            },
             false => self.numeric(),
         }
     }
@@ -79,6 +82,31 @@ impl Written {
         })
     }
 
+    fn typed(self, language: TextLanguage) -> Result<Source, Refused> {
+        let text = decode(&self.bytes);
+        let made = compile_text(&text, language, BOARD);
+        let code = made.file();
+        let (Some(code), Some((checked, map))) = (code, made.program) else {
+            return Err(Refused::Text {
+                name: self.name,
+                text,
+                diagnostics: made.diagnostics,
+            });
+        };
+        Ok(Source {
+            name: self.name,
+            text,
+            code: code.into_bytes(),
+            language: Language::Typed {
+                language,
+                warnings: made.diagnostics,
+            },
+            size: Size::of(checked.program()),
+            map,
+            checked,
+        })
+    }
+
     fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
         let board = BOARD;
@@ -86,7 +114,7 @@ impl Written {
         let code = compiled.file();
         let diagnostics = compiled.diagnostics;
         let (Some(code), Some((checked, map))) = (code, compiled.program) else {
-            return Err(Refused::Il {
+            return Err(Refused::Text {
                 name: self.name,
                 text,
                 diagnostics,
@@ -105,4 +133,10 @@ impl Written {
             checked,
         })
     }
+}
+
+/// The typed language that a file's name tells.
+fn typed(name: &str) -> Option<TextLanguage> {
+    let end = Path::new(name).extension()?.to_str()?;
+    TextLanguage::named(&end.to_ascii_lowercase())
 }

@@ -148,13 +148,13 @@ fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
 /// A program as numeric code: what is written in Instruction List is compiled.
 fn numeric(path: &Path) -> Result<Vec<u8>> {
     let written = Written::new(path.display().to_string(), file("program", path)?);
-    if !written.is_il {
+    if !written.is_text {
         // With its faults, if it has any: the board tells them.
         return Ok(written.bytes);
     }
     match written.check(None) {
         Ok(source) => Ok(source.code),
-        Err(Refused::Il {
+        Err(Refused::Text {
             name,
             text,
             diagnostics,

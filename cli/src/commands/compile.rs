@@ -8,15 +8,15 @@ use anyhow::bail;
 use std::io::Write;
 use std::path::Path;
 use unoclp_cli::messages;
-use unoclp_source::Language;
 
-/// Compiles Instruction List to numeric code, into this file or to standard output.
+/// Compiles a text to numeric code, into this file or to standard output.
 pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
     let Some(program) = open(path, il, Shown::Beside)? else {
         return Ok(false);
     };
     let name = &program.name;
-    let Language::Il { dialect, warnings } = &program.language else {
+    let (Some(told), Some(warnings)) = (il.told(&program.language), program.language.warnings())
+    else {
         bail!(messages::is_numeric(name))
     };
     match output.filter(|output| *output != Path::new("-")) {
@@ -26,9 +26,8 @@ pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
             .write_all(&program.code)
             .map_err(cannot_write(output))?,
     }
-    let (dialect, warnings) = (il.dialect(*dialect), warnings.len());
     let codes = program.size.codes;
-    let compiled = messages::compiled(dialect, codes, warnings);
+    let compiled = messages::compiled(told, codes, warnings.len());
     eprintln!("{name}: {compiled}");
     if let Some(kept) = program.size.kept {
         eprintln!("{name}: {}", kept.told(messages::spoken()));

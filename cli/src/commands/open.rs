@@ -1,4 +1,4 @@
-//! Reading a program, whichever of the two languages it is written in.
+//! Reading a program, whichever of its languages it is written in.
 
 use crate::{Outcome, renderer};
 use anstream::{eprint, eprintln, println};
@@ -46,6 +46,15 @@ pub fn language(name: &str) -> Option<Lang> {
 }
 
 impl Il {
+    /// What a text was taken to be; nothing of numeric code.
+    pub fn told(&self, language: &Language) -> Option<String> {
+        match language {
+            Language::Numeric => None,
+            Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
+            Language::Typed { .. } => Some(messages::structured_text()),
+        }
+    }
+
     /// Whose Instruction List a text was taken to be, and why.
     pub fn dialect(&self, found: Dialect) -> String {
         match self.dialect {
@@ -87,7 +96,7 @@ pub fn open(path: &Path, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>
 pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> {
     match written.check(il.dialect) {
         Ok(source) => {
-            if let Language::Il { warnings, .. } = &source.language {
+            if let Some(warnings) = source.language.warnings() {
                 let Source { name, text, .. } = &source;
                 let shown = lang::show(name, text, warnings, messages::spoken(), &renderer());
                 eprint!("{shown}");
@@ -102,7 +111,7 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
             );
             None
         }
-        Err(Refused::Il {
+        Err(Refused::Text {
             name,
             text,
             diagnostics,
@@ -132,7 +141,7 @@ pub(super) fn count(told: &Told) -> String {
 /// A fault that a board tells of a program, in the line of its text.
 pub fn faulty(source: &Source, fault: Fault) -> String {
     let Source { name, code, .. } = source;
-    if !source.is_il() {
+    if !source.is_text() {
         let faults = [Diagnosis::from(fault)];
         return diagnosis::show(name, code, &faults, messages::spoken(), &renderer());
     }
@@ -154,8 +163,8 @@ pub fn check(path: &Path, il: &Il) -> Outcome {
         return Ok(false);
     };
     println!("{}: OK: {}", source.name, messages::size(&source.size));
-    if let Language::Il { dialect, .. } = source.language {
-        println!("  {}", il.dialect(dialect));
+    if let Some(told) = il.told(&source.language) {
+        println!("  {told}");
     }
     Ok(true)
 }

@@ -19,7 +19,7 @@ impl Drawn {
         Drawn {
             rungs: Rungs::new(program),
             listing: Listing::new(program),
-            as_text: program.is_il(),
+            as_text: program.is_text(),
         }
     }
 

@@ -12,12 +12,13 @@ pub(super) fn json(ran: &Ran<'_>) -> String {
     let symbols: Vec<String> = ran
         .symbols
         .iter()
-        .map(|(symbol, held, base)| {
+        .map(|(symbol, held, base, place)| {
             format!(
-                r#"{{"name": {}, "type": {}, "value": {}, "place": null}}"#,
+                r#"{{"name": {}, "type": {}, "value": {}, "place": {}}}"#,
                 quoted(&symbol.name),
                 quoted(&type_name(symbol, *base)),
-                value(held, *base, Some(symbol))
+                value(held, *base, Some(symbol)),
+                place.as_deref().map_or_else(|| "null".to_owned(), quoted)
             )
         })
         .collect();

@@ -18,7 +18,7 @@ use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Printed, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{self as lang, CheckedText, Lines, Span, TextLanguage};
-use unoclp_source::{decode, guess};
+use unoclp_source::{BOARD, decode, guess};
 
 /// What to run, and how.
 #[derive(Args)]
@@ -61,7 +61,8 @@ struct Text {
 struct Ran<'t> {
     scans: u32,
     printed: Vec<Printed>,
-    symbols: Vec<(&'t Symbol, Value, Base)>,
+    /// Each with its value, its type, and where the board keeps it.
+    symbols: Vec<(&'t Symbol, Value, Base, Option<String>)>,
 }
 
 /// `unoclp run`.
@@ -113,9 +114,10 @@ pub fn run(arguments: What) -> Outcome {
     if let Some(at) = machine.failed() {
         eprintln!("{}", placed(&text, at, messages::not_computed));
     }
+    let mut places = lang::places(&text.text, language, BOARD).into_iter();
     let symbols = tree.symbols.iter().map(|symbol| {
         let (value, base) = machine.value(symbol);
-        (symbol, value, base)
+        (symbol, value, base, places.next().flatten())
     });
     let ran = Ran {
         scans: arguments.scans,

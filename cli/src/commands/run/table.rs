@@ -31,13 +31,13 @@ pub(super) fn table(ran: &Ran<'_>) -> String {
         messages::symbol_place(),
     ];
     let mut rows = vec![heads];
-    for (symbol, value, base) in &ran.symbols {
+    for (symbol, value, base, place) in &ran.symbols {
         let shown = written(symbol, value, *base);
         rows.push([
             symbol.name.clone(),
             type_name(symbol, *base),
             shown,
-            "-".to_owned(),
+            place.clone().unwrap_or_else(|| "-".to_owned()),
         ]);
     }
     let mut widths = [0; 4];
