@@ -45,7 +45,7 @@ struct Arguments {
 enum Command {
     /// Check a program: its size, or every fault with its line
     Check {
-        /// The program, in numeric code or Instruction List (.il)
+        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
         file: PathBuf,
         #[command(flatten)]
         il: Il,
@@ -62,7 +62,7 @@ enum Command {
     },
     /// Show a program as a ladder diagram, as Instruction List, or as numeric code with its meaning
     List {
-        /// The program, in numeric code or Instruction List (.il)
+        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
         file: PathBuf,
         #[command(flatten)]
         il: Il,
@@ -79,7 +79,7 @@ enum Command {
     },
     /// Simulate a program, by hand in this terminal or by a scenario
     Sim {
-        /// The program, in numeric code or Instruction List (.il); with a scenario, runs instead of the program that it names
+        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st); with a scenario, runs instead of the program that it names
         file: Option<PathBuf>,
         /// Run this scenario without a terminal: print what changes, and compare it
         #[arg(long, value_name = "S.toml")]
@@ -99,7 +99,7 @@ enum Command {
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
-        /// The program, in numeric code or Instruction List (.il)
+        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
         file: PathBuf,
         /// With STATE.TXT, in which the board then keeps inputs and outputs
         #[arg(long)]
@@ -109,7 +109,7 @@ enum Command {
     },
     /// Put a program on a board, over its serial port, in place of a card
     Upload {
-        /// The program, in numeric code or Instruction List (.il)
+        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
         file: PathBuf,
         #[command(flatten)]
         il: Il,

@@ -80,7 +80,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "file",
-        "O programa, em código numérico ou Lista de Instruções (.il); com um cenário, no lugar do que ele indica",
+        "O programa, em código numérico, Lista de Instruções (.il) ou Texto Estruturado (.st); com um cenário, no lugar do que ele indica",
     ),
     (
         "monitor",
@@ -90,7 +90,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "file",
-        "O programa, em código numérico ou Lista de Instruções (.il)",
+        "O programa, em código numérico, Lista de Instruções (.il) ou Texto Estruturado (.st)",
     ),
     (
         "",

@@ -9,7 +9,7 @@ const SQUARES: &str = "VAR s, i : INT; END_VAR\nFOR i := 1 TO 10 DO s := s + i *
 #[test]
 fn a_file_runs_once_and_shows_its_symbols() {
     let program = file("squares.st", SQUARES);
-    let table = "name  type  value  place\ns     INT   385    -\ni     INT   11     -\n";
+    let table = "name  type  value  place\ns     INT   385    D 01\ni     INT   11     D 02\n";
     assert_eq!(
         outcome(&["run", &program]),
         (0, table.to_owned(), String::new())
@@ -27,7 +27,7 @@ fn json_is_one_object() {
     let (code, out, err) = outcome(&["run", "--json", "--text", text]);
     let expected = concat!(
         r#"{"scans": 1, "printed": [], "symbols": ["#,
-        r#"{"name": "s", "type": "INT", "value": 385, "place": null}, "#,
+        r#"{"name": "s", "type": "INT", "value": 385, "place": "D 01"}, "#,
         r#"{"name": "b", "type": "BOOL", "value": true, "place": null}, "#,
         r#"{"name": "t", "type": "TIME", "value": 1000, "place": null}, "#,
         r#"{"name": "r", "type": "REAL", "value": 2.5, "place": null}, "#,
@@ -35,6 +35,37 @@ fn json_is_one_object() {
         "\n"
     );
     assert_eq!((code, out.as_str(), err.as_str()), (0, expected, ""));
+}
+
+/// The same text for the board.
+#[test]
+fn every_command_takes_structured_text() {
+    let program = file(
+        "lamp.st",
+        "VAR start AT %IX1 : BOOL; lamp AT %QX1 : BOOL; n : DINT; END_VAR\nlamp := start OR %IX2;\nn := n + 10;\n",
+    );
+    let (code, out, err) = outcome(&["check", &program]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.contains("OK: ") && out.contains("Structured Text"),
+        "{out}"
+    );
+    let (code, out, _) = outcome(&["compile", &program]);
+    assert_eq!(code, 0);
+    assert!(out.contains("827301    / RI 01    start, line 2"), "{out}");
+    let (code, out, _) = outcome(&["list", &program]);
+    assert_eq!(code, 0);
+    assert!(
+        out.contains("Rung 1, line") && out.contains("lamp"),
+        "{out}"
+    );
+    let wrong = file("text.st", "VAR s : STRING; END_VAR\ns := 'a';\n");
+    let (code, out, _) = outcome(&["check", &wrong]);
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("ST-201") && out.contains("text.st:1:5"),
+        "{out}"
+    );
 }
 
 #[test]
