@@ -233,6 +233,21 @@ fn a_variable_of_mixed_kinds_is_what_it_holds() {
         assert_eq!((code, err.as_str()), (0, ""));
         assert!(out.contains(&format!(r#"{{"name": "V0", {json}"#)), "{out}");
     }
+    let text = "clp x se (I0.0) { V0 R:= 2.5; V0 := 7; } V1 R:= V0; fim";
+    for (set, json) in [
+        ("V0=1.5", r#""type": "REAL", "value": 1.5"#),
+        ("V0=3", r#""type": "DINT", "value": 3"#),
+    ] {
+        let (code, out, err) = outcome(&["run", "--json", "--set", set, "--text", text]);
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(out.contains(&format!(r#"{{"name": "V0", {json}"#)), "{out}");
+    }
+    let (code, _, err) = outcome(&["run", "--set", "V0=x", "--text", text]);
+    assert_eq!(code, 2);
+    assert!(
+        err.starts_with("error: x is no value for V0, which is REAL/DINT"),
+        "{err}"
+    );
 }
 
 #[test]

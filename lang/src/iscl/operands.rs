@@ -40,6 +40,10 @@ impl Checker<'_, '_> {
                 format!("a REAL would lose its fraction: declare REAL {name};"),
                 format!("um REAL perderia as casas decimais: declare REAL {name};"),
             ),
+            (Base::Bool, _) if matches!(value.kind, ExprKind::Constant(_)) => both(
+                format!("write {name} := TRUE or {name} := FALSE"),
+                format!("escreva {name} := TRUE ou {name} := FALSE"),
+            ),
             (Base::Bool, _) => both(
                 format!("compare it: {name} := {written} <> 0"),
                 format!("compare-o: {name} := {written} <> 0"),

@@ -58,11 +58,16 @@ impl<'t> Parser<'t, '_> {
             return Err(self.cursor.missing("BLOCO", BEGIN));
         } else {
             self.outside();
+            if self.of_other_language() {
+                return Err(Told);
+            }
+            // END_BLOCK may be missing too.
+            self.unclosed = Some(usize::MAX);
         }
         let body = self.list(&[Word::EndBlock]);
         if self.cursor.keyword() == Word::EndBlock {
             self.cursor.next();
-        } else {
+        } else if self.unclosed != Some(usize::MAX) {
             self.not_closed(begin, Word::EndBlock);
         }
         while self.cursor.accept(Sign::Semicolon) {}
@@ -81,6 +86,19 @@ impl<'t> Parser<'t, '_> {
         let span = self.cursor.token().span;
         let written = self.cursor.short(span).into();
         self.cursor.tell(Code::IsclOutside, span, [written]);
+    }
+
+    /// Whether the text begins as a program of Structured Text.
+    fn of_other_language(&self) -> bool {
+        let words = [
+            "PROGRAM",
+            "FUNCTION",
+            "FUNCTION_BLOCK",
+            "TYPE",
+            "VAR_GLOBAL",
+        ];
+        let written = self.cursor.written();
+        words.iter().any(|word| word.eq_ignore_ascii_case(written))
     }
 
     /// `BLOCO teste`: a name where there is none.

@@ -198,7 +198,14 @@ impl Lexer<'_, '_, '_> {
 
     /// A character that is no part of any word: a space that cannot be told from others, or what means nothing.
     fn other(&mut self, start: usize) {
-        self.at += self.rest().chars().next().map_or(1, char::len_utf8);
+        let first = self.rest().chars().next();
+        self.at += first.map_or(1, char::len_utf8);
+        if let Some(sign) = first.filter(|sign| sign.is_ascii()) {
+            // `...` is one mistake.
+            while self.peek(0) == sign as u8 {
+                self.at += 1;
+            }
+        }
         let text = self.text.get(start..self.at).unwrap_or_default();
         if !text.trim().is_empty() && text != "\u{200B}" {
             let words = [text.into(), self.rules.language.into()];

@@ -177,15 +177,19 @@ fn set(machine: &mut Machine<'_>, tree: &Tree, given: &str) -> anyhow::Result<()
             .collect();
         bail!(messages::no_variable(name, names.join(", ")));
     };
-    let (_, base) = machine.value(symbol);
-    let Some(value) = lang::given(written, base, &symbol.values) else {
-        bail!(messages::no_value(written, name, &symbol.type_name));
-    };
+    let base = machine.value(symbol).1;
+    let read = |base| lang::given(written, base, &symbol.values);
+    let no_value = || anyhow!(messages::no_value(written, name, &symbol.type_name));
     match symbol.holds {
-        Holds::Cell(cell) => machine.set_cell(cell, value),
-        Holds::Either { flag, clear, .. } => {
-            machine.set_cell(flag, Value::truth(false));
-            machine.set_cell(clear, value);
+        Holds::Cell(cell) => machine.set_cell(cell, read(base).ok_or_else(no_value)?),
+        Holds::Either { flag, set, clear } => {
+            // A whole number is held as one, and another as REAL.
+            let whole = read(Base::Dint);
+            machine.set_cell(flag, Value::truth(whole.is_none()));
+            match whole {
+                Some(value) => machine.set_cell(clear, value),
+                None => machine.set_cell(set, read(Base::Real).ok_or_else(no_value)?),
+            }
         }
     }
     Ok(())
