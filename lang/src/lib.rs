@@ -1,11 +1,12 @@
-//! The languages: Instruction List to the numeric code and back, Structured Text to the typed tree.
+//! The languages: Instruction List to the numeric code and back, the typed languages to the typed tree.
 //!
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
 //! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
 //! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
 //! steps stand in the text). [`to_il`] goes the other way.
 //!
-//! The way of a text in a typed language ([`check`]): `st` (bytes → words → syntax tree → names and types), [`typed`]
+//! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
+//! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
 //! (the tree that all of them come to), [`run`] (the interpreter on the PC). What can be wrong with a text is said
 //! once, in `messages`.
 //!

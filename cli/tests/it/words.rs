@@ -65,8 +65,13 @@ fn pages_and_messages_use_one_word_for_one_thing() {
     )];
     for page in [
         "faults",
+        "grammar-tests",
         "il-diagnostics",
         "instruction-list",
+        "interscl",
+        "interscl-diagnostics",
+        "lce",
+        "lce-diagnostics",
         "st-diagnostics",
         "structured-text",
         "tutorial",
@@ -80,6 +85,8 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "cli/src/commands/refuse.rs",
         "host-sim/src/scenario/words.rs",
         "lang/src/messages/il.rs",
+        "lang/src/messages/iscl.rs",
+        "lang/src/messages/lce.rs",
         "lang/src/messages/st.rs",
         "source/src/diagnosis/help.rs",
         "source/src/diagnosis/portuguese.rs",

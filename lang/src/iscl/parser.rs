@@ -196,7 +196,9 @@ impl<'t> Parser<'t, '_> {
             "a `;` ends each command and each declaration",
             "um `;` encerra cada comando e cada declaração",
         );
-        let begins = keyword.begins() || keyword.is_type() || sign == Sign::Word;
+        let behind = self.cursor.ahead(1).sign;
+        let stores = matches!(behind, Sign::Assign | Sign::Equal | Sign::Colon);
+        let begins = keyword.begins() || keyword.is_type() || sign == Sign::Word && stores;
         self.cursor.missing("`;`", help);
         if !begins {
             self.skip(before);

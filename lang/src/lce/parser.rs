@@ -177,8 +177,13 @@ impl Parser<'_, '_> {
         let before = self.cursor.place();
         let help = ("a `;` ends each command", "um `;` encerra cada comando");
         let sign = self.cursor.sign();
+        let stores = match self.cursor.ahead(1).sign {
+            Sign::Word => self.cursor.ahead(2).sign == Sign::Assign,
+            sign => matches!(sign, Sign::Assign | Sign::Equal),
+        };
         let begins = self.cursor.keyword() != Word::None
-            || matches!(sign, Sign::Word | Sign::CloseBrace | Sign::End);
+            || matches!(sign, Sign::CloseBrace | Sign::End)
+            || sign == Sign::Word && stores;
         self.cursor.missing("`;`", help);
         if !begins {
             self.skip(before);

@@ -318,7 +318,7 @@ impl Lexer<'_, '_, '_> {
         self.found.tell(Code::StTextOpen, span, [sign.into()]);
     }
 
-    /// What stands behind `rede` on its line: between quotes, or up to a comment or the end of the line.
+    /// What stands behind `rede` on its line: between quotes, or up to a `;`, a comment or its end.
     fn title(&mut self) -> Option<Token> {
         while matches!(self.peek(0), b' ' | b'\t') {
             self.at += 1;
@@ -329,6 +329,7 @@ impl Lexer<'_, '_, '_> {
             return self.token(Sign::Title, start);
         }
         let line = self.rest().split('\n').next().unwrap_or_default();
+        let line = line.split(';').next().unwrap_or_default();
         let title = line.split("//").next().unwrap_or_default().trim_end();
         self.at += title.len();
         self.token(Sign::Title, start).filter(|_| self.at > start)
