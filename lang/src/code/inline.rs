@@ -42,6 +42,8 @@ pub(super) struct Inliner<'t, 'f> {
     pub tree: &'t Tree,
     /// The cells that are analogue inputs.
     analogue: Vec<u32>,
+    /// The units that change nothing but their own.
+    pure: Vec<bool>,
     pub flat: Flat,
     /// The steps that are being made.
     pub out: Vec<Step>,
@@ -60,6 +62,7 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
     let mut inliner = Inliner {
         tree,
         analogue: analogue.map(|(cell, _)| *cell).collect(),
+        pure: pure::pure_units(tree),
         flat: Flat {
             cells: tree.cells.clone(),
             ..Flat::default()
@@ -367,7 +370,7 @@ impl Inliner<'_, '_> {
             at += 1;
             match from[at..]
                 .iter()
-                .any(|later| pure::may_change(self.tree, later))
+                .any(|later| pure::may_change(&self.pure, later))
             {
                 true => self.aside(made),
                 false => made,
@@ -380,10 +383,12 @@ impl Inliner<'_, '_> {
         for (at, operand) in from.iter().enumerate() {
             let value = self.expr(operand, frame);
             let later = from.get(at + 1..).unwrap_or_default();
-            made.push(match later.iter().any(|l| pure::may_change(self.tree, l)) {
-                true => self.aside(value),
-                false => value,
-            });
+            made.push(
+                match later.iter().any(|l| pure::may_change(&self.pure, l)) {
+                    true => self.aside(value),
+                    false => value,
+                },
+            );
         }
         made
     }
@@ -419,6 +424,11 @@ impl Inliner<'_, '_> {
     fn call(&mut self, call: &Call, frame: &Frame) -> Option<u32> {
         let tree = self.tree;
         let unit = tree.units.get(call.unit as usize)?;
+        // A call of what does nothing counts too, so that calls in calls come to an end.
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            self.too_large.get_or_insert(call.at);
+        }
         if self.too_large.is_some() {
             return None;
         }
@@ -426,7 +436,7 @@ impl Inliner<'_, '_> {
             Some(instance) => self.place(instance, frame).offset,
             None => 0,
         };
-        let is_pure = pure::is_pure(tree, call.unit);
+        let is_pure = self.pure.get(call.unit as usize).copied().unwrap_or(true);
         let many = call.inputs.len() > 1 && !is_pure;
         let mut given = HashMap::new();
         let mut values = Vec::with_capacity(call.inputs.len());

@@ -100,19 +100,32 @@ fn calls(statement: &Stmt) -> Vec<&crate::typed::Call> {
     all
 }
 
-/// Whether a call of this unit changes nothing but its own locals.
-pub(super) fn is_pure(tree: &Tree, unit: u32) -> bool {
-    let Some(unit) = tree.units.get(unit as usize) else {
-        return true;
-    };
-    let mut pure = true;
-    let mut called = Vec::new();
-    for statement in &unit.body {
-        changed(statement, &mut |place| pure &= place.root == Root::Local);
-        all_calls(statement, &mut called);
+/// Of each unit whether a call of it changes nothing but its own locals.
+pub(super) fn pure_units(tree: &Tree) -> Vec<bool> {
+    let mut pure = Vec::with_capacity(tree.units.len());
+    let mut called = Vec::with_capacity(tree.units.len());
+    for unit in &tree.units {
+        let (mut own, mut calls) = (true, Vec::new());
+        for statement in &unit.body {
+            changed(statement, &mut |place| own &= place.root == Root::Local);
+            all_calls(statement, &mut calls);
+        }
+        pure.push(own);
+        called.push(calls);
     }
-    // No unit calls itself.
-    pure && called.into_iter().all(|unit| is_pure(tree, unit))
+    // What calls something that is not, is not: as far as that reaches.
+    let mut goes_on = true;
+    while goes_on {
+        goes_on = false;
+        for unit in 0..pure.len() {
+            let is = |other: &u32| pure.get(*other as usize).copied().unwrap_or(true);
+            if pure[unit] && !called[unit].iter().all(is) {
+                pure[unit] = false;
+                goes_on = true;
+            }
+        }
+    }
+    pure
 }
 
 fn all_calls(statement: &Stmt, into: &mut Vec<u32>) {
@@ -128,11 +141,12 @@ fn all_calls(statement: &Stmt, into: &mut Vec<u32>) {
 }
 
 /// Whether computing this may change what another expression reads.
-pub(super) fn may_change(tree: &Tree, expr: &Expr) -> bool {
+pub(super) fn may_change(pure: &[bool], expr: &Expr) -> bool {
     let mut may = false;
     each(expr, &mut |e| {
         if let ExprKind::Call(call) = &e.kind {
-            may |= !call.outputs.is_empty() || !is_pure(tree, call.unit);
+            may |=
+                !call.outputs.is_empty() || !pure.get(call.unit as usize).copied().unwrap_or(true);
         }
     });
     may

@@ -7,6 +7,11 @@ use crate::typed::{Expr, ExprKind, Place, Standard, Value};
 use std::collections::HashMap;
 use std::ops::Range;
 
+/// Of more cells than this none has a place, so that no more are looked at.
+const MOST_CELLS: u32 = 300;
+/// More loops than this have no labels.
+const MOST_LOOPS: usize = 64;
+
 /// What is done with one cell.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Use {
@@ -130,24 +135,17 @@ impl Uses {
     /// Each cell that a place may be.
     fn named(&mut self, place: &Place, cells: u32, read: bool) {
         let reach = reach(place).saturating_add(cells);
-        let range = place.offset
-            ..place
-                .offset
-                .saturating_add(reach)
-                .min(place.offset + 200_000);
         if !place.indices.is_empty() {
-            self.rows.push(range.clone());
+            let end = place.offset.saturating_add(reach);
+            self.rows.push(place.offset..end);
         }
-        for cell in range {
+        let position = self.position;
+        let end = place.offset.saturating_add(reach.min(MOST_CELLS));
+        for cell in place.offset..end {
             let of = self.touch(cell);
-            of.reads += u32::from(read);
-        }
-        if read {
-            let position = self.position;
-            for cell in place.offset..place.offset + reach.min(200_000) {
-                if let Some(of) = self.cells.get_mut(&cell) {
-                    of.first_read.get_or_insert(position);
-                }
+            if read {
+                of.reads += 1;
+                of.first_read.get_or_insert(position);
             }
         }
     }
@@ -158,8 +156,8 @@ impl Uses {
             Some(ExprKind::Constant(value)) if place.indices.is_empty() => Some(value),
             _ => None,
         };
-        let reach = reach(place).saturating_add(cells).min(200_000);
-        for cell in place.offset..place.offset + reach {
+        let reach = reach(place).saturating_add(cells).min(MOST_CELLS);
+        for cell in place.offset..place.offset.saturating_add(reach) {
             let Some(of) = self.cells.get_mut(&cell) else {
                 continue;
             };
@@ -197,6 +195,9 @@ impl Uses {
     /// What a loop finds, it needs to its end.
     fn stretch(&mut self) {
         let loops = std::mem::take(&mut self.loops);
+        if loops.len() > MOST_LOOPS {
+            return;
+        }
         let mut changed = true;
         while changed {
             changed = false;

@@ -1,11 +1,12 @@
 //! Any text in a typed language is read in a time in proportion to its size, and none of them makes the reader panic.
 
+use crate::board::large;
 use crate::common::Random;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use unoclp_lang::run::Machine;
-use unoclp_lang::{Severity, TextLanguage, check};
+use unoclp_lang::{Severity, TextLanguage, check, compile_text};
 
 const MEGABYTE: usize = 1 << 20;
 
@@ -197,6 +198,18 @@ fn what_is_read_runs_on_a_stack_of_a_megabyte() {
     }
 }
 
+#[test]
+fn anything_is_compiled_for_the_board_in_time() {
+    for (name, shape) in SHAPES {
+        for size in [10, 150, 10_000] {
+            let begin = Instant::now();
+            compile_text(&shape(size), TextLanguage::St, large());
+            let took = begin.elapsed();
+            assert!(took < Duration::from_secs(1), "{name} {size}: {took:?}");
+        }
+    }
+}
+
 /// The texts of the cases, those of the mistakes or the others.
 fn texts(wrong: bool) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
@@ -249,6 +262,8 @@ fn mutated_texts_are_read_and_run() {
             for scan in 0..3 {
                 let _ = machine.scan(scan * 40);
             }
+            // For the board too, as far as it can do it.
+            compile_text(&text, TextLanguage::St, large());
             ran += 1;
         }
     }
