@@ -202,11 +202,11 @@ fn lce_runs_by_extension_by_first_word_and_by_language() {
     let lines = "V0 R:= 100000.125;\nV1 R:= V0;\nV2 := V0; V3 W:= V0; V4 B:= V0;\n";
     let table = concat!(
         "name  type  value       place\n",
-        "V0    REAL  100000.125  -\n",
-        "V1    REAL  100000.125  -\n",
-        "V2    DINT  100000      -\n",
-        "V3    DINT  34464       -\n",
-        "V4    DINT  160         -\n",
+        "V0    REAL  100000.125  D 01\n",
+        "V1    REAL  100000.125  D 02\n",
+        "V2    DINT  100000      D 03\n",
+        "V3    DINT  34464       D 04\n",
+        "V4    DINT  160         D 05\n",
     );
     let named = file("typed.lce", lines);
     let begun = format!("clp teste\n{lines}fim\n");
@@ -253,7 +253,7 @@ fn a_variable_of_mixed_kinds_is_what_it_holds() {
 #[test]
 fn interscl_runs_by_extension_by_first_word_and_by_language() {
     let block = "BLOCO\n  INT i; INT s;\n  FOR i := 1 TO 10 DO s := s + i * i; END_FOR;\n  PRINT(s);\nEND_BLOCK\n";
-    let expected = "385\nname  type  value  place\ni     INT   11     -\ns     INT   385    -\n";
+    let expected = "385\nname  type  value  place\ni     INT   11     D 01\ns     INT   385    D 02\n";
     let named = file("squares.iscl", block);
     for arguments in [
         vec!["run", &named],
