@@ -135,7 +135,12 @@ impl Inliner<'_, '_> {
         let fits = reach.is_some_and(|reach| (least..=most).contains(&reach));
         let fits = fits && !is_written(&head.body, &head.variable);
         let within = (!fits).then(|| self.within(&next, held(), &step, base, at));
-        let store = || Does::Assign(variable.clone(), next.clone(), Store::Narrow(base));
+        // It is stored only where the type has it, so it needs no narrowing.
+        let kept = match base.width() {
+            Width::Signed => Base::Dint,
+            _ => base,
+        };
+        let store = || Does::Assign(variable.clone(), next.clone(), Store::Narrow(kept));
         let (number, outer) = self.begin_loop(turns, at);
         let again = self.label();
         self.push(Does::Label(again), at);

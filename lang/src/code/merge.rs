@@ -97,6 +97,12 @@ fn as_stored(value: Expr, base: Base) -> Expr {
     if whole && value.base == base {
         return value;
     }
+    if let ExprKind::Constant(held) = &value.kind
+        && value.base == base
+    {
+        let kind = ExprKind::Constant(crate::typed::narrow(base, held.clone()));
+        return Expr { kind, ..value };
+    }
     let at = value.at;
     let how = match base {
         _ if base.is_real() || base == value.base && base.bits() == 32 => Convert::Keep,
