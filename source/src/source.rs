@@ -42,7 +42,7 @@ pub enum Language {
         /// What is worth a second look.
         warnings: Told,
     },
-    /// A typed language: Structured Text.
+    /// A typed language: Structured Text, InterSCL, LCE.
     Typed {
         /// Which.
         language: TextLanguage,

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 /// How the names of texts end.
-const ENDS: [&str; 3] = ["il", "st", "scl"];
+const ENDS: [&str; 5] = ["il", "st", "scl", "iscl", "lce"];
 
-/// Whether a file holds a text that is compiled: by its name, `.il`, `.st`, `.scl`, or because more of its lines have
+/// Whether a file holds a text that is compiled: by its name, `.il`, `.st`, `.scl`, `.iscl`, `.lce`, or because more of its lines have
 /// words than have numbers alone, comments of the numeric code left out.
 pub fn is_text(path: &Path, file: &[u8]) -> bool {
     if path

@@ -10,6 +10,7 @@ use unoclp_checked::Diagnosis;
 use unoclp_cli::messages;
 use unoclp_core::Fault;
 use unoclp_host_sim::scenario::{ProgramFile, Unreadable};
+use unoclp_lang::TextLanguage;
 use unoclp_lang::{self as lang, Dialect, Lang, Severity, Told};
 use unoclp_source::messages::system;
 use unoclp_source::{Language, Refused, Source, Written, diagnosis};
@@ -51,7 +52,11 @@ impl Il {
         match language {
             Language::Numeric => None,
             Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
-            Language::Typed { .. } => Some(messages::structured_text()),
+            Language::Typed { language, .. } => Some(match language {
+                TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
+                TextLanguage::Iscl => messages::interscl(),
+                TextLanguage::Lce => messages::lce(),
+            }),
         }
     }
 

@@ -251,9 +251,32 @@ fn a_variable_of_mixed_kinds_is_what_it_holds() {
 }
 
 #[test]
+fn every_command_takes_interscl_and_lce() {
+    let block = "BLOCO\nBOOL start AT %IX1; BOOL lamp AT %QX1; INT n;\nlamp := start AND NOT (n > 100);\nn := n + 1;\nEND_BLOCK\n";
+    let lines = "clp motor\nvar V0 = cont;\nse (I0.0) { liga Q0.0; V0 := V0 + 1; }\nse (I0.1) { desliga Q0.0; }\nfim\n";
+    for (name, text, language) in [
+        ("commands.iscl", block, "InterSCL"),
+        ("commands.lce", lines, "LCE"),
+    ] {
+        let text = file(name, text);
+        let (code, out, err) = outcome(&["check", &text]);
+        assert_eq!((code, err.as_str()), (0, ""), "{out}");
+        assert!(out.contains(&format!("\n  {language}")), "{out}");
+        let (code, out, _) = outcome(&["compile", &text]);
+        assert!(
+            code == 0 && out.starts_with("0         / program start"),
+            "{out}"
+        );
+        let (code, out, _) = outcome(&["list", &text]);
+        assert!(code == 0 && out.contains("[ ADD 1 ]"), "{out}");
+    }
+}
+
+#[test]
 fn interscl_runs_by_extension_by_first_word_and_by_language() {
     let block = "BLOCO\n  INT i; INT s;\n  FOR i := 1 TO 10 DO s := s + i * i; END_FOR;\n  PRINT(s);\nEND_BLOCK\n";
-    let expected = "385\nname  type  value  place\ni     INT   11     D 01\ns     INT   385    D 02\n";
+    let expected =
+        "385\nname  type  value  place\ni     INT   11     D 01\ns     INT   385    D 02\n";
     let named = file("squares.iscl", block);
     for arguments in [
         vec!["run", &named],
