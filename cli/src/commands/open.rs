@@ -54,8 +54,9 @@ impl Il {
             Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
             Language::Typed { language, .. } => Some(match language {
                 TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
-                TextLanguage::Iscl => messages::interscl(),
-                TextLanguage::Lce => messages::lce(),
+                // Names, the same in every language.
+                TextLanguage::Iscl => "InterSCL".to_owned(),
+                TextLanguage::Lce => "LCE".to_owned(),
             }),
         }
     }

@@ -264,8 +264,6 @@ unoclp_source::messages! {
         "não foi possível montar a imagem do cartão: {error}";
     dialect(name) "dialect {name}" "dialeto {name}";
     structured_text() "Structured Text" "Texto Estruturado";
-    interscl() "InterSCL" "InterSCL";
-    lce() "LCE" "LCE";
     dialect_by_words(name) "dialect {name}, by its words" "dialeto {name}, pelas palavras";
     compiled(dialect, codes, warnings)
         "{dialect}; codes: {codes}, warnings: {warnings}"
