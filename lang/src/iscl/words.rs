@@ -1,7 +1,7 @@
 //! The signs and keywords of InterSCL, and what students write for them.
 
 use crate::diagnostics::Code;
-use crate::small::cursor::Keywords;
+use crate::small::cursor::{Keywords, named};
 use crate::small::lexer::{Rules, Sign};
 
 pub(super) const RULES: Rules = Rules {
@@ -146,10 +146,8 @@ const MEANT: [(&str, Word); 31] = [
 
 impl Keywords for Word {
     const NONE: Word = Word::None;
-
-    fn of(word: &str) -> Word {
-        named(&WORDS, word)
-    }
+    const WORDS: &'static [(&'static str, Word)] = &WORDS;
+    const MEANT: &'static [(&'static str, Word)] = &MEANT;
 
     fn meant(word: &str) -> Word {
         // No word of the table has more than 9 letters.
@@ -158,16 +156,6 @@ impl Keywords for Word {
             false => named(&MEANT, &word.to_uppercase()),
         }
     }
-
-    fn name(self) -> &'static str {
-        let mut words = WORDS.iter().filter(|row| row.1 == self);
-        words.next().map_or("", |row| row.0)
-    }
-}
-
-fn named(table: &[(&str, Word)], word: &str) -> Word {
-    let row = table.iter().find(|row| row.0.eq_ignore_ascii_case(word));
-    row.map_or(Word::None, |row| row.1)
 }
 
 impl Word {

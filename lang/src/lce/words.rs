@@ -114,24 +114,8 @@ const MEANT: [(&str, Word); 12] = [
 
 impl Keywords for Word {
     const NONE: Word = Word::None;
-
-    fn of(word: &str) -> Word {
-        named(&WORDS, word)
-    }
-
-    fn meant(word: &str) -> Word {
-        named(&MEANT, word)
-    }
-
-    fn name(self) -> &'static str {
-        let mut words = WORDS.iter().filter(|row| row.1 == self);
-        words.next().map_or("", |row| row.0)
-    }
-}
-
-fn named(table: &[(&str, Word)], word: &str) -> Word {
-    let row = table.iter().find(|row| row.0.eq_ignore_ascii_case(word));
-    row.map_or(Word::None, |row| row.1)
+    const WORDS: &'static [(&'static str, Word)] = &WORDS;
+    const MEANT: &'static [(&'static str, Word)] = &MEANT;
 }
 
 impl Word {

@@ -25,18 +25,37 @@ pub(crate) struct Name {
 }
 
 /// The keywords of a language.
-pub(crate) trait Keywords: Copy + PartialEq {
+pub(crate) trait Keywords: Copy + PartialEq + 'static {
     /// No keyword.
     const NONE: Self;
 
+    /// How each is written; of several ways the first is its name.
+    const WORDS: &'static [(&'static str, Self)];
+
+    /// How other languages write them.
+    const MEANT: &'static [(&'static str, Self)];
+
     /// The keyword that is written so.
-    fn of(word: &str) -> Self;
+    fn of(word: &str) -> Self {
+        named(Self::WORDS, word)
+    }
 
     /// The keyword that other languages write so.
-    fn meant(word: &str) -> Self;
+    fn meant(word: &str) -> Self {
+        named(Self::MEANT, word)
+    }
 
     /// As it is written.
-    fn name(self) -> &'static str;
+    fn name(self) -> &'static str {
+        let mut words = Self::WORDS.iter().filter(|row| row.1 == self);
+        words.next().map_or("", |row| row.0)
+    }
+}
+
+/// What a table has for a word, in whatever case it is written.
+pub(crate) fn named<K: Keywords>(table: &[(&str, K)], word: &str) -> K {
+    let row = table.iter().find(|row| row.0.eq_ignore_ascii_case(word));
+    row.map_or(K::NONE, |row| row.1)
 }
 
 pub(crate) struct Cursor<'t, 'f, K> {
