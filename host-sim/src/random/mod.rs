@@ -149,6 +149,42 @@ mod tests {
         assert!((5..100).contains(&faults), "{faults}");
     }
 
+    /// Of few programs chance decides how much they do: here of as many as a quick run compares, from many seeds.
+    #[test]
+    fn random_programs_do_something_in_most_scans() {
+        for first in (0..20).map(|group| group * 1_000) {
+            let (mut scans, mut changes) = (0, 0);
+            for seed in first..first + 150 {
+                let (ran, changed) = changes_of(seed);
+                (scans, changes) = (scans + ran, changes + changed);
+            }
+            assert!(
+                changes * 4 > scans,
+                "from seed {first}: {changes} changes in {scans} scans"
+            );
+        }
+    }
+
+    /// Scans, and how many of them change an output, a marker or a register.
+    fn changes_of(seed: u64) -> (u32, u32) {
+        let random = &mut Random::new(seed);
+        let text = random_program(random);
+        let mut machine =
+            crate::engine::Machine::new(unoclp_source::load(text.as_bytes()).unwrap());
+        let (mut inputs, mut before, mut changes) = (Inputs::default(), Default::default(), 0);
+        for scan in 0..40 {
+            inputs = random_inputs(random, machine.plc().needs(), inputs);
+            if machine.scan_observed(inputs, scan * 10, |_, _| ()).is_err() {
+                return (scan, changes);
+            }
+            let plc = machine.plc();
+            let now = (plc.outputs(), plc.markers(), plc.registers().to_vec());
+            changes += u32::from(now != before);
+            before = now;
+        }
+        (40, changes)
+    }
+
     #[test]
     fn the_seed_decides_the_program() {
         let program = |seed| random_program(&mut Random::new(seed));

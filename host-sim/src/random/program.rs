@@ -205,10 +205,20 @@ impl Draft<'_> {
             let label = self.random.number(1, LOOPS - 1);
             self.put(Instruction::numbered(Opcode::Label, label));
         }
+        if !self.old && self.random.percent(40) {
+            self.beat();
+        }
         // Mostly short: the longer a rung, the more seldom its coils see a 1.
         let most = self.random.below(24);
         for _ in 0..self.random.below(most + 1) {
             if let Some(instruction) = self.instruction() {
+                let acts = matches!(
+                    instruction.opcode.class(),
+                    Class::Coil | Class::Timer | Class::Count | Class::Store | Class::Leave
+                );
+                if acts && self.random.percent(50) {
+                    self.enliven();
+                }
                 self.put(instruction);
                 self.follow(instruction);
             }
@@ -229,11 +239,69 @@ impl Draft<'_> {
             self.put(Instruction::plain(Opcode::CloseBranch));
             self.depth -= 1;
         }
-        // Most rungs end in a coil, or nothing would be seen of them.
+        // Most rungs end so, or nothing would be seen of them.
         if self.random.percent(80) {
-            let coil = self.with_operand(Opcode::Coil);
-            coil.into_iter().for_each(|coil| self.put(coil));
+            self.enliven();
+            self.end();
         }
+    }
+
+    /// Has acc follow an input again: behind a few contacts in series it is 0 for ever.
+    fn enliven(&mut self) {
+        let Some(input) = self.xx(Kind::Input) else {
+            return;
+        };
+        let xor = self.random.pick(&[Opcode::XorInput, Opcode::XorInputNot]);
+        match xor.filter(|_| !self.old && self.random.percent(60)) {
+            Some(xor) => self.put(Instruction::numbered(xor, input)),
+            None if self.depth == isa::DEEPEST => {}
+            None => {
+                self.put(Instruction::plain(Opcode::OpenBranch));
+                self.put(Instruction::numbered(Opcode::InputContact, input));
+                self.put(Instruction::plain(Opcode::CloseBranch));
+            }
+        }
+    }
+
+    /// Counts a register, and has acc follow one of its bits.
+    fn beat(&mut self) {
+        let register = self.register();
+        let load = Operand::Value(Value::Register(register));
+        let step = Operand::Value(Value::Constant(self.random.below(5) as i32 + 1));
+        self.put(Instruction {
+            opcode: Opcode::Load,
+            operand: load,
+        });
+        self.put(Instruction {
+            opcode: Opcode::Add,
+            operand: step,
+        });
+        self.put(Instruction::numbered(Opcode::Store, register));
+        let bit = self.random.number(0, 3);
+        self.put(Instruction::numbered(Opcode::BitContact, bit));
+    }
+
+    /// A coil, or a store of what the next rung and the next scan see changed.
+    fn end(&mut self) {
+        let opcode = match self.random.below(if self.old { 60 } else { 100 }) {
+            0..60 => Opcode::Coil,
+            60..75 => Opcode::MarkerCoil,
+            75..80 => Opcode::StoreMarkers,
+            _ => Opcode::Store,
+        };
+        if opcode == Opcode::Store && self.random.percent(60) {
+            let (add, step) = (
+                self.random
+                    .pick(&[Opcode::Add, Opcode::Subtract, Opcode::XorWord]),
+                self.random.below(9),
+            );
+            self.put(Instruction {
+                opcode: add.unwrap_or(Opcode::Add),
+                operand: Operand::Value(Value::Constant(step as i32 + 1)),
+            });
+        }
+        let end = self.with_operand(opcode);
+        end.into_iter().for_each(|end| self.put(end));
     }
 
     /// Perhaps ends a part of an IF; whether it does.
@@ -261,6 +329,7 @@ impl Draft<'_> {
         let most = usize::from(isa::DEEPEST);
         let may = !self.old && self.ifs.len() < most && self.random.percent(8);
         if may {
+            self.enliven();
             self.put(Instruction::plain(Opcode::If));
             self.ifs.push(false);
         }
