@@ -4,7 +4,7 @@ use crate::common::{LARGE, Random, large, program};
 use std::fs;
 use std::path::Path;
 use unoclp_core::Profile;
-use unoclp_core::isa::{Kind, Opcode, TABLE};
+use unoclp_core::isa::{Class, Kind, Opcode, Row, TABLE};
 use unoclp_lang::{Options, to_il};
 use unoclp_testing::rounds;
 
@@ -55,6 +55,28 @@ fn sample_programs() {
     assert!(count > 8);
 }
 
+/// A row of one of these classes.
+fn row_of(random: &mut Random, classes: &[Class]) -> Row {
+    let class = random.pick(classes);
+    let of_class = TABLE.iter().filter(|row| row.class == class);
+    let rows: Vec<Row> = of_class.copied().collect();
+    random.pick(&rows)
+}
+
+/// Of which classes the instructions of a rung are; any where none is named. One that Instruction List has no words
+/// for has its whole rung written as codes, so most rungs are short, and as a person writes them.
+fn classes(random: &mut Random) -> Vec<&'static [Class]> {
+    if random.percent(40) {
+        return vec![&[]; random.below(10) + 1];
+    }
+    let mut classes: Vec<&[Class]> = vec![&[Class::Contact, Class::Load]];
+    for _ in 0..random.below(4) {
+        classes.push(&[Class::Contact, Class::Xor, Class::Logic]);
+    }
+    classes.push(&[Class::Coil]);
+    classes
+}
+
 /// A random program of every instruction, in rungs that the loader accepts.
 fn random_program(random: &mut Random) -> String {
     let mut lines = vec!["0".to_owned()];
@@ -74,8 +96,11 @@ fn random_program(random: &mut Random) -> String {
         }
         let mut open = 0;
         let mut stored = false;
-        for _ in 0..random.below(10) + 1 {
-            let row = random.pick(TABLE);
+        for of in classes(random) {
+            let row = match of {
+                [] => random.pick(TABLE),
+                of => row_of(random, of),
+            };
             let xx = match row.kind {
                 Kind::Input | Kind::Group | Kind::Filter => random.below(4) + 1,
                 Kind::Output | Kind::Branch | Kind::System => random.below(4) + 1,
