@@ -225,13 +225,26 @@ impl Client {
         request: &Request,
         take: impl Fn(Reply<'_>) -> T,
     ) -> Result<T, Failure> {
+        let came = self.forward(request).await?;
+        match request.answer(&came) {
+            Some(Ok(reply)) => Ok(take(reply)),
+            Some(Err(NoReply::Refused(exception))) => Err(Failure::Refused(exception)),
+            Some(Err(NoReply::Garbled)) | None => Err(Failure::Garbled),
+        }
+    }
+
+    /// Sends a request once, of whatever client, and gives the whole frame of its answer; a refusal is one.
+    ///
+    /// # Errors
+    /// [`Failure`], but not [`Failure::Refused`].
+    pub async fn forward(&mut self, request: &Request) -> Result<Vec<u8>, Failure> {
         self.pause(self.gap, || false).await?;
         self.link.send(request.bytes());
         let until = self.now() + self.transit + self.patience.answer;
         let mut came = Vec::new();
-        let answer = loop {
+        let is_answer = loop {
             if let Some(answer) = request.answer(&came) {
-                break answer.map(&take);
+                break !matches!(answer, Err(NoReply::Garbled));
             }
             if !self.link.receive(&mut came, until).await? {
                 let nothing = came.is_empty();
@@ -242,18 +255,15 @@ impl Client {
                 });
             }
         };
-        match answer {
-            Ok(taken) => Ok(taken),
-            Err(NoReply::Refused(exception)) => Err(Failure::Refused(exception)),
-            Err(NoReply::Garbled) => {
-                // The rest of what is no answer is over before the next attempt.
-                while self
-                    .link
-                    .receive(&mut came, self.now() + self.gap * 8)
-                    .await?
-                {}
-                Err(Failure::Garbled)
-            }
+        if is_answer {
+            return Ok(came);
         }
+        // The rest of what is no answer is over before the next attempt.
+        while self
+            .link
+            .receive(&mut came, self.now() + self.gap * 8)
+            .await?
+        {}
+        Err(Failure::Garbled)
     }
 }

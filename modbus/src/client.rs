@@ -43,6 +43,33 @@ impl Request {
         Request::of([server, FUNCTION, READ_DEVICE_IDENTIFICATION, 1, 0])
     }
 
+    /// The request that another client has sent, whole; `None` for a frame with a bad check sum, or one too short or too
+    /// long for a request. What it asks for is for the server to judge.
+    pub fn forwarded(frame: &[u8]) -> Option<Request> {
+        let fits = (4..=FRAME_BYTES).contains(&frame.len());
+        let (body, _) = frame.split_last_chunk::<2>()?;
+        let is_sound = fits && Crc::of(frame).value() == 0;
+        is_sound.then(|| Request::of(body.iter().copied()))
+    }
+
+    /// Whom it asks.
+    pub fn server(&self) -> u8 {
+        self.frame[0]
+    }
+
+    /// Whether it changes nothing at the server: it reads, or asks for the identification.
+    pub fn only_reads(&self) -> bool {
+        matches!(self.frame[1], 1..=4 | FUNCTION)
+    }
+
+    /// The answer by which a gateway refuses it.
+    pub fn refusal(&self, exception: Exception) -> [u8; 5] {
+        let [server, function, ..] = self.frame;
+        let body = [server, function | 0x80, exception as u8];
+        let [low, high] = Crc::of(&body).to_bytes();
+        [body[0], body[1], body[2], low, high]
+    }
+
     /// Puts the check sum behind the bytes, which leave room for it.
     fn of(bytes: impl IntoIterator<Item = u8>) -> Request {
         let mut frame = [0; FRAME_BYTES];

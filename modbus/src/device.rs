@@ -57,6 +57,10 @@ pub enum Exception {
     ServerDeviceFailure = 4,
     /// The device cannot do it now; the client may ask again.
     ServerDeviceBusy = 6,
+    /// A gateway has no way to this server.
+    GatewayPathUnavailable = 10,
+    /// The server behind a gateway does not answer it.
+    GatewayTargetSilent = 11,
 }
 
 impl Exception {
@@ -69,6 +73,8 @@ impl Exception {
             IllegalDataValue,
             ServerDeviceFailure,
             ServerDeviceBusy,
+            GatewayPathUnavailable,
+            GatewayTargetSilent,
         ]
         .into_iter()
         .find(|exception| *exception as u8 == code)
