@@ -1,0 +1,147 @@
+//! One visitor's way to the board: a WebSocket, on which each binary message is a Modbus request or its answer, whole.
+//!
+//! The first message of the visitor is a text, the token, empty where none is asked for. The gateway's texts are JSON:
+//! `{"role": "watch", "address": 1}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
+//! whenever that changes. A visitor has one request under way at a time.
+
+use crate::control::{Control, Visitor};
+use crate::line::{Line, Presence};
+use crate::tokens::{Role, Tokens};
+use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
+use serde_json::json;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::time::timeout;
+use unoclp_modbus::client::Request;
+
+/// Within this a visitor sends the token, and takes what is sent: a slower one is dropped.
+const PROMPT: Duration = Duration::from_secs(5);
+/// After so long without a message a visitor is asked for a sign of life,
+const QUIET: Duration = Duration::from_secs(20);
+/// and dropped after so many that stay without one.
+const SIGNS: u32 = 3;
+/// The longest message, bytes: no request is longer.
+pub(crate) const LONGEST: usize = 256;
+
+/// What all visitors share.
+#[derive(Debug)]
+pub(crate) struct Gateway {
+    pub line: Line,
+    pub control: Mutex<Control>,
+    /// None where only this PC is served: its user may do all.
+    pub tokens: Option<Tokens>,
+}
+
+/// Why a visitor is no longer served.
+enum Left {
+    /// By itself, or its connection is gone.
+    Gone,
+    /// It takes too long.
+    Slow,
+    /// Its token is none, or it says what is no request.
+    Wrong,
+}
+
+/// Serves a visitor until it leaves.
+pub(crate) async fn serve(gateway: Arc<Gateway>, visitor: Visitor, mut socket: WebSocket) {
+    let Err(left) = visit(&gateway, visitor, &mut socket).await;
+    gateway.control().leave(visitor);
+    let (code, reason) = match left {
+        Left::Gone => return,
+        Left::Slow => (close_code::POLICY, "too slow"),
+        Left::Wrong => (close_code::POLICY, "not allowed"),
+    };
+    let reason = reason.into();
+    let close = Message::Close(Some(CloseFrame { code, reason }));
+    // Whoever does not take this either is gone.
+    drop(timeout(PROMPT, socket.send(close)).await);
+}
+
+impl Gateway {
+    fn control(&self) -> std::sync::MutexGuard<'_, Control> {
+        self.control.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn role(&self, token: &str) -> Option<Role> {
+        match &self.tokens {
+            None => Some(Role::Control),
+            Some(tokens) => tokens.role(token),
+        }
+    }
+}
+
+async fn visit(
+    gateway: &Gateway,
+    visitor: Visitor,
+    socket: &mut WebSocket,
+) -> Result<std::convert::Infallible, Left> {
+    let role = match timeout(PROMPT, socket.recv()).await {
+        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong)?,
+        Ok(Some(Ok(_))) => return Err(Left::Wrong),
+        Ok(_) => return Err(Left::Gone),
+        Err(_) => return Err(Left::Slow),
+    };
+    let address = gateway.line.address();
+    say(socket, json!({ "role": role.name(), "address": address })).await?;
+    let mut presence = gateway.line.presence();
+    let mut signs = 0;
+    loop {
+        let told = presence.borrow_and_update().clone();
+        say(socket, of(&told)).await?;
+        loop {
+            tokio::select! {
+                changed = presence.changed() => match changed {
+                    Ok(()) => break,
+                    Err(_) => return Err(Left::Gone),
+                },
+                came = timeout(QUIET, socket.recv()) => match came {
+                    Err(_) if signs == SIGNS => return Err(Left::Slow),
+                    Err(_) => {
+                        signs += 1;
+                        send(socket, Message::Ping(Default::default())).await?;
+                    }
+                    Ok(Some(Ok(Message::Binary(frame)))) => {
+                        signs = 0;
+                        let request = Request::forwarded(&frame).ok_or(Left::Wrong)?;
+                        let answer = answer(gateway, visitor, role, request).await;
+                        send(socket, Message::Binary(answer.into())).await?;
+                    }
+                    Ok(Some(Ok(Message::Ping(_) | Message::Pong(_)))) => signs = 0,
+                    Ok(Some(Ok(Message::Text(_)))) => return Err(Left::Wrong),
+                    Ok(Some(Ok(Message::Close(_))) | Some(Err(_)) | None) => return Err(Left::Gone),
+                },
+            }
+        }
+    }
+}
+
+/// The answer to a request: the board's, or why it does not reach it.
+async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Request) -> Vec<u8> {
+    let address = gateway.line.address();
+    let admitted = gateway
+        .control()
+        .admit(visitor, role, &request, address, Instant::now());
+    match admitted {
+        Ok(()) => gateway.line.ask(request).await,
+        Err(exception) => request.refusal(exception).to_vec(),
+    }
+}
+
+fn of(presence: &Presence) -> serde_json::Value {
+    match presence {
+        Ok(()) => json!({ "board": true }),
+        Err(why) => json!({ "board": false, "why": why }),
+    }
+}
+
+async fn say(socket: &mut WebSocket, value: serde_json::Value) -> Result<(), Left> {
+    send(socket, Message::Text(value.to_string().into())).await
+}
+
+async fn send(socket: &mut WebSocket, message: Message) -> Result<(), Left> {
+    match timeout(PROMPT, socket.send(message)).await {
+        Ok(Ok(())) => Ok(()),
+        Ok(Err(_)) => Err(Left::Gone),
+        Err(_) => Err(Left::Slow),
+    }
+}

@@ -1,0 +1,25 @@
+//! The page over HTTP, and the gateway that shares the board at this PC among many (`docs/remote.md`).
+//!
+//! - [`Pages`]: the files of the page, which somebody else has
+//! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
+//! - [`Line`]: the one owner of the line to the board
+//! - `gateway`: one visitor's way to that line, a WebSocket
+//! - [`Server`]: takes connections, each within limits
+//!
+//! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
+//! what a request asks of the board, beyond whether it only reads.
+
+#![forbid(unsafe_code)]
+
+mod control;
+mod doors;
+mod gateway;
+mod line;
+mod page;
+mod server;
+mod tokens;
+
+pub use line::{Board, Line, NoAnswer};
+pub use page::Pages;
+pub use server::{Server, Sharing};
+pub use tokens::{Role, Tokens};

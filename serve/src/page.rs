@@ -1,0 +1,72 @@
+//! The files of the page.
+
+use axum::body::Body;
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::{HeaderValue, Response, StatusCode};
+use std::borrow::Cow;
+
+/// The content of a file of the page by its path, without a slash before it; `None` where there is none.
+pub type Pages = fn(&str) -> Option<Cow<'static, [u8]>>;
+
+/// What the page may load: its own files, workers made of them, and no page may stand around it.
+const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
+     img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self' data: blob:; frame-ancestors 'none'; base-uri 'none'";
+
+/// The file at this path of an address; `board` is told to the page itself.
+pub(crate) fn file(pages: Pages, path: &str, board: Option<&str>) -> Response<Body> {
+    let path = path.trim_start_matches('/');
+    let path = if path.is_empty() { "index.html" } else { path };
+    let Some(content) = pages(path) else {
+        return answer(
+            StatusCode::NOT_FOUND,
+            "text/plain",
+            Cow::from("404\n").into_owned(),
+        );
+    };
+    let kind = mime_guess::from_path(path).first_or_octet_stream();
+    let content = match board {
+        Some(board) if path == "index.html" => with_board(&content, board),
+        _ => content.into_owned(),
+    };
+    answer(StatusCode::OK, kind.essence_str(), content)
+}
+
+/// The page, which is told in its head that there is a board behind it: so it asks nobody where there is none.
+fn with_board(page: &[u8], board: &str) -> Vec<u8> {
+    let text = String::from_utf8_lossy(page);
+    let meta = format!(
+        "<head><meta name=\"unoclp-board\" content=\"{}\">",
+        escaped(board)
+    );
+    text.replacen("<head>", &meta, 1).into_bytes()
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('"', "&quot;")
+        .replace('<', "&lt;")
+}
+
+fn answer(status: StatusCode, kind: &str, content: impl Into<Body>) -> Response<Body> {
+    let mut response = Response::new(content.into());
+    *response.status_mut() = status;
+    let text = match kind {
+        "text/html" | "text/css" | "text/javascript" | "text/plain" => "; charset=utf-8",
+        _ => "",
+    };
+    let headers = response.headers_mut();
+    if let Ok(kind) = HeaderValue::from_str(&format!("{kind}{text}")) {
+        headers.insert(CONTENT_TYPE, kind);
+    }
+    for (name, value) in [
+        (CACHE_CONTROL, "no-cache"),
+        (CONTENT_SECURITY_POLICY, POLICY),
+        (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (REFERRER_POLICY, "no-referrer"),
+    ] {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
