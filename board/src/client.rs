@@ -168,6 +168,21 @@ impl Client {
         outcome
     }
 
+    /// As [`forward`](Client::forward), if the answer may take longer.
+    ///
+    /// # Errors
+    /// As there.
+    pub async fn forward_within(
+        &mut self,
+        answer: Duration,
+        request: &Request,
+    ) -> Result<Vec<u8>, Failure> {
+        let usual = std::mem::replace(&mut self.patience.answer, answer);
+        let outcome = self.forward(request).await;
+        self.patience.answer = usual;
+        outcome
+    }
+
     /// Asks what the board is.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
+//! - `shared`: the page and a board for browsers, with the feature `page`
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
@@ -14,3 +15,5 @@ pub mod monitor;
 pub mod panel;
 pub mod port;
 pub mod screen;
+#[cfg(feature = "page")]
+pub mod shared;

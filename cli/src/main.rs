@@ -1,5 +1,5 @@
 //! The command line: `unoclp check`, `compile`, `list`, `sim`, `run` and `card` on this PC,
-//! `unoclp upload`, `unoclp monitor` and `unoclp settings` on a board.
+//! `unoclp upload`, `unoclp monitor` and `unoclp settings` on a board, `unoclp serve` for browsers.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
@@ -11,7 +11,7 @@ use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Form, Il, Kind, Leave, Shown, What, cannot_write, check_written, create,
+    At, Changes, Doors, Form, Il, Kind, Leave, Shown, What, cannot_write, check_written, create,
     in_portuguese, langs, language, open, read, refuse, running,
 };
 use ratatui::crossterm::terminal;
@@ -129,6 +129,11 @@ enum Command {
         /// Have the board let go all that is forced after so many seconds without a request
         #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
         end_forcing: Option<u8>,
+    },
+    /// Serve the lab's page, and with --port share the board at that port
+    Serve {
+        #[command(flatten)]
+        doors: Doors,
     },
     /// Show and set a board's address, rate, parity, direction pin and lock
     Settings {
@@ -251,6 +256,7 @@ fn main() -> ExitCode {
             at,
             end_forcing,
         } => commands::monitor(file.as_deref(), at.place(), end_forcing, &il),
+        Command::Serve { doors } => commands::serve(doors),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
     match outcome {

@@ -42,6 +42,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Acompanha uma placa, força entradas e saídas, e a põe em RUN ou STOP",
     ),
     (
+        "serve",
+        "Serve a página do laboratório e, com --port, compartilha a placa nessa porta",
+    ),
+    (
         "settings",
         "Mostra e muda o endereço, a taxa, a paridade, o pino de direção e o bloqueio de uma placa",
     ),
@@ -147,6 +151,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "",
         "keep_forces",
         "Deixa forçado o que está forçado; sem isto, é liberado depois da gravação",
+    ),
+    (
+        "serve",
+        "http",
+        "Onde servir a página; a porta 0 usa uma livre [padrão: 127.0.0.1:8420]",
+    ),
+    (
+        "serve",
+        "port",
+        "Compartilha a placa nesta porta serial: /dev/ttyACM0, /dev/ttyUSB0, COM3 …",
     ),
     (
         "",

@@ -7,6 +7,7 @@
 //! - `interrupt`: Ctrl-C
 //! - `run`: a text in a typed language, on this PC
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
+//! - `serve`: the page, and a board behind it
 
 /// Says a line, if anybody reads it: a board is not left half done because nobody does.
 macro_rules! say {
@@ -25,6 +26,7 @@ mod open;
 mod output;
 mod refuse;
 mod run;
+mod serve;
 mod settings;
 mod upload;
 mod words;
@@ -37,6 +39,7 @@ pub use open::{Il, Shown, check, check_written, langs, language, open, read, run
 pub use output::{Kind, cannot_write, create};
 pub use refuse::refuse;
 pub use run::{What, run};
+pub use serve::{Doors, serve};
 pub use settings::{Changes, settings};
 pub use upload::{Leave, upload};
 pub use words::Form;
@@ -56,6 +59,13 @@ pub struct At {
     /// The serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: String,
+    #[command(flatten)]
+    spoken: Spoken,
+}
+
+/// How a board is spoken to.
+#[derive(Args)]
+pub struct Spoken {
     /// The board's address
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=247))]
     address: u8,
@@ -70,15 +80,19 @@ pub struct At {
 impl At {
     /// Where it is, and how it is spoken to.
     pub fn place(self) -> Place {
+        self.spoken.at(self.port)
+    }
+}
+
+impl Spoken {
+    /// The board at this port.
+    fn at(self, port: String) -> Place {
         let line = Line {
             address: self.address,
             rate: self.rate,
             parity: self.parity.into(),
         };
-        Place {
-            port: self.port,
-            line,
-        }
+        Place { port, line }
     }
 }
 

@@ -98,6 +98,8 @@ pub fn failure(failure: &Failure) -> String {
             Exception::IllegalDataValue => not_that_value(),
             Exception::ServerDeviceFailure => not_now(),
             Exception::ServerDeviceBusy => busy(),
+            Exception::GatewayPathUnavailable => no_way(),
+            Exception::GatewayTargetSilent => target_silent(),
         }),
         Failure::Lost(why) => port_gone(why),
     }

@@ -187,6 +187,26 @@ unoclp_source::messages! {
     busy()
         "the settings have been changed too often; try again in an hour, or after the power was off (06)"
         "os ajustes foram mudados vezes demais; tente de novo em uma hora, ou depois de desligar a placa (06)";
+    no_way()
+        "the gateway shares no board of this address (10)"
+        "o gateway não compartilha nenhuma placa com esse endereço (10)";
+    target_silent()
+        "the gateway gets no answer from the board (11)"
+        "o gateway não recebe resposta da placa (11)";
+    no_page()
+        "this unoclp was built without the page; `cargo xtask dist` builds one with it, and `cargo xtask lab` serves the page from the source"
+        "este unoclp foi compilado sem a página; `cargo xtask dist` compila um com ela, e `cargo xtask lab` serve a página a partir do código-fonte";
+    not_served(address, error)
+        "{address} cannot be served from: {error}. Another address is given by --http, and --http 127.0.0.1:0 takes a free port"
+        "não é possível servir em {address}: {error}. Outro endereço se indica com --http, e --http 127.0.0.1:0 usa uma porta livre";
+    watch_at(page) "to watch:   {page}" "acompanhar: {page}";
+    control_at(page) "to control: {page}" "controlar:  {page}";
+    open_to_network()
+        "whoever has the second address drives what the board drives; Ctrl-C ends both"
+        "quem tem o segundo endereço comanda o que a placa comanda; Ctrl-C encerra os dois";
+    shared(port)
+        "the board at {port} is shared with this PC alone"
+        "a placa em {port} é compartilhada só com este PC";
     port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     upload_not_begun()
