@@ -9,6 +9,7 @@ use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
 use unoclp_core::isa::NEAR_REGISTERS;
+use unoclp_core::{Image, Inputs, Millis, Snapshot};
 use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
@@ -224,6 +225,26 @@ impl Reading {
 }
 
 impl Reading {
+    /// What a twin of the board's program takes over, the inputs of its next scan, and the board's time in ms.
+    pub fn with_snapshot<T>(&self, see: impl FnOnce(&Snapshot<'_>, Inputs, Millis) -> T) -> T {
+        let pair = |meter: &Meter| (meter.value.cast_unsigned(), meter.preset.cast_unsigned());
+        let timers: Vec<_> = self.timers.iter().map(pair).collect();
+        let counters = self.counters.iter();
+        let counters: Vec<_> = counters.map(|meter| (meter.value, meter.preset)).collect();
+        let board = Snapshot {
+            outputs: Image(self.outputs),
+            markers: self.markers.unwrap_or_default(),
+            registers: &self.registers,
+            timers: &timers,
+            counters: &counters,
+        };
+        let mut inputs = Inputs::from(Image(self.inputs));
+        for (input, value) in inputs.analogue.iter_mut().zip(&self.analogue) {
+            *input = *value;
+        }
+        see(&board, inputs, self.diagnostics.uptime)
+    }
+
     /// All that is forced.
     pub const fn forced(&self) -> Forced {
         Forced {

@@ -4,10 +4,10 @@
 use super::program::Program;
 use super::watcher::News;
 use crate::messages;
-use crate::panel::Flow;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_board::map::{Command, State};
 use unoclp_board::watch::{Forced, Reading, Side, Wish};
+use unoclp_host_sim::live::Flow;
 use unoclp_source::BOARD;
 
 /// A board, as far as it is known, and what a person does to it.

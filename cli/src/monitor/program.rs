@@ -1,12 +1,13 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
-use crate::panel::{Drawn, Flow, Probe};
+use crate::panel::Drawn;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::watch::{Meter, Reading, Scope};
+use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
-use unoclp_core::{Delay, Image, Inputs, Snapshot};
+use unoclp_core::Delay;
 use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::live::{Flow, Probe, Twin};
 use unoclp_source::used::Used;
 use unoclp_source::{Source, point_names};
 
@@ -24,9 +25,7 @@ pub struct Program {
     counters: u16,
     registers: u16,
     /// Does what the board does, to show which of its rungs are energised: a board tells its points only.
-    twin: Machine,
-    /// The same, to see its values on the way.
-    probe: Option<Probe>,
+    twin: Twin,
     /// The outputs that it writes, bit 0 output 01.
     pub(super) written: u16,
     /// What it uses of the board.
@@ -35,8 +34,6 @@ pub struct Program {
     pub(super) names: BTreeMap<String, String>,
     /// Its text, line by line.
     text: Vec<String>,
-    /// How many instructions it has.
-    steps: usize,
 }
 
 impl Program {
@@ -66,9 +63,7 @@ impl Program {
                 .collect(),
             counters: plc.counters().count() as u16,
             registers,
-            steps: plc.steps().count(),
-            twin: machine,
-            probe,
+            twin: Twin::new(machine, probe),
             name: program.name,
         }
     }
@@ -76,39 +71,7 @@ impl Program {
     /// What the program does on the board at the moment: a scan from what was read. Edges are those from reading
     /// to reading.
     pub(super) fn flow(&mut self, reading: &Reading) -> Flow {
-        let now = reading.diagnostics.uptime;
-        let pair = |meter: &Meter| (meter.value.cast_unsigned(), meter.preset.cast_unsigned());
-        let timers: Vec<_> = reading.timers.iter().map(pair).collect();
-        let counters = reading.counters.iter();
-        let counters: Vec<_> = counters.map(|meter| (meter.value, meter.preset)).collect();
-        let board = Snapshot {
-            outputs: Image(reading.outputs),
-            markers: reading.markers.unwrap_or_default(),
-            registers: &reading.registers,
-            timers: &timers,
-            counters: &counters,
-        };
-        self.twin.adopt(&board, now);
-        let mut flow = Flow::default();
-        // Before the scan they stand as the board has told them.
-        flow.look(self.twin.plc(), now);
-        let mut inputs = Inputs::from(Image(reading.inputs));
-        for (input, value) in inputs.analogue.iter_mut().zip(&reading.analogue) {
-            *input = *value;
-        }
-        flow.acc = vec![None; self.steps];
-        let observe = |step: usize, on| {
-            if let Some(acc) = flow.acc.get_mut(step) {
-                *acc = Some(on);
-            }
-        };
-        // A scan with too many jumps shows how far it has come.
-        let _ = self.twin.scan_observed(inputs, now, observe);
-        if let Some(probe) = &mut self.probe {
-            probe.with_plc(|plc| plc.adopt(&board, now));
-            flow.values = probe.scan(inputs, now);
-        }
-        flow
+        reading.with_snapshot(|board, inputs, now| self.twin.flow(board, inputs, now))
     }
 
     /// A fault of this program as it runs, in the line of its text in place of that of its code. Other faults

@@ -4,8 +4,6 @@
 use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
-use super::ladder::Flow;
-use super::probe::Probe;
 use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use std::collections::BTreeMap;
@@ -15,6 +13,7 @@ use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::wave::{Recorder, Sample};
+use unoclp_host_sim::live::{Flow, Probe};
 use unoclp_source::used::Quantity;
 use unoclp_source::{BOARD, Source, point_names};
 

@@ -1,9 +1,10 @@
 //! A running program as a person looks at it: its ladder diagram, or the text that it comes from.
 
-use super::ladder::{Flow, Rungs};
+use super::ladder::Rungs;
 use super::listing::Listing;
 use crate::messages;
 use ratatui::text::Line;
+use unoclp_host_sim::live::Flow;
 use unoclp_source::Source;
 
 /// Both ways to look at a program.

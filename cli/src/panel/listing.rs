@@ -1,13 +1,13 @@
 //! The text of a running program, each line with what the last scan has made of it: `  14 ● LD  start`.
 
 use super::ON;
-use super::ladder::Flow;
 use ratatui::style::Style;
 use ratatui::text::Line;
 use std::collections::BTreeMap;
 use unoclp_core::Delay;
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_ladder::Address;
+use unoclp_host_sim::live::Flow;
 use unoclp_source::Source;
 
 /// The lines of a text, with the steps that tell how each stands.

@@ -6,7 +6,6 @@
 //! - `memory`: counters, registers, markers and the like
 //! - `ladder`: the rungs as lines of text, with what is energised
 //! - `listing`: the text of the program, with what each line has come to
-//! - `probe`: what the value accumulator holds on the way
 //! - `drawn`: which of the two is shown
 //! - `view`: from the app to the screen
 //! - `run`: the loop of frames and key events
@@ -18,7 +17,6 @@ mod drawn;
 mod ladder;
 mod listing;
 mod memory;
-mod probe;
 mod run;
 mod view;
 
@@ -27,8 +25,6 @@ mod tests;
 
 pub use app::App;
 pub(crate) use drawn::Drawn;
-pub(crate) use ladder::Flow;
-pub(crate) use probe::Probe;
 pub use run::run;
 
 use ratatui::style::{Color, Modifier, Style};

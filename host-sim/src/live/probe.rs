@@ -3,12 +3,12 @@
 //!
 //! Owns that second program. Must not know where the values are shown.
 
+use crate::engine::Machine;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use unoclp_checked::Checked;
 use unoclp_core::isa::{NEAR_REGISTERS, Opcode};
 use unoclp_core::{Inputs, Instruction, Millis, Plc, Profile};
-use unoclp_host_sim::engine::Machine;
 use unoclp_source::{BOARD, Source};
 
 /// The program that stores what is to be seen.
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
     use unoclp_core::Cause;
     use unoclp_core::isa::Class;
-    use unoclp_host_sim::random::{Random, random_inputs, random_program};
+    use crate::random::{Random, random_inputs, random_program};
     use unoclp_source::Written;
 
     #[test]

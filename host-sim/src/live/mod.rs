@@ -1,0 +1,18 @@
+//! A running program as it is shown: what its last scan has made of each step, and what its boxes count.
+//!
+//! - [`Flow`]: what a program does at the moment
+//! - [`Boxes`]: the texts of timers' and counters' boxes while it runs
+//! - [`Probe`]: the value accumulator behind single steps
+//! - [`Twin`]: does what a board does that tells its points only
+//!
+//! Owns what is known of a moment. Must not know how it is drawn, nor where a board's readings come from.
+
+mod boxes;
+mod flow;
+mod probe;
+mod twin;
+
+pub use boxes::Boxes;
+pub use flow::Flow;
+pub use probe::Probe;
+pub use twin::Twin;
