@@ -4,6 +4,13 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Net(u32);
 
+impl Net {
+    /// Its number among the nets of its ladder, by which a drawing can name it.
+    pub const fn number(self) -> u32 {
+        self.0
+    }
+}
+
 /// Where the power of a net comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Feed {
@@ -55,6 +62,12 @@ impl Nets {
 pub struct Power(Vec<bool>);
 
 impl Power {
+    /// The numbers of those that do, in rising order.
+    pub fn on(&self) -> impl Iterator<Item = u32> {
+        let nets = (0..).zip(&self.0);
+        nets.filter_map(|(number, on)| on.then_some(number))
+    }
+
     /// Whether this net does.
     pub fn at(&self, net: Net) -> bool {
         self.0.get(net.0 as usize).copied().unwrap_or(false)

@@ -12,8 +12,8 @@ use std::time::Duration;
 use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_host_sim::live::{Flow, Probe};
+use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_source::used::Quantity;
 use unoclp_source::{BOARD, Source, point_names};
 

@@ -6,8 +6,8 @@ use ratatui::text::Line;
 use std::collections::BTreeMap;
 use unoclp_core::Delay;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_ladder::Address;
 use unoclp_host_sim::live::Flow;
+use unoclp_ladder::Address;
 use unoclp_source::Source;
 
 /// The lines of a text, with the steps that tell how each stands.

@@ -94,9 +94,9 @@ fn look(text: &mut String, register: u8) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{Random, random_inputs, random_program};
     use unoclp_core::Cause;
     use unoclp_core::isa::Class;
-    use crate::random::{Random, random_inputs, random_program};
     use unoclp_source::Written;
 
     #[test]

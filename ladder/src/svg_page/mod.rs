@@ -1,14 +1,17 @@
-//! The same drawing as vector graphics, for a report.
+//! The same drawing as vector graphics: on paper, for a report, or on a screen that shows it live.
 
+mod screen;
 mod wires;
 
 use crate::block::Cell;
 use crate::listing::{Title, heading};
-use crate::{Drawing, Element, Names, Picture, Symbol};
+use crate::{Drawing, Element, Names, Net, Picture, Symbol};
 use svg::Document;
 use svg::node::element::{Group, Path, Rectangle, Text};
 use unoclp_checked::SourceMap;
-use wires::{arms, horizontal, is_rail, is_text, vertical};
+use wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
+
+pub use screen::to_screen;
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;
@@ -45,6 +48,7 @@ pub fn to_svg(
         drawing,
         group: Group::new(),
         y: MARGIN,
+        screen: false,
     };
     page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
     page.y += 40.0;
@@ -87,27 +91,36 @@ struct Font {
     size: f32,
     bold: bool,
     centred: bool,
+    /// What a style sheet calls it.
+    class: &'static str,
 }
 
 impl Font {
-    const TITLE: Font = Font::new(SANS, 18.0, true, false);
-    const HEADING: Font = Font::new(SANS, 13.0, true, false);
-    const REMARK: Font = Font::new(SANS, 13.0, false, false);
+    const TITLE: Font = Font::new(SANS, 18.0, true, false, "title");
+    const HEADING: Font = Font::new(SANS, 13.0, true, false, "heading");
+    const REMARK: Font = Font::new(SANS, 13.0, false, false, "remark");
     /// What a symbol is called.
-    const POINT: Font = Font::new(SANS, 13.0, false, true);
+    const POINT: Font = Font::new(SANS, 13.0, false, true, "point");
     /// Within a symbol.
-    const LETTER: Font = Font::new(SANS, 12.0, true, true);
+    const LETTER: Font = Font::new(SANS, 12.0, true, true, "letter");
     /// Within a box; its width is that of the columns.
-    const BOXED: Font = Font::new(MONO, 13.5, false, true);
+    const BOXED: Font = Font::new(MONO, 13.5, false, true, "boxed");
     /// Names, notes and connections.
-    const NOTE: Font = Font::new(MONO, 13.5, false, false);
+    const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");
 
-    const fn new(family: &'static str, size: f32, bold: bool, centred: bool) -> Font {
+    const fn new(
+        family: &'static str,
+        size: f32,
+        bold: bool,
+        centred: bool,
+        class: &'static str,
+    ) -> Font {
         Font {
             family,
             size,
             bold,
             centred,
+            class,
         }
     }
 }
@@ -117,10 +130,16 @@ struct Page<'p> {
     drawing: &'p Drawing<'p>,
     group: Group,
     y: f32,
+    /// Whether a style sheet says how all of it looks, and what is live has a name.
+    screen: bool,
 }
 
 impl Page<'_> {
     fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {
+        if self.screen {
+            let text = Text::new(text).set("x", x).set("y", y);
+            return self.add(text.set("class", font.class));
+        }
         let text = Text::new(text)
             .set("x", x)
             .set("y", y)
@@ -137,6 +156,10 @@ impl Page<'_> {
     }
 
     fn line(&mut self, data: String, width: f32) {
+        if self.screen {
+            let path = Path::new().set("d", data).set("stroke-width", width);
+            return self.add(path.set("class", "line"));
+        }
         let path = Path::new()
             .set("d", data)
             .set("fill", "none")
@@ -144,6 +167,40 @@ impl Page<'_> {
             .set("stroke-linecap", "square")
             .set("stroke-width", width);
         self.add(path);
+    }
+
+    /// A wire; on a screen one that its net can light.
+    fn wire(&mut self, data: String, net: u32) {
+        if !self.screen {
+            return self.line(data, 1.4);
+        }
+        let wire = Path::new().set("d", data);
+        self.add(wire.set("class", format!("wire n{net}")));
+    }
+
+    /// The wires on both sides of a symbol, each from one place to another.
+    fn leads(
+        &mut self,
+        (before, behind): (Option<Net>, Net),
+        left: (f32, f32),
+        right: (f32, f32),
+        y: f32,
+    ) {
+        let left = format!("M{} {y}H{}", left.0, left.1);
+        let right = format!("M{} {y}H{}", right.0, right.1);
+        if !self.screen {
+            return self.line(left + &right, 1.4);
+        }
+        self.wire(left, before.map_or(0, Net::number));
+        self.wire(right, behind.number());
+    }
+
+    /// The edge of a box.
+    fn edge(&self) -> Rectangle {
+        match self.screen {
+            true => Rectangle::new().set("class", "line"),
+            false => Rectangle::new().set("fill", "none").set("stroke", INK),
+        }
     }
 
     fn rung(&mut self, picture: &Picture) {
@@ -156,7 +213,7 @@ impl Page<'_> {
             axes.push(self.y + if wired { AXIS } else { TEXT_ROW / 2.0 });
             self.y += if wired { WIRE_ROW } else { TEXT_ROW };
         }
-        let mut wires = String::new();
+        let mut wires = Wires::new(self.screen);
         for (index, row) in picture.rows.iter().enumerate() {
             self.row(row, axes[index]);
             horizontal(row, axes[index], &mut wires);
@@ -164,7 +221,9 @@ impl Page<'_> {
                 vertical(row, next, axes[index], axes[index + 1], &mut wires);
             }
         }
-        self.line(wires, 1.4);
+        for (net, data) in wires.paths {
+            self.wire(data, net);
+        }
         let right = (self.drawing.width - 1) as f32;
         let rails = [0.0, right].map(|column| format!("M{} {top}V{}", x(column + 0.5), self.y));
         self.line(rails.concat(), 2.6);
@@ -183,14 +242,9 @@ impl Page<'_> {
                 {
                     end += 1;
                 }
-                let drawing = self.drawing;
                 let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
-                self.symbol(
-                    &drawing.ladder().elements[element],
-                    &text,
-                    (column, end),
-                    axis,
-                );
+                let before = column.checked_sub(1).and_then(|before| row[before].net);
+                self.element(element, &text, (column, end), axis, before);
             } else if cell.ch == '→' {
                 let (left, right) = (x(column as f32), x(end as f32));
                 let (tip, up, down) = (right - 2.0, axis - 4.0, axis + 4.0);
@@ -211,15 +265,44 @@ impl Page<'_> {
         }
     }
 
-    /// An element between two columns; `text` is what it is in characters.
-    fn symbol(&mut self, element: &Element, text: &str, (from, to): (usize, usize), y: f32) {
+    /// An element between two columns; `text` is what it is in characters, `before` the net before it.
+    fn element(
+        &mut self,
+        index: usize,
+        text: &str,
+        columns: (usize, usize),
+        y: f32,
+        before: Option<Net>,
+    ) {
+        let drawing = self.drawing;
+        let Some(element) = drawing.ladder().elements.get(index) else {
+            return;
+        };
+        if !self.screen {
+            return self.symbol(element, text, columns, y, before);
+        }
+        let outer = std::mem::take(&mut self.group);
+        self.symbol(element, text, columns, y, before);
+        let inner = std::mem::replace(&mut self.group, outer);
+        self.add(screen::named(element, index, inner, columns, y));
+    }
+
+    fn symbol(
+        &mut self,
+        element: &Element,
+        text: &str,
+        (from, to): (usize, usize),
+        y: f32,
+        before: Option<Net>,
+    ) {
         let (left, right) = (x(from as f32), x(to as f32));
+        let nets = (before, element.net);
         let middle = (left + right) / 2.0;
         let (above, below) = (y - HALF, y + HALF);
         match &element.symbol {
             Symbol::Contact { closed, text } => {
                 let (a, b) = (middle - 6.0, middle + 6.0);
-                self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
+                self.leads(nets, (left, a), (b, right), y);
                 self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
                 if *closed {
                     let (a, b) = (a - 1.0, b + 1.0);
@@ -227,10 +310,10 @@ impl Page<'_> {
                 }
                 self.text(middle, above - 4.0, text, &Font::POINT);
             }
-            Symbol::Inline(text) => self.inline(text, (left, right), y),
+            Symbol::Inline(text) => self.inline(text, (left, right), y, nets),
             Symbol::Coil { letter, text } => {
                 let (a, b) = (middle - 8.0, middle + 8.0);
-                self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
+                self.leads(nets, (left, a), (b, right), y);
                 let (c, d) = (middle - 4.0, middle + 4.0);
                 let arcs = format!(
                     "M{c} {above}A11 11 0 0 0 {c} {below}M{d} {above}A11 11 0 0 1 {d} {below}"
@@ -245,14 +328,13 @@ impl Page<'_> {
             }
             Symbol::Box { .. } => {
                 let inside = text.trim_start_matches("[ ").trim_end_matches(" ]");
-                let edge = Rectangle::new()
+                let edge = self
+                    .edge()
+                    .set("stroke-width", 1.6)
                     .set("x", left)
                     .set("y", above - 2.0)
                     .set("width", right - left)
-                    .set("height", 2.0 * HALF + 4.0)
-                    .set("fill", "none")
-                    .set("stroke", INK)
-                    .set("stroke-width", 1.6);
+                    .set("height", 2.0 * HALF + 4.0);
                 self.add(edge);
                 self.text(middle, y + 4.5, inside, &Font::BOXED);
             }
@@ -260,8 +342,11 @@ impl Page<'_> {
                 let start = right - text.len() as f32 * COLUMN;
                 if *inverted {
                     let behind = left + 5.0 * COLUMN;
-                    self.inline("NOT", (left, behind), y);
-                    self.line(format!("M{behind} {y}H{}", start - 2.0), 1.4);
+                    self.inline("NOT", (left, behind), y, nets);
+                    self.wire(
+                        format!("M{behind} {y}H{}", start - 2.0),
+                        element.net.number(),
+                    );
                 }
                 self.text(start, y + 4.5, text, &Font::NOTE);
             }
@@ -269,12 +354,12 @@ impl Page<'_> {
     }
 
     /// Letters between two bars.
-    fn inline(&mut self, text: &str, (left, right): (f32, f32), y: f32) {
+    fn inline(&mut self, text: &str, (left, right): (f32, f32), y: f32, nets: (Option<Net>, Net)) {
         let (above, below) = (y - HALF, y + HALF);
         let middle = (left + right) / 2.0;
         let half = 4.0 + 5.0 * text.len() as f32;
         let (a, b) = (middle - half, middle + half);
-        self.line(format!("M{left} {y}H{a}M{b} {y}H{right}"), 1.4);
+        self.leads(nets, (left, a), (b, right), y);
         self.line(format!("M{a} {above}V{below}M{b} {above}V{below}"), 1.8);
         self.text(middle, y + 4.5, text, &Font::LETTER);
     }

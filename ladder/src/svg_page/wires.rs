@@ -1,7 +1,36 @@
 //! The wires among the cells, as lines.
 
 use super::{HALF, x};
-use crate::Cell;
+use crate::{Cell, Net};
+use std::collections::BTreeMap;
+
+/// The wires of a rung: one path for all, or one for each net.
+pub(super) struct Wires {
+    by_net: bool,
+    /// The data of each path, by the number of its net.
+    pub(super) paths: BTreeMap<u32, String>,
+}
+
+impl Wires {
+    pub(super) fn new(by_net: bool) -> Wires {
+        Wires {
+            by_net,
+            paths: BTreeMap::new(),
+        }
+    }
+
+    /// The path that wires of a net belong to.
+    fn key(&self, net: Option<Net>) -> u32 {
+        match self.by_net {
+            true => net.map_or(0, Net::number),
+            false => 0,
+        }
+    }
+
+    fn add(&mut self, key: u32, data: &str) {
+        self.paths.entry(key).or_default().push_str(data);
+    }
+}
 
 /// Which ways a line goes from the middle of a cell: left, right, up, down.
 pub(super) fn arms(cell: Cell) -> [bool; 4] {
@@ -34,35 +63,39 @@ pub(super) fn is_text(cell: Cell) -> bool {
 }
 
 /// The wires along a row, each as long as it goes on.
-pub(super) fn horizontal(row: &[Cell], y: f32, path: &mut String) {
-    let mut begun: Option<f32> = None;
+pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
+    let mut begun: Option<(f32, u32)> = None;
     for (column, &cell) in row.iter().enumerate() {
         let [left, right, ..] = arms(cell);
         let (edge, middle) = (x(column as f32), x(column as f32 + 0.5));
-        let mut end = |at: f32, begun: &mut Option<f32>| {
-            if let Some(from) = begun.take() {
-                path.push_str(&format!("M{from} {y}H{at}"));
+        let key = wires.key(cell.net);
+        let mut end = |at: f32, begun: &mut Option<(f32, u32)>| {
+            if let Some((from, key)) = begun.take() {
+                wires.add(key, &format!("M{from} {y}H{at}"));
             }
         };
+        if begun.is_some_and(|(_, before)| before != key) {
+            end(edge, &mut begun);
+        }
         match (left, right) {
-            (true, true) => _ = begun.get_or_insert(edge),
+            (true, true) => _ = begun.get_or_insert((edge, key)),
             (true, false) => {
-                begun.get_or_insert(edge);
+                begun.get_or_insert((edge, key));
                 end(middle, &mut begun);
             }
             (false, right) => {
                 end(edge, &mut begun);
-                begun = right.then_some(middle);
+                begun = right.then_some((middle, key));
             }
         }
     }
-    if let Some(from) = begun {
-        path.push_str(&format!("M{from} {y}H{}", x(row.len() as f32)));
+    if let Some((from, key)) = begun {
+        wires.add(key, &format!("M{from} {y}H{}", x(row.len() as f32)));
     }
 }
 
 /// The wires from a row to the next.
-pub(super) fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, path: &mut String) {
+pub(super) fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, wires: &mut Wires) {
     for (column, (&above, &below)) in row.iter().zip(next).enumerate() {
         // A wire may also come to a box from below.
         let from = match above.element {
@@ -70,7 +103,8 @@ pub(super) fn vertical(row: &[Cell], next: &[Cell], from: f32, to: f32, path: &m
             None => from,
         };
         if arms(below)[2] && (arms(above)[3] || above.element.is_some()) {
-            path.push_str(&format!("M{} {from}V{to}", x(column as f32 + 0.5)));
+            let key = wires.key(below.net);
+            wires.add(key, &format!("M{} {from}V{to}", x(column as f32 + 0.5)));
         }
     }
 }

@@ -1,0 +1,102 @@
+//! A drawing for a screen that shows it live: drawn once, then only classes and short texts change.
+//!
+//! - `wire nN`: the wires of net N ([`Net::number`](crate::Net::number))
+//! - `element nN`: a symbol, with the net behind it; `data-element` is its index, `data-steps` its steps, `data-point`
+//!   what it reads or writes
+//! - `value`: an empty text above a box, for what its last step has come to
+//! - `rung`: a rung; `data-rung` is its number from 1, `data-lines` the lines of its text
+//!
+//! A style sheet says how they look; nothing here has a colour.
+
+use super::{AXIS, COLUMN, Font, GAP, HEADING, MARGIN, Page, x};
+use crate::listing::{Title, heading};
+use crate::{Drawing, Element, Names, Symbol};
+use svg::Document;
+use svg::node::element::{Group, Rectangle, Text};
+use unoclp_checked::SourceMap;
+
+/// The drawing as an SVG element of a page, its rungs under their titles. `label` says what it is to who cannot see it.
+pub fn to_screen(
+    drawing: &Drawing<'_>,
+    map: &SourceMap,
+    names: &Names,
+    title: Title<'_>,
+    label: &str,
+) -> String {
+    let mut page = Page {
+        drawing,
+        group: Group::new(),
+        y: MARGIN / 2.0,
+        screen: true,
+    };
+    let mut all = Group::new();
+    for (index, picture) in drawing.rungs.iter().enumerate() {
+        for (line, text) in heading(drawing, map, names, title, index)
+            .iter()
+            .enumerate()
+        {
+            let font = if line == 0 {
+                &Font::HEADING
+            } else {
+                &Font::REMARK
+            };
+            page.text(MARGIN, page.y + 12.0, text, font);
+            page.y += HEADING;
+        }
+        page.y += 4.0;
+        page.rung(picture);
+        page.y += GAP;
+        let rung = &drawing.ladder().rungs[index];
+        let mut group = std::mem::take(&mut page.group)
+            .set("class", "rung")
+            .set("data-rung", index + 1);
+        if let Some((from, to)) = map.lines(rung.first, rung.steps) {
+            group = group.set("data-lines", format!("{from}-{to}"));
+        }
+        all = all.add(group);
+    }
+    let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
+    let height = page.y - GAP + MARGIN;
+    Document::new()
+        .set("class", "ladder")
+        .set("role", "img")
+        .set("aria-label", label)
+        .set("width", width)
+        .set("height", height)
+        .set("viewBox", (0.0, 0.0, width, height))
+        .add(all)
+        .to_string()
+}
+
+/// The group of a symbol, with the area that takes clicks on it.
+pub(super) fn named(
+    element: &Element,
+    index: usize,
+    symbol: Group,
+    (from, to): (usize, usize),
+    y: f32,
+) -> Group {
+    let (left, right) = (x(from as f32), x(to as f32));
+    let steps: Vec<String> = element.steps.iter().map(usize::to_string).collect();
+    let area = Rectangle::new()
+        .set("class", "area")
+        .set("x", left)
+        .set("y", y - AXIS)
+        .set("width", right - left)
+        .set("height", AXIS + 13.0);
+    let mut group = symbol
+        .set("class", format!("element n{}", element.net.number()))
+        .set("data-element", index)
+        .set("data-steps", steps.join(" "));
+    if let Some(point) = element.point {
+        group = group.set("data-point", point.to_string());
+    }
+    if matches!(element.symbol, Symbol::Box { .. }) {
+        let value = Text::new("")
+            .set("class", "value")
+            .set("x", (left + right) / 2.0)
+            .set("y", y - 15.0);
+        group = group.add(value);
+    }
+    group.add(area)
+}
