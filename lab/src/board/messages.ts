@@ -1,0 +1,121 @@
+// What the page and the worker with the simulated board tell each other. Nothing here but types and constants.
+
+/** Digital inputs, points 01 to 08: D2 to D5, A0 to A3. */
+export const INPUTS = 8;
+/** Analogue inputs, points 00 to 04: A0 to A4. */
+export const ANALOGUE_INPUTS = 5;
+/** Outputs, points 01 to 04: D6 to D9. */
+export const OUTPUTS = 4;
+/** Bytes of the EEPROM. */
+export const EEPROM_LEN = 1024;
+/** Bytes of a block of a card. */
+export const BLOCK_LEN = 512;
+
+/** How bytes look on the serial line; 8 data bits and 1 stop bit always. */
+export interface SerialFormat {
+  readonly baud: number;
+  readonly parity: "none" | "even" | "odd";
+}
+
+/** The format of a board whose settings nobody has changed. */
+export const USUAL_FORMAT: SerialFormat = { baud: 115_200, parity: "none" };
+
+/** What an analogue input is connected to. */
+export type Analogue =
+  /** Nothing: a pull-up decides, and without one the pin is at ground. */
+  | "open"
+  | { readonly millivolts: number }
+  /** A potentiometer at the supply, turned to where the converter reads this, 0 to 1023. */
+  | { readonly reading: number };
+
+/** What the page asks of the worker. */
+export type Command =
+  /** The firmware, as Intel hex. The board stays without power until `plug`. Comes first. */
+  | { readonly kind: "firmware"; readonly hex: string }
+  /** The whole EEPROM, of `EEPROM_LEN` bytes, as a browser has kept it; only while there is no power. */
+  | { readonly kind: "eeprom"; readonly bytes: Uint8Array }
+  /** The plug goes in, or is pulled: what stood in RAM is lost, what stands in the EEPROM and on the card stays. */
+  | { readonly kind: "plug"; readonly on: boolean }
+  /** The plug is pulled in the middle of the next byte that the board writes to its EEPROM; `false` calls it off. */
+  | { readonly kind: "plug-at-write"; readonly armed: boolean }
+  /** The button RESET, pressed and let go. */
+  | { readonly kind: "reset" }
+  /** Button of input 01 to 08 (`input` 1 to 8), closed to GND or open. */
+  | { readonly kind: "button"; readonly input: number; readonly closed: boolean }
+  /** From now on, contacts bounce for a few milliseconds, or no longer do. */
+  | { readonly kind: "bouncing"; readonly on: boolean }
+  /** Analogue input A 00 to 04 (`input` 0 to 4), pins A0 to A4. */
+  | { readonly kind: "analogue"; readonly input: number; readonly to: Analogue }
+  /** The switch STOP, at A5: closed is STOP. */
+  | { readonly kind: "stop"; readonly closed: boolean }
+  /** A card, as the bytes of its image, in whole blocks; `null` pulls it out. */
+  | { readonly kind: "card"; readonly image: Uint8Array | null }
+  /** Simulated time for each unit of real time: 1, 0.1, 0.01, or `Infinity` for as fast as it goes. */
+  | { readonly kind: "speed"; readonly factor: number }
+  /** Lets time go on, or stand. It stands at first, so `run` belongs behind the first `plug`. */
+  | { readonly kind: "run" }
+  | { readonly kind: "pause" }
+  /** While time stands: so many simulated milliseconds, and no more. */
+  | { readonly kind: "step"; readonly millis: number }
+  /** How bytes come and go at the page's end of the line. A board that is set otherwise reads garbage, as a real one. */
+  | { readonly kind: "line"; readonly format: SerialFormat }
+  /** Bytes to the board, one after the other at the rate of the line. */
+  | { readonly kind: "serial"; readonly bytes: Uint8Array };
+
+/** Why the chip began anew. */
+export type ResetCause = "power" | "button" | "brown-out" | "watchdog";
+
+/** What is seen at the board. */
+export interface Pins {
+  /** Outputs 01 to 04: 0 is dark, 1 is bright; between them the share of time that a pin was high since the last `pins`. */
+  readonly outputs: readonly [number, number, number, number];
+  /** LED L, likewise: it flickers while the card is read. */
+  readonly led: number;
+  /** Bit n: the pin of input n + 1 is low, as a button that bounces has it at this moment. */
+  readonly closed: number;
+}
+
+/** A pin of an output that changed its level: `at` ms after the power came. Pulses of PWM are left out. */
+export interface Edge {
+  readonly at: number;
+  /** Of output 01 to 04: 1 to 4. */
+  readonly output: number;
+  readonly high: boolean;
+}
+
+/** Why a command was not obeyed. */
+export type Trouble =
+  /** Not Intel hex, a check sum does not fit, or more than 32 KB. */
+  | "bad-firmware"
+  /** Not of `EEPROM_LEN` bytes, or the board has power. */
+  | "bad-eeprom"
+  /** Not of whole blocks, or none. */
+  | "bad-card"
+  /** No such input, voltage, speed or rate. */
+  | "bad-value"
+  /** A plug without a firmware. */
+  | "no-firmware"
+  /** The program of the chip did what no program of a chip can: a mistake of the simulation. */
+  | "broken";
+
+/** What the worker tells the page. Times are simulated milliseconds since the power came, with a fraction. */
+export type Event =
+  /** The worker is up and takes commands. */
+  | { readonly kind: "ready" }
+  /** Some 60 times a second, if something has changed that can be seen; and after `plug`. */
+  | { readonly kind: "pins"; readonly at: number; readonly pins: Pins; readonly edges: readonly Edge[] }
+  /** Bytes from the board, in the format of the page's end of the line. */
+  | { readonly kind: "serial"; readonly at: number; readonly bytes: Uint8Array }
+  /** The chip begins anew. */
+  | { readonly kind: "reset"; readonly cause: ResetCause }
+  /** The power came or went; it goes without a command after `plug-at-write`. */
+  | { readonly kind: "power"; readonly on: boolean }
+  /** What the EEPROM holds now, after bytes of it have changed: for the browser to keep. */
+  | { readonly kind: "eeprom"; readonly bytes: Uint8Array }
+  /** The board has written this block of the card. */
+  | { readonly kind: "card"; readonly block: number; readonly bytes: Uint8Array }
+  /** Four times a second while time goes on: `factor` of real time was reached over the last quarter, `asked` was asked for. */
+  | { readonly kind: "pace"; readonly at: number; readonly factor: number; readonly asked: number }
+  /** Time stands now: after `pause`, or at the end of a `step`. */
+  | { readonly kind: "paused"; readonly at: number }
+  | { readonly kind: "trouble"; readonly trouble: Trouble };
