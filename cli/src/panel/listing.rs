@@ -3,165 +3,44 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::Line;
-use std::collections::BTreeMap;
-use unoclp_core::Delay;
-use unoclp_core::isa::{Class, Opcode};
-use unoclp_host_sim::live::Flow;
-use unoclp_ladder::Address;
+use unoclp_host_sim::live::{Flow, Lines, Mark};
 use unoclp_source::Source;
 
 /// The lines of a text, with the steps that tell how each stands.
-pub struct Listing(Vec<(String, Vec<usize>)>, BTreeMap<usize, Number>);
-
-/// What a line shows that works on a number.
-#[derive(Clone, Copy)]
-enum Number {
-    /// What this register or counter holds.
-    Point(Address),
-    /// The value behind this step.
-    Value(usize),
-}
+pub struct Listing(Lines);
 
 impl Listing {
     /// The lines of the text of this program.
     pub fn new(program: &Source) -> Listing {
-        let shown = |line: &str| {
-            let line = line.replace('\t', "    ");
-            line.chars().filter(|c| !c.is_control()).collect()
-        };
-        let lines = program.text.lines().map(|line| (shown(line), Vec::new()));
-        let mut lines: Vec<(String, Vec<usize>)> = lines.collect();
-        let steps = program.program().steps().zip(&program.map.steps);
-        let steps: Vec<Step> = steps
-            .enumerate()
-            .map(|(index, (step, place))| Step {
-                index,
-                opcode: step.opcode,
-                line: place.line,
-            })
-            .collect();
-        let runs = || steps.chunk_by(|one, other| one.line == other.line);
-        for (run, joins_too) in runs()
-            .map(|run| (run, false))
-            .chain(runs().map(|run| (run, true)))
-        {
-            let line = run.first().and_then(|step| step.line.checked_sub(1));
-            let Some((_, tellers)) = line.and_then(|line| lines.get_mut(line)) else {
-                continue;
-            };
-            match joins_too {
-                false => tellers.extend(tells(run)),
-                // A line of nothing but these.
-                true if tellers.is_empty() => tellers.extend(run.last().map(|step| step.index)),
-                true => {}
-            }
-        }
-        let timers: Vec<bool> = steps
-            .iter()
-            .map(|step| Delay::of(step.opcode).is_some())
-            .collect();
-        tell_behind_timers(&mut lines, &timers);
-        Listing(lines, numbers(program))
+        Listing(Lines::new(program))
     }
 
-    /// The first line of which there is something to tell, counted from 0.
+    /// The first line that does something, counted from 0.
     pub fn first(&self) -> usize {
-        let first = self.0.iter().position(|(_, steps)| !steps.is_empty());
-        first.unwrap_or_default()
+        self.0.first()
     }
 
     /// The steps behind which the value is shown.
     pub fn values(&self) -> Vec<usize> {
-        let numbers = self.1.values();
-        let value = |number: &Number| match number {
-            Number::Value(step) => Some(*step),
-            Number::Point(_) => None,
-        };
-        numbers.filter_map(value).collect()
+        self.0.values()
     }
 
     /// The lines as they stand, those that work on a number with what its point holds, or with the value behind them; else
     /// `●` where acc is 1 behind what the line has become, `○` where it is 0, neither where the scan has not come there.
     pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
-        let line = |(number, (text, steps)): (usize, &(String, Vec<usize>))| {
-            let acc = |&step: &usize| flow.acc.get(step).copied().flatten();
-            let (lamp, style) = match steps.iter().rev().find_map(acc) {
-                Some(true) => ('●', ON),
-                Some(false) => ('○', Style::new()),
-                None => (' ', Style::new()),
+        let line = |((number, text), mark): ((usize, &str), Mark)| {
+            let (lamp, style) = match mark {
+                Mark::Power(Some(true)) => ('●', ON),
+                Mark::Power(Some(false)) => ('○', Style::new()),
+                Mark::Power(None) => (' ', Style::new()),
+                Mark::Value(Some(value)) => {
+                    return Line::raw(format!("{number:>4}   {text}  = {value}"));
+                }
+                Mark::Value(None) => return Line::raw(format!("{number:>4}   {text}")),
             };
-            let value = match self.1.get(&number) {
-                None => return Line::styled(format!("{number:>4} {lamp} {text}"), style),
-                Some(Number::Point(point)) => flow.number(*point),
-                Some(Number::Value(step)) => flow.value(*step),
-            };
-            match value {
-                Some(value) => Line::raw(format!("{number:>4}   {text}  = {value}")),
-                None => Line::raw(format!("{number:>4}   {text}")),
-            }
+            Line::styled(format!("{number:>4} {lamp} {text}"), style)
         };
-        (1..).zip(&self.0).map(line).collect()
+        let texts = (1..).zip(self.0.texts());
+        texts.zip(self.0.marks(flow)).map(line).collect()
     }
-}
-
-/// A timer drives its point by itself, so lines that load its Q and store it may have no step of their own:
-/// they stand as the timer does.
-fn tell_behind_timers(lines: &mut [(String, Vec<usize>)], timers: &[bool]) {
-    let mut timer = None;
-    for (text, tellers) in lines {
-        let first_word = text.split_whitespace().next().unwrap_or_default();
-        if let Some(&step) = tellers.last() {
-            timer = timers.get(step).is_some_and(|is| *is).then_some(step);
-        } else if ["LD", "ST", "=", "OUT"].contains(&first_word.to_uppercase().as_str()) {
-            tellers.extend(timer);
-        } else if !first_word.is_empty() && !first_word.starts_with("(*") {
-            timer = None;
-        }
-    }
-}
-
-/// The lines, from 1, whose last step works on a number.
-fn numbers(program: &Source) -> BTreeMap<usize, Number> {
-    let places = &program.map.steps;
-    let steps = program.program().steps().zip(places);
-    let mut numbers = BTreeMap::new();
-    for (index, (step, place)) in steps.enumerate() {
-        match step.opcode.row().class {
-            Class::Load | Class::Operation | Class::Store => {
-                let holds =
-                    |point: &Address| matches!(point, Address::Register(_) | Address::Counter(_));
-                let point = Address::of(step).filter(holds).map(Number::Point);
-                let number = match (point, numbers.get(&place.line)) {
-                    (Some(point), _) => point,
-                    (None, Some(&point @ Number::Point(_))) => point,
-                    (None, _) => Number::Value(index),
-                };
-                numbers.insert(place.line, number);
-            }
-            Class::Rung | Class::Close => {}
-            _ => drop(numbers.remove(&place.line)),
-        }
-    }
-    numbers
-}
-
-/// A step of the program.
-struct Step {
-    index: usize,
-    opcode: Opcode,
-    /// The line of the text, from 1.
-    line: usize,
-}
-
-/// The step behind which acc is that of a line that is compiled to these steps in a row: the last, unless
-/// branches go beyond the line; then the last that is more than their beginning or end, if there is one.
-fn tells(run: &[Step]) -> Option<usize> {
-    let opens = run.iter().filter(|step| step.opcode.opens()).count();
-    let closes = |step: &&Step| step.opcode == Opcode::CloseBranch;
-    let own =
-        |step: &&Step| !(step.opcode.opens() || closes(step) || step.opcode == Opcode::NewRung);
-    let last_own = run.iter().rev().find(own)?;
-    let whole = opens == run.iter().filter(closes).count();
-    let last = if whole { run.last()? } else { last_own };
-    Some(last.index)
 }

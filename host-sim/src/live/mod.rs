@@ -2,6 +2,7 @@
 //!
 //! - [`Flow`]: what a program does at the moment
 //! - [`Boxes`]: the texts of timers' and counters' boxes while it runs
+//! - [`Lines`]: the lines of the text, each with what it has come to
 //! - [`Probe`]: the value accumulator behind single steps
 //! - [`Twin`]: does what a board does that tells its points only
 //!
@@ -9,10 +10,12 @@
 
 mod boxes;
 mod flow;
+mod lines;
 mod probe;
 mod twin;
 
 pub use boxes::Boxes;
 pub use flow::Flow;
+pub use lines::{Lines, Mark};
 pub use probe::Probe;
 pub use twin::Twin;
