@@ -155,6 +155,15 @@ impl Client {
         }
     }
 
+    /// Writes a coil.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub async fn set_bit(&mut self, address: u16, on: bool) -> Result<(), Failure> {
+        let request = Request::write_coil(self.address, address, on);
+        self.ask(&request, |_| ()).await
+    }
+
     /// As [`set_words`](Client::set_words), if the answer may take longer.
     pub(crate) async fn set_words_within(
         &mut self,
@@ -209,12 +218,11 @@ impl Client {
         self.link.now()
     }
 
-    /// Says nothing for so long, or until something is so.
-    pub(crate) async fn pause(
-        &self,
-        pause: Duration,
-        is_so: impl Fn() -> bool,
-    ) -> Result<bool, Failure> {
+    /// Says nothing for so long, or until something is so: then true.
+    ///
+    /// # Errors
+    /// [`Failure::Lost`].
+    pub async fn pause(&self, pause: Duration, is_so: impl Fn() -> bool) -> Result<bool, Failure> {
         Ok(self.link.wait(self.now() + pause, is_so).await?)
     }
 

@@ -7,6 +7,7 @@
 //! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
 //! - [`watch`]: one reading of all that a screen shows, and what may be asked of the board
+//! - [`point`]: writing of single points
 //! - [`settings`]: address, rate, parity, direction pin and lock
 //!
 //! What it gives are values; their words are those of whoever shows them. What the addresses stand for is [`map`]'s,
@@ -19,6 +20,7 @@ mod conversation;
 pub mod diagnostics;
 pub mod identity;
 mod link;
+pub mod point;
 pub mod settings;
 pub mod start;
 pub mod upload;

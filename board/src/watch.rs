@@ -224,7 +224,54 @@ impl Reading {
     }
 }
 
+/// What a program uses of what is read of a board: the rest need not be read often.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// Markers.
+    pub markers: bool,
+    /// Analogue inputs.
+    pub analogue: bool,
+    /// Registers.
+    pub registers: bool,
+}
+
 impl Reading {
+    /// Reads anew what changes from scan to scan and is used, and leaves the rest as it was read before: presets and
+    /// what is forced.
+    ///
+    /// # Errors
+    /// [`Failure`]; the reading is then of two moments.
+    pub async fn renew(
+        &mut self,
+        client: &mut Client,
+        scope: Scope,
+        parts: Parts,
+    ) -> Result<(), Failure> {
+        self.inputs = pack(&client.bits(discrete::INPUTS).await?) as u16;
+        self.outputs = pack(&client.bits(coil::OUTPUTS).await?) as u16;
+        self.diagnostics = Diagnostics::read(client).await?;
+        if parts.markers {
+            self.markers = Some(pack(&client.bits(coil::MARKERS).await?));
+        }
+        if parts.analogue {
+            let span = input::ANALOGUE;
+            self.analogue = client.words(span.table, span.first, span.values).await?;
+        }
+        if parts.registers {
+            self.registers = longs(client, holding::REGISTERS, scope.registers).await?;
+        }
+        for (span, count, meters) in [
+            (input::TIMERS, scope.timers, &mut self.timers),
+            (input::COUNTERS, scope.counters, &mut self.counters),
+        ] {
+            let values = longs(client, span, count).await?;
+            for (meter, value) in meters.iter_mut().zip(values) {
+                meter.value = value;
+            }
+        }
+        Ok(())
+    }
+
     /// What a twin of the board's program takes over, the inputs of its next scan, and the board's time in ms.
     pub fn with_snapshot<T>(&self, see: impl FnOnce(&Snapshot<'_>, Inputs, Millis) -> T) -> T {
         let pair = |meter: &Meter| (meter.value.cast_unsigned(), meter.preset.cast_unsigned());

@@ -20,6 +20,12 @@ impl Request {
         Request::of([server, table as u8, a, b, c, d])
     }
 
+    /// Writes a coil (section 6.5).
+    pub fn write_coil(server: u8, address: u16, on: bool) -> Request {
+        let [a, b] = address.to_be_bytes();
+        Request::of([server, 5, a, b, if on { 0xFF } else { 0 }, 0])
+    }
+
     /// Writes a holding register (section 6.6).
     pub fn write_word(server: u8, address: u16, value: u16) -> Request {
         let [[a, b], [c, d]] = [address, value].map(u16::to_be_bytes);
