@@ -31,6 +31,15 @@ impl Scenario {
         with_keys(path, |name, keys, _| scenario(name, keys, program))
     }
 
+    /// Reads the text of a scenario, which goes by this name, to run it with this program.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn of_text(name: &str, source: &str, program: ProgramFile) -> Result<Scenario, LoadError> {
+        let result = keys(source).and_then(|keys| scenario(name, keys, program));
+        result.map_err(|slip| slip.in_file(name.to_owned(), source))
+    }
+
     /// The program file that a scenario file names, if it names one.
     pub fn program_of(path: &Path) -> Result<Option<PathBuf>, LoadError> {
         with_keys(path, |_, keys, folder| {
@@ -53,11 +62,7 @@ fn with_keys<T>(
         }
         Err(why) => (String::new(), Err(slip(None, Wrong::Unreadable(why)))),
     };
-    result.map_err(|Slip { place, wrong }| LoadError {
-        file: name,
-        line: place.map(|place| line_of(&source, place.start)),
-        wrong,
-    })
+    result.map_err(|slip| slip.in_file(name, &source))
 }
 
 /// The text of a scenario file.
@@ -70,6 +75,16 @@ fn text(path: &Path) -> Result<String, Unreadable> {
 struct Slip {
     place: Option<Range<usize>>,
     wrong: Wrong,
+}
+
+impl Slip {
+    fn in_file(self, file: String, source: &str) -> LoadError {
+        LoadError {
+            file,
+            line: self.place.map(|place| line_of(source, place.start)),
+            wrong: self.wrong,
+        }
+    }
 }
 
 fn slip(place: Option<Range<usize>>, wrong: Wrong) -> Slip {

@@ -5,4 +5,4 @@ mod portuguese;
 mod show;
 
 pub use portuguese::portuguese;
-pub use show::{cause, show};
+pub use show::{Problem, cause, show, tell};

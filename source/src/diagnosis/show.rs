@@ -37,6 +37,36 @@ pub fn show(
     }
 }
 
+/// A fault as a person is told it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The line, counted from 1; none where the whole file is meant.
+    pub line: Option<u32>,
+    /// What is wrong in it: characters from the beginning of the line.
+    pub columns: Range<usize>,
+    /// What is wrong.
+    pub message: &'static str,
+    /// What to do, where more can be said.
+    pub help: Option<String>,
+}
+
+/// Tells one fault of a file. The bytes of the file may be anything.
+pub fn tell(file: &[u8], diagnosis: &Diagnosis, lang: Lang) -> Problem {
+    let fault = diagnosis.fault;
+    let mut problem = Problem {
+        line: fault.line,
+        columns: 0..0,
+        message: cause(fault.cause, lang),
+        help: None,
+    };
+    if let Some(Excerpt { text, mark, .. }) = Excerpt::new(file, diagnosis) {
+        let column = |byte: usize| text[..byte].chars().count();
+        problem.columns = column(mark.start)..column(mark.end);
+        problem.help = help(fault.cause, &text[mark], diagnosis.lacking, lang);
+    }
+    problem
+}
+
 /// What is wrong, in this language.
 pub const fn cause(cause: Cause, lang: Lang) -> &'static str {
     match lang {
