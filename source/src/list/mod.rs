@@ -48,7 +48,7 @@ pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
 }
 
 /// What a rung is called: by its number, from 1, and its first and last line.
-fn title(lang: Lang) -> impl Fn(usize, Option<(usize, usize)>) -> String {
+pub fn title(lang: Lang) -> impl Fn(usize, Option<(usize, usize)>) -> String {
     move |number, lines| match lines {
         None => words::rung(lang, number),
         Some((from, to)) if from == to => words::rung_line(lang, number, from),

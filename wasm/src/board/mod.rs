@@ -1,0 +1,166 @@
+//! Conversations with boards, simulated or real: bytes and times in, bytes and news out.
+//!
+//! - `watched`: the program that a board is said to run, and what of it is shown live
+//! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
+//! - `news`: what a page is told
+//!
+//! A conversation goes on until it is closed: a board that is lost is sought again.
+
+mod news;
+mod order;
+mod talk;
+mod watched;
+
+pub use order::Order;
+
+use crate::program::Text;
+use crate::words::{self, Both, both};
+use news::News;
+use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, VecDeque};
+use std::rc::Rc;
+use std::time::Duration;
+use unoclp_board::{Conversation, Line, Next, Parity, Patience};
+use watched::Watched;
+
+/// A conversation that is to begin.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Open {
+    /// The program that the board is said to run; none: any.
+    #[serde(default)]
+    program: Option<Text>,
+    /// Whether opening the line has probably reset the board.
+    reset: bool,
+    #[serde(default)]
+    address: Option<u8>,
+    #[serde(default)]
+    rate: Option<u32>,
+    /// 0 none, 1 even, 2 odd.
+    #[serde(default)]
+    parity: Option<u16>,
+}
+
+/// A step of a conversation.
+#[derive(Debug, Serialize)]
+pub struct Step {
+    /// To be sent now.
+    send: Vec<u8>,
+    /// The next step comes at this time, in ms, or as soon as bytes have come or something is ordered.
+    until: f64,
+    news: Vec<News>,
+}
+
+/// What lies between a conversation and its page.
+#[derive(Default)]
+struct Desk {
+    orders: RefCell<VecDeque<(u32, Order)>>,
+    news: RefCell<Vec<News>>,
+    watched: RefCell<Option<Watched>>,
+}
+
+impl Desk {
+    fn tell(&self, news: News) {
+        self.news.borrow_mut().push(news);
+    }
+}
+
+struct Session {
+    conversation: Conversation<'static, ()>,
+    desk: Rc<Desk>,
+}
+
+/// All conversations.
+#[derive(Default)]
+pub struct Boards {
+    sessions: BTreeMap<u32, Session>,
+    /// Conversations and orders are numbered by this.
+    last: u32,
+}
+
+/// Conversations that may go on at one time: a page has one.
+const MOST: usize = 16;
+
+impl Boards {
+    fn number(&mut self) -> u32 {
+        self.last = self.last.wrapping_add(1);
+        self.last
+    }
+
+    /// Begins a conversation; gives its number.
+    ///
+    /// # Errors
+    /// Where the program has errors.
+    pub fn open(&mut self, open: Open) -> Result<u32, Both> {
+        let usual = Line::default();
+        let line = Line {
+            address: open.address.unwrap_or(usual.address),
+            rate: open.rate.unwrap_or(usual.rate),
+            parity: open.parity.and_then(Parity::of).unwrap_or(usual.parity),
+        };
+        let program = open.program.map(Text::program).transpose()?;
+        let desk = Rc::new(Desk::default());
+        desk.watched.replace(program.map(Watched::new));
+        let talks = desk.clone();
+        let reset = open.reset;
+        let talk = async move |client: &mut _| talk::talk(client, &talks, reset).await;
+        let conversation = Conversation::new(line, Patience::default(), talk);
+        let number = self.number();
+        if self.sessions.len() >= MOST {
+            self.sessions.pop_first();
+        }
+        self.sessions.insert(number, Session { conversation, desk });
+        Ok(number)
+    }
+
+    fn session(&mut self, board: u32) -> Result<&mut Session, Both> {
+        let session = self.sessions.get_mut(&board);
+        session.ok_or_else(|| both(|lang| words::no_board(lang, board)))
+    }
+
+    /// Goes on with a conversation.
+    ///
+    /// # Errors
+    /// Where there is none.
+    pub fn step(&mut self, board: u32, now: f64, came: &[u8]) -> Result<Step, Both> {
+        let session = self.session(board)?;
+        // A page's clock that stands before zero, or nowhere, stands at zero.
+        let now = Duration::try_from_secs_f64(now / 1000.0).unwrap_or_default();
+        let step = session.conversation.step(now, came);
+        let until = match step.next {
+            Next::Wait(until) => until.as_secs_f64() * 1000.0,
+            Next::Done(()) => f64::MAX,
+        };
+        Ok(Step {
+            send: step.send,
+            until,
+            news: session.desk.news.take(),
+        })
+    }
+
+    /// Has something done by the board, as soon as it is its turn; gives the number by which the news speak of it.
+    ///
+    /// # Errors
+    /// Where there is no conversation.
+    pub fn order(&mut self, board: u32, order: Order) -> Result<u32, Both> {
+        let number = self.number();
+        let session = self.session(board)?;
+        session.desk.orders.borrow_mut().push_back((number, order));
+        Ok(number)
+    }
+
+    /// The line is gone, and why.
+    ///
+    /// # Errors
+    /// Where there is no conversation.
+    pub fn lose(&mut self, board: u32, why: String) -> Result<(), Both> {
+        self.session(board)?.conversation.lose(why);
+        Ok(())
+    }
+
+    /// Ends a conversation.
+    pub fn close(&mut self, board: u32) {
+        self.sessions.remove(&board);
+    }
+}

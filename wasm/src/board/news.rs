@@ -1,0 +1,139 @@
+//! What a page is told of a board.
+
+use super::order::Line;
+use super::watched::Live;
+use crate::words::{self, Both, both};
+use serde::Serialize;
+use unoclp_board::diagnostics::Diagnostics;
+use unoclp_board::map::{State, cause, flag};
+use unoclp_board::watch::{Forces, Meter, Reading};
+
+pub(super) use crate::program::Stored as Kept;
+
+/// What a page is told.
+#[derive(Debug, Serialize)]
+#[serde(tag = "news", rename_all = "camelCase")]
+pub enum News {
+    /// A board has answered.
+    Found { identity: String },
+    /// There is no board, or no longer one. It is sought on.
+    Lost { why: Both },
+    /// All that there is to show.
+    Seen(Box<Seen>),
+    /// So many bytes of an upload have been sent.
+    Sent { order: u32, bytes: usize, of: usize },
+    /// The board stores what was uploaded.
+    Storing { order: u32 },
+    /// What the board keeps since an upload.
+    Stored(Kept),
+    /// What the board keeps for its next start.
+    Settings(Line),
+    /// Something ordered was done, and what there is to say of it.
+    Done { order: u32, said: Option<Both> },
+    /// Something ordered was not done, and why.
+    Undone { order: u32, why: Both },
+}
+
+/// A reading.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Seen {
+    /// ms since the board's start.
+    at: u32,
+    /// `RUN`, `STOP`, `FAULT`.
+    state: &'static str,
+    switched_off: bool,
+    card_failed: bool,
+    fault: Option<Trouble>,
+    cause: &'static str,
+    /// µs: last, least, most.
+    scan_times: [u16; 3],
+    free_stack: u16,
+    supply: u32,
+    restarts: u16,
+    faults: u16,
+    kept: Kept,
+    /// Whether the board keeps the program that is watched; none: none is.
+    same: Option<bool>,
+    /// Bit 0 is input 01.
+    inputs: u16,
+    outputs: u16,
+    /// Those that are forced, and to what.
+    forced_inputs: [u16; 2],
+    forced_outputs: [u16; 2],
+    /// Seconds without a request that end it; 0, 255: none do.
+    forcing_ends: Option<u8>,
+    /// The numbers of those that are 1.
+    markers: Vec<u8>,
+    analogue: Vec<u16>,
+    /// From 01 on.
+    registers: Vec<i32>,
+    /// Elapsed and preset, from 01 on.
+    timers: Vec<[i32; 2]>,
+    counters: Vec<[i32; 2]>,
+    /// None where another program runs than the one that is watched, or none does.
+    live: Option<Live>,
+}
+
+/// A fault.
+#[derive(Debug, Serialize)]
+struct Trouble {
+    number: u16,
+    /// Of the text of the program that is watched.
+    line: Option<u32>,
+    text: Both,
+}
+
+impl Seen {
+    /// From a reading; `line` is where a fault stands in the text.
+    pub fn of(
+        reading: &Reading,
+        same: Option<bool>,
+        line: Option<u32>,
+        live: Option<Live>,
+    ) -> Seen {
+        let board: &Diagnostics = &reading.diagnostics;
+        let forced = |forces: Forces| [forces.points, forces.to];
+        let meters = |meters: &[Meter]| {
+            let pair = |meter: &Meter| [meter.value, meter.preset];
+            meters.iter().map(pair).collect()
+        };
+        let markers = reading.markers.unwrap_or_default();
+        Seen {
+            at: board.uptime,
+            state: board.state.map_or("?", State::name),
+            switched_off: board.has(flag::STOP_SWITCH),
+            card_failed: board.has(flag::CARD_FAILED),
+            fault: board.trouble.map(|trouble| Trouble {
+                number: trouble.number,
+                line: line.or(trouble.line),
+                text: both(|lang| {
+                    let line = line.or(trouble.line);
+                    let told = unoclp_board::diagnostics::Trouble { line, ..trouble };
+                    words::trouble(lang, told)
+                }),
+            }),
+            cause: cause(board.cause),
+            scan_times: board.scan_times,
+            free_stack: board.free_stack,
+            supply: board.supply,
+            restarts: board.restarts,
+            faults: board.faults,
+            kept: board.program.into(),
+            same,
+            inputs: reading.inputs,
+            outputs: reading.outputs,
+            forced_inputs: forced(reading.forced_inputs),
+            forced_outputs: forced(reading.forced_outputs),
+            forcing_ends: reading.forcing_ends,
+            markers: (1..=64)
+                .filter(|marker| markers >> (marker - 1) & 1 != 0)
+                .collect(),
+            analogue: reading.analogue.clone(),
+            registers: reading.registers.clone(),
+            timers: meters(&reading.timers),
+            counters: meters(&reading.counters),
+            live,
+        }
+    }
+}

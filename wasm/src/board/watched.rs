@@ -1,0 +1,152 @@
+//! The program that a board is said to run, and what of it is shown live.
+
+use serde::Serialize;
+use unoclp_board::diagnostics::{Kept, Trouble};
+use unoclp_board::map::State;
+use unoclp_board::watch::{Parts, Reading, Scope};
+use unoclp_checked::SourceMap;
+use unoclp_core::isa::Class;
+use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Probe, Twin};
+use unoclp_ladder::{Ladder, Nets, Symbol};
+use unoclp_source::Source;
+
+/// A program, to show a board by.
+pub struct Watched {
+    /// How a board keeps it.
+    kept: Kept,
+    twin: Twin,
+    nets: Nets,
+    boxes: Boxes,
+    lines: Lines,
+    /// The steps of boxes that show a value: the box's last step, and the one behind which the value is its.
+    values: Vec<(usize, usize)>,
+    map: SourceMap,
+    scope: Scope,
+    parts: Parts,
+}
+
+/// What is shown live.
+#[derive(Debug, Serialize)]
+pub struct Live {
+    /// The nets that carry power.
+    nets: Vec<u32>,
+    /// Steps, and what their boxes say.
+    boxes: Vec<(usize, String)>,
+    /// Steps, and the value behind them.
+    values: Vec<(usize, i32)>,
+    /// For each line of the text: null, whether it has power, or a number.
+    lines: Vec<Shown>,
+}
+
+/// What a line shows.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Shown {
+    Power(Option<bool>),
+    Value(i32),
+}
+
+impl Watched {
+    /// A program whose text is known.
+    pub fn new(source: Source) -> Watched {
+        let kept = Kept::of(source.program());
+        let boxes = Boxes::new(source.program());
+        let ladder = Ladder::new(source.program().steps());
+        let lines = Lines::new(&source);
+        let values = values(&source, &ladder);
+        let mut steps: Vec<usize> = values.iter().map(|&(_, step)| step).collect();
+        steps.extend(lines.values());
+        steps.sort_unstable();
+        steps.dedup();
+        let probe = Probe::new(&source, &steps);
+        let registers = source.program().registers() as u16;
+        let used = &source.size.used;
+        let parts = Parts {
+            markers: !used.markers.is_empty(),
+            analogue: !used.analogue.is_empty(),
+            registers: !used.registers.is_empty(),
+        };
+        let machine = Machine::new(source.checked);
+        let scope = Scope {
+            registers,
+            timers: machine.plc().timers(0).count() as u16,
+            counters: machine.plc().counters().count() as u16,
+        };
+        Watched {
+            kept,
+            twin: Twin::new(machine, probe),
+            nets: ladder.nets,
+            boxes,
+            lines,
+            values,
+            map: source.map,
+            scope,
+            parts,
+        }
+    }
+
+    /// How much of a board there is to read for it.
+    pub fn scope(&self) -> (Scope, Parts) {
+        (self.scope, self.parts)
+    }
+
+    /// Whether the board keeps this program.
+    pub fn is_on(&self, reading: &Reading) -> bool {
+        !self.kept.differs(reading.diagnostics.program)
+    }
+
+    /// The line of the text for a fault of this program as it runs.
+    pub fn line(&self, trouble: Trouble) -> Option<u32> {
+        let code = trouble.line.filter(|_| trouble.is_of_the_run())?;
+        self.map.of_code(code).map(|place| place.line as u32)
+    }
+
+    /// What there is to show of a reading.
+    pub fn live(&mut self, reading: &Reading) -> Live {
+        let flow = match reading.diagnostics.state {
+            Some(State::Fault) => Flow::default(),
+            _ => reading.with_snapshot(|board, inputs, now| self.twin.flow(board, inputs, now)),
+        };
+        let shown = |mark| match mark {
+            Mark::Power(power) => Shown::Power(power),
+            Mark::Value(value) => value.map_or(Shown::Power(None), Shown::Value),
+        };
+        let text = |step| Some((step, self.boxes.text(step, &flow)?));
+        let values = self.values.iter();
+        Live {
+            nets: self.nets.power(&flow.acc).on().collect(),
+            boxes: self.boxes.steps().filter_map(text).collect(),
+            values: values
+                .filter_map(|&(step, behind)| Some((step, flow.value(behind)?)))
+                .collect(),
+            lines: self.lines.marks(&flow).into_iter().map(shown).collect(),
+        }
+    }
+}
+
+/// The boxes that work on a number.
+fn values(source: &Source, ladder: &Ladder) -> Vec<(usize, usize)> {
+    let classes: Vec<Class> = source
+        .program()
+        .steps()
+        .map(|step| step.opcode.class())
+        .collect();
+    let is_number = |step: &&usize| {
+        let class = classes.get(**step);
+        class.is_some_and(|class| {
+            matches!(
+                class,
+                Class::Load | Class::Operation | Class::Comparison | Class::ValueContact
+            )
+        })
+    };
+    let boxes = ladder.elements.iter();
+    let boxes = boxes.filter(|element| matches!(element.symbol, Symbol::Box { .. }));
+    boxes
+        .filter_map(|element| {
+            let last = *element.steps.last()?;
+            Some((last, *element.steps.iter().rev().find(is_number)?))
+        })
+        .collect()
+}

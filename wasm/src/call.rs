@@ -1,0 +1,93 @@
+//! The requests of a page.
+
+use crate::board::{Boards, Open, Order};
+use crate::draw::{As, Speak};
+use crate::program::Text;
+use crate::words::Both;
+use crate::{card, draw, exercise, program};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What a page may ask.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "ask", rename_all = "camelCase")]
+pub enum Request {
+    /// What there is to say of a text: its problems, or its program.
+    Check {
+        #[serde(flatten)]
+        text: Text,
+    },
+    /// Its ladder, for a page that shows it live, in so many columns where that is enough.
+    Ladder {
+        #[serde(flatten)]
+        text: Text,
+        width: usize,
+        #[serde(default)]
+        speak: Speak,
+    },
+    /// Its program in another form.
+    List {
+        #[serde(flatten)]
+        text: Text,
+        #[serde(rename = "as")]
+        form: As,
+        width: usize,
+        #[serde(default)]
+        speak: Speak,
+    },
+    /// Whether its program does what a scenario expects.
+    Exercise {
+        #[serde(flatten)]
+        text: Text,
+        scenario: String,
+        title: String,
+    },
+    /// The image of a card with this PROGRAM.TXT.
+    Card { program: String, state: bool },
+    /// A conversation with a board.
+    Open(Open),
+    /// A step of it: what has come since the last one, at this time in ms since any moment.
+    Step { board: u32, now: f64, came: Vec<u8> },
+    /// Something to be done by the board.
+    Order { board: u32, order: Order },
+    /// The line is gone, and why.
+    Lose { board: u32, why: String },
+    /// The end of a conversation.
+    Close { board: u32 },
+}
+
+/// Answers a request.
+///
+/// # Errors
+/// Why there is no answer.
+pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, Both> {
+    match request {
+        Request::Check { text } => program::check(text).map(value),
+        Request::Ladder { text, width, speak } => draw::ladder(text, width, speak).map(value),
+        Request::List {
+            text,
+            form,
+            width,
+            speak,
+        } => draw::listed(text, form, width, speak).map(value),
+        Request::Exercise {
+            text,
+            scenario,
+            title,
+        } => exercise::exercise(text, &title, &scenario).map(value),
+        Request::Card { program, state } => card::card(&program, state).map(value),
+        Request::Open(open) => boards.open(open).map(value),
+        Request::Step { board, now, came } => boards.step(board, now, &came).map(value),
+        Request::Order { board, order } => boards.order(board, order).map(value),
+        Request::Lose { board, why } => boards.lose(board, why).map(value),
+        Request::Close { board } => {
+            boards.close(board);
+            Ok(Value::Null)
+        }
+    }
+}
+
+/// As JSON. What is answered has no keys but texts, and so always is.
+fn value(answer: impl Serialize) -> Value {
+    serde_json::to_value(answer).unwrap_or_default()
+}

@@ -1,0 +1,95 @@
+//! Ladders and lists of programs.
+
+use crate::program::Text;
+use crate::words::Both;
+use serde::{Deserialize, Serialize};
+use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::live::{Boxes, Flow};
+use unoclp_ladder::{Ladder, Style, to_screen};
+use unoclp_source::list::{Form, list, svg, title};
+use unoclp_source::{Lang, Source, names};
+
+/// The language of what is drawn.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Speak {
+    /// English.
+    #[default]
+    En,
+    /// Brazilian Portuguese.
+    Pt,
+}
+
+impl From<Speak> for Lang {
+    fn from(speak: Speak) -> Lang {
+        match speak {
+            Speak::En => Lang::En,
+            Speak::Pt => Lang::Pt,
+        }
+    }
+}
+
+/// What a program is listed as.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum As {
+    /// A ladder diagram in characters.
+    Ladder,
+    /// Instruction List.
+    Il,
+    /// Numeric code with its meaning.
+    Numeric,
+    /// A ladder diagram as an SVG file, for a report.
+    Svg,
+}
+
+/// A drawing of a page.
+#[derive(Debug, Serialize)]
+pub struct Drawn {
+    /// The element.
+    svg: String,
+}
+
+/// The ladder of a program, for a page that shows it live.
+///
+/// # Errors
+/// Where there is no program.
+pub fn ladder(text: Text, width: usize, speak: Speak) -> Result<Drawn, Both> {
+    let source = text.program()?;
+    let svg = screen(source, width.min(WIDEST), speak.into());
+    Ok(Drawn { svg })
+}
+
+/// Boxes are as wide as what they count may become.
+fn screen(source: Source, width: usize, lang: Lang) -> String {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let boxes = Boxes::new(source.program());
+    let mut start = Flow::default();
+    start.look(Machine::new(source.checked).plc(), 0);
+    let drawing = ladder.draw(&Style {
+        width,
+        names: &names,
+        live: &|step| boxes.text(step, &start),
+    });
+    to_screen(&drawing, &source.map, &names, &title(lang), &source.name)
+}
+
+/// The widest drawing, columns.
+const WIDEST: usize = 400;
+
+/// A program as text.
+///
+/// # Errors
+/// Where there is no program.
+pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, Both> {
+    let source = text.program()?;
+    let width = width.min(WIDEST);
+    let form = match form {
+        As::Ladder => Form::Ladder,
+        As::Il => Form::Il,
+        As::Numeric => Form::Numeric,
+        As::Svg => return Ok(svg(&source, width, speak.into())),
+    };
+    Ok(list(&source, form, width, speak.into()))
+}

@@ -1,0 +1,83 @@
+//! The tools of unoclp for a page in a browser: one text in, one text out, both JSON.
+//!
+//! The page writes a request where [`unoclp_room`] says, calls [`unoclp_call`], and finds the answer at
+//! [`unoclp_answer`]. Everything else is [`answer`], which tests call without a browser.
+//!
+//! - `call`: which requests there are
+//! - `program`: a text as a person has written it, and what there is to show of it
+//! - `tell`: problems, with their places
+//! - `draw`: ladders and lists
+//! - `exercise`: scenarios as checks of a student's program
+//! - `card`: images of cards
+//! - `board`: conversations with a board, simulated or real
+//!
+//! It owns the form of requests and answers. It must not know how they are carried, nor what a page looks like.
+//! Nothing in a request makes it panic: what is wrong is an answer.
+
+#![deny(unsafe_code)]
+
+mod board;
+mod call;
+mod card;
+mod draw;
+mod exercise;
+mod program;
+mod tell;
+mod words;
+
+use std::cell::RefCell;
+
+thread_local! {
+    static DESK: RefCell<Desk> = RefCell::new(Desk::default());
+}
+
+/// What lies between the page and its calls.
+#[derive(Default)]
+struct Desk {
+    request: Vec<u8>,
+    answer: Vec<u8>,
+    boards: board::Boards,
+}
+
+/// Room for a request of so many bytes, and where it is.
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_room(bytes: usize) -> *mut u8 {
+    DESK.with_borrow_mut(|desk| {
+        desk.request.clear();
+        desk.request.resize(bytes, 0);
+        desk.request.as_mut_ptr()
+    })
+}
+
+/// Answers the request; gives the bytes of the answer.
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_call() -> usize {
+    DESK.with_borrow_mut(|desk| {
+        desk.answer = answer(&desk.request, &mut desk.boards).into_bytes();
+        desk.answer.len()
+    })
+}
+
+/// Where the last answer is, until the next call.
+#[allow(unsafe_code, reason = "a page finds an export by its name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn unoclp_answer() -> *const u8 {
+    DESK.with_borrow(|desk| desk.answer.as_ptr())
+}
+
+pub use board::Boards;
+
+/// The answer to a request: `{"ok": …}`, or `{"error": {"en": …, "pt": …}}` for what is no request.
+pub fn answer(request: &[u8], boards: &mut Boards) -> String {
+    let told = match serde_json::from_slice::<call::Request>(request) {
+        Ok(request) => call::answer(request, boards),
+        Err(error) => Err(words::both(|lang| words::no_request(lang, &error))),
+    };
+    let told = match told {
+        Ok(ok) => serde_json::json!({ "ok": ok }),
+        Err(error) => serde_json::json!({ "error": error }),
+    };
+    told.to_string()
+}

@@ -1,0 +1,206 @@
+//! A text as a person has written it, and what there is to show of it.
+//!
+//! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
+
+use crate::tell::{Problem, problems, warnings};
+use crate::words::{self, Both, both};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use unoclp_board::diagnostics::Kept;
+use unoclp_core::Delay;
+use unoclp_source::used::Used;
+use unoclp_source::{BOARD, Language, Refused, Source, Written, guess, point_names};
+
+/// The longest text that is looked at, bytes.
+pub const LONGEST: usize = 1 << 20;
+
+/// A text, and what it is called.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Text {
+    /// The name of its file, whose end says its language.
+    pub name: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// What there is to say of a text.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Checked {
+    /// `il`, `st`, `scl`, `iscl`, `lce`, `numeric`.
+    language: &'static str,
+    problems: Vec<Problem>,
+    /// How many more there are.
+    more: usize,
+    /// None where the text has errors.
+    program: Option<Made>,
+}
+
+/// What has become of a text.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Made {
+    /// What stands in PROGRAM.TXT.
+    code: String,
+    /// What the text calls its points.
+    symbols: BTreeMap<String, String>,
+    /// For each step: the line of the text, from 1, and the first and last line of PROGRAM.TXT.
+    map: Vec<[u32; 3]>,
+    size: Size,
+    uses: Uses,
+    /// How a board keeps it.
+    kept: Stored,
+}
+
+/// How much of the board it takes: bytes, each of so many.
+#[derive(Debug, Serialize)]
+struct Size {
+    codes: u16,
+    stored: [usize; 2],
+    linked: [usize; 2],
+    text: Both,
+}
+
+/// The numbers that it names.
+#[derive(Clone, Debug, Serialize)]
+pub struct Uses {
+    inputs: Vec<u8>,
+    analogue: Vec<u8>,
+    outputs: Vec<u8>,
+    pwm: Vec<u8>,
+    markers: Vec<u8>,
+    registers: Vec<u8>,
+    reals: Vec<u8>,
+    counters: Vec<u8>,
+    /// What each timer does, from T 01 on: `TON`, `TOF`, `TP` …
+    timers: Vec<&'static str>,
+}
+
+/// How a board keeps a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Stored {
+    version: u8,
+    bytes: u16,
+    sum: u16,
+}
+
+impl From<Kept> for Stored {
+    fn from(kept: Kept) -> Stored {
+        Stored {
+            version: kept.version,
+            bytes: kept.bytes,
+            sum: kept.sum,
+        }
+    }
+}
+
+impl Uses {
+    /// What this program uses.
+    pub fn of(source: &Source) -> Uses {
+        let Used {
+            inputs,
+            analogue,
+            outputs,
+            pwm,
+            markers,
+            registers,
+            reals,
+            counters,
+        } = &source.size.used;
+        let timers = source.program().steps();
+        let list = |set: &std::collections::BTreeSet<u8>| set.iter().copied().collect();
+        Uses {
+            inputs: list(inputs),
+            analogue: list(analogue),
+            outputs: list(outputs),
+            pwm: list(pwm),
+            markers: list(markers),
+            registers: list(registers),
+            reals: list(reals),
+            counters: list(counters),
+            timers: timers
+                .filter_map(|step| Delay::of(step.opcode).map(Delay::letters))
+                .collect(),
+        }
+    }
+}
+
+impl Text {
+    /// Compiles and checks it.
+    ///
+    /// # Errors
+    /// What is wrong with it; the outer one where nobody looks at it.
+    pub fn open(self) -> Result<Result<Source, Refused>, Both> {
+        if self.text.len() > LONGEST {
+            return Err(both(|lang| words::too_long(lang, LONGEST)));
+        }
+        Ok(Written::new(self.name, self.text.into_bytes()).check(None))
+    }
+
+    /// The program, where there is one.
+    ///
+    /// # Errors
+    /// That there is none.
+    pub fn program(self) -> Result<Source, Both> {
+        self.open()?.map_err(|_| both(words::faulty))
+    }
+}
+
+/// Says what there is to say of a text.
+///
+/// # Errors
+/// That it is too long to be looked at.
+pub fn check(text: Text) -> Result<Checked, Both> {
+    let guessed = guess(Some(text.name.as_ref()), &text.text);
+    let written = text.text.clone();
+    Ok(match text.open()? {
+        Ok(source) => {
+            let (problems, more) = warnings(&source);
+            Checked {
+                language: language(&source.language),
+                problems,
+                more,
+                program: Some(made(source)),
+            }
+        }
+        Err(refused) => {
+            let (problems, more) = problems(&written, &refused);
+            let language = match refused {
+                Refused::Numeric { .. } => "numeric",
+                Refused::Text { .. } => guessed,
+            };
+            Checked {
+                language,
+                problems,
+                more,
+                program: None,
+            }
+        }
+    })
+}
+
+fn language(language: &Language) -> &'static str {
+    match language {
+        Language::Numeric => "numeric",
+        Language::Il { .. } => "il",
+        Language::Typed { language, .. } => language.name(),
+    }
+}
+
+fn made(source: Source) -> Made {
+    let places = source.map.steps.iter();
+    let map = places.map(|place| [place.line as u32, *place.codes.start(), *place.codes.end()]);
+    Made {
+        symbols: point_names(&source),
+        map: map.collect(),
+        size: Size {
+            codes: source.size.codes,
+            stored: [source.size.stored_bytes, BOARD.stored_bytes.into()],
+            linked: [source.size.linked_bytes, BOARD.linked_bytes.into()],
+            text: both(|lang| source.size.text(lang)),
+        },
+        uses: Uses::of(&source),
+        kept: Kept::of(source.program()).into(),
+        code: String::from_utf8_lossy(&source.code).into_owned(),
+    }
+}

@@ -1,0 +1,147 @@
+//! Problems of a text, with their places as an editor in a browser counts them: in UTF-16 units.
+
+use crate::words::{Both, both};
+use serde::Serialize;
+use unoclp_lang::{Diagnostic, Lines, Severity, Told};
+use unoclp_source::diagnosis::tell;
+use unoclp_source::{Lang, Refused, Source};
+
+/// What is wrong with a text, or worth a second look.
+#[derive(Debug, Serialize)]
+pub struct Problem {
+    /// `IL-11`, `ST-101`, or the number of a fault.
+    number: String,
+    /// `error` or `warning`.
+    severity: &'static str,
+    /// From 1; a column is a character.
+    line: u32,
+    column: u32,
+    /// Units of UTF-16 from the beginning of the text.
+    from: usize,
+    to: usize,
+    message: Both,
+    /// What to do; empty where there is nothing to say.
+    help: Both,
+}
+
+/// The problems of a text that is no program, and how many more there are.
+pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
+    match refused {
+        Refused::Text {
+            text, diagnostics, ..
+        } => told(text, diagnostics),
+        Refused::Numeric { written, faults } => {
+            let starts = LineStarts::new(text);
+            let problems = faults.iter().take(MOST).map(|fault| {
+                let [en, pt] = [Lang::En, Lang::Pt].map(|lang| tell(&written.bytes, fault, lang));
+                let line = en.line.unwrap_or(1);
+                let (from, to) = starts.span(line, en.columns.start, en.columns.end);
+                Problem {
+                    number: fault.fault.cause.number().to_string(),
+                    severity: "error",
+                    line,
+                    column: en.columns.start as u32 + 1,
+                    from,
+                    to,
+                    message: Both {
+                        en: en.message.to_owned(),
+                        pt: pt.message.to_owned(),
+                    },
+                    help: Both {
+                        en: en.help.unwrap_or_default(),
+                        pt: pt.help.unwrap_or_default(),
+                    },
+                }
+            });
+            (problems.collect(), faults.len().saturating_sub(MOST))
+        }
+    }
+}
+
+/// What is worth a second look in a program.
+pub fn warnings(source: &Source) -> (Vec<Problem>, usize) {
+    match source.language.warnings() {
+        Some(warnings) => told(&source.text, warnings),
+        None => (Vec::new(), 0),
+    }
+}
+
+/// More faults than this are only counted.
+const MOST: usize = 100;
+
+fn told(text: &str, told: &Told) -> (Vec<Problem>, usize) {
+    let lines = Lines::new(text);
+    let mut units = Units {
+        text,
+        byte: 0,
+        unit: 0,
+    };
+    let problem = |diagnostic: &Diagnostic| {
+        let span = diagnostic.span;
+        let (line, column) = lines.place(text, span.start);
+        Problem {
+            number: diagnostic.code.to_string(),
+            severity: match diagnostic.severity() {
+                Severity::Error => "error",
+                Severity::Warning => "warning",
+            },
+            line,
+            column,
+            from: units.of(span.start as usize),
+            to: Units { ..units }.of(span.end as usize),
+            message: both(|lang| diagnostic.message(lang)),
+            help: both(|lang| diagnostic.help(lang)),
+        }
+    };
+    (told.iter().map(problem).collect(), told.more)
+}
+
+/// Counts the units of UTF-16 before a byte, from the byte that was asked for last.
+#[derive(Clone, Copy)]
+struct Units<'t> {
+    text: &'t str,
+    byte: usize,
+    unit: usize,
+}
+
+impl Units<'_> {
+    fn of(&mut self, byte: usize) -> usize {
+        if byte < self.byte {
+            (self.byte, self.unit) = (0, 0);
+        }
+        let between = self.text.get(self.byte..byte).unwrap_or_default();
+        self.unit += between.encode_utf16().count();
+        self.byte = byte;
+        self.unit
+    }
+}
+
+/// Where the lines of a text begin.
+struct LineStarts<'t>(Vec<(usize, &'t str)>);
+
+impl<'t> LineStarts<'t> {
+    fn new(text: &'t str) -> LineStarts<'t> {
+        let mut unit = 0;
+        let line = |line: &'t str| {
+            let start = unit;
+            unit += line.encode_utf16().count();
+            (start, line)
+        };
+        LineStarts(text.split_inclusive('\n').map(line).collect())
+    }
+
+    /// Units from the beginning of the text, for characters of a line.
+    fn span(&self, line: u32, from: usize, to: usize) -> (usize, usize) {
+        let index = (line as usize).saturating_sub(1);
+        let Some(&(start, line)) = self.0.get(index).or(self.0.last()) else {
+            return (0, 0);
+        };
+        let at = |column| {
+            line.chars()
+                .take(column)
+                .map(char::len_utf16)
+                .sum::<usize>()
+        };
+        (start + at(from), start + at(to))
+    }
+}

@@ -1,0 +1,136 @@
+//! What is told to a page in words: always in both languages, so that a page changes its language without asking again.
+
+use serde::Serialize;
+use unoclp_board::Failure;
+use unoclp_board::diagnostics::Trouble;
+use unoclp_board::start::NotFound;
+use unoclp_board::upload::{Behind, Broken};
+use unoclp_modbus::Exception;
+use unoclp_source::{Lang, diagnosis};
+
+/// A text in both languages.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Both {
+    /// English.
+    pub en: String,
+    /// Brazilian Portuguese.
+    pub pt: String,
+}
+
+/// What is said in each language.
+pub fn both(say: impl Fn(Lang) -> String) -> Both {
+    Both {
+        en: say(Lang::En),
+        pt: say(Lang::Pt),
+    }
+}
+
+unoclp_source::messages! {
+    no_request(why) "the page has asked what cannot be understood: {why}" "a página pediu algo incompreensível: {why}";
+    no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
+    too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
+    faulty() "the program has errors; the problems say which" "o programa tem erros; veja os problemas";
+    no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
+    no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
+    no_point(name) "{name} is no point that can be set" "{name} não é um ponto que se possa alterar";
+    silent() "the board does not answer" "a placa não responde";
+    garbled() "what the board answers cannot be read; look at rate and parity" "não dá para ler o que a placa responde; verifique a taxa e a paridade";
+    lost(why) "the line is gone: {why}" "a linha caiu: {why}";
+    refused_locked() "the board is locked against this" "a placa está bloqueada para isso";
+    refused_address() "this board does not have that" "esta placa não tem isso";
+    refused_value() "the board does not take that value" "a placa não aceita esse valor";
+    refused_now() "the board cannot do that now; see its state" "a placa não pode fazer isso agora; veja o estado dela";
+    refused_busy() "the board is busy" "a placa está ocupada";
+    foreign() "what answers there is not unoclp; put the firmware on" "o que responde ali não é o unoclp; grave o firmware";
+    unlike() "the board runs another program than the one shown" "a placa executa outro programa, e não o mostrado";
+    upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";
+    upload_not_begun() "the board does not take a program now" "a placa não aceita um programa agora";
+    upload_too_old() "the firmware of the board is too old for this program; put the new one on" "o firmware da placa é antigo demais para este programa; grave o novo";
+    upload_ended() "somebody else has ended the upload" "outra pessoa encerrou o envio";
+    upload_other() "the board keeps another program than was sent; upload again" "a placa guardou outro programa, e não o enviado; envie de novo";
+    upload_off(why) "the upload was broken off: {why}; upload again" "o envio foi interrompido: {why}; envie de novo";
+    fault(number, text) "fault {number}: {text}" "falha {number}: {text}";
+    fault_line(number, line, text) "fault {number}, line {line}: {text}" "falha {number}, linha {line}: {text}";
+    unknown_fault() "unknown to this page" "desconhecida por esta página";
+    behind_run() "the program is stored and runs" "o programa está gravado e em execução";
+    behind_stop() "the program is stored; the board is in STOP" "o programa está gravado; a placa está em STOP";
+    behind_switch() "the program is stored; the STOP switch holds the board" "o programa está gravado; a chave STOP segura a placa";
+    behind_card() "the board has loaded the program of the card in its slot; take the card out first" "a placa carregou o programa do cartão; retire o cartão antes";
+    behind_fault(what) "the program is stored, and stopped with {what}" "o programa está gravado, e parou com {what}";
+}
+
+/// A fault that a board tells.
+pub fn trouble(lang: Lang, trouble: Trouble) -> String {
+    let text = match trouble.fault() {
+        Some(fault) => diagnosis::cause(fault.cause, lang).to_owned(),
+        None => unknown_fault(lang),
+    };
+    match trouble.line {
+        Some(line) => fault_line(lang, trouble.number, line, text),
+        None => fault(lang, trouble.number, text),
+    }
+}
+
+/// Why a request has no result.
+pub fn failure(lang: Lang, failure: &Failure) -> String {
+    match failure {
+        Failure::Silent => silent(lang),
+        Failure::Garbled => garbled(lang),
+        Failure::Lost(why) => lost(lang, why),
+        Failure::Refused(exception) => match exception {
+            Exception::IllegalFunction => refused_locked(lang),
+            Exception::IllegalDataAddress => refused_address(lang),
+            Exception::IllegalDataValue => refused_value(lang),
+            Exception::ServerDeviceFailure => refused_now(lang),
+            Exception::ServerDeviceBusy => refused_busy(lang),
+        },
+    }
+}
+
+/// Why there is no board.
+pub fn not_found(lang: Lang, why: &NotFound) -> String {
+    match why {
+        NotFound::Silent => silent(lang),
+        NotFound::Garbled => garbled(lang),
+        NotFound::Foreign(_) => foreign(lang),
+        NotFound::Failed(why) => failure(lang, why),
+    }
+}
+
+/// Why a program was not uploaded.
+pub fn broken(lang: Lang, broken: &Broken) -> String {
+    match broken {
+        Broken::NotBegun => upload_not_begun(lang),
+        Broken::Locked => upload_locked(lang),
+        Broken::TooOld { .. } => upload_too_old(lang),
+        Broken::Fault(fault) => trouble(lang, *fault),
+        Broken::Ended => upload_ended(lang),
+        Broken::Other { .. } => upload_other(lang),
+        Broken::Before(why) | Broken::Off { failure: why, .. } => {
+            upload_off(lang, failure(lang, why))
+        }
+    }
+}
+
+/// What became of the board behind an upload.
+pub fn behind(lang: Lang, behind: Behind) -> String {
+    match behind {
+        Behind::Run => behind_run(lang),
+        Behind::Stop => behind_stop(lang),
+        Behind::Switch => behind_switch(lang),
+        Behind::Card => behind_card(lang),
+        Behind::Faulty | Behind::Failing(None) => behind_fault(lang, "FAULT"),
+        Behind::Trouble(what) | Behind::Failing(Some(what)) => {
+            behind_fault(lang, trouble(lang, what))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        let none: Vec<&str> = Vec::new();
+        assert_eq!(unoclp_source::messages::gaps(super::ALL), none);
+    }
+}
