@@ -10,6 +10,7 @@ use crate::toolchain::Toolchain;
 /// What a page needs: none of it knows a port, a thread or a terminal.
 const CRATES: &[&str] = &[
     "unoclp-board",
+    "unoclp-boot",
     "unoclp-card",
     "unoclp-checked",
     "unoclp-core",
