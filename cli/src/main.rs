@@ -7,27 +7,21 @@
 mod commands;
 
 use annotate_snippets::Renderer;
-use anstream::{eprintln, print, println};
-use anyhow::{anyhow, bail};
+use anstream::eprintln;
+use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Doors, Form, Il, Kind, Leave, Shown, What, cannot_write, check_written, create,
-    in_portuguese, langs, language, open, read, refuse, running,
+    At, Changes, Doors, Form, Leave, What, Wording, in_portuguese, langs, language, refuse,
 };
 use ratatui::crossterm::terminal;
 use std::env;
 use std::ffi::OsString;
-use std::io::{self, BufWriter, IsTerminal, Write, stdin, stdout};
-use std::path::{Path, PathBuf};
+use std::io::{self, IsTerminal, stdout};
+use std::path::PathBuf;
 use std::process::ExitCode;
-use unoclp_cli::panel::{self, App};
-use unoclp_cli::{ascii, messages};
-use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{LoadError, ProgramFile, Scenario, Verdict, check};
-use unoclp_host_sim::wave::{RecordedEngine, Recorder};
+use unoclp_cli::messages;
 use unoclp_ladder::NARROWEST;
 use unoclp_lang::Lang;
-use unoclp_source::{Written, is_text, list, point_names};
 
 /// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it
 #[derive(Parser)]
@@ -45,27 +39,27 @@ struct Arguments {
 enum Command {
     /// Check a program: its size, or every fault with its line
     Check {
-        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
     },
-    /// Compile a program in Instruction List to numeric code
+    /// Compile a text to numeric code
     Compile {
-        /// The program in Instruction List
+        /// The text: Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,
         /// Where to write the numeric code; to standard output without it, and for -
         #[arg(short, long, value_name = "PROGRAM.TXT")]
         output: Option<PathBuf>,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
     },
     /// Show a program as a ladder diagram, as Instruction List, or as numeric code with its meaning
     List {
-        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
         /// What to list it as
         #[arg(long = "as", value_name = "FORM", value_enum, default_value_t)]
         form: Form,
@@ -79,7 +73,7 @@ enum Command {
     },
     /// Simulate a program, by hand in this terminal or by a scenario
     Sim {
-        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st); with a scenario, runs instead of the program that it names
+        /// The program, in any of the languages; with a scenario, runs instead of the program that it names
         file: Option<PathBuf>,
         /// Run this scenario without a terminal: print what changes, and compare it
         #[arg(long, value_name = "S.toml")]
@@ -88,9 +82,9 @@ enum Command {
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
     },
-    /// Run a text in a typed language on this PC, and show its variables
+    /// Run a program on this PC, and show its variables
     Run {
         #[command(flatten)]
         what: What,
@@ -99,20 +93,20 @@ enum Command {
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
-        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,
         /// With STATE.TXT, in which the board then keeps inputs and outputs
         #[arg(long)]
         state: bool,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
     },
     /// Put a program on a board, over its serial port, in place of a card
     Upload {
-        /// The program, in numeric code, Instruction List (.il) or Structured Text (.st)
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
         #[command(flatten)]
         at: At,
         #[command(flatten)]
@@ -120,10 +114,10 @@ enum Command {
     },
     /// Watch a board, force its inputs and outputs, and let it run and stop
     Monitor {
-        /// The program that it runs, to show its rungs, timers and counters
+        /// The program that it runs, in any of the languages, to show its variables and rungs
         file: Option<PathBuf>,
         #[command(flatten)]
-        il: Il,
+        wording: Wording,
         #[command(flatten)]
         at: At,
         /// Have the board let go all that is forced after so many seconds without a request
@@ -218,23 +212,29 @@ fn main() -> ExitCode {
         end_with_the_pipe();
     }
     let outcome = match command {
-        Command::Check { file, il } => commands::check(&file, &il),
-        Command::Compile { file, output, il } => commands::compile(&file, output.as_deref(), &il),
+        Command::Check { file, wording } => commands::check(&file, &wording),
+        Command::Compile {
+            file,
+            output,
+            wording,
+        } => commands::compile(&file, output.as_deref(), &wording),
         Command::List {
             file,
-            il,
+            wording,
             form,
             svg,
             width,
-        } => list_file(&file, &il, form, svg.as_deref(), width.into()),
+        } => commands::list(&file, &wording, form, svg.as_deref(), width.into()),
         Command::Sim {
             file,
             scenario,
             vcd,
-            il,
+            wording,
         } => match (file, scenario) {
-            (file, Some(scenario)) => run_scenario(&scenario, file.as_deref(), vcd.as_deref(), &il),
-            (Some(file), None) => simulate(&file, vcd.as_deref(), &il),
+            (file, Some(scenario)) => {
+                commands::scenario(&scenario, file.as_deref(), vcd.as_deref(), &wording)
+            }
+            (Some(file), None) => commands::simulate(&file, vcd.as_deref(), &wording),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
         Command::Run { what } => commands::run(what),
@@ -242,20 +242,20 @@ fn main() -> ExitCode {
             card,
             file,
             state,
-            il,
-        } => commands::card(&card, &file, state, &il),
+            wording,
+        } => commands::card(&card, &file, state, &wording),
         Command::Upload {
             file,
-            il,
+            wording,
             at,
             leave,
-        } => commands::upload(&file, &at.place(), &leave, &il),
+        } => commands::upload(&file, &at.place(), &leave, &wording),
         Command::Monitor {
             file,
-            il,
+            wording,
             at,
             end_forcing,
-        } => commands::monitor(file.as_deref(), at.place(), end_forcing, &il),
+        } => commands::monitor(file.as_deref(), at.place(), end_forcing, &wording),
         Command::Serve { doors } => commands::serve(doors),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
@@ -271,107 +271,6 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-fn list_file(path: &Path, il: &Il, form: Form, svg: Option<&Path>, width: usize) -> Outcome {
-    if svg.is_some() && form != Form::Ladder {
-        bail!(messages::svg_is_a_ladder());
-    }
-    let Some(program) = open(path, il, Shown::Here)? else {
-        return Ok(false);
-    };
-    let Some(svg) = svg else {
-        let listing = list::list(&program, form.into(), width, messages::spoken());
-        match form {
-            Form::Ladder => print!("{}", ascii::picture(&listing)),
-            // These are programs, which stay as they are.
-            Form::Il | Form::Numeric => print!("{listing}"),
-        }
-        return Ok(true);
-    };
-    let drawing = list::svg(&program, width, messages::spoken());
-    create(svg, Kind::Drawing, &[path])?
-        .write_all(drawing.as_bytes())
-        .map_err(cannot_write(svg))?;
-    println!("{}", messages::drawn(svg.display()));
-    Ok(true)
-}
-
-fn simulate(path: &Path, vcd: Option<&Path>, il: &Il) -> Outcome {
-    let Some(program) = open(path, il, Shown::Here)? else {
-        return Ok(false);
-    };
-    if !(stdin().is_terminal() && stdout().is_terminal()) {
-        bail!(messages::sim_needs_terminal());
-    }
-    let names = point_names(&program);
-    let mut app = App::new(program);
-    if let Some(vcd) = vcd {
-        app.record_to(Recorder::new(trace(vcd, &[path])?).with_names(names));
-    }
-    panel::run(app)?;
-    Ok(true)
-}
-
-fn run_scenario(path: &Path, program: Option<&Path>, vcd: Option<&Path>, il: &Il) -> Outcome {
-    let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
-    let named = Scenario::program_of(path).map_err(wrong)?;
-    let program = match (program, &named) {
-        (Some(program), _) => Some(program),
-        // Its errors are shown as `check` shows them.
-        (None, Some(named)) if is_text(named, &[]) => Some(named.as_path()),
-        (None, _) => None,
-    };
-    let mut source = None;
-    let scenario = match program {
-        None => Scenario::load(path).map_err(wrong)?,
-        Some(program) => {
-            let ProgramFile { name, bytes } = read(program)?;
-            let written = Written::new(name.clone(), bytes.clone());
-            // Numeric code is run as it is: a scenario may expect a fault of it.
-            let bytes = match written.is_text {
-                false => bytes,
-                true => match check_written(written, il, Shown::Here) {
-                    Some(checked) => source.insert(checked).code.clone(),
-                    None => return Ok(false),
-                },
-            };
-            Scenario::load_for(path, ProgramFile { name, bytes }).map_err(wrong)?
-        }
-    };
-    let report = match vcd {
-        None => check(&scenario, &mut HostEngine::default()),
-        Some(vcd) => {
-            let inputs = [Some(path), program, named.as_deref()];
-            let inputs: Vec<&Path> = inputs.into_iter().flatten().collect();
-            let names = source.as_ref().map(point_names).unwrap_or_default();
-            let recorder = Recorder::new(trace(vcd, &inputs)?).with_names(names);
-            let mut engine = RecordedEngine::new(recorder);
-            let report = check(&scenario, &mut engine);
-            engine.finish().map_err(cannot_write(vcd))?;
-            report
-        }
-    };
-    println!("{}", ascii::picture(&report.text(messages::spoken())));
-    if let Verdict::WrongStop {
-        came: Some((_, refusal)),
-        ..
-    } = report.verdict
-        && let Some(fault) = refusal.fault()
-    {
-        let program = scenario.program();
-        let read = || Written::new(program.name.clone(), program.bytes.clone());
-        if let Some(source) = source.or_else(|| read().check(None).ok()) {
-            println!("  {}", running(&source, fault).replace('\n', "\n  "));
-        }
-    }
-    Ok(report.passed())
-}
-
-/// Opens a file for the trace of a run; the command reads `inputs`.
-fn trace(path: &Path, inputs: &[&Path]) -> anyhow::Result<Box<dyn Write>> {
-    let file = create(path, Kind::Trace, inputs)?;
-    Ok(Box::new(BufWriter::new(file)))
 }
 
 /// How excerpts of a program are shown.

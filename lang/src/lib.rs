@@ -55,6 +55,7 @@ pub use emit::CodeLine;
 pub use given::given;
 pub use lacking::lacking;
 pub use languages::{CheckedText, TextLanguage, check};
+pub use operators::is_operator;
 pub use show::show;
 
 use comments::Comments;

@@ -229,6 +229,13 @@ pub(crate) fn find(word: &str) -> Option<Spelling> {
     })
 }
 
+/// Whether Instruction List has this operator, in upper case: by whatever maker, in another language, or, where it is long
+/// enough to tell, one slip of the hand away.
+pub fn is_operator(word: &str) -> bool {
+    let slip = || word.len() > 2 && nearest(word).is_some();
+    find(word).is_some() || of_other_language(word).is_some() || slip()
+}
+
 /// What the instruction table itself says by this word.
 fn of_table(word: &str) -> Option<Op> {
     let opcode = own_words().find(|&opcode| operator(opcode) == word)?;

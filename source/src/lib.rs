@@ -14,22 +14,23 @@
 
 pub mod diagnosis;
 mod effect;
+mod first;
 mod kept;
+mod language;
 pub mod list;
 pub mod messages;
 mod size;
 mod source;
 mod text;
-mod typed;
 pub mod used;
 mod words;
 mod written;
 
 pub use kept::Kept;
+pub use language::{NoProgram, WrittenIn, is_numeric};
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
-pub use text::{decode, is_numeric, is_text};
-pub use typed::{LanguageName, guess};
+pub use text::decode;
 pub use written::{Refused, Written};
 
 use unoclp_core::Profile;

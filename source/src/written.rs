@@ -2,25 +2,32 @@
 //!
 //! Owns which language that is. Must not know what either means: `unoclp-checked` and `unoclp-lang` do.
 
-use crate::{BOARD, Language, Size, Source, decode, is_text};
+use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
 use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile, compile_text};
 
-/// A program file. Its language is known, and nothing else.
+/// A program file. Its language is known, if it has one, and nothing else.
 #[derive(Clone, Debug)]
 pub struct Written {
     /// What it is called.
     pub name: String,
     /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Whether it is a text that is compiled; else it is numeric code.
-    pub is_text: bool,
+    /// What it is written in.
+    pub language: Result<WrittenIn, NoProgram>,
 }
 
 /// Why a file is no program.
 #[derive(Debug)]
 pub enum Refused {
+    /// It is in none of the languages.
+    NoProgram {
+        /// What the file is called.
+        name: String,
+        /// What it is instead.
+        why: NoProgram,
+    },
     /// The faults of numeric code.
     Numeric {
         /// The file that has them.
@@ -43,10 +50,23 @@ impl Written {
     /// A file of this name, whose language its name and its text tell.
     pub fn new(name: String, bytes: Vec<u8>) -> Written {
         Written {
-            is_text: is_text(Path::new(&name), &bytes),
+            language: WrittenIn::of(Path::new(&name), &bytes),
             name,
             bytes,
         }
+    }
+
+    /// The same in the language that somebody says it is in, if anybody does.
+    pub fn or_in(mut self, language: Option<WrittenIn>) -> Written {
+        if let Some(language) = language {
+            self.language = Ok(language);
+        }
+        self
+    }
+
+    /// Whether it is a text that is compiled.
+    pub fn is_text(&self) -> bool {
+        matches!(self.language, Ok(WrittenIn::Il | WrittenIn::Typed(_)))
     }
 
     /// Compiles and checks it. `dialect` says whose Instruction List it is; none: what the text looks like.
@@ -54,12 +74,14 @@ impl Written {
     /// # Errors
     /// All that is wrong with it.
     pub fn check(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
-        match self.is_text {
-            true => match typed(&self.name) {
-                Some(language) => self.typed(language),
-                None => self.compiled(dialect),
-            },
-            false => self.numeric(),
+        match self.language {
+            Ok(WrittenIn::Numeric) => self.numeric(),
+            Ok(WrittenIn::Il) => self.compiled(dialect),
+            Ok(WrittenIn::Typed(language)) => self.typed(language),
+            Err(why) => Err(Refused::NoProgram {
+                name: self.name,
+                why,
+            }),
         }
     }
 
@@ -133,10 +155,4 @@ impl Written {
             checked,
         })
     }
-}
-
-/// The typed language that a file's name tells.
-fn typed(name: &str) -> Option<TextLanguage> {
-    let end = Path::new(name).extension()?.to_str()?;
-    TextLanguage::named(&end.to_ascii_lowercase())
 }

@@ -148,7 +148,7 @@ fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
 /// A program as numeric code: what is written in Instruction List is compiled.
 fn numeric(path: &Path) -> Result<Vec<u8>> {
     let written = Written::new(path.display().to_string(), file("program", path)?);
-    if !written.is_text {
+    if !written.is_text() {
         // With its faults, if it has any: the board tells them.
         return Ok(written.bytes);
     }
@@ -162,7 +162,11 @@ fn numeric(path: &Path) -> Result<Vec<u8>> {
             let shown = show(&name, &text, &diagnostics, Lang::En, &Renderer::plain());
             bail!("{name} has errors\n{}", shown.trim_end())
         }
-        Err(Refused::Numeric { written, .. }) => bail!("{} is no program", written.name),
+        Err(Refused::Numeric {
+            written: Written { name, .. },
+            ..
+        })
+        | Err(Refused::NoProgram { name, .. }) => bail!("{name} is no program"),
     }
 }
 

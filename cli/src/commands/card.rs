@@ -1,7 +1,8 @@
 //! `unoclp card`.
 
-use super::open::{Il, Shown, open};
+use super::open::{Shown, open};
 use super::output::{cannot_write, is_same};
+use super::wording::Wording;
 use crate::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
@@ -16,7 +17,7 @@ const STATE: &[u8] = include_bytes!("../../../programs/STATE.TXT");
 
 /// Puts a program on a card that is mounted as this folder, or on a new image of a card. Of what is there,
 /// nothing but a `PROGRAM.TXT` is overwritten.
-pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
+pub fn card(target: &Path, file: &Path, state: bool, wording: &Wording) -> Outcome {
     let kind = fs::metadata(target).map(|target| target.file_type());
     let name = target.display();
     let is_folder = match kind {
@@ -38,7 +39,7 @@ pub fn card(target: &Path, file: &Path, state: bool, il: &Il) -> Outcome {
     if is_same(file, &target.join("PROGRAM.TXT")) {
         bail!(messages::is_read(file.display()));
     }
-    let Some(program) = open(file, il, Shown::Here)? else {
+    let Some(program) = open(file, wording, Shown::Here)? else {
         return Ok(false);
     };
     if is_folder {

@@ -1,7 +1,8 @@
 //! `unoclp compile`.
 
-use super::open::{Il, Shown, open};
+use super::open::{Shown, open};
 use super::output::{Kind, cannot_write, create, is_same};
+use super::wording::Wording;
 use crate::Outcome;
 use anstream::{eprintln, print};
 use anyhow::bail;
@@ -10,12 +11,13 @@ use std::path::Path;
 use unoclp_cli::messages;
 
 /// Compiles a text to numeric code, into this file or to standard output.
-pub fn compile(path: &Path, output: Option<&Path>, il: &Il) -> Outcome {
-    let Some(program) = open(path, il, Shown::Beside)? else {
+pub fn compile(path: &Path, output: Option<&Path>, wording: &Wording) -> Outcome {
+    let Some(program) = open(path, wording, Shown::Beside)? else {
         return Ok(false);
     };
     let name = &program.name;
-    let (Some(told), Some(warnings)) = (il.told(&program.language), program.language.warnings())
+    let (Some(told), Some(warnings)) =
+        (wording.told(&program.language), program.language.warnings())
     else {
         bail!(messages::is_numeric(name))
     };

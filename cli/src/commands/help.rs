@@ -13,10 +13,7 @@ const COMMANDS: &[(&str, &str)] = &[
         "check",
         "Confere um programa: o seu tamanho, ou cada falha com a sua linha",
     ),
-    (
-        "compile",
-        "Compila um programa em Lista de Instruções para código numérico",
-    ),
+    ("compile", "Compila um texto para código numérico"),
     (
         "list",
         "Mostra um programa como diagrama ladder, Lista de Instruções ou código numérico com significado",
@@ -25,10 +22,7 @@ const COMMANDS: &[(&str, &str)] = &[
         "sim",
         "Simula um programa, à mão neste terminal ou com um cenário",
     ),
-    (
-        "run",
-        "Executa neste PC um texto em uma linguagem tipada e mostra as variáveis",
-    ),
+    ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
         "card",
         "Grava um programa em um cartão de memória, ou em uma nova imagem de um",
@@ -53,18 +47,17 @@ const COMMANDS: &[(&str, &str)] = &[
 
 /// What an argument means: its command, where others have one of the same name; its name; and the words.
 const ARGUMENTS: &[(&str, &str, &str)] = &[
-    ("compile", "file", "O programa em Lista de Instruções"),
+    (
+        "compile",
+        "file",
+        "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); - o lê da entrada padrão",
+    ),
     (
         "run",
         "file",
-        "O texto do programa; - o lê da entrada padrão",
+        "O programa, em qualquer das linguagens; - o lê da entrada padrão",
     ),
     ("run", "text", "O próprio programa, em vez de um arquivo"),
-    (
-        "run",
-        "language",
-        "A linguagem do texto; sem isto, o que o nome e as palavras indicam",
-    ),
     (
         "run",
         "scans",
@@ -84,17 +77,17 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "file",
-        "O programa, em código numérico, Lista de Instruções (.il) ou Texto Estruturado (.st); com um cenário, no lugar do que ele indica",
+        "O programa, em qualquer das linguagens; com um cenário, no lugar do que ele indica",
     ),
     (
         "monitor",
         "file",
-        "O programa que ela executa, para mostrar degraus, temporizadores e contadores",
+        "O programa que ela executa, em qualquer das linguagens, para mostrar variáveis e degraus",
     ),
     (
         "",
         "file",
-        "O programa, em código numérico, Lista de Instruções (.il) ou Texto Estruturado (.st)",
+        "O programa: código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); - o lê da entrada padrão",
     ),
     (
         "",
@@ -105,6 +98,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "",
         "dialect",
         "De que fabricante é a Lista de Instruções; sem isto, o que as palavras indicam",
+    ),
+    (
+        "",
+        "language",
+        "A linguagem do programa; sem isto, o que o nome e as palavras indicam",
     ),
     (
         "",

@@ -1,11 +1,12 @@
 //! What the commands do that are more than a few lines.
 //!
-//! - `open`: reading a program in either language, and `unoclp check`
+//! - `open`: reading a program in any of the languages, and `unoclp check`; `wording`: the options for it
 //! - `output`: files that are written, and what is not overwritten
-//! - `compile`, `card`: from Instruction List to numeric code, and onto a card
+//! - `compile`, `card`: from a text to numeric code, and onto a card
+//! - `list`, `sim`: a program shown, and simulated
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`: Ctrl-C
-//! - `run`: a text in a typed language, on this PC
+//! - `run`: a program on this PC, and its variables
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 //! - `serve`: the page, and a board behind it
 
@@ -21,6 +22,7 @@ mod card;
 mod compile;
 mod help;
 mod interrupt;
+mod list;
 mod monitor;
 mod open;
 mod output;
@@ -28,20 +30,24 @@ mod refuse;
 mod run;
 mod serve;
 mod settings;
+mod sim;
 mod upload;
+mod wording;
 mod words;
 
 pub use card::card;
 pub use compile::compile;
 pub use help::in_portuguese;
+pub use list::list;
 pub use monitor::monitor;
-pub use open::{Il, Shown, check, check_written, langs, language, open, read, running};
-pub use output::{Kind, cannot_write, create};
+pub use open::check;
 pub use refuse::refuse;
 pub use run::{What, run};
 pub use serve::{Doors, serve};
 pub use settings::{Changes, settings};
+pub use sim::{scenario, simulate};
 pub use upload::{Leave, upload};
+pub use wording::{Wording, langs, language};
 pub use words::Form;
 
 use anyhow::anyhow;

@@ -1,6 +1,7 @@
 //! `unoclp monitor`.
 
-use super::open::{Il, Shown, open};
+use super::open::{Shown, open};
+use super::wording::Wording;
 use crate::Outcome;
 use anstream::println;
 use anyhow::bail;
@@ -12,10 +13,15 @@ use unoclp_cli::monitor::{App, Program, run, watch};
 use unoclp_cli::port::Place;
 
 /// Shows a board until the person leaves.
-pub fn monitor(path: Option<&Path>, place: Place, end_forcing: Option<u8>, il: &Il) -> Outcome {
+pub fn monitor(
+    path: Option<&Path>,
+    place: Place,
+    end_forcing: Option<u8>,
+    wording: &Wording,
+) -> Outcome {
     let program = match path {
         None => None,
-        Some(path) => match open(path, il, Shown::Here)? {
+        Some(path) => match open(path, wording, Shown::Here)? {
             Some(source) => Some(Program::new(source)),
             None => return Ok(false),
         },

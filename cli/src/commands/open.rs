@@ -1,74 +1,18 @@
 //! Reading a program, whichever of its languages it is written in.
 
+use super::wording::Wording;
 use crate::{Outcome, renderer};
 use anstream::{eprint, eprintln, println};
-use anyhow::anyhow;
-use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use anyhow::{anyhow, bail};
+use std::io::{Read, stdin};
 use std::path::Path;
 use unoclp_checked::Diagnosis;
 use unoclp_cli::messages;
 use unoclp_core::Fault;
-use unoclp_host_sim::scenario::{ProgramFile, Unreadable};
-use unoclp_lang::TextLanguage;
-use unoclp_lang::{self as lang, Dialect, Lang, Severity, Told};
+use unoclp_host_sim::scenario::{LONGEST, ProgramFile, Unreadable};
+use unoclp_lang::{self as lang, Severity, Told};
 use unoclp_source::messages::system;
-use unoclp_source::{Language, Refused, Source, Written, diagnosis};
-
-/// How to read Instruction List.
-#[derive(Args)]
-pub struct Il {
-    /// Whose Instruction List it is; else what its words look like
-    #[arg(long, value_parser = dialects())]
-    dialect: Option<Dialect>,
-}
-
-fn dialects() -> impl TypedValueParser<Value = Dialect> {
-    PossibleValuesParser::new(Dialect::ALL.map(Dialect::name))
-        .map(|name| Dialect::named(&name).unwrap_or_default())
-}
-
-/// The languages that --lang knows.
-pub fn langs() -> impl TypedValueParser<Value = Lang> {
-    PossibleValuesParser::new([
-        PossibleValue::new("en"),
-        PossibleValue::new("pt-BR").aliases(["pt", "pt_BR", "pt-br", "pt_br"]),
-    ])
-    .map(|name| language(&name).unwrap_or_default())
-}
-
-/// The language of this name, as --lang and environments have it: `en`, `pt`, `pt-BR`, `pt_BR.UTF-8`.
-pub fn language(name: &str) -> Option<Lang> {
-    match name.to_lowercase().split(['-', '_', '.']).next() {
-        Some("pt") => Some(Lang::Pt),
-        Some("en") => Some(Lang::En),
-        _ => None,
-    }
-}
-
-impl Il {
-    /// What a text was taken to be; nothing of numeric code.
-    pub fn told(&self, language: &Language) -> Option<String> {
-        match language {
-            Language::Numeric => None,
-            Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
-            Language::Typed { language, .. } => Some(match language {
-                TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
-                // Names, the same in every language.
-                TextLanguage::Iscl => "InterSCL".to_owned(),
-                TextLanguage::Lce => "LCE".to_owned(),
-            }),
-        }
-    }
-
-    /// Whose Instruction List a text was taken to be, and why.
-    pub fn dialect(&self, found: Dialect) -> String {
-        match self.dialect {
-            Some(_) => messages::dialect(found),
-            None => messages::dialect_by_words(found),
-        }
-    }
-}
+use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis};
 
 /// Where the errors of a text are shown.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -79,8 +23,17 @@ pub enum Shown {
     Beside,
 }
 
-/// Reads a file, as long as a program may be.
+/// Reads a file, as long as a program may be; `-` is standard input.
 pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
+    if path == Path::new("-") {
+        let name = messages::the_input();
+        let mut bytes = Vec::new();
+        stdin().take(LONGEST + 1).read_to_end(&mut bytes)?;
+        if bytes.len() as u64 > LONGEST {
+            bail!("{name} {}", Unreadable::TooLong.text(messages::spoken()));
+        }
+        return Ok(ProgramFile { name, bytes });
+    }
     ProgramFile::read(path).map_err(|why| {
         let name = path.display();
         anyhow!(match &why {
@@ -93,14 +46,21 @@ pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
 }
 
 /// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.
-pub fn open(path: &Path, il: &Il, shown: Shown) -> anyhow::Result<Option<Source>> {
+pub fn open(path: &Path, wording: &Wording, shown: Shown) -> anyhow::Result<Option<Source>> {
     let ProgramFile { name, bytes } = read(path)?;
-    Ok(check_written(Written::new(name, bytes), il, shown))
+    check_written(wording.of(name, bytes), wording, shown)
 }
 
 /// Checks a program that was read; see [`open`].
-pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> {
-    match written.check(il.dialect) {
+///
+/// # Errors
+/// If the file is in none of the languages.
+pub fn check_written(
+    written: Written,
+    wording: &Wording,
+    shown: Shown,
+) -> anyhow::Result<Option<Source>> {
+    Ok(match written.check(wording.dialect) {
         Ok(source) => {
             if let Some(warnings) = source.language.warnings() {
                 let Source { name, text, .. } = &source;
@@ -130,6 +90,16 @@ pub fn check_written(written: Written, il: &Il, shown: Shown) -> Option<Source> 
             }
             None
         }
+        Err(Refused::NoProgram { name, why }) => bail!(no_program(&name, why)),
+    })
+}
+
+/// What a file is that is no program, and what one is.
+pub fn no_program(name: &str, why: NoProgram) -> String {
+    match why {
+        NoProgram::Empty => messages::is_empty(name, messages::languages()),
+        NoProgram::Binary => messages::is_binary(name, messages::languages()),
+        NoProgram::Other => messages::is_no_program(name, messages::languages()),
     }
 }
 
@@ -164,12 +134,12 @@ pub fn running(source: &Source, fault: Fault) -> String {
 }
 
 /// `unoclp check`.
-pub fn check(path: &Path, il: &Il) -> Outcome {
-    let Some(source) = open(path, il, Shown::Here)? else {
+pub fn check(path: &Path, wording: &Wording) -> Outcome {
+    let Some(source) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
     println!("{}: OK: {}", source.name, messages::size(&source.size));
-    if let Some(told) = il.told(&source.language) {
+    if let Some(told) = wording.told(&source.language) {
         println!("  {told}");
     }
     Ok(true)

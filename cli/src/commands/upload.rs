@@ -1,7 +1,8 @@
 //! `unoclp upload`.
 
 use super::interrupt::{Interrupt, Interrupted};
-use super::open::{Il, Shown, faulty, open, running};
+use super::open::{Shown, faulty, open, running};
+use super::wording::Wording;
 use super::{failed, meet, not_stopped};
 use crate::Outcome;
 use anstream::eprint;
@@ -35,8 +36,8 @@ pub struct Leave {
 }
 
 /// Checks a program, and puts it on a board.
-pub fn upload(path: &Path, place: &Place, leave: &Leave, il: &Il) -> Outcome {
-    let Some(program) = open(path, il, Shown::Here)? else {
+pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> Outcome {
+    let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
     say!("{}: OK: {}", program.name, messages::size(&program.size));

@@ -17,6 +17,18 @@ unoclp_source::messages! {
     is_compiled(file)
         "{file} is what is compiled; name another file with -o"
         "{file} é o que se compila; indique outro arquivo com -o";
+    is_empty(file, languages)
+        "{file} is empty: there is no program in it. {languages}"
+        "{file} está vazio: não há programa nele. {languages}";
+    is_binary(file, languages)
+        "{file} is no program: it holds bytes that are no text. {languages}"
+        "{file} não é um programa: contém bytes que não são texto. {languages}";
+    is_no_program(file, languages)
+        "{file} is no program: it begins in none of the languages. {languages}"
+        "{file} não é um programa: não começa em nenhuma das linguagens. {languages}";
+    languages()
+        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); --language says which, where the name and the first words do not"
+        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); --language diz qual, se o nome e as primeiras palavras não dizem";
     nothing_to_run()
         "say what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";

@@ -16,7 +16,7 @@ fn folder(path: &str) -> PathBuf {
 
 fn numeric(file: impl Into<Vec<u8>>) -> Source {
     let written = Written::new("p.txt".to_owned(), file.into());
-    assert!(!written.is_text);
+    assert!(!written.is_text());
     written
         .check(None)
         .unwrap_or_else(|refused| panic!("{refused:?}"))

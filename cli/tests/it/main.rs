@@ -9,6 +9,7 @@ mod command_line;
 mod common;
 mod instruction_list;
 mod kept;
+mod languages;
 mod list;
 #[cfg(unix)]
 mod monitor;

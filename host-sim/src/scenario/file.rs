@@ -245,7 +245,7 @@ fn program_file(
     })?;
     let written = Written::new(name.clone(), bytes);
     // A file that must be refused is numeric code, whatever it looks like.
-    if !written.is_text || keys.fault.is_some() {
+    if !written.is_text() || keys.fault.is_some() {
         let Written { name, bytes, .. } = written;
         return Ok(ProgramFile { name, bytes });
     }

@@ -6,31 +6,29 @@
 mod json;
 mod table;
 
-use super::open::count;
+use super::open::{count, no_program, read};
+use super::wording::Wording;
 use crate::{Outcome, renderer};
 use anstream::{eprint, eprintln, print};
 use anyhow::{anyhow, bail};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Printed, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
-use unoclp_lang::{self as lang, CheckedText, Lines, Span, TextLanguage};
-use unoclp_source::{BOARD, decode, guess};
+use unoclp_lang::{self as lang, CheckedText, Lines, Span};
+use unoclp_source::{BOARD, Written, WrittenIn, decode};
 
 /// What to run, and how.
 #[derive(Args)]
 pub struct What {
-    /// The text of the program; - reads it from standard input
+    /// The program, in any of the languages; - reads it from standard input
     file: Option<PathBuf>,
     /// The program itself, in place of a file
     #[arg(long, conflicts_with = "file", allow_hyphen_values = true)]
     text: Option<String>,
-    /// The language of the text; else what its name and its words tell
-    #[arg(long, value_parser = languages())]
-    language: Option<TextLanguage>,
+    #[command(flatten)]
+    wording: Wording,
     /// How often the program runs
     #[arg(long, value_name = "N", default_value_t = 1)]
     scans: u32,
@@ -45,16 +43,10 @@ pub struct What {
     json: bool,
 }
 
-fn languages() -> impl TypedValueParser<Value = TextLanguage> {
-    PossibleValuesParser::new(TextLanguage::ALL.map(TextLanguage::name))
-        .map(|name| TextLanguage::named(&name).unwrap_or(TextLanguage::St))
-}
-
 /// A text by its name.
 struct Text {
     name: String,
     text: String,
-    path: Option<PathBuf>,
 }
 
 /// What a run has come to.
@@ -67,13 +59,15 @@ struct Ran<'t> {
 
 /// `unoclp run`.
 pub fn run(arguments: What) -> Outcome {
-    let text = read(&arguments)?;
-    let language = match arguments.language {
-        Some(language) => language,
-        None => {
-            let name = guess(text.path.as_deref(), &text.text);
-            TextLanguage::named(name).ok_or_else(|| anyhow!(messages::not_run(name)))?
-        }
+    let written = program(&arguments)?;
+    let language = match written.language {
+        Ok(WrittenIn::Typed(language)) => language,
+        Ok(other) => bail!(messages::not_run(other.name())),
+        Err(why) => bail!(no_program(&written.name, why)),
+    };
+    let text = Text {
+        text: decode(&written.bytes),
+        name: written.name,
     };
     let CheckedText { tree, diagnostics } = lang::check(&text.text, language);
     let shown = lang::show(
@@ -131,32 +125,17 @@ pub fn run(arguments: What) -> Outcome {
     Ok(true)
 }
 
-fn read(arguments: &What) -> anyhow::Result<Text> {
-    if let Some(text) = &arguments.text {
-        return Ok(Text {
-            name: messages::the_text(),
-            text: text.clone(),
-            path: None,
-        });
-    }
-    let Some(path) = &arguments.file else {
-        bail!(messages::nothing_to_run());
+/// The program, wherever the arguments have it.
+fn program(arguments: &What) -> anyhow::Result<Written> {
+    let (name, bytes) = match (&arguments.text, &arguments.file) {
+        (Some(text), _) => (messages::the_text(), text.clone().into_bytes()),
+        (None, Some(path)) => {
+            let file = read(path)?;
+            (file.name, file.bytes)
+        }
+        (None, None) => bail!(messages::nothing_to_run()),
     };
-    if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        std::io::stdin().read_to_end(&mut bytes)?;
-        return Ok(Text {
-            name: messages::the_input(),
-            text: decode(&bytes),
-            path: None,
-        });
-    }
-    let read = super::read(path)?;
-    Ok(Text {
-        text: decode(&read.bytes),
-        name: read.name,
-        path: Some(path.clone()),
-    })
+    Ok(arguments.wording.of(name, bytes))
 }
 
 /// Sets a variable as `--set` says.

@@ -1,0 +1,44 @@
+//! `unoclp list`.
+
+use super::open::{Shown, open};
+use super::output::{Kind, cannot_write, create};
+use super::wording::Wording;
+use super::words::Form;
+use crate::Outcome;
+use anstream::{print, println};
+use anyhow::bail;
+use std::io::Write;
+use std::path::Path;
+use unoclp_cli::{ascii, messages};
+use unoclp_source::list as listing;
+
+/// Shows a program in this form, or draws it into a file.
+pub fn list(
+    path: &Path,
+    wording: &Wording,
+    form: Form,
+    svg: Option<&Path>,
+    width: usize,
+) -> Outcome {
+    if svg.is_some() && form != Form::Ladder {
+        bail!(messages::svg_is_a_ladder());
+    }
+    let Some(program) = open(path, wording, Shown::Here)? else {
+        return Ok(false);
+    };
+    let Some(svg) = svg else {
+        let listing = listing::list(&program, form.into(), width, messages::spoken());
+        match form {
+            Form::Ladder => print!("{}", ascii::picture(&listing)),
+            // These are programs, which stay as they are.
+            Form::Il | Form::Numeric => print!("{listing}"),
+        }
+        return Ok(true);
+    };
+    let drawing = listing::svg(&program, width, messages::spoken());
+    create(svg, Kind::Drawing, &[path])?
+        .write_all(drawing.as_bytes())
+        .map_err(cannot_write(svg))?;
+    println!("{}", messages::drawn(svg.display()));
+    Ok(true)
+}

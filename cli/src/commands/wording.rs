@@ -1,0 +1,75 @@
+//! The options that say in what a program is written.
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use unoclp_cli::messages;
+use unoclp_lang::{Dialect, Lang, TextLanguage};
+use unoclp_source::{Language, Written, WrittenIn};
+
+/// How to read a program.
+#[derive(Args)]
+pub struct Wording {
+    /// Whose Instruction List it is; else what its words look like
+    #[arg(long, value_parser = dialects())]
+    pub(super) dialect: Option<Dialect>,
+    /// The language of the program; else what its name and its words tell
+    #[arg(long, value_parser = languages())]
+    pub(super) language: Option<WrittenIn>,
+}
+
+fn languages() -> impl TypedValueParser<Value = WrittenIn> {
+    PossibleValuesParser::new(WrittenIn::ALL.map(WrittenIn::name))
+        .map(|name| WrittenIn::named(&name).unwrap_or(WrittenIn::Numeric))
+}
+
+fn dialects() -> impl TypedValueParser<Value = Dialect> {
+    PossibleValuesParser::new(Dialect::ALL.map(Dialect::name))
+        .map(|name| Dialect::named(&name).unwrap_or_default())
+}
+
+impl Wording {
+    /// A file of this name, in the language that it is said to be in or else shows.
+    pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
+        Written::new(name, bytes).or_in(self.language)
+    }
+
+    /// What a text was taken to be; nothing of numeric code.
+    pub fn told(&self, language: &Language) -> Option<String> {
+        match language {
+            Language::Numeric => None,
+            Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
+            Language::Typed { language, .. } => Some(match language {
+                TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
+                // Names, the same in every language.
+                TextLanguage::Iscl => "InterSCL".to_owned(),
+                TextLanguage::Lce => "LCE".to_owned(),
+            }),
+        }
+    }
+
+    /// Whose Instruction List a text was taken to be, and why.
+    pub fn dialect(&self, found: Dialect) -> String {
+        match self.dialect {
+            Some(_) => messages::dialect(found),
+            None => messages::dialect_by_words(found),
+        }
+    }
+}
+
+/// The languages that --lang knows.
+pub fn langs() -> impl TypedValueParser<Value = Lang> {
+    PossibleValuesParser::new([
+        PossibleValue::new("en"),
+        PossibleValue::new("pt-BR").aliases(["pt", "pt_BR", "pt-br", "pt_br"]),
+    ])
+    .map(|name| language(&name).unwrap_or_default())
+}
+
+/// The language of this name, as --lang and environments have it: `en`, `pt`, `pt-BR`, `pt_BR.UTF-8`.
+pub fn language(name: &str) -> Option<Lang> {
+    match name.to_lowercase().split(['-', '_', '.']).next() {
+        Some("pt") => Some(Lang::Pt),
+        Some("en") => Some(Lang::En),
+        _ => None,
+    }
+}

@@ -1,0 +1,182 @@
+//! Which language a file is written in: by its name, or by its first words.
+//!
+//! Owns that one question, for every command. Must not know what the languages mean: `unoclp-lang` does. It takes a
+//! time in proportion to the file.
+
+use crate::decode;
+use crate::first::first_words;
+use std::path::Path;
+use unoclp_lang::TextLanguage;
+
+/// The language of a file that has been read, and not yet checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WrittenIn {
+    /// Numeric code.
+    Numeric,
+    /// Instruction List.
+    Il,
+    /// A typed language: Structured Text, InterSCL, LCE.
+    Typed(TextLanguage),
+}
+
+/// Why a file holds no program in any language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoProgram {
+    /// It holds nothing.
+    Empty,
+    /// It holds no text.
+    Binary,
+    /// Its words are those of none of the languages.
+    Other,
+}
+
+impl WrittenIn {
+    /// All of them.
+    pub const ALL: [WrittenIn; 6] = [
+        WrittenIn::Typed(TextLanguage::St),
+        WrittenIn::Typed(TextLanguage::Scl),
+        WrittenIn::Typed(TextLanguage::Iscl),
+        WrittenIn::Typed(TextLanguage::Lce),
+        WrittenIn::Il,
+        WrittenIn::Numeric,
+    ];
+
+    /// Its name for `--language`, by which the names of its files end too; those of numeric code in `.txt`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            WrittenIn::Numeric => "numeric",
+            WrittenIn::Il => "il",
+            WrittenIn::Typed(language) => language.name(),
+        }
+    }
+
+    /// The language with this name.
+    pub fn named(name: &str) -> Option<WrittenIn> {
+        WrittenIn::ALL
+            .into_iter()
+            .find(|language| language.name() == name)
+    }
+
+    /// The language of the files whose names end so; none where any text may have such a name.
+    pub fn of_name(path: &Path) -> Option<WrittenIn> {
+        let end = path.extension()?.to_str()?.to_ascii_lowercase();
+        WrittenIn::named(&end).filter(|language| *language != WrittenIn::Numeric)
+    }
+
+    /// The language of a file: by its name, or because its first words are those of a language.
+    ///
+    /// # Errors
+    /// Why it is no program in any.
+    pub fn of(path: &Path, file: &[u8]) -> Result<WrittenIn, NoProgram> {
+        let wide = file.starts_with(b"\xFF\xFE") || file.starts_with(b"\xFE\xFF");
+        if file.contains(&0) && !wide {
+            return Err(NoProgram::Binary);
+        }
+        if let Some(language) = WrittenIn::of_name(path) {
+            return Ok(language);
+        }
+        let text = decode(file);
+        if text.trim().is_empty() {
+            return Err(NoProgram::Empty);
+        }
+        if is_numbers(&text) {
+            return Ok(WrittenIn::Numeric);
+        }
+        first_words(&text).ok_or(NoProgram::Other)
+    }
+}
+
+/// Whether a file holds numeric code, right or wrong: its first code is program start, and more of its lines are numbers
+/// than words.
+pub fn is_numeric(file: &[u8]) -> bool {
+    let text = decode(file);
+    let mut codes = text.lines().map(code);
+    codes.find(|code| !code.is_empty()) == Some("0") && is_numbers(&text)
+}
+
+/// Whether at least as many lines are numbers as have words, comments of numeric code left out; all may be comments.
+fn is_numbers(text: &str) -> bool {
+    let (mut words, mut numbers, mut others) = (0, 0, 0);
+    for line in text.lines().map(code) {
+        let is_number = line.parse::<i64>().is_ok();
+        numbers += usize::from(is_number);
+        words += usize::from(line.contains(char::is_alphabetic));
+        others += usize::from(!is_number && !line.is_empty());
+    }
+    // A text that begins with `//` has no word before a `/` for some lines; one of nothing else may be either.
+    numbers >= words && (numbers > 0 || others == 0)
+}
+
+/// What stands before the comment of numeric code.
+fn code(line: &str) -> &str {
+    line.split('/').next().unwrap_or_default().trim()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(path: &str, text: &[u8]) -> Result<&'static str, NoProgram> {
+        WrittenIn::of(Path::new(path), text).map(WrittenIn::name)
+    }
+
+    #[test]
+    fn a_name_tells_the_language_whatever_the_words() {
+        for (path, language) in [
+            ("a.st", "st"),
+            ("A.SCL", "scl"),
+            ("b.iscl", "iscl"),
+            ("a.lce", "lce"),
+            ("A.IL", "il"),
+        ] {
+            assert_eq!(name(path, b"0\n827301\n"), Ok(language), "{path}");
+        }
+        assert_eq!(name("a.numeric", b"LD I1\n"), Ok("il"));
+    }
+
+    #[test]
+    fn numeric_code_is_told_from_texts() {
+        for text in [
+            &b"0\n827301 / button\n877901 / lamp\n"[..],
+            b"/ all\n/ comments\n",
+            // A letter in place of a digit is a fault of numeric code, and so is UTF-16 (NC-3).
+            b"O\n827301\n877901\n",
+            b"\xFF\xFE0\0\n\0",
+        ] {
+            assert_eq!(name("a.txt", text), Ok("numeric"), "{text:?}");
+        }
+        assert_eq!(name("a.txt", b"// lamp\n0 LD I1\n1 ST Q1\n"), Ok("il"));
+        assert_eq!(name("a.txt", b"\xFF\xFEL\0D\0 \0I\x001\0"), Ok("il"));
+    }
+
+    #[test]
+    fn what_is_no_program_is_told_by_what_it_is() {
+        for (path, text, why) in [
+            ("a.txt", &b""[..], NoProgram::Empty),
+            ("a.txt", b" \r\n\t\n", NoProgram::Empty),
+            ("a.txt", b"\xEF\xBB\xBF", NoProgram::Empty),
+            ("a.img", b"\x89PNG\0\0", NoProgram::Binary),
+            ("a.st", b"x := 1;\0", NoProgram::Binary),
+            ("a.md", b"# Read me\n\nA lamp is on.\n", NoProgram::Other),
+            ("a.csv", b"1;2\n3;4\n", NoProgram::Other),
+        ] {
+            assert_eq!(name(path, text), Err(why), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn numeric_code_begins_with_program_start() {
+        assert!(is_numeric(b"/ lamp\r\n\r\n 0 / start\r\n827301\r\n877901"));
+        assert!(is_numeric(b"0\n8273O1\n877901\n"), "with a fault");
+        for other in [
+            "",
+            "/ notes\n",
+            "1\n2\n",
+            "0\nLD I1\nST Q1\n",
+            "about = \"\"\n",
+            "# Read me\n",
+        ] {
+            assert!(!is_numeric(other.as_bytes()), "{other}");
+        }
+    }
+}
