@@ -116,7 +116,9 @@ pub(crate) fn parse(name: &str, dialect: Dialect) -> Option<Address> {
 
 /// Whether a name is that of a timer or counter as a whole: `T0`, `C1`.
 pub(crate) fn is_block(name: &str) -> bool {
-    let number = name.trim_start_matches('%').strip_prefix(['T', 'C']);
+    let number = name
+        .trim_start_matches('%')
+        .strip_prefix(['T', 'C', 't', 'c']);
     number.is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 

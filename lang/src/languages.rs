@@ -14,24 +14,28 @@ pub enum TextLanguage {
     Iscl,
     /// LCE, the language of SimuPLC.
     Lce,
+    /// Instruction List, where it has types and functions of the norm.
+    Il,
 }
 
 impl TextLanguage {
     /// Every typed language.
-    pub const ALL: [TextLanguage; 4] = [
+    pub const ALL: [TextLanguage; 5] = [
         TextLanguage::St,
         TextLanguage::Scl,
         TextLanguage::Iscl,
         TextLanguage::Lce,
+        TextLanguage::Il,
     ];
 
-    /// Its name on a command line: `st`, `scl`, `iscl`, `lce`.
+    /// Its name on a command line: `st`, `scl`, `iscl`, `lce`, `il`.
     pub const fn name(self) -> &'static str {
         match self {
             TextLanguage::St => "st",
             TextLanguage::Scl => "scl",
             TextLanguage::Iscl => "iscl",
             TextLanguage::Lce => "lce",
+            TextLanguage::Il => "il",
         }
     }
 
@@ -69,6 +73,7 @@ pub(crate) fn read(text: &str, language: TextLanguage, found: &mut Found) -> Opt
         TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, found),
         TextLanguage::Iscl => crate::iscl::check(text, found),
         TextLanguage::Lce => crate::lce::check(text, found),
+        TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, found),
     };
     tree.filter(|_| !found.has_errors())
 }

@@ -117,6 +117,9 @@ impl Compiled {
 
 /// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
 pub fn compile(text: &str, options: &Options) -> Compiled {
+    if st::has_types(text) {
+        return typed(text, options.board);
+    }
     let mut found = Found::default();
     let parsed = parser::parse(text, &mut found);
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
@@ -131,6 +134,17 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
         lines,
         program,
         diagnostics,
+    }
+}
+
+/// A text with types or functions of the norm, which the typed tree has.
+fn typed(text: &str, board: Profile) -> Compiled {
+    let made = compile_text(text, TextLanguage::Il, board);
+    Compiled {
+        dialect: Dialect::Iec,
+        lines: made.lines,
+        program: made.program,
+        diagnostics: made.diagnostics,
     }
 }
 

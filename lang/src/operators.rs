@@ -68,6 +68,7 @@ pub(crate) enum Op {
 }
 
 /// Which modifiers an operator may have, as in the course's Table 1.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Spelling {
     pub op: Op,
     pub negated: bool,

@@ -1,6 +1,7 @@
 //! What stands in a text, before anything is known of its names.
 
 use crate::diagnostics::Span;
+use crate::operators::Spelling;
 use crate::typed::{Base, Binary, Compare, UnitKind, Value};
 
 /// A name and its place.
@@ -166,11 +167,55 @@ pub(super) struct UnitDecl {
     /// Of a function.
     pub result: Option<TypeSpec>,
     pub vars: Vec<Vars>,
-    pub body: Vec<Statement>,
+    pub body: Body,
+}
+
+/// What a unit does.
+#[derive(Debug)]
+pub(super) enum Body {
+    Statements(Vec<Statement>),
+    /// Instruction List.
+    List(Vec<Line>),
+}
+
+/// A part of a body in Instruction List.
+#[derive(Debug)]
+pub(super) enum Line {
+    Label(Name),
+    Does(Box<Instruction>),
+    /// `)`
+    Close(Span),
+    /// What is wrong has been told.
+    Wrong,
+}
+
+#[derive(Debug)]
+pub(super) struct Instruction {
+    /// The operator as it is written.
+    pub word: Name,
+    /// What it says; none of the name of a function or an instance.
+    pub spelling: Option<Spelling>,
+    /// `(` behind the operator, and whether `N` stands behind that.
+    pub open: Option<bool>,
+    pub operands: Vec<Arg>,
+    /// What stands in the parentheses of a call.
+    pub given: Option<Vec<Arg>>,
+    pub span: Span,
+}
+
+impl Body {
+    pub(super) fn is_empty(&self) -> bool {
+        match self {
+            Body::Statements(all) => all.is_empty(),
+            Body::List(lines) => lines.is_empty(),
+        }
+    }
 }
 
 #[derive(Debug, Default)]
 pub(super) struct File {
+    /// It is written in Instruction List.
+    pub is_list: bool,
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,
     pub units: Vec<UnitDecl>,

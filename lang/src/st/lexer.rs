@@ -4,6 +4,7 @@
 //! from a name. Takes time in proportion to the text.
 
 use super::Dialect;
+use super::words::Keyword;
 use crate::diagnostics::{Code, Found, Span};
 
 /// What a token is.
@@ -65,6 +66,8 @@ pub(crate) fn tokens(text: &str, dialect: Dialect, found: &mut Found) -> Vec<Tok
         at: 0,
         flat: false,
         scl: dialect == Dialect::Scl,
+        remarks: dialect == Dialect::Il,
+        list: dialect == Dialect::Il,
         found,
     };
     if text.starts_with('\u{FEFF}') {
@@ -141,6 +144,9 @@ struct Lexer<'t, 'f> {
     /// A comment was found open with its inner ones counted: from there on they do not nest.
     flat: bool,
     scl: bool,
+    /// `;` begins a comment, but for where declarations stand.
+    remarks: bool,
+    list: bool,
     found: &'f mut Found,
 }
 
@@ -177,6 +183,7 @@ impl Lexer<'_, '_> {
                 b'(' if self.peek(1) == b'*' => self.comment(),
                 b'/' if self.peek(1) == b'/' => self.skip_line(),
                 b'/' if self.peek(1) == b'*' => self.slashed(),
+                b';' if self.remarks => self.skip_line(),
                 b'{' if self.is_pragma() => {}
                 b'0'..=b'9' => {
                     self.number();
@@ -222,6 +229,7 @@ impl Lexer<'_, '_> {
                         self.typed(start);
                         return self.token(Kind::Typed, start);
                     }
+                    self.note_section(start);
                     return self.token(Kind::Word, start);
                 }
                 _ => {
@@ -240,6 +248,20 @@ impl Lexer<'_, '_> {
                     }
                 }
             }
+        }
+    }
+
+    /// Words that begin and end declarations, in Instruction List.
+    fn note_section(&mut self, start: usize) {
+        if !self.list {
+            return;
+        }
+        let word = self.text.get(start..self.at).unwrap_or_default();
+        match Keyword::of(word) {
+            Keyword::EndVar | Keyword::EndType => self.remarks = true,
+            Keyword::Type => self.remarks = false,
+            keyword if keyword.is_section() => self.remarks = false,
+            _ => {}
         }
     }
 

@@ -1,14 +1,17 @@
-//! Structured Text (IEC 61131-3, B.3) and SCL: from a text to the typed tree.
+//! Structured Text (IEC 61131-3, B.3), SCL, and Instruction List with types: from a text to the typed tree.
 //!
 //! `lexer` (bytes → words), `literal` (what they are worth), `parser` (words → `ast`), `check` (names and types, by
 //! the builder that all typed languages share). It knows no board and no files, and no text makes it panic.
 
 mod ast;
 mod check;
+mod kinds;
 pub(crate) mod lexer;
 pub(crate) mod literal;
 mod parser;
 mod words;
+
+pub(crate) use kinds::has_types;
 
 use crate::diagnostics::{Code, Found};
 use crate::typed::Tree;
@@ -21,6 +24,8 @@ pub(crate) enum Dialect {
     Iec,
     /// As Siemens writes it: `#name`, `"name"`, BEGIN.
     Scl,
+    /// Instruction List, which declares as Structured Text does.
+    Il,
 }
 
 /// The tree of a text; none where something is wrong, which is told.

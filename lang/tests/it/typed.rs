@@ -25,6 +25,7 @@ struct Case {
     scl: Option<String>,
     iscl: Option<String>,
     lce: Option<String>,
+    il: Option<String>,
     /// What is told: the code, the line and the column of each, `ST-110 3:5`.
     #[serde(default)]
     told: Vec<String>,
@@ -75,6 +76,7 @@ impl Case {
             (&self.scl, TextLanguage::Scl),
             (&self.iscl, TextLanguage::Iscl),
             (&self.lce, TextLanguage::Lce),
+            (&self.il, TextLanguage::Il),
         ];
         let mut texts = texts
             .iter()

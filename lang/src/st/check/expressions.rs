@@ -120,7 +120,8 @@ impl Checker<'_, '_, '_> {
             self.subscripts_only(path);
             return None;
         }
-        let mut target = self.builder.name(&path.name.text, path.name.span);
+        let name = self.address(&path.name.text);
+        let mut target = self.builder.name(&name, path.name.span);
         for part in &path.parts {
             match part {
                 Part::Member(name) => {

@@ -2,12 +2,14 @@
 //!
 //! - `types`: types as they are declared, and what a variable begins with
 //! - `units`: variables, and the order in which units are declared
+//! - `list`: what Instruction List does
 //! - `expressions`, `statements`: the rest
 //!
 //! What a name means and which types go together is the builder's to say; this says what stands in the text.
 
 mod expressions;
 mod initial;
+mod list;
 mod statements;
 mod types;
 mod units;

@@ -1,6 +1,6 @@
 //! Units: their variables, in the order in which they need one another.
 
-use super::super::ast::{self, Decl, Name, SpecKind, Vars};
+use super::super::ast::{self, Body, Decl, Name, SpecKind, Vars};
 use super::{Checker, State};
 use crate::diagnostics::Code;
 use crate::typed::build::{Section, Traits, both};
@@ -86,6 +86,9 @@ impl Checker<'_, '_, '_> {
         for vars in first.into_iter().chain(then) {
             self.section(vars);
         }
+        if let Body::List(lines) = &declaration.body {
+            self.declare_edges(lines, declaration.kind);
+        }
         self.builder.close(unit);
         self.builder.go(before);
         self.within -= 1;
@@ -165,7 +168,10 @@ impl Checker<'_, '_, '_> {
         for at in 0..self.file.units.len() {
             let unit = self.units[at].0;
             self.builder.enter(unit);
-            let body = self.statements(&self.file.units[at].body);
+            let body = match &self.file.units[at].body {
+                Body::Statements(statements) => self.statements(statements),
+                Body::List(lines) => self.list(lines),
+            };
             self.builder.body(unit, body);
             self.builder.leave();
         }

@@ -122,7 +122,7 @@ impl Parser<'_, '_> {
         Ok(Node { kind, span, height })
     }
 
-    fn operand(&mut self) -> Parsed<Node> {
+    pub(super) fn operand(&mut self) -> Parsed<Node> {
         let token = self.token();
         let leaf = |kind, span| Node {
             kind,
@@ -306,6 +306,13 @@ impl Parser<'_, '_> {
             if self.is(Kind::Dot) {
                 self.next();
                 let token = self.token();
+                if token.kind == Kind::Number && self.list && path.parts.is_empty() {
+                    // `I0.0`
+                    self.next();
+                    path.name = self.named(path.span.to(token.span));
+                    path.span = path.name.span;
+                    continue;
+                }
                 if token.kind == Kind::Number {
                     return Err(self.bit_of(token.span));
                 }

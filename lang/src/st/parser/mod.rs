@@ -3,6 +3,7 @@
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
 //! - `statement`, `compound`: statements; `recover`: what is done behind one that is wrong
+//! - `list`: the lines of Instruction List
 //! - `expression`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on behind the statement.
@@ -11,6 +12,7 @@ mod compound;
 mod declare;
 mod expression;
 mod initial;
+mod list;
 mod recover;
 mod statement;
 mod types;
@@ -54,6 +56,7 @@ pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, b
         tokens,
         keywords,
         at: 0,
+        list: dialect == Dialect::Il,
         open: 0,
         closers: Vec::new(),
         dead,
@@ -73,6 +76,8 @@ struct Parser<'t, 'f> {
     tokens: Vec<Token>,
     keywords: Vec<Keyword>,
     at: usize,
+    /// Units do what Instruction List says.
+    list: bool,
     /// How many parentheses and statements are open.
     open: u32,
     /// What ends the statements that are open.

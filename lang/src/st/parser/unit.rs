@@ -1,6 +1,6 @@
 //! Programs, functions and blocks, and what stands around them.
 
-use super::super::ast::{File, Name, Section, SpecKind, TypeSpec, UnitDecl};
+use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
 use super::super::lexer::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
@@ -9,7 +9,10 @@ use crate::typed::UnitKind;
 
 impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
-        let mut file = File::default();
+        let mut file = File {
+            is_list: self.list,
+            ..File::default()
+        };
         loop {
             while self.accept(Kind::Semicolon) {}
             let token = self.token();
@@ -77,7 +80,8 @@ impl Parser<'_, '_> {
     /// A program without PROGRAM: variables and statements. Behind another unit they stand outside.
     fn bare(&mut self, file: &mut File) {
         let start = self.token().span;
-        if !file.units.is_empty() {
+        let programs = || file.units.iter().any(|unit| unit.kind == UnitKind::Program);
+        if !file.units.is_empty() && (!self.list || programs()) {
             let written = self.short(start);
             self.tell(Code::StOutside, start, [written.into()]);
             while !self.is(Kind::End) && !self.keyword().begins_unit() {
@@ -275,7 +279,10 @@ impl Parser<'_, '_> {
                 break;
             }
         }
-        let body = self.statements();
+        let body = match self.list {
+            true => Body::List(self.lines()),
+            false => Body::Statements(self.statements()),
+        };
         UnitDecl {
             kind,
             name,

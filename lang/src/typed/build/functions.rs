@@ -105,12 +105,17 @@ fn conversion_named(name: &str) -> Option<(Option<&str>, Base)> {
     Some((Some(from), Base::named(to)?))
 }
 
+/// Whether this is a standard function, or has the form of a conversion.
+pub(crate) fn is_function(name: &str) -> bool {
+    let key = name.to_uppercase();
+    let truncating = key.contains("_TRUNC_");
+    TABLE.iter().any(|row| row.0 == key) || conversion_named(&key).is_some() || truncating
+}
+
 impl Builder<'_, '_> {
     /// Whether this is a standard function, or has the form of a conversion.
     pub fn is_function(&self, name: &str) -> bool {
-        let key = name.to_uppercase();
-        let truncating = key.contains("_TRUNC_");
-        TABLE.iter().any(|row| row.0 == key) || conversion_named(&key).is_some() || truncating
+        is_function(name)
     }
 
     /// A standard function.

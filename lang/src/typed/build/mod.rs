@@ -55,6 +55,7 @@ mod words;
 
 pub(crate) use arguments::{Argument, Given};
 pub(crate) use declare::{Section, Traits};
+pub(crate) use functions::is_function;
 pub(crate) use places::Target;
 pub(crate) use words::both;
 

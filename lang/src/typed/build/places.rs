@@ -2,6 +2,7 @@
 
 use super::declare::Variable;
 use super::{Builder, Draft, Named, Section, both};
+use crate::address::is_block;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::standard::Role;
 use crate::typed::{
@@ -23,10 +24,12 @@ pub(crate) struct Target {
 }
 
 impl Draft {
-    /// The cells of a block by their names, in the order of their offsets.
+    /// The cells of a block by their names, in the order of their offsets, but for the compiler's own.
     pub(super) fn parts(&self) -> Vec<(String, TypeId, u32)> {
         let own = self.names.values().filter_map(|named| match named {
-            Named::Variable(variable) if variable.root == Root::Own => {
+            Named::Variable(variable)
+                if variable.root == Root::Own && !variable.name.starts_with('#') =>
+            {
                 Some((variable.name.clone(), variable.ty, variable.offset))
             }
             _ => None,
@@ -83,7 +86,12 @@ impl Builder<'_, '_> {
                 both(format!("write {truth}"), format!("escreva {truth}")),
             );
         }
-        let declare = format!("VAR {name} : INT; END_VAR");
+        let ty = match (is_block(name), name.starts_with(['T', 't'])) {
+            (true, true) => "TON",
+            (true, false) => "CTU",
+            _ => "INT",
+        };
+        let declare = format!("VAR {name} : {ty}; END_VAR");
         let help = both(
             format!("declare it: {declare}"),
             format!("declare-o: {declare}"),

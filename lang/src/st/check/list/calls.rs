@@ -1,0 +1,366 @@
+//! Functions, blocks, timers, counters and edges.
+
+use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
+use super::super::Checker;
+use super::accumulator::Changes;
+use super::operators::accumulated;
+use super::{Acc, Walk};
+use crate::diagnostics::{Code, Span};
+use crate::operators::Op;
+use crate::typed::build::{Argument, Given, Section, Target, Traits};
+use crate::typed::{Expr, Kind, Standard, Stmt, UnitKind};
+use unoclp_core::isa::Opcode;
+
+impl Walk<'_, '_, '_, '_> {
+    /// Whether a call by a function's name takes the accumulator as its first input: where one operand is lacking.
+    pub(super) fn takes_accumulator(&self, one: &Instruction) -> bool {
+        if one.given.is_some() {
+            return false;
+        }
+        match self.own_function(one) {
+            Some(unit) => {
+                let takes = |draft: &crate::typed::build::Draft| {
+                    let inputs = draft.params.iter();
+                    inputs.filter(|one| one.section != Section::Output).count()
+                };
+                let inputs = self.c.builder.draft(unit).map_or(0, takes);
+                one.operands.len() + 1 == inputs
+            }
+            None => true,
+        }
+    }
+
+    /// `LIMIT(MN := 0, IN := x, MX := 10)`, a standard function without the accumulator.
+    pub(super) fn formal(&mut self, one: &Instruction, name: &str) {
+        self.warn_unused();
+        let given = self.c.arguments(one.given.as_deref().unwrap_or_default());
+        let expr = self.c.builder.function(name, given, one.span);
+        self.hold(expr, 1);
+        self.unused = Some(one.span);
+    }
+
+    /// A function of the text.
+    pub(super) fn own_call(&mut self, unit: u32, one: &Instruction, at: usize) {
+        let mut given = Vec::new();
+        if self.takes_accumulator(one) {
+            let Some(expr) = self.linked(&one.word.text, one.word.span) else {
+                self.c.arguments(&one.operands);
+                return;
+            };
+            given.push(accumulated(expr));
+        } else {
+            self.warn_unused();
+        }
+        given.extend(self.c.arguments(&one.operands));
+        given.extend(self.c.arguments(one.given.as_deref().unwrap_or_default()));
+        self.function(unit, given, one.word.span, one.span, at);
+    }
+
+    fn function(&mut self, unit: u32, given: Vec<Argument>, name: Span, at: Span, line: usize) {
+        let changes = given.iter().any(|argument| argument.out) || self.lends(unit);
+        let expr = self.c.builder.call(unit, given, name, at);
+        if changes {
+            self.before(&Changes::Anything, false);
+        }
+        self.hold(expr, 1);
+        // What it may change is changed here, and once.
+        self.settle();
+        if self.needs[line + 1] {
+            self.unused = Some(at);
+        }
+    }
+
+    /// Whether a function may change what is its caller's.
+    fn lends(&self, unit: u32) -> bool {
+        let draft = self.c.builder.draft(unit);
+        draft.is_some_and(|draft| draft.params.iter().any(|p| p.section == Section::InOut))
+    }
+
+    /// CAL, CALC, CALCN.
+    pub(super) fn cal(&mut self, one: &Instruction, at: usize) {
+        let Some(Arg { node, .. }) = one.operands.first() else {
+            let words = ["CAL".into(), "CAL T1 (IN := I1)".into()];
+            return self.tell(Code::OperandMissing, one.word.span, words);
+        };
+        let mut given: Vec<&Arg> = one.operands.iter().skip(1).collect();
+        given.extend(one.given.iter().flatten());
+        let (path, more) = match &node.kind {
+            NodeKind::Path(path) => (path, &[][..]),
+            // `CAL T1 (IN := a)` is read as a call with its value.
+            NodeKind::Call(path, more) => (path, more.as_slice()),
+            _ => {
+                let written = self.c.builder.written(node.span);
+                return self.tell(Code::Unexpected, node.span, [written.into()]);
+            }
+        };
+        given.extend(more);
+        let conditional = one.spelling.is_some_and(|spelling| spelling.conditional);
+        let name = &path.name;
+        let function = path
+            .parts
+            .is_empty()
+            .then(|| self.function_named(&name.text))
+            .flatten();
+        if let Some(unit) = function
+            && !conditional
+        {
+            self.warn_unused();
+            let given = self.all(&given);
+            return self.function(unit, given, name.span, one.span, at);
+        }
+        let condition = match conditional {
+            true => self.condition(one),
+            false => {
+                self.warn_unused();
+                None
+            }
+        };
+        if let Some(unit) = function {
+            let given = self.all(&given);
+            let statement = self
+                .c
+                .builder
+                .call_statement(unit, given, name.span, one.span);
+            if let (Some(condition), Some(statement)) = (condition, statement) {
+                self.conditional(condition, vec![statement], one.span, false);
+            }
+        } else {
+            let known = self.c.builder.find(&name.text).is_some();
+            if !known && !self.c.builder.is_hidden(&name.text) {
+                self.c.builder.callee(&name.text, name.span);
+                self.acc = Acc::Wrong;
+                return;
+            }
+            let Some(target) = self.c.target(path) else {
+                self.acc = Acc::Wrong;
+                return;
+            };
+            let given = self.all(&given);
+            let body = self.c.builder.block(target, given, one.span);
+            match (conditional, condition) {
+                (true, Some(condition)) => self.conditional(condition, body, one.span, false),
+                (true, None) => {}
+                (false, _) => self.run(body),
+            }
+        }
+        self.acc = Acc::Empty;
+    }
+
+    /// `T1 (IN := I1)` without CAL.
+    pub(super) fn cal_named(&mut self, one: &Instruction, _: usize) {
+        self.warn_unused();
+        let target = self.c.builder.name(&one.word.text, one.word.span);
+        let given = self.c.arguments(one.given.as_deref().unwrap_or_default());
+        if let Some(target) = target {
+            let body = self.c.builder.block(target, given, one.span);
+            self.run(body);
+        }
+        self.acc = Acc::Empty;
+    }
+
+    fn function_named(&self, name: &str) -> Option<u32> {
+        match self.c.builder.find(name) {
+            Some(crate::typed::build::Named::Unit(unit)) => {
+                let kind = self.c.builder.draft(*unit)?.unit.kind;
+                (kind == UnitKind::Function).then_some(*unit)
+            }
+            _ => None,
+        }
+    }
+
+    fn all(&mut self, given: &[&Arg]) -> Vec<Argument> {
+        let mut all = Vec::new();
+        for arg in given {
+            all.extend(self.c.arguments(std::slice::from_ref(*arg)));
+        }
+        all
+    }
+
+    fn run(&mut self, body: Vec<Stmt>) {
+        self.before(&Changes::Anything, false);
+        body.into_iter().for_each(|one| self.push(one));
+    }
+
+    /// The instance that an operator names.
+    fn instance(&mut self, one: &Instruction) -> Option<Target> {
+        let arg = one.operands.first()?;
+        match &arg.node.kind {
+            NodeKind::Path(path) => self.c.target(path),
+            _ => {
+                let written = self.c.builder.written(arg.node.span);
+                self.tell(
+                    Code::NotCallable,
+                    arg.node.span,
+                    [written.into(), "CAL".into()],
+                );
+                None
+            }
+        }
+    }
+
+    /// `TON T1, T#5s` and `CTU C1, reset, 20`, on the accumulator, which becomes Q.
+    pub(super) fn timer_or_counter(&mut self, one: &Instruction) {
+        let op = one.spelling.map(|spelling| spelling.op);
+        let expr = self.take(&one.word.text, one.word.span);
+        let target = self.instance(one);
+        let (Some(expr), Some(target)) = (expr, target) else {
+            self.acc = Acc::Wrong;
+            return;
+        };
+        let names: [&str; 3] = match op {
+            Some(Op::CountUp) => ["CU", "R", "PV"],
+            Some(Op::CountDown) => ["CD", "LD", "PV"],
+            _ => ["IN", "PT", ""],
+        };
+        let timer = matches!(op, Some(Op::Timer(_)));
+        let mut given = vec![named(names[0], expr)];
+        for (name, arg) in names[1..].iter().zip(one.operands.iter().skip(1)) {
+            let value = match timer {
+                true => self.preset_value(arg),
+                false => self.c.expr(&arg.node, None),
+            };
+            given.push(named(name, value));
+        }
+        self.call_for(target, given, "Q", one.span);
+    }
+
+    /// `CLK rise`, `CU count`, `IN T1`: the block is called with the accumulator as this input.
+    pub(super) fn input(&mut self, one: &Instruction) {
+        let expr = self.take(&one.word.text, one.word.span);
+        let target = self.instance(one);
+        let (Some(expr), Some(target)) = (expr, target) else {
+            self.acc = Acc::Wrong;
+            return;
+        };
+        let name = one.word.text.to_uppercase();
+        let body = self
+            .c
+            .builder
+            .block(target, vec![named(&name, expr)], one.span);
+        self.run(body);
+        self.acc = Acc::Empty;
+    }
+
+    /// `PT T1`, `PV C1`
+    pub(super) fn preset(&mut self, one: &Instruction, at: usize) {
+        let expr = self.take(&one.word.text, one.word.span);
+        let target = self.instance(one);
+        let (Some(expr), Some(target)) = (expr, target) else {
+            return;
+        };
+        let member = self.c.builder.member(target, &one.word.text, one.span);
+        let statement = member.and_then(|to| self.c.builder.assign(to, expr, one.span));
+        let needed = self.needs[at + 1];
+        statement
+            .into_iter()
+            .for_each(|one| self.store(one, needed));
+    }
+
+    /// Calls an instance, and loads one of its outputs.
+    fn call_for(&mut self, target: Target, given: Vec<Argument>, output: &str, at: Span) {
+        let body = self.c.builder.block(target.clone(), given, at);
+        self.run(body);
+        let output = self.c.builder.member(target, output, at);
+        let held = self.c.builder.read(output, at);
+        self.hold(held, 0);
+    }
+
+    /// Whether a bit has risen or fallen since this was asked last.
+    pub(super) fn edge(&mut self, expr: Expr, at: Span) -> Expr {
+        if self.c.builder.kind_here() == Some(UnitKind::Function) {
+            let word = self.c.builder.written(at);
+            self.tell(Code::Stateless, at, [word.into()]);
+            return self.c.builder.wrong(at);
+        }
+        let name = edge_name(self.line, self.edges);
+        self.edges += 1;
+        let Some(target) = self.c.builder.name(&name, at) else {
+            return self.c.builder.wrong(at);
+        };
+        let body = self
+            .c
+            .builder
+            .block(target.clone(), vec![named("CLK", expr)], at);
+        self.before(&Changes::Anything, true);
+        body.into_iter().for_each(|one| self.push(one));
+        let q = self.c.builder.member(target, "Q", at);
+        self.c.builder.read(q, at)
+    }
+
+    /// EU, ED
+    pub(super) fn edge_of_accumulator(&mut self, one: &Instruction) {
+        let Some(expr) = self.take(&one.word.text, one.word.span) else {
+            return;
+        };
+        self.acc = Acc::Empty;
+        let held = self.edge(expr, one.span);
+        self.hold(held, 0);
+        self.unused = Some(one.span);
+    }
+
+    /// PLS, PLF
+    pub(super) fn differentiate(&mut self, one: &Instruction, at: usize) {
+        if self.needs[at + 1] {
+            self.settle_costly();
+        }
+        let Some(expr) = self.take(&one.word.text, one.word.span) else {
+            return;
+        };
+        let changed = self.edge(expr, one.span);
+        let Some(target) = self.instance(one) else {
+            return;
+        };
+        let statement = self.c.builder.assign(target, changed, one.span);
+        let needed = self.needs[at + 1];
+        statement
+            .into_iter()
+            .for_each(|one| self.store(one, needed));
+    }
+}
+
+impl Checker<'_, '_, '_> {
+    /// The instances that edges without one of their own need, before the unit's declarations are closed.
+    pub(in super::super) fn declare_edges(&mut self, lines: &[Line], kind: UnitKind) {
+        if kind == UnitKind::Function {
+            return;
+        }
+        for (at, line) in lines.iter().enumerate() {
+            let Line::Does(one) = line else { continue };
+            let spelling = one.spelling;
+            let edge = spelling.and_then(|spelling| match spelling.op {
+                Op::Edge(edge) | Op::Differentiate(edge) => Some(edge),
+                _ => spelling.edge,
+            });
+            let Some(edge) = edge else { continue };
+            let block = match edge {
+                Opcode::FallingEdge => Standard::FTrig,
+                _ => Standard::RTrig,
+            };
+            for number in 0..one.operands.len().max(1) {
+                let types = &mut self.builder.tree.types;
+                let ty = types.add_kind(Kind::Standard(block), block.cells());
+                let traits = Traits {
+                    unseen: true,
+                    ..Traits::default()
+                };
+                let name = edge_name(at, number);
+                self.builder
+                    .declare(&name, one.span, ty, Section::Var, traits);
+            }
+        }
+    }
+}
+
+/// The instance of an edge, by its line and its number there.
+fn edge_name(line: usize, number: usize) -> String {
+    format!("#edge {line} {number}")
+}
+
+fn named(name: &str, expr: Expr) -> Argument {
+    Argument {
+        name: Some((name.to_owned(), expr.at)),
+        out: false,
+        at: expr.at,
+        given: Given::Value(expr),
+    }
+}

@@ -1,0 +1,399 @@
+//! Jumps and labels, IF, and what the accumulator is needed for behind a line.
+//!
+//! The tree's jumps stand in a unit's body itself. So IF becomes a statement of the tree where a unit has no labels,
+//! and jumps where it has some.
+
+use super::super::super::ast::{Instruction, Line, Name};
+use super::accumulator::Changes;
+use super::{Acc, Walk};
+use crate::diagnostics::{Code, Span};
+use crate::names::near::nearest;
+use crate::operators::Op;
+use crate::typed::build::{Section, Target, both};
+use crate::typed::{Expr, Stmt, StmtKind};
+use std::collections::HashMap;
+use unoclp_core::isa::Opcode;
+
+/// The labels of a unit.
+#[derive(Default)]
+pub(super) struct Labels {
+    /// In which line each stands, by its name in upper case.
+    lines: HashMap<String, usize>,
+    /// The statement that each leads to; those behind the text's own labels are of IF.
+    places: HashMap<usize, usize>,
+    /// Where the accumulator waits that is needed behind a label.
+    carried: HashMap<usize, Target>,
+    /// Jumps whose statement is not known yet: the jump, and the label.
+    open: Vec<(usize, usize)>,
+    /// Labels of IF so far.
+    of_ifs: usize,
+    /// Variables of the compiler's own so far.
+    pub own: u32,
+}
+
+/// An IF that is open.
+pub(super) struct If {
+    span: Span,
+    condition: Option<Expr>,
+    /// What is done where the condition holds, once ELSE has come.
+    first: Option<Vec<Stmt>>,
+    /// With jumps: the labels behind its first part, and behind it.
+    labels: Option<(usize, usize)>,
+    other: bool,
+}
+
+impl Walk<'_, '_, '_, '_> {
+    pub(super) fn find_labels(&mut self) {
+        for (at, line) in self.lines.iter().enumerate() {
+            let Line::Label(name) = line else { continue };
+            let key = name.text.to_uppercase();
+            if self.labels.lines.insert(key, at).is_some() {
+                self.tell(Code::LabelTwice, name.span, [name.text.as_str().into()]);
+            }
+        }
+    }
+
+    /// Walks back from each line that uses the accumulator to those that fill it.
+    pub(super) fn find_needs(&mut self) {
+        let count = self.lines.len();
+        let mut from: Vec<Vec<usize>> = vec![Vec::new(); count + 1];
+        let mut todo = Vec::new();
+        let mut fills = vec![false; count + 1];
+        for (at, line) in self.lines.iter().enumerate() {
+            let reads = self.reads(line);
+            fills[at] = !reads && self.fills(line);
+            if reads {
+                todo.push(at);
+            }
+            let (next, label) = match line {
+                Line::Does(one) => self.leads(one),
+                _ => (true, None),
+            };
+            if next {
+                from[at + 1].push(at);
+            }
+            if let Some(label) = label {
+                from[label].push(at);
+            }
+        }
+        self.needs = vec![false; count + 1];
+        while let Some(at) = todo.pop() {
+            if std::mem::replace(&mut self.needs[at], true) {
+                continue;
+            }
+            todo.extend(from[at].iter().copied().filter(|&before| !fills[before]));
+        }
+    }
+
+    /// Whether the next line comes behind this, and the line of the label that it may go to.
+    fn leads(&self, one: &Instruction) -> (bool, Option<usize>) {
+        let Some(spelling) = one.spelling else {
+            return (true, None);
+        };
+        let label = one.label().map(|name| name.text.to_uppercase());
+        let label = label.and_then(|key| self.labels.lines.get(&key).copied());
+        match spelling.op {
+            Op::Jump => (spelling.conditional, label),
+            Op::Return => (spelling.conditional, None),
+            Op::End => (false, None),
+            _ => (true, None),
+        }
+    }
+
+    fn has_jumps(&self) -> bool {
+        !self.labels.lines.is_empty()
+    }
+
+    pub(super) fn label(&mut self, name: &Name, at: usize) {
+        self.unreachable = false;
+        if !self.frames.is_empty() {
+            let word = name.text.as_str().into();
+            self.tell(Code::InParentheses, name.span, [word]);
+            self.frames.clear();
+        }
+        self.kept.clear();
+        if self.needs[at] {
+            self.carry(at);
+        } else {
+            self.warn_unused();
+        }
+        self.place(at);
+        self.acc = match self.labels.carried.get(&at).cloned() {
+            Some(target) if self.needs[at] => {
+                let read = self.c.builder.read(Some(target), name.span);
+                Acc::Value(read)
+            }
+            _ if self.needs[at] && matches!(self.acc, Acc::Wrong) => Acc::Wrong,
+            _ => Acc::Empty,
+        };
+        self.links = 0;
+    }
+
+    /// The label leads to the statement that comes.
+    fn place(&mut self, label: usize) {
+        let statement = self.made.first().map_or(0, Vec::len);
+        self.labels.places.insert(label, statement);
+    }
+
+    /// Puts the accumulator where the code behind this label looks for it.
+    fn carry(&mut self, label: usize) {
+        let Acc::Value(expr) = self.acc.clone() else {
+            return;
+        };
+        self.unused = None;
+        let expr = self.c.builder.settled(expr);
+        let at = expr.at;
+        let target = match self.labels.carried.get(&label).cloned() {
+            Some(target) => target,
+            None => {
+                let ty = self.plain(&expr);
+                let Some(target) = self.own(ty, Section::Temp, at) else {
+                    return;
+                };
+                self.labels.carried.insert(label, target.clone());
+                target
+            }
+        };
+        let statement = self.c.builder.assign(target.clone(), expr, at);
+        statement.into_iter().for_each(|one| self.push(one));
+        let held = self.c.builder.read(Some(target), at);
+        self.hold(held, 0);
+    }
+
+    /// JMP, JMPC, JMPCN.
+    pub(super) fn jump(&mut self, one: &Instruction, at: usize) {
+        let spelling = one.spelling;
+        let conditional = spelling.is_some_and(|s| s.conditional);
+        if !self.frames.is_empty() {
+            return self.tell(Code::InParentheses, one.span, ["JMP".into()]);
+        }
+        let label = one.label().map(|name| (name.text.clone(), name.span));
+        let Some((name, span)) = label else {
+            let words = ["JMP".into(), "JMP end".into()];
+            return self.tell(Code::OperandMissing, one.span, words);
+        };
+        let line = self.labels.lines.get(&name.to_uppercase()).copied();
+        let Some(line) = line else {
+            let known = self.labels.lines.keys().map(String::as_str);
+            let help = match nearest(&name.to_uppercase(), known) {
+                Some(near) => both(format!("is it {near}?"), format!("seria {near}?")),
+                None => both(
+                    format!("write `{name}:` before the line that is meant"),
+                    format!("escreva `{name}:` antes da linha desejada"),
+                ),
+            };
+            return self.tell(Code::NoSuchLabel, span, [name.into(), help]);
+        };
+        if self.needs[line] {
+            self.carry(line);
+        }
+        let condition = match conditional {
+            true => {
+                if self.needs[at + 1] {
+                    self.settle_costly();
+                }
+                let Some(condition) = self.condition(one) else {
+                    return;
+                };
+                Some(condition)
+            }
+            false => None,
+        };
+        self.jump_to(condition, line, one.span);
+        if !conditional {
+            self.leave();
+        }
+    }
+
+    fn jump_to(&mut self, condition: Option<Expr>, label: usize, at: Span) {
+        let statement = self.made.first().map_or(0, Vec::len);
+        self.labels.open.push((statement, label));
+        let kind = StmtKind::Jump(condition, 0);
+        self.push(Stmt { kind, at });
+    }
+
+    /// Nothing comes behind this.
+    pub(super) fn leave(&mut self) {
+        self.warn_unused();
+        self.acc = Acc::Wrong;
+        self.unreachable = true;
+    }
+
+    /// The accumulator as a condition, inverted where the operator says so.
+    pub(super) fn condition(&mut self, one: &Instruction) -> Option<Expr> {
+        let expr = self.take(&one.word.text, one.word.span)?;
+        let expr = self.c.builder.condition(expr);
+        let negated = one.spelling.is_some_and(|s| s.negated);
+        let expr = match negated {
+            true => self.c.builder.not(expr, one.span),
+            false => expr,
+        };
+        (!matches!(expr.kind, crate::typed::ExprKind::Wrong)).then_some(expr)
+    }
+
+    /// Statements that are done where the condition holds.
+    pub(super) fn conditional(&mut self, condition: Expr, body: Vec<Stmt>, at: Span, needed: bool) {
+        let place = match body.as_slice() {
+            [
+                Stmt {
+                    kind: StmtKind::Assign(place, ..),
+                    ..
+                },
+            ] => Some(place.clone()),
+            _ => None,
+        };
+        match &place {
+            Some(place) => self.before(&Changes::Cells(place, 1), needed),
+            None => self.before(&Changes::Anything, needed),
+        }
+        let kind = StmtKind::If(vec![(condition, body)], Vec::new());
+        self.push(Stmt { kind, at });
+    }
+
+    /// RET, RETC, RETCN, END.
+    pub(super) fn ret(&mut self, one: &Instruction, at: usize) {
+        let statement = Stmt {
+            kind: StmtKind::Return,
+            at: one.span,
+        };
+        if one.spelling.is_some_and(|s| s.conditional) {
+            if self.needs[at + 1] {
+                self.settle_costly();
+            }
+            if let Some(condition) = self.condition(one) {
+                let kind = StmtKind::If(vec![(condition, vec![statement])], Vec::new());
+                self.push(Stmt { kind, at: one.span });
+            }
+            return;
+        }
+        let last = self.lines.len() == at + 1 && self.ifs.is_empty();
+        if !last {
+            self.push(statement);
+        }
+        self.leave();
+    }
+
+    /// IF, ELSE, END_IF.
+    pub(super) fn part(&mut self, one: &Instruction, opcode: Opcode) {
+        if !self.frames.is_empty() {
+            let word = one.word.text.as_str().into();
+            return self.tell(Code::InParentheses, one.span, [word]);
+        }
+        self.kept.clear();
+        match opcode {
+            Opcode::If => self.begin_if(one),
+            Opcode::Else => self.begin_else(one),
+            _ => self.end_if(one),
+        }
+        self.acc = Acc::Empty;
+        self.unreachable = false;
+    }
+
+    fn begin_if(&mut self, one: &Instruction) {
+        let condition = self.condition(one);
+        let mut labels = None;
+        if self.has_jumps() {
+            // Numbers behind those of the lines.
+            let first = self.lines.len() + 2 * self.labels.of_ifs;
+            self.labels.of_ifs += 1;
+            labels = Some((first, first + 1));
+            if let Some(condition) = condition.clone() {
+                let not = self.c.builder.not(condition, one.span);
+                self.jump_to(Some(not), first, one.span);
+            }
+        } else {
+            self.made.push(Vec::new());
+        }
+        self.ifs.push(If {
+            span: one.word.span,
+            condition,
+            first: None,
+            labels,
+            other: false,
+        });
+    }
+
+    fn begin_else(&mut self, one: &Instruction) {
+        self.warn_unused();
+        let open = self.ifs.last_mut().filter(|open| !open.other);
+        let Some(open) = open else {
+            return self.stray_part(one);
+        };
+        open.other = true;
+        match open.labels {
+            Some((first, end)) => {
+                self.jump_to(None, end, one.span);
+                self.place(first);
+            }
+            None => {
+                let first = self.made.pop();
+                if let Some(open) = self.ifs.last_mut() {
+                    open.first = first;
+                }
+                self.made.push(Vec::new());
+            }
+        }
+    }
+
+    fn end_if(&mut self, one: &Instruction) {
+        self.warn_unused();
+        let Some(open) = self.ifs.pop() else {
+            return self.stray_part(one);
+        };
+        match open.labels {
+            Some((first, end)) => self.place(if open.other { end } else { first }),
+            None => {
+                let last = self.made.pop().unwrap_or_default();
+                let (then, otherwise) = match open.first {
+                    Some(first) => (first, last),
+                    None => (last, Vec::new()),
+                };
+                let Some(condition) = open.condition else {
+                    return;
+                };
+                let kind = StmtKind::If(vec![(condition, then)], otherwise);
+                let at = open.span;
+                self.push(Stmt { kind, at });
+            }
+        }
+    }
+
+    fn stray_part(&mut self, one: &Instruction) {
+        let why = (
+            "write IF before it, with one ELSE at most",
+            "escreva IF antes, com um só ELSE no máximo",
+        );
+        let words = [one.word.text.as_str().into(), why.into()];
+        self.tell(Code::Structure, one.word.span, words);
+    }
+
+    pub(super) fn end_of_ifs(&mut self) {
+        for open in std::mem::take(&mut self.ifs) {
+            let why = ("write END_IF behind it", "escreva END_IF depois dele");
+            self.tell(Code::Structure, open.span, ["IF".into(), why.into()]);
+        }
+    }
+
+    /// Gives each jump the number of its statement.
+    pub(super) fn settle_jumps(&mut self) {
+        for (at, label) in std::mem::take(&mut self.labels.open) {
+            let to = self.labels.places.get(&label).copied().unwrap_or(0);
+            let statement = self.made.first_mut().and_then(|made| made.get_mut(at));
+            if let Some(StmtKind::Jump(_, number)) = statement.map(|one| &mut one.kind) {
+                *number = to as u32;
+            }
+        }
+    }
+}
+
+impl Instruction {
+    /// The label that a jump names.
+    fn label(&self) -> Option<&Name> {
+        match self.operands.first().map(|arg| &arg.node.kind) {
+            Some(super::super::super::ast::NodeKind::Path(path)) if path.parts.is_empty() => {
+                Some(&path.name)
+            }
+            _ => None,
+        }
+    }
+}

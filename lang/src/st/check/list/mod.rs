@@ -1,0 +1,160 @@
+//! Instruction List: from lines to the statements of the typed tree.
+//!
+//! The lines are run once on expressions in place of values, so that `LD a`, `ADD b`, `ST c` come to `c := a + b`.
+//!
+//! - `accumulator`: what the accumulator holds, and what is put aside of it
+//! - `flow`: jumps, labels, IF; what the accumulator is needed for behind a line
+//! - `operators`: what each line does
+//! - `calls`: functions, blocks, timers, counters, edges
+
+mod accumulator;
+mod calls;
+mod flow;
+mod operators;
+
+use super::super::ast::Line;
+use super::Checker;
+use crate::address;
+use crate::diagnostics::{Code, Span};
+use crate::dialect::Dialect;
+use crate::operators::Op;
+use crate::typed::build::Target;
+use crate::typed::{Expr, Stmt};
+use flow::{If, Labels};
+
+/// What the accumulator holds.
+#[derive(Clone, Debug)]
+enum Acc {
+    Empty,
+    /// What is wrong has been told.
+    Wrong,
+    Value(Expr),
+    /// An array or a structure.
+    Whole(Target),
+}
+
+/// An operation that waits for its `)`.
+struct Frame {
+    name: String,
+    acc: Acc,
+    negated: bool,
+    at: Span,
+}
+
+struct Walk<'c, 'a, 't, 'f> {
+    c: &'c mut Checker<'a, 't, 'f>,
+    lines: &'c [Line],
+    /// Whether the accumulator is needed before each line, and behind the last.
+    needs: Vec<bool>,
+    /// The line that is run, and how many edges it has had.
+    line: usize,
+    edges: usize,
+    acc: Acc,
+    /// Operations in the accumulator's expression.
+    links: u32,
+    frames: Vec<Frame>,
+    /// What MPS has kept.
+    kept: Vec<Acc>,
+    /// `(N`: the load that follows is inverted.
+    inverts: bool,
+    /// The result that nothing has used yet.
+    unused: Option<Span>,
+    /// Nothing comes here.
+    unreachable: bool,
+    labels: Labels,
+    ifs: Vec<If>,
+    /// The statements, of the unit and of each IF that is open.
+    made: Vec<Vec<Stmt>>,
+}
+
+/// Operations in one expression, before a part of it is put aside.
+const MOST_LINKS: u32 = 40;
+/// Operations that wait in one another.
+const MOST_FRAMES: usize = 8;
+
+impl Checker<'_, '_, '_> {
+    /// The name of a variable, or the address that it is where nothing declares it: `I1` is `%I1`.
+    pub(super) fn address(&self, name: &str) -> String {
+        let list = self.file.is_list && !name.starts_with('%') && self.builder.find(name).is_none();
+        let point = list
+            .then(|| address::parse(&name.to_uppercase(), Dialect::Iec))
+            .flatten();
+        match point {
+            Some(address::Address::Timer(..) | address::Address::Counter(..)) | None => {
+                name.to_owned()
+            }
+            Some(_) => format!("%{name}"),
+        }
+    }
+
+    /// What lines do.
+    pub(super) fn list(&mut self, lines: &[Line]) -> Vec<Stmt> {
+        let mut walk = Walk {
+            needs: Vec::new(),
+            labels: Labels::default(),
+            c: self,
+            lines,
+            line: 0,
+            edges: 0,
+            acc: Acc::Empty,
+            links: 0,
+            frames: Vec::new(),
+            kept: Vec::new(),
+            inverts: false,
+            unused: None,
+            unreachable: false,
+            ifs: Vec::new(),
+            made: vec![Vec::new()],
+        };
+        walk.find_labels();
+        walk.find_needs();
+        for (at, line) in lines.iter().enumerate() {
+            (walk.line, walk.edges) = (at, 0);
+            match line {
+                Line::Label(name) => walk.label(name, at),
+                Line::Close(span) => walk.close(*span),
+                Line::Wrong => {
+                    walk.unreachable = false;
+                    walk.unused = None;
+                    walk.acc = Acc::Wrong;
+                }
+                Line::Does(instruction) => walk.instruction(instruction, at),
+            }
+        }
+        walk.finish()
+    }
+}
+
+impl Walk<'_, '_, '_, '_> {
+    fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [crate::Word; N]) {
+        self.c.builder.tell(code, at, words);
+    }
+
+    /// Adds a statement. What the accumulator and waiting operations hold is put aside first where it may change.
+    fn push(&mut self, statement: Stmt) {
+        if let Some(statements) = self.made.last_mut() {
+            statements.push(statement);
+        }
+    }
+
+    fn warn_unused(&mut self) {
+        if let Some(span) = self.unused.take() {
+            self.tell(Code::ResultUnused, span, []);
+        }
+    }
+
+    fn finish(mut self) -> Vec<Stmt> {
+        self.warn_unused();
+        for frame in std::mem::take(&mut self.frames) {
+            self.tell(Code::LeftOpen, frame.at, []);
+        }
+        self.end_of_ifs();
+        self.settle_jumps();
+        self.made.swap_remove(0)
+    }
+}
+
+/// Whether this operator loads.
+fn is_load(line: Option<&Line>) -> bool {
+    matches!(line, Some(Line::Does(one)) if one.spelling.is_some_and(|s| s.op == Op::Load))
+}

@@ -1,0 +1,190 @@
+//! The lines of Instruction List: labels, operators and what they work on.
+//!
+//! An operand is what Structured Text has for one, so that names, members, subscripts and literals are read in one
+//! place.
+
+use super::super::ast::{Arg, Instruction, Line, Name};
+use super::super::lexer::Kind;
+use super::super::words::Keyword;
+use super::{Parsed, Parser, Told};
+use crate::diagnostics::{Code, Span};
+use crate::operators::{self, Op};
+
+impl Parser<'_, '_> {
+    /// Lines up to the end of the unit.
+    pub(super) fn lines(&mut self) -> Vec<Line> {
+        let mut lines = Vec::new();
+        let mut open = 0_u32;
+        loop {
+            while self.accept(Kind::Semicolon) {}
+            let keyword = self.keyword();
+            let labelled = self.ahead(1).kind == Kind::Colon;
+            let ends = keyword.ends_unit() || keyword.begins_unit() || keyword == Keyword::EndVar;
+            if self.is(Kind::End) || ends && !labelled {
+                return lines;
+            }
+            if keyword.is_section() {
+                let start = self.token().span;
+                // It tells, and passes over the declarations.
+                let _ = self.late_section(start);
+                continue;
+            }
+            let before = self.at;
+            match self.line(&mut open) {
+                Ok(Some(line)) => lines.push(line),
+                Ok(None) => {}
+                Err(Told) => {
+                    self.rest_of_line(before);
+                    lines.push(Line::Wrong);
+                    open = 0;
+                }
+            }
+        }
+    }
+
+    fn rest_of_line(&mut self, before: usize) {
+        if self.at == before {
+            self.next();
+        }
+        while !self.on_new_line() && !self.is(Kind::End) {
+            self.next();
+        }
+    }
+
+    fn line(&mut self, open: &mut u32) -> Parsed<Option<Line>> {
+        let token = self.token();
+        match token.kind {
+            Kind::Close => {
+                self.next();
+                *open = open.saturating_sub(1);
+                Ok(Some(Line::Close(token.span)))
+            }
+            // The number of a line, as listings have it.
+            Kind::Number if self.on_new_line() => {
+                self.next();
+                match self.on_new_line() {
+                    true => Err(self.unexpected(token.span)),
+                    false => Ok(None),
+                }
+            }
+            Kind::Word if self.ahead(1).kind == Kind::Colon => {
+                let label = self.named(token.span);
+                self.next();
+                self.next();
+                Ok(Some(Line::Label(label)))
+            }
+            Kind::Word if self.slice(token.span).eq_ignore_ascii_case("NETWORK") => {
+                self.rest_of_line(self.at);
+                Ok(None)
+            }
+            Kind::Word if self.ahead(1).kind == Kind::Assign => {
+                let written = self.slice(token.span.to(self.ahead(1).span)).to_owned();
+                let span = token.span.to(self.ahead(1).span);
+                self.tell(Code::StructuredText, span, [written.into()]);
+                Err(Told)
+            }
+            Kind::Word | Kind::And => self.instruction(open).map(Some),
+            _ => Err(self.unexpected(token.span)),
+        }
+    }
+
+    fn unexpected(&mut self, span: Span) -> Told {
+        let written = self.short(span);
+        self.tell(Code::Unexpected, span, [written.into()]);
+        Told
+    }
+
+    fn instruction(&mut self, open: &mut u32) -> Parsed<Line> {
+        let word = self.operator();
+        let key = word.text.to_uppercase();
+        let spelling = operators::find(&key);
+        let defers = spelling.is_some_and(|spelling| spelling.op.may_defer());
+        let mut made = Instruction {
+            span: word.span,
+            word,
+            spelling,
+            open: None,
+            operands: Vec::new(),
+            given: None,
+        };
+        let formal = self.ahead(1).kind == Kind::Word
+            && matches!(self.ahead(2).kind, Kind::Assign | Kind::Arrow);
+        if self.is(Kind::Open) && (formal || !defers) {
+            made.given = Some(self.arguments()?.0);
+        } else if self.is(Kind::Open) {
+            let paren = self.next().span;
+            made.span = made.span.to(paren);
+            let n = self.token();
+            let negates = n.kind == Kind::Word
+                && self.slice(n.span).eq_ignore_ascii_case("N")
+                && !self.on_new_line()
+                && !matches!(self.ahead(1).kind, Kind::Close | Kind::Dot);
+            if negates {
+                self.next();
+            }
+            made.open = Some(negates);
+            *open += 1;
+            let loads = spelling_of(self.slice(self.token().span)) == Some(Op::Load);
+            if !self.ends(0) && !loads {
+                made.operands.push(self.list_operand()?);
+            }
+        } else if !self.ends(*open) {
+            loop {
+                made.operands.push(self.list_operand()?);
+                if !self.accept(Kind::Comma) {
+                    break;
+                }
+            }
+            if self.is(Kind::Open) {
+                made.given = Some(self.arguments()?.0);
+            }
+        }
+        if !self.ends(*open) {
+            let span = self.token().span;
+            return Err(self.unexpected(span));
+        }
+        made.span = made.word.span.to(self.behind());
+        Ok(Line::Does(Box::new(made)))
+    }
+
+    /// The operator that comes next; `&N` is one.
+    fn operator(&mut self) -> Name {
+        let token = self.next();
+        if token.kind != Kind::And {
+            return self.named(token.span);
+        }
+        let n = self.token();
+        let negated =
+            n.span.start == token.span.end && self.slice(n.span).eq_ignore_ascii_case("N");
+        if negated {
+            self.next();
+        }
+        Name {
+            text: if negated { "ANDN" } else { "AND" }.to_owned(),
+            span: token.span,
+        }
+    }
+
+    /// Whether the instruction ends here; within parentheses another may follow on its line.
+    fn ends(&self, open: u32) -> bool {
+        let token = self.token();
+        let follows = || {
+            open > 0 && (token.kind == Kind::And || spelling_of(self.slice(token.span)).is_some())
+        };
+        matches!(token.kind, Kind::End | Kind::Close | Kind::Semicolon)
+            || self.on_new_line()
+            || follows()
+    }
+
+    fn list_operand(&mut self) -> Parsed<Arg> {
+        Ok(Arg {
+            name: None,
+            out: false,
+            node: self.operand()?,
+        })
+    }
+}
+
+fn spelling_of(word: &str) -> Option<Op> {
+    operators::find(&word.to_uppercase()).map(|spelling| spelling.op)
+}
