@@ -43,6 +43,7 @@ impl Wording {
                 // Names, the same in every language.
                 TextLanguage::Iscl => "InterSCL".to_owned(),
                 TextLanguage::Lce => "LCE".to_owned(),
+                TextLanguage::Il => self.dialect(Dialect::Iec),
             }),
         }
     }
