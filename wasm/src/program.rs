@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
 use unoclp_source::used::Used;
-use unoclp_source::{BOARD, Language, Refused, Source, Written, guess, point_names};
+use unoclp_source::{BOARD, Language, Refused, Source, Written, WrittenIn, point_names};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
@@ -27,7 +27,7 @@ pub struct Text {
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Checked {
-    /// `il`, `st`, `scl`, `iscl`, `lce`, `numeric`.
+    /// `il`, `st`, `scl`, `iscl`, `lce`, `numeric`; empty for a text in none of them.
     language: &'static str,
     problems: Vec<Problem>,
     /// How many more there are.
@@ -151,7 +151,7 @@ impl Text {
 /// # Errors
 /// That it is too long to be looked at.
 pub fn check(text: Text) -> Result<Checked, Both> {
-    let guessed = guess(Some(text.name.as_ref()), &text.text);
+    let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
     Ok(match text.open()? {
         Ok(source) => {
@@ -165,12 +165,8 @@ pub fn check(text: Text) -> Result<Checked, Both> {
         }
         Err(refused) => {
             let (problems, more) = problems(&written, &refused);
-            let language = match refused {
-                Refused::Numeric { .. } => "numeric",
-                Refused::Text { .. } => guessed,
-            };
             Checked {
-                language,
+                language: guessed.map_or("", WrittenIn::name),
                 problems,
                 more,
                 program: None,

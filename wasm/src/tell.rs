@@ -1,6 +1,6 @@
 //! Problems of a text, with their places as an editor in a browser counts them: in UTF-16 units.
 
-use crate::words::{Both, both};
+use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_lang::{Diagnostic, Lines, Severity, Told};
 use unoclp_source::diagnosis::tell;
@@ -27,6 +27,19 @@ pub struct Problem {
 /// The problems of a text that is no program, and how many more there are.
 pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
     match refused {
+        Refused::NoProgram { why, .. } => {
+            let nothing = Problem {
+                number: String::new(),
+                severity: "error",
+                line: 1,
+                column: 1,
+                from: 0,
+                to: 0,
+                message: both(|lang| words::no_program(lang, *why)),
+                help: both(words::languages),
+            };
+            (vec![nothing], 0)
+        }
         Refused::Text {
             text, diagnostics, ..
         } => told(text, diagnostics),

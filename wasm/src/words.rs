@@ -6,7 +6,7 @@ use unoclp_board::diagnostics::Trouble;
 use unoclp_board::start::NotFound;
 use unoclp_board::upload::{Behind, Broken};
 use unoclp_modbus::Exception;
-use unoclp_source::{Lang, diagnosis};
+use unoclp_source::{Lang, NoProgram, diagnosis};
 
 /// A text in both languages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -41,6 +41,12 @@ unoclp_source::messages! {
     refused_value() "the board does not take that value" "a placa não aceita esse valor";
     refused_now() "the board cannot do that now; see its state" "a placa não pode fazer isso agora; veja o estado dela";
     refused_busy() "the board is busy" "a placa está ocupada";
+    refused_way() "the gateway shares no board of this address" "o gateway não compartilha nenhuma placa com esse endereço";
+    refused_silent() "the gateway gets no answer from the board" "o gateway não recebe resposta da placa";
+    program_empty() "there is no program yet" "ainda não há programa";
+    program_binary() "this is no text" "isto não é texto";
+    program_other() "this begins in none of the languages" "isto não começa em nenhuma das linguagens";
+    languages() "a program is numeric code, Instruction List, Structured Text, InterSCL or LCE" "um programa é código numérico, Lista de Instruções, Texto Estruturado, InterSCL ou LCE";
     foreign() "what answers there is not unoclp; put the firmware on" "o que responde ali não é o unoclp; grave o firmware";
     unlike() "the board runs another program than the one shown" "a placa executa outro programa, e não o mostrado";
     upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";
@@ -83,7 +89,18 @@ pub fn failure(lang: Lang, failure: &Failure) -> String {
             Exception::IllegalDataValue => refused_value(lang),
             Exception::ServerDeviceFailure => refused_now(lang),
             Exception::ServerDeviceBusy => refused_busy(lang),
+            Exception::GatewayPathUnavailable => refused_way(lang),
+            Exception::GatewayTargetSilent => refused_silent(lang),
         },
+    }
+}
+
+/// Why a text is no program.
+pub fn no_program(lang: Lang, why: NoProgram) -> String {
+    match why {
+        NoProgram::Empty => program_empty(lang),
+        NoProgram::Binary => program_binary(lang),
+        NoProgram::Other => program_other(lang),
     }
 }
 
