@@ -4,7 +4,7 @@
 
 use super::coder::Coder;
 use super::flat::{Does, Step, constant, place, read};
-use super::inline::{both, not};
+use super::flat::{both, not};
 use super::pen::Acc;
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
@@ -261,7 +261,7 @@ impl Coder<'_, '_> {
             return;
         }
         self.pen.fresh();
-        self.series(&super::bits::Bit::Contact(seat, false, cell));
+        self.series(&super::logic::Bit::Contact(seat, false, cell));
         self.drive_any(held, cell);
     }
 }

@@ -20,7 +20,7 @@ impl Coder<'_, '_> {
         let mut own: Vec<(Seat, i32, u32)> = Vec::new();
         let mut kept = Vec::new();
         for (number, cell) in (0..).zip(&tree.cells) {
-            let value = super::numbers::bits(&cell.initial, cell.base);
+            let value = super::operand::bits(&cell.initial, cell.base);
             let seat = self.seats.of.get(&number).copied();
             let Some(seat) = seat.filter(|_| value != 0 && self.is_first(number, cell)) else {
                 continue;
@@ -112,7 +112,7 @@ pub(super) fn finish(
     found: &mut Found,
 ) -> Finished {
     let starts = Lines::new(text);
-    let names = super::seats::named(tree);
+    let names = super::allot::named(tree);
     let mut timers = vec![0; coder.seats.timers.len()];
     let mut labels: HashMap<u32, u8> = HashMap::new();
     let mut number = 0_u8;

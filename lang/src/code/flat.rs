@@ -4,7 +4,9 @@
 //! know registers, markers and instructions.
 
 use crate::diagnostics::Span;
-use crate::typed::{Base, Cell, Expr, ExprKind, Place, Root, Standard, Store, TypeId, Value};
+use crate::typed::{
+    Base, Binary, Cell, Compare, Expr, ExprKind, Place, Root, Standard, Store, TypeId, Unary, Value,
+};
 
 /// Cells from this number on are temporaries; an odd one holds a value that is not narrowed to its type.
 pub(super) const TEMPORARY: u32 = 1 << 30;
@@ -78,6 +80,38 @@ pub(super) fn expr(kind: ExprKind, base: Base, at: Span) -> Expr {
 
 pub(super) fn constant(value: Value, base: Base, at: Span) -> Expr {
     expr(ExprKind::Constant(value), base, at)
+}
+
+/// A whole number.
+pub(super) fn whole(value: i128, base: Base, at: Span) -> Expr {
+    constant(Value::Int(value), base, at)
+}
+
+/// A comparison of two.
+pub(super) fn compare(op: Compare, a: Expr, b: Expr) -> Expr {
+    let at = a.at;
+    expr(
+        ExprKind::Compare(op, Box::new(a), Box::new(b)),
+        Base::Bool,
+        at,
+    )
+}
+
+/// Not so.
+pub(super) fn not(condition: Expr) -> Expr {
+    let at = condition.at;
+    expr(
+        ExprKind::Unary(Unary::Not, Box::new(condition)),
+        Base::Bool,
+        at,
+    )
+}
+
+/// Both of them.
+pub(super) fn both(op: Binary, a: Expr, b: Expr) -> Expr {
+    let at = a.at;
+    let base = a.base;
+    expr(ExprKind::Binary(op, Box::new(a), Box::new(b)), base, at)
 }
 
 /// The parts of an expression.

@@ -1,34 +1,29 @@
-//! From the typed tree to a program without calls: the body of each unit in the place of each of its calls.
+//! From the typed tree to a program without calls: statements.
 //!
-//! Owns the cells of calls and the order in which what is called and what calls it are computed. Must not know the
-//! board.
+//! Owns its steps, labels and cells. Must not know the board.
 
-use super::flat::{Does, Flat, Step, constant, expr, place, read};
+use super::flat::{Does, Flat, Step};
 use super::pure;
-use super::ranges::ANALOGUE;
 use crate::diagnostics::{Code, Found, Span};
-use crate::typed::{
-    Base, Binary, Call, Cell, Convert, Expr, ExprKind, Input, Place, Point, Root, Stmt, StmtKind,
-    Store, Tree, Unary, Unit, UnitKind, Value, Width,
-};
+use crate::typed::{Base, Cell, Expr, Place, Point, Stmt, StmtKind, Tree, Value};
 use std::collections::HashMap;
 
 /// More steps than this fit no board.
-const MOST_STEPS: usize = 4_000;
+pub(super) const MOST_STEPS: usize = 4_000;
 
 /// The cells of a call.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frame {
-    own: u32,
-    local: u32,
-    lent: Vec<Place>,
+    pub own: u32,
+    pub local: u32,
+    pub lent: Vec<Place>,
     /// Locals in whose place stands what the caller gives.
-    given: HashMap<u32, Expr>,
+    pub given: HashMap<u32, Expr>,
     /// Behind the body, and whether something jumps there.
-    end: Option<u32>,
-    ended: bool,
+    pub end: Option<u32>,
+    pub ended: bool,
     /// The labels of its statements, which jumps name.
-    targets: HashMap<u32, u32>,
+    pub targets: HashMap<u32, u32>,
 }
 
 /// What leaves a loop, and what goes on with its next turn; a label that is used is there.
@@ -41,16 +36,16 @@ pub(super) struct Inner {
 pub(super) struct Inliner<'t, 'f> {
     pub tree: &'t Tree,
     /// The cells that are analogue inputs.
-    analogue: Vec<u32>,
+    pub analogue: Vec<u32>,
     /// The units that change nothing but their own.
-    pure: Vec<bool>,
+    pub pure: Vec<bool>,
     pub flat: Flat,
     /// The steps that are being made.
     pub out: Vec<Step>,
     pub loops: Vec<Inner>,
     /// The innermost loop's number.
     pub inner: Option<usize>,
-    steps: usize,
+    pub steps: usize,
     pub too_large: Option<Span>,
     pub found: &'f mut Found,
 }
@@ -119,70 +114,13 @@ impl Inliner<'_, '_> {
         std::mem::replace(&mut self.out, before)
     }
 
-    /// Makes the cells of a call.
-    fn enter(&mut self, unit: &Unit, own: u32, at: Span) -> Frame {
-        let local = self.flat.cells.len() as u32;
-        if self.flat.cells.len() > 100_000 {
-            self.too_large.get_or_insert(at);
-        } else {
-            self.flat.cells.extend(unit.locals.iter().cloned());
-        }
-        Frame {
-            own,
-            local,
-            ..Frame::default()
-        }
-    }
-
-    /// Gives each local its first value that is not stored before it is read.
-    fn begin(&mut self, unit: &Unit, frame: &Frame, stored: &[u32]) {
-        for (offset, cell) in (0..).zip(&unit.locals) {
-            if stored.contains(&offset) || pure::is_stored_first(unit, offset) {
-                continue;
-            }
-            let value = constant(cell.initial.clone(), cell.base, unit.at);
-            let to = place(frame.local + offset, unit.at);
-            self.push(Does::Assign(to, value, Store::Narrow(cell.base)), unit.at);
-        }
-    }
-
-    fn body(&mut self, unit: &Unit, frame: &mut Frame) {
-        if unit.kind != UnitKind::Function {
-            self.begin(unit, frame, &[]);
-        }
-        let loops = std::mem::take(&mut self.loops);
-        for target in pure::targets(unit) {
-            let label = self.label();
-            frame.targets.insert(target, label);
-        }
-        let count = unit.body.len() as u32;
-        for (number, statement) in (0..).zip(&unit.body) {
-            if self.too_large.is_some() {
-                break;
-            }
-            self.target(frame, number, statement.at);
-            self.statement(statement, frame);
-        }
-        self.target(frame, count, unit.at);
-        if let Some(end) = frame.end.filter(|_| frame.ended) {
-            self.push(Does::Label(end), unit.at);
-        }
-        self.loops = loops;
-    }
-
-    fn target(&mut self, frame: &Frame, number: u32, at: Span) {
-        if let Some(&label) = frame.targets.get(&number) {
-            self.push(Does::Label(label), at);
-        }
-    }
-
     pub(super) fn statements(&mut self, statements: &[Stmt], frame: &mut Frame) {
         for statement in statements {
             self.statement(statement, frame);
         }
     }
 
-    fn statement(&mut self, statement: &Stmt, frame: &mut Frame) {
+    pub(super) fn statement(&mut self, statement: &Stmt, frame: &mut Frame) {
         let at = statement.at;
         if self.too_large.is_some() {
             return;
@@ -280,302 +218,4 @@ impl Inliner<'_, '_> {
         });
         self.push(Does::If(condition, then, otherwise), at);
     }
-
-    pub(super) fn place(&mut self, from: &Place, frame: &Frame) -> Place {
-        let mut made = match from.root {
-            Root::Static => place(0, from.at),
-            Root::Own => place(frame.own, from.at),
-            Root::Local => place(frame.local, from.at),
-            Root::Lent(number) => match frame.lent.get(number as usize) {
-                Some(lent) => lent.clone(),
-                None => place(0, from.at),
-            },
-        };
-        made.at = from.at;
-        made.offset += from.offset;
-        for index in &from.indices {
-            let subscript = self.expr(&index.subscript, frame);
-            made.indices.push(crate::typed::Index {
-                subscript,
-                ..index.clone()
-            });
-        }
-        made
-    }
-
-    pub(super) fn expr(&mut self, from: &Expr, frame: &Frame) -> Expr {
-        let kind = match &from.kind {
-            ExprKind::Constant(_) | ExprKind::Wrong => from.kind.clone(),
-            ExprKind::Read(place) => {
-                if place.root == Root::Local
-                    && place.indices.is_empty()
-                    && let Some(given) = frame.given.get(&place.offset)
-                {
-                    return given.clone();
-                }
-                let place = self.place(place, frame);
-                let ty = match self.analogue.contains(&place.offset) {
-                    true => ANALOGUE,
-                    false => from.ty,
-                };
-                let kind = ExprKind::Read(Box::new(place));
-                return Expr {
-                    kind,
-                    ty,
-                    ..from.clone_without_kind()
-                };
-            }
-            ExprKind::Convert(how, a) => ExprKind::Convert(*how, Box::new(self.expr(a, frame))),
-            ExprKind::Unary(op, a) => ExprKind::Unary(*op, Box::new(self.expr(a, frame))),
-            ExprKind::Binary(op, a, b) => {
-                let [a, b] = self.operands([&**a, &**b], frame);
-                ExprKind::Binary(*op, Box::new(a), Box::new(b))
-            }
-            ExprKind::Compare(op, a, b) => {
-                let [a, b] = self.operands([&**a, &**b], frame);
-                ExprKind::Compare(*op, Box::new(a), Box::new(b))
-            }
-            ExprKind::Select(three) => {
-                let made = self.operands([&three[0], &three[1], &three[2]], frame);
-                ExprKind::Select(Box::new(made))
-            }
-            ExprKind::Ordered(op, all) => ExprKind::Ordered(*op, self.all(all, frame)),
-            ExprKind::Extra(function, all) => ExprKind::Extra(*function, self.all(all, frame)),
-            ExprKind::Mux(which, all) => {
-                let which = self.expr(which, frame);
-                ExprKind::Mux(Box::new(which), self.all(all, frame))
-            }
-            ExprKind::Call(call) => {
-                let Some(result) = self.call(call, frame) else {
-                    return constant(Value::zero(from.base), from.base, from.at);
-                };
-                // A later call of the same function has cells of its own, so this stays.
-                return Expr {
-                    ty: from.ty,
-                    ..read(result, from.base, from.at)
-                };
-            }
-        };
-        Expr {
-            kind,
-            ..from.clone_without_kind()
-        }
-    }
-
-    /// Operands in their order: what a call behind them might change is put aside.
-    fn operands<const N: usize>(&mut self, from: [&Expr; N], frame: &Frame) -> [Expr; N] {
-        let mut at = 0;
-        from.map(|operand| {
-            let made = self.expr(operand, frame);
-            at += 1;
-            match from[at..]
-                .iter()
-                .any(|later| pure::may_change(&self.pure, later))
-            {
-                true => self.aside(made),
-                false => made,
-            }
-        })
-    }
-
-    fn all(&mut self, from: &[Expr], frame: &Frame) -> Vec<Expr> {
-        let mut made = Vec::with_capacity(from.len());
-        for (at, operand) in from.iter().enumerate() {
-            let value = self.expr(operand, frame);
-            let later = from.get(at + 1..).unwrap_or_default();
-            made.push(
-                match later.iter().any(|l| pure::may_change(&self.pure, l)) {
-                    true => self.aside(value),
-                    false => value,
-                },
-            );
-        }
-        made
-    }
-
-    /// A value in a cell of its own, which is not narrowed: nothing is stored there.
-    pub(super) fn aside(&mut self, value: Expr) -> Expr {
-        if matches!(value.kind, ExprKind::Constant(_)) {
-            return value;
-        }
-        let at = value.at;
-        let base = match value.base.width() {
-            Width::Signed => Base::Dint,
-            _ => value.base,
-        };
-        let cell = self.temporary(base);
-        self.push(
-            Does::Assign(place(cell, at), value, Store::Narrow(base)),
-            at,
-        );
-        read(cell, base, at)
-    }
-
-    /// A place whose subscripts are computed now.
-    fn settled(&mut self, mut place: Place) -> Place {
-        for index in &mut place.indices {
-            let subscript = std::mem::replace(&mut index.subscript, zero());
-            index.subscript = self.aside(subscript);
-        }
-        place
-    }
-
-    /// Calls a unit of the text; the cell of a function's result.
-    fn call(&mut self, call: &Call, frame: &Frame) -> Option<u32> {
-        let tree = self.tree;
-        let unit = tree.units.get(call.unit as usize)?;
-        // A call of what does nothing counts too, so that calls in calls come to an end.
-        self.steps += 1;
-        if self.steps > MOST_STEPS {
-            self.too_large.get_or_insert(call.at);
-        }
-        if self.too_large.is_some() {
-            return None;
-        }
-        let own = match &call.instance {
-            Some(instance) => self.place(instance, frame).offset,
-            None => 0,
-        };
-        let is_pure = self.pure.get(call.unit as usize).copied().unwrap_or(true);
-        let many = call.inputs.len() > 1 && !is_pure;
-        let mut given = HashMap::new();
-        let mut values = Vec::with_capacity(call.inputs.len());
-        let mut stored = Vec::new();
-        for input in &call.inputs {
-            match input {
-                Input::Value(offset, value, store) => {
-                    let value = self.expr(value, frame);
-                    let simple = is_pure && call.instance.is_none();
-                    let simple = simple && !pure::is_written(unit, *offset);
-                    match unit.locals.get(*offset as usize) {
-                        Some(cell) if simple && as_given(&value, *store, cell.base) => {
-                            given.insert(*offset, narrowed(value, cell.base));
-                        }
-                        _ => {
-                            let value = if many { self.aside(value) } else { value };
-                            values.push((*offset, value, *store));
-                        }
-                    }
-                    stored.push(*offset);
-                }
-                Input::Cells(offset, from, cells) => {
-                    let from = self.place(from, frame);
-                    stored.extend(*offset..*offset + *cells);
-                    values.push((*offset, read_place(from, *cells), Store::Text(*cells)));
-                }
-            }
-        }
-        let mut lent = Vec::with_capacity(call.lent.len());
-        for place in &call.lent {
-            let place = self.place(place, frame);
-            lent.push(self.settled(place));
-        }
-        let mut outputs = Vec::with_capacity(call.outputs.len());
-        for output in &call.outputs {
-            let to = self.place(&output.to, frame);
-            outputs.push(self.settled(to));
-        }
-        let mut callee = self.enter(unit, own, call.at);
-        (callee.lent, callee.given) = (lent, given);
-        let base = match call.instance {
-            Some(_) => own,
-            None => callee.local,
-        };
-        if unit.kind == UnitKind::Function {
-            self.begin(unit, &callee, &stored);
-        }
-        for (offset, value, store) in values {
-            let to = place(base + offset, value.at);
-            let at = value.at;
-            match (value.kind, store) {
-                (ExprKind::Read(from), Store::Text(cells)) => {
-                    self.push(Does::Copy(to, *from, cells), at);
-                }
-                (kind, store) => {
-                    let value = Expr { kind, ..value };
-                    self.push(Does::Assign(to, value, store), at);
-                }
-            }
-        }
-        self.body(unit, &mut callee);
-        for (output, to) in call.outputs.iter().zip(outputs) {
-            let from = callee.local + output.from;
-            match output.value {
-                None => {
-                    let from = place(from, call.at);
-                    self.push(Does::Copy(to, from, output.cells), call.at);
-                }
-                Some((base, how, store)) => {
-                    let (Store::Narrow(target) | Store::Within(target, ..)) = store else {
-                        continue;
-                    };
-                    let value = read(from, base, call.at);
-                    let value = match how {
-                        Convert::Keep if base == target => value,
-                        _ => expr(ExprKind::Convert(how, Box::new(value)), target, call.at),
-                    };
-                    self.push(Does::Assign(to, value, store), call.at);
-                }
-            }
-        }
-        (!unit.locals.is_empty()).then_some(callee.local)
-    }
-}
-
-impl Expr {
-    fn clone_without_kind(&self) -> Expr {
-        Expr {
-            kind: ExprKind::Wrong,
-            base: self.base,
-            ty: self.ty,
-            at: self.at,
-        }
-    }
-}
-
-fn zero() -> Expr {
-    constant(Value::Int(0), Base::Dint, Span::default())
-}
-
-fn read_place(from: Place, _cells: u32) -> Expr {
-    let at = from.at;
-    expr(ExprKind::Read(Box::new(from)), Base::Dint, at)
-}
-
-/// Whether what is given may stand in the place of the parameter.
-fn as_given(value: &Expr, store: Store, base: Base) -> bool {
-    let plain = matches!(store, Store::Narrow(_)) && value.base == base;
-    plain
-        && match &value.kind {
-            ExprKind::Constant(_) => true,
-            ExprKind::Read(place) => place.indices.is_empty(),
-            _ => false,
-        }
-}
-
-fn narrowed(value: Expr, base: Base) -> Expr {
-    match value.kind {
-        ExprKind::Constant(held) => {
-            let kind = ExprKind::Constant(crate::typed::narrow(base, held));
-            Expr { kind, ..value }
-        }
-        _ => value,
-    }
-}
-
-/// Not so.
-pub(super) fn not(condition: Expr) -> Expr {
-    let at = condition.at;
-    expr(
-        ExprKind::Unary(Unary::Not, Box::new(condition)),
-        Base::Bool,
-        at,
-    )
-}
-
-/// Both of them.
-pub(super) fn both(op: Binary, a: Expr, b: Expr) -> Expr {
-    let at = a.at;
-    let base = a.base;
-    expr(ExprKind::Binary(op, Box::new(a), Box::new(b)), base, at)
 }

@@ -2,8 +2,8 @@
 //!
 //! Owns how often each loop turns, where that is known. Must not know what a jump costs.
 
-use super::flat::{Does, Turns, constant, expr};
-use super::inline::{Frame, Inliner, Inner, both, not};
+use super::flat::{Does, Turns, both, compare, constant, expr, not};
+use super::inline::{Frame, Inliner, Inner};
 use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Compare, Expr, ExprKind, For, Place, Stmt, Store, Value, Width};
 
@@ -89,7 +89,7 @@ impl Inliner<'_, '_> {
         let (to, step) = (lasting(self, to), lasting(self, step));
         if by.is_none() {
             let none = constant(Value::Int(0), step.base, at);
-            let never = compare(Compare::Equal, step.clone(), none, at);
+            let never = compare(Compare::Equal, step.clone(), none);
             let fail = self.apart(|this| this.push(Does::Fail, at));
             let counts =
                 self.apart(|this| this.turns(head, &variable, from, to, step, turns, at, frame));
@@ -180,8 +180,8 @@ impl Inliner<'_, '_> {
 
     /// Whether the variable has not passed its last value.
     fn goes_on(&mut self, held: Expr, to: &Expr, step: &Expr, at: Span) -> Expr {
-        let up = compare(Compare::LessEqual, held.clone(), to.clone(), at);
-        let down = compare(Compare::GreaterEqual, held, to.clone(), at);
+        let up = compare(Compare::LessEqual, held.clone(), to.clone());
+        let down = compare(Compare::GreaterEqual, held, to.clone());
         match direction(step) {
             Some(true) => up,
             Some(false) => down,
@@ -194,8 +194,8 @@ impl Inliner<'_, '_> {
         let (least, most) = base.range().unwrap_or((0, 0));
         if base.bits() == 32 && base != Base::Tod {
             // It has passed an end where it has gone the other way.
-            let up = compare(Compare::Greater, next.clone(), held.clone(), at);
-            let down = compare(Compare::Less, next.clone(), held, at);
+            let up = compare(Compare::Greater, next.clone(), held.clone());
+            let down = compare(Compare::Less, next.clone(), held);
             return match direction(step) {
                 Some(true) => up,
                 Some(false) => down,
@@ -203,8 +203,8 @@ impl Inliner<'_, '_> {
             };
         }
         let bound = |value| constant(Value::Int(value), base, at);
-        let up = compare(Compare::LessEqual, next.clone(), bound(most), at);
-        let down = compare(Compare::GreaterEqual, next.clone(), bound(least), at);
+        let up = compare(Compare::LessEqual, next.clone(), bound(most));
+        let down = compare(Compare::GreaterEqual, next.clone(), bound(least));
         match direction(step) {
             Some(true) => up,
             Some(false) => down,
@@ -224,15 +224,10 @@ fn direction(step: &Expr) -> Option<bool> {
 
 fn by_direction(step: &Expr, up: Expr, down: Expr, at: Span) -> Expr {
     let none = || constant(Value::Int(0), step.base, at);
-    let rises = compare(Compare::Greater, step.clone(), none(), at);
-    let falls = compare(Compare::Less, step.clone(), none(), at);
+    let rises = compare(Compare::Greater, step.clone(), none());
+    let falls = compare(Compare::Less, step.clone(), none());
     let up = both(Binary::And, rises, up);
     both(Binary::Or, up, both(Binary::And, falls, down))
-}
-
-fn compare(op: Compare, a: Expr, b: Expr, at: Span) -> Expr {
-    let kind = ExprKind::Compare(op, Box::new(a), Box::new(b));
-    expr(kind, Base::Bool, at)
 }
 
 /// How often a loop turns; its variable stops where its type ends.

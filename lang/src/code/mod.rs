@@ -9,29 +9,46 @@
 //! Tree ─inline─► Flat (no calls) ─merge─► Flat ─seats─► places ─coder─► instructions ─finish─► lines of a file
 //! ```
 //!
-//! - `flat`: steps without calls; `inline`, `loops`, `pure`: the way there
+//! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
-//! - `uses`: what is done with each cell; `seats`: markers, registers, timers, counters
-//! - `ranges`: which values an expression may have
-//! - `prepare`: what no instruction does in one piece; `bits`, `numbers`: what is left
-//! - `coder`: statements; `blocks`: the blocks of the norm; `pen`: what acc and value hold
-//! - `finish`: labels, first values, what is kept, the cost of loops
+//! - `uses`: what is done with each cell; `allot`: its place; `seats`: markers, registers, timers, counters
+//! - `ranges`: which values an expression may have; `operand`: what an operation takes as it stands
+//! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`
+//! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
+//! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
+//! - `pen`: what acc and value hold; `finish`: labels, first values, what is kept, the cost of loops
 
+mod allot;
+mod arithmetic;
+mod assign;
 mod bits;
 mod blocks;
+mod calls;
+mod case;
+mod choice;
 mod coder;
+mod compare;
+mod conversions;
+mod copy;
 mod finish;
 mod flat;
 mod inline;
+mod keep;
+mod logic;
 mod loops;
 mod merge;
 mod numbers;
+mod operand;
 mod pen;
 mod prepare;
 mod pure;
 mod ranges;
 mod seats;
+mod selection;
+mod statements;
+mod subscripts;
 mod uses;
+mod values;
 
 use crate::comments::Comments;
 use crate::diagnostics::{Found, Lines, Told};
@@ -101,7 +118,7 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
     merge::merge(&mut flat, own);
     merge::gather(&mut flat);
     let uses = uses::Uses::of(&flat);
-    let seats = seats::allot(tree, &flat, &uses, found);
+    let seats = allot::allot(tree, &flat, &uses, found);
     if found.has_errors() {
         return;
     }

@@ -1,0 +1,289 @@
+//! The one allocation of markers, registers, timers and counters.
+//!
+//! Owns which cell gets which place. Must not know instructions.
+
+use super::flat::Flat;
+use super::seats::{Seat, Seats};
+use super::uses::{Called, Uses};
+use crate::diagnostics::{Code, Found, Span};
+use crate::typed::{Base, Holds, Point, Standard, Tree};
+use std::collections::{BTreeMap, HashMap};
+use unoclp_core::isa::{COUNTERS, REGISTERS, RETENTIVE};
+
+const MARKER: (&str, &str) = ("marker", "memória");
+
+const REGISTER: (&str, &str) = ("register", "registrador");
+
+const RETENTIVE_MARKER: (&str, &str) = ("retentive marker", "memória retentiva");
+
+const COUNTER: (&str, &str) = ("counter", "contador");
+
+/// What a person calls the cell, and where.
+pub(super) fn named(tree: &Tree) -> HashMap<u32, (String, Span)> {
+    let named = tree.symbols.iter().filter_map(|symbol| match symbol.holds {
+        Holds::Cell(cell) => Some((cell, (symbol.name.clone(), symbol.at))),
+        Holds::Either { .. } => None,
+    });
+    named.collect()
+}
+
+/// Gives each cell that is used a place.
+pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) -> Seats {
+    let names = named(tree);
+    let mut seats = Seats::default();
+    let mut allotter = Allotter {
+        seats: &mut seats,
+        names: &names,
+        found,
+        told: false,
+    };
+    allotter.points(tree);
+    allotter.blocks(flat, uses);
+    allotter.rows(flat, uses);
+    let own = tree.cells.len() as u32;
+    let mut cells: Vec<(&u32, &super::uses::Use)> = uses.cells.iter().collect();
+    cells.sort_by_key(|(cell, of)| {
+        (
+            **cell >= own,
+            if **cell >= own { of.first } else { 0 },
+            **cell,
+        )
+    });
+    let mut lives: Vec<(u32, Seat)> = Vec::new();
+    for (&cell, of) in cells {
+        if allotter.seats.of.contains_key(&cell) {
+            continue;
+        }
+        let Some(held) = flat.cells.get(cell as usize) else {
+            continue;
+        };
+        if cell >= own {
+            let (over, still): (Vec<_>, Vec<_>) =
+                lives.into_iter().partition(|(last, _)| *last < of.first);
+            over.into_iter()
+                .for_each(|(_, seat)| allotter.seats.release(seat));
+            lives = still;
+        }
+        let seat = allotter.seat(cell, held.base, held.retain);
+        if let Some(seat) = seat.filter(|_| cell >= own) {
+            lives.push((of.last, seat));
+        }
+    }
+    // What stands between two statements goes where no cell ever is.
+    let all: Vec<Seat> = seats.of.values().copied().collect();
+    all.into_iter().for_each(|seat| seats.take(seat));
+    seats
+}
+
+struct Allotter<'a> {
+    seats: &'a mut Seats,
+    names: &'a HashMap<u32, (String, Span)>,
+    found: &'a mut Found,
+    told: bool,
+}
+
+/// Whether a counter's preset is one number above 0 from the beginning, so that it has not reached it before it counts.
+fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
+    let initial = flat
+        .cells
+        .get(preset as usize)
+        .map_or(0, |c| c.initial.int());
+    if let Some(given) = uses.given.get(&preset) {
+        return given.is_some_and(|given| given > 0);
+    }
+    uses.get(preset)
+        .map_or(initial, |of| match (of.stores, &of.only) {
+            (0, _) => initial,
+            (_, Some(only)) => only.int(),
+            (_, None) => 0,
+        })
+        > 0
+}
+
+/// What to take in place of a type that the board lacks.
+fn instead(base: Base) -> (&'static str, &'static str) {
+    match base {
+        Base::Lreal => ("take REAL", "use REAL"),
+        Base::Lint => ("take DINT", "use DINT"),
+        Base::Ulint => ("take UDINT", "use UDINT"),
+        Base::Lword => ("take DWORD", "use DWORD"),
+        _ => (
+            "show numbers in place of texts, for example an enumeration",
+            "mostre números em vez de textos, por exemplo uma enumeração",
+        ),
+    }
+}
+
+impl Allotter<'_> {
+    fn points(&mut self, tree: &Tree) {
+        for (cell, point) in &tree.points {
+            let number = |n: u32| u8::try_from(n).unwrap_or(u8::MAX);
+            let seat = match *point {
+                Point::Input(n) => Seat::Input(number(n)),
+                Point::Output(n) => Seat::Output(number(n)),
+                Point::Marker(n) => Seat::Marker(number(n)),
+                Point::System(n) => Seat::System(number(n)),
+                Point::Analogue(n) => Seat::Analogue(number(n)),
+                Point::Pwm(n) => Seat::Pwm(number(n)),
+                Point::Register(n) => Seat::Register(number(n)),
+            };
+            self.seats.take(seat);
+            self.seats.of.insert(*cell, seat);
+        }
+    }
+
+    fn place(&self, cell: u32) -> (String, Span) {
+        self.names.get(&cell).cloned().unwrap_or_default()
+    }
+
+    fn none_left(&mut self, words: (&str, &str), most: String, cell: u32) {
+        self.seats.none_left = true;
+        if !self.told {
+            self.told = true;
+            let (name, at) = self.place(cell);
+            let words = [words.into(), most.into(), name.into()];
+            self.found.tell(Code::BoardNoneLeft, at, words);
+        }
+    }
+
+    /// A place for a cell of its own.
+    fn seat(&mut self, cell: u32, base: Base, retain: bool) -> Option<Seat> {
+        if !base.is_on_board() {
+            let (name, at) = self.place(cell);
+            self.found.tell(
+                Code::BoardType,
+                at,
+                [name.into(), base.name().into(), instead(base).into()],
+            );
+            self.seats.of.insert(cell, Seat::Register(1));
+            return None;
+        }
+        let (seat, words, most) = match base {
+            Base::Bool if retain => (self.seats.marker(RETENTIVE..65), RETENTIVE_MARKER, 8),
+            Base::Bool => (
+                self.seats.marker(1..RETENTIVE),
+                MARKER,
+                u32::from(RETENTIVE) - 1,
+            ),
+            _ => (self.seats.register(), REGISTER, u32::from(REGISTERS)),
+        };
+        match seat {
+            Some(seat) => {
+                self.seats.of.insert(cell, seat);
+                if let Seat::Register(register) = seat
+                    && retain
+                {
+                    self.seats.kept_registers.push(register);
+                }
+                Some(seat)
+            }
+            None => {
+                self.none_left(words, most.to_string(), cell);
+                None
+            }
+        }
+    }
+
+    /// Registers in a row, for what computed subscripts reach.
+    fn rows(&mut self, flat: &Flat, uses: &Uses) {
+        for row in &uses.rows {
+            let length = row.end - row.start;
+            let first = self.seats.row(length);
+            let cells = flat.cells.get(row.start as usize..row.end as usize);
+            let wrong = cells
+                .unwrap_or_default()
+                .iter()
+                .find(|held| !held.base.is_on_board());
+            if let Some(wrong) = wrong {
+                let base = wrong.base;
+                self.seat(row.start, base, false);
+                continue;
+            }
+            let Some(first) = first else {
+                let (name, at) = self.place(row.start);
+                let free = REGISTERS as u32 - self.seats.registers.count_ones();
+                let words = [
+                    name.into(),
+                    length.to_string().into(),
+                    free.to_string().into(),
+                ];
+                self.found.tell(Code::BoardRow, at, words);
+                continue;
+            };
+            for (cell, register) in row.clone().zip(first..) {
+                self.seats.of.insert(cell, Seat::Register(register));
+                if flat
+                    .cells
+                    .get(cell as usize)
+                    .is_some_and(|held| held.retain)
+                {
+                    self.seats.kept_registers.push(register);
+                }
+            }
+        }
+    }
+
+    fn blocks(&mut self, flat: &Flat, uses: &Uses) {
+        let called: BTreeMap<u32, Called> = uses.blocks.iter().map(|(c, b)| (*c, *b)).collect();
+        let mut counters = 0;
+        for (cell, called) in called {
+            let of = |part: u32| flat.cells.get((cell + part) as usize);
+            let kept = of(0).is_some_and(|held| held.retain);
+            let block = called.block;
+            let single = !matches!(block, Standard::Sr | Standard::Rs);
+            if called.count > 1 && single {
+                let (name, at) = self.place(cell);
+                let name = name.split('.').next().unwrap_or_default().to_owned();
+                self.found
+                    .tell(Code::BoardTwice, at, [name.into(), block.name().into()]);
+            }
+            if kept && (block.is_timer() || matches!(block, Standard::RTrig | Standard::FTrig)) {
+                let (_, at) = self.place(cell);
+                self.found
+                    .tell(Code::BoardRetain, at, [block.name().into()]);
+            }
+            // Read behind the call alone, in each scan: the board's own figures are those of the call.
+            let live = |part: u32| {
+                let first = uses.get(cell + part).and_then(|of| of.first_read);
+                called.always && first.is_none_or(|first| first > called.at)
+            };
+            if block.is_timer() {
+                let index = self.seats.timers.len();
+                self.seats.timers.insert(cell, index);
+                self.seats.of.insert(cell + 2, Seat::Timer(index));
+                if live(3) && block != Standard::Tof {
+                    self.seats.of.insert(cell + 3, Seat::Elapsed(index));
+                }
+                continue;
+            }
+            let (up, down, count, preset) = match block {
+                Standard::Ctu => (Some(3), None, 4, 2),
+                Standard::Ctd => (None, Some(3), 4, 2),
+                Standard::Ctud => (Some(5), Some(6), 7, 4),
+                _ => continue,
+            };
+            counters += 1;
+            if counters > COUNTERS {
+                self.none_left(COUNTER, COUNTERS.to_string(), cell);
+                continue;
+            }
+            let number = counters;
+            self.seats.counters.insert(cell, number);
+            self.seats.of.insert(cell + count, Seat::Count(number));
+            if kept {
+                self.seats.kept_counters.push(number);
+            }
+            if let Some(part) = up
+                && !kept
+                && (live(part) || steady(flat, uses, cell + preset))
+            {
+                self.seats.of.insert(cell + part, Seat::Reached(number));
+            }
+            if let Some(part) = down
+                && live(part)
+            {
+                self.seats.of.insert(cell + part, Seat::Zero(number));
+            }
+        }
+    }
+}

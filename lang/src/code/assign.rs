@@ -1,0 +1,193 @@
+//! A value into its place.
+//!
+//! Owns how numbers and bits are stored, narrowed and checked against a subrange.
+
+use super::coder::Coder;
+use super::flat::TEMPORARY;
+use super::pen::Acc;
+use super::seats::Seat;
+use crate::typed::{Base, Expr, ExprKind, Place, Store, Width};
+use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+
+impl Coder<'_, '_> {
+    pub(super) fn assign(&mut self, to: &Place, value: &Expr, store: Store) {
+        let begin = self.pen.lines.len();
+        let value = self.prepare(value.clone());
+        if self.is_there(to, &value, store, begin) {
+            return;
+        }
+        let to = match to.indices.is_empty() {
+            true => to.clone(),
+            false => self.prepare_place(to.clone()),
+        };
+        self.assign_prepared(&to, &value, store);
+    }
+
+    /// Lets what has been made in a temporary be made where it goes, if nothing on the way reads that.
+    fn is_there(&mut self, to: &Place, value: &Expr, store: Store, begin: usize) -> bool {
+        let (ExprKind::Read(from), Store::Narrow(base)) = (&value.kind, store) else {
+            return false;
+        };
+        let plain = to.indices.is_empty() && from.indices.is_empty();
+        let seat = |cell| self.seats.of.get(&cell).copied();
+        let (Some(Seat::Register(held)), Some(Seat::Register(goal))) =
+            (seat(from.offset), seat(to.offset))
+        else {
+            return false;
+        };
+        if !plain || from.offset < TEMPORARY || !self.is_within(value, base) {
+            return false;
+        }
+        let Some(made) = self.pen.lines.get_mut(begin..) else {
+            return false;
+        };
+        let first = made.iter().position(|line| line.is_store(held));
+        let read = first.is_none_or(|first| made[first..].iter().any(|line| line.names(goal)));
+        if read {
+            return false;
+        }
+        for line in made {
+            line.rename(held, goal, to.offset);
+        }
+        if self.pen.holds == Some(Seat::Register(held)) {
+            self.pen.holds = Some(Seat::Register(goal));
+        } else if self.pen.holds == Some(Seat::Register(goal)) {
+            self.pen.holds = None;
+        }
+        true
+    }
+
+    pub(super) fn assign_prepared(&mut self, to: &Place, value: &Expr, store: Store) {
+        let seat = self.seats.of.get(&to.offset).copied();
+        if value.base == Base::Bool {
+            return self.assign_bit(to, seat, value);
+        }
+        if let Some(index) = to.indices.first() {
+            self.pen.fresh();
+            self.value(&index.subscript);
+            self.pen.plain(Opcode::Push);
+            self.value(value);
+            self.narrowed(value, store);
+            let within = self.within(value, store);
+            if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
+                let table = Operand::Table { first, length };
+                self.pen.with(Opcode::StoreTable, table, Some(to.offset));
+            }
+            self.pen.holds = None;
+            return self.fail_unless(within);
+        }
+        self.pen.fresh();
+        self.value(value);
+        self.narrowed(value, store);
+        let within = self.within(value, store);
+        self.store(to.offset);
+        self.fail_unless(within);
+    }
+
+    /// Value in the bits that are stored.
+    pub(super) fn narrowed(&mut self, value: &Expr, store: Store) {
+        if let Store::Narrow(base) | Store::Within(base, ..) = store
+            && !base.is_real()
+            && base.bits() < 32
+            && !self.is_within(value, base)
+        {
+            self.narrow(base);
+        }
+    }
+
+    /// acc := whether value may be stored; whether that is a question.
+    fn within(&mut self, value: &Expr, store: Store) -> bool {
+        let Store::Within(base, low, high) = store else {
+            return false;
+        };
+        let (least, most) = super::ranges::bounds(value);
+        let fits = low <= least && most <= high;
+        if fits && base.range().is_some_and(|(a, b)| a <= least && most <= b) {
+            return false;
+        }
+        let operand = |number: i128| Taken::Constant(number as i32);
+        let holds = self.pen.holds;
+        let unsigned = base.width() == Width::Unsigned;
+        let (from, to) = match unsigned {
+            true => (Opcode::UnsignedGreaterOrEqual, Opcode::UnsignedLess),
+            false => (Opcode::GreaterOrEqual, Opcode::LessOrEqual),
+        };
+        self.pen.operation(from, operand(low), None);
+        match unsigned {
+            true if high >= i128::from(u32::MAX) => {}
+            true => self.pen.operation(to, operand(high + 1), None),
+            false => self.pen.operation(to, operand(high), None),
+        }
+        self.pen.holds = holds;
+        self.pen.acc = Acc::Other;
+        true
+    }
+
+    fn fail_unless(&mut self, asked: bool) {
+        if asked {
+            self.pen.plain(Opcode::Not);
+            self.pen.border(Opcode::If);
+            self.fail();
+            self.pen.border(Opcode::EndIf);
+        }
+    }
+
+    fn assign_bit(&mut self, to: &Place, seat: Option<Seat>, value: &Expr) {
+        let known = match &value.kind {
+            ExprKind::Constant(value) => Some(value.is_true()),
+            _ => None,
+        };
+        if let Some(index) = to.indices.first() {
+            let held = match known {
+                Some(_) => value.clone(),
+                None => self.number_of(value),
+            };
+            self.pen.fresh();
+            self.value(&index.subscript);
+            self.pen.plain(Opcode::Push);
+            self.value(&Expr {
+                base: Base::Dint,
+                ..held
+            });
+            if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
+                let table = Operand::Table { first, length };
+                self.pen.with(Opcode::StoreTable, table, Some(to.offset));
+            }
+            self.pen.holds = None;
+            return;
+        }
+        match (seat, known) {
+            (Some(Seat::Register(_)), Some(known)) => {
+                self.pen.fresh();
+                self.pen
+                    .operation(Opcode::Load, Taken::Constant(known.into()), None);
+                self.store(to.offset);
+            }
+            (Some(Seat::Register(_)), None) => {
+                self.bit(value, false);
+                self.pen.changes_value(Opcode::LoadBit);
+                self.pen.fresh();
+                self.store(to.offset);
+            }
+            (Some(seat), Some(known)) => {
+                self.pen.fresh();
+                self.coil(seat, known, to.offset);
+            }
+            (Some(seat), None) => {
+                self.bit(value, false);
+                self.drive(seat, to.offset);
+            }
+            (None, _) => {}
+        }
+    }
+
+    /// A bit as 0 or 1 in a register.
+    fn number_of(&mut self, value: &Expr) -> Expr {
+        let cell = self.seats.temporary(false, false);
+        self.bit(value, false);
+        self.pen.changes_value(Opcode::LoadBit);
+        self.pen.fresh();
+        self.store(cell);
+        super::flat::read(cell, Base::Dint, value.at)
+    }
+}

@@ -1,0 +1,146 @@
+//! One value of several: SEL, MUX, MIN, MAX, ABS, and comparisons in a row.
+//!
+//! Owns which of them are logic and which need a temporary.
+
+use super::coder::Coder;
+use super::flat::{both, compare, not, whole};
+use super::flat::{constant, expr};
+use super::prepare::MOST_DEEP;
+use super::ranges::bounds;
+use crate::diagnostics::Span;
+use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
+use unoclp_core::isa::Opcode;
+
+impl Coder<'_, '_> {
+    pub(super) fn absolute(&mut self, a: Expr) -> Expr {
+        let (base, at) = (a.base, a.at);
+        let size = expr(ExprKind::Unary(Unary::Abs, Box::new(a.clone())), base, at);
+        let wide = !self.is_within(&size, base);
+        let (place, held) = self.temporary_for(base, at, wide);
+        self.put(&place, &a);
+        let negative = compare(Compare::Less, held.clone(), whole(0, base, at));
+        if self.is_unsigned(&held) {
+            return held;
+        }
+        self.bit(&negative, false);
+        self.value(&held);
+        self.pen.changes_value(Opcode::Negate);
+        self.store(place.offset);
+        held
+    }
+
+    pub(super) fn select(
+        &mut self,
+        which: Expr,
+        no: Expr,
+        yes: Expr,
+        base: Base,
+        at: Span,
+    ) -> Expr {
+        if base == Base::Bool {
+            let mut which = which;
+            if self.nest(&which) > 0 {
+                which = self.keep(which);
+            }
+            let first = both(Binary::And, which.clone(), yes);
+            let second = both(Binary::And, not(which), no);
+            let made = both(Binary::Or, first, second);
+            return if self.nest(&made) >= MOST_DEEP {
+                self.keep(made)
+            } else {
+                made
+            };
+        }
+        let wide = !self.is_within(&no, base) || !self.is_within(&yes, base);
+        let (to, held) = self.temporary_for(base, at, wide);
+        self.put(&to, &no);
+        self.guarded(&which, &to, &yes);
+        held
+    }
+
+    pub(super) fn ordered(&mut self, op: Compare, all: Vec<Expr>, at: Span) -> Expr {
+        let mut simple = Vec::with_capacity(all.len());
+        for operand in all {
+            let operand = self.prepare(operand);
+            let bare = operand.base == Base::Bool && self.nest(&operand) == 0;
+            simple.push(if bare { operand } else { self.simple(operand) });
+        }
+        let pairs = simple.windows(2).filter_map(|pair| match pair {
+            [a, b] => Some(compare(op, a.clone(), b.clone())),
+            _ => None,
+        });
+        let all: Vec<Expr> = pairs.collect();
+        let joined = all.into_iter().reduce(|a, b| both(Binary::And, a, b));
+        joined.unwrap_or_else(|| constant(Value::truth(true), Base::Bool, at))
+    }
+
+    pub(super) fn mux(&mut self, which: Expr, all: Vec<Expr>, base: Base, at: Span) -> Expr {
+        let which = self.prepare(which);
+        let which = self.simple(which);
+        let count = all.len() as i128;
+        let (to, held) = match base {
+            Base::Bool => {
+                let (to, held) = self.temporary(Base::Dint, at);
+                (to, Expr { base, ..held })
+            }
+            _ => self.temporary_for(base, at, true),
+        };
+        let values: Vec<Expr> = all.into_iter().map(|value| self.prepare(value)).collect();
+        let number = |value: Expr, this: &mut Self| match value.base {
+            Base::Bool => this.prepare_convert(
+                Convert::Keep,
+                value,
+                Base::Dint,
+                at,
+                crate::typed::TypeId::of(Base::Dint),
+            ),
+            _ => value,
+        };
+        let mut made = Vec::with_capacity(values.len());
+        for value in values {
+            made.push(number(value, self));
+        }
+        let bare = expr(
+            ExprKind::Convert(Convert::Keep, Box::new(which.clone())),
+            Base::Udint,
+            at,
+        );
+        let (low, high) = bounds(&which);
+        self.put(&to, &whole(0, Base::Dint, at));
+        if low < 0 || high >= count {
+            let outside = compare(Compare::GreaterEqual, bare, whole(count, Base::Udint, at));
+            self.zero_where(
+                &outside,
+                &Expr {
+                    base: Base::Dint,
+                    ..held.clone()
+                },
+            );
+        }
+        for (at_number, value) in (0..).zip(&made) {
+            let is = compare(
+                Compare::Equal,
+                which.clone(),
+                whole(at_number, which.base, at),
+            );
+            self.guarded(&is, &to, value);
+        }
+        held
+    }
+
+    /// The smaller or the greater.
+    pub(super) fn extreme(&mut self, op: Binary, a: Expr, b: Expr) -> Expr {
+        let (base, at) = (a.base, a.at);
+        let b = self.simple(b);
+        let wide = !self.is_within(&a, base) || !self.is_within(&b, base);
+        let (to, held) = self.temporary_for(base, at, wide);
+        self.put(&to, &a);
+        let how = match op {
+            Binary::Min => Compare::Less,
+            _ => Compare::Greater,
+        };
+        let other = compare(how, b.clone(), held.clone());
+        self.guarded(&other, &to, &b);
+        held
+    }
+}

@@ -1,0 +1,69 @@
+//! From steps to instructions.
+//!
+//! Owns the order of statements and jumps. Must not know the text, nor the numbers of labels and timers.
+
+use super::coder::Coder;
+use super::flat::{Does, Step};
+use super::pen::Acc;
+use crate::typed::{Expr, ExprKind, Unary};
+use unoclp_core::isa::Opcode;
+
+/// Whether a negation of it costs as much as it does.
+fn is_logic(inner: &Expr) -> bool {
+    matches!(
+        inner.kind,
+        ExprKind::Binary(..) | ExprKind::Select(_) | ExprKind::Ordered(..)
+    )
+}
+
+impl Coder<'_, '_> {
+    pub(super) fn steps(&mut self, steps: &[Step]) {
+        let mut rest = steps;
+        while let Some((step, behind)) = rest.split_first() {
+            rest = behind;
+            self.pen.at = step.at;
+            let mark = self.seats.mark();
+            if let Does::Standard(block, cell, inputs) = &step.does {
+                if self.standard(*block, *cell, inputs, behind.first()) {
+                    rest = behind.get(1..).unwrap_or_default();
+                }
+            } else {
+                self.step(step);
+            }
+            self.seats.release_to(mark);
+        }
+    }
+
+    fn step(&mut self, step: &Step) {
+        match &step.does {
+            Does::Assign(to, value, store) => self.assign(to, value, *store),
+            Does::Copy(to, from, cells) => self.copy(to, from, *cells),
+            Does::If(condition, then, otherwise) => self.choice(condition, then, otherwise),
+            Does::Case(selector, arms, otherwise) => self.case(selector, arms, otherwise),
+            Does::Label(label) => self.pen.label(*label),
+            Does::Jump(condition, label, back) => match condition {
+                None => {
+                    self.pen.fresh();
+                    self.pen.jump(Opcode::Jump, *label, *back);
+                }
+                Some(condition) => {
+                    let condition = self.prepare(condition.clone());
+                    let (condition, opcode) = match condition.kind {
+                        ExprKind::Unary(Unary::Not, inner) if is_logic(&inner) => {
+                            (*inner, Opcode::JumpNot)
+                        }
+                        _ => (condition, Opcode::Jump),
+                    };
+                    self.bit(&condition, false);
+                    self.pen.jump(opcode, *label, *back);
+                    // Behind it acc is known, but not 1.
+                    self.pen.acc = Acc::Other;
+                }
+            },
+            Does::Standard(..) => {}
+            Does::Fail => {
+                self.fail();
+            }
+        }
+    }
+}
