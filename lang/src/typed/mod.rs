@@ -13,8 +13,8 @@
 //!
 //! - `base`, `types`, `value`: elementary types, derived types, values
 //! - `standard`: the function blocks of the norm and their cells
-//! - `tree`: units, places, statements, expressions
-//! - `ops`: what each operation gives, for folding and for the interpreter alike
+//! - `tree`: units and their cells; `statement`; `expression`: expressions and places
+//! - `ops`, `conversions`: what each operation gives, for folding and for the interpreter alike, in the `width` of types
 //! - `build`: how a front end makes a tree; see there
 //!
 //! **Cells.** A variable without parts takes one cell. Members and elements stand in a row, so each constant
@@ -37,18 +37,25 @@
 
 mod base;
 pub(crate) mod build;
+mod conversions;
+mod expression;
 pub(crate) mod ops;
 mod standard;
+mod statement;
 mod tree;
 mod types;
 mod value;
+mod width;
 
 pub use base::{Base, Generic, Width};
-pub(crate) use ops::{given as convert_given, narrow};
-pub use standard::{Part, Role, Standard};
-pub use tree::{
-    Arm, Binary, Call, Cell, Compare, Convert, Expr, ExprKind, Extra, For, Holds, Index, Input,
-    Output, Place, Point, Root, Stmt, StmtKind, Store, Symbol, Tree, Unary, Unit, UnitKind,
+pub(crate) use conversions::given as convert_given;
+pub use expression::{
+    Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
+    Store, Unary,
 };
+pub use standard::{Part, Role, Standard};
+pub use statement::{Arm, For, Stmt, StmtKind};
+pub use tree::{Cell, Holds, Point, Symbol, Tree, Unit, UnitKind};
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};
+pub(crate) use width::narrow;

@@ -3,64 +3,13 @@
 //! Each takes values of the types that the tree says and gives the result with whether S 04 is to be set. Owns
 //! widths, wrapping and rounding. Must not know places and statements.
 
-use super::base::{Base, Width};
-use super::tree::{Binary, Compare, Convert, Unary};
+use super::base::Base;
+pub use super::conversions::convert;
+use super::expression::{Binary, Compare, Unary};
 use super::value::Value;
+use super::width::{FAILED, finite, int, narrowed, wide};
+pub use super::width::{Outcome, narrow};
 use std::cmp::Ordering;
-
-/// A result, and whether it sets S 04.
-pub type Outcome = (Value, bool);
-
-/// Wrapped to the width in which the arithmetic of this type is done.
-fn wide(base: Base, number: i128) -> i128 {
-    match base.width() {
-        Width::Bit => number & 1,
-        Width::Signed => i128::from(number as i32),
-        Width::Unsigned => i128::from(number as u32),
-        Width::Signed64 if base == Base::AnyInt => number,
-        Width::Signed64 => i128::from(number as i64),
-        Width::Unsigned64 => i128::from(number as u64),
-        Width::Single | Width::Double | Width::Text => number,
-    }
-}
-
-/// Wrapped to the bits that a variable of this type keeps.
-pub fn narrow(base: Base, value: Value) -> Value {
-    match value {
-        Value::Int(number) => Value::Int(narrowed(base, number)),
-        other => other,
-    }
-}
-
-fn narrowed(base: Base, number: i128) -> i128 {
-    match base.bits() {
-        _ if base == Base::AnyInt => number,
-        1 => number & 1,
-        8 if base.is_signed() => i128::from(number as i8),
-        8 => i128::from(number as u8),
-        16 if base.is_signed() => i128::from(number as i16),
-        16 => i128::from(number as u16),
-        _ => wide(base, number),
-    }
-}
-
-/// A real as its type holds it; 0 and S 04 if it is not finite.
-fn finite(base: Base, number: f64) -> Outcome {
-    let number = match base {
-        Base::Real => f64::from(number as f32),
-        _ => number,
-    };
-    match number.is_finite() {
-        true => (Value::Real(number), false),
-        false => (Value::Real(0.0), true),
-    }
-}
-
-fn int(base: Base, number: i128) -> Outcome {
-    (Value::Int(wide(base, number)), false)
-}
-
-const FAILED: Outcome = (Value::Int(0), true);
 
 /// Of one operand of type `base`.
 pub fn unary(op: Unary, base: Base, value: &Value) -> Outcome {
@@ -235,102 +184,6 @@ pub fn compare(op: Compare, a: &Value, b: &Value) -> bool {
     }
 }
 
-/// From one type to another.
-pub fn convert(how: Convert, from: Base, to: Base, value: &Value) -> Outcome {
-    match how {
-        Convert::Keep => match value {
-            Value::Int(number) => int(to, *number),
-            other => (other.clone(), false),
-        },
-        Convert::Wrap => (narrow(to, value.clone()), false),
-        Convert::Float => finite(to, value.real()),
-        Convert::Single => finite(to, value.real()),
-        Convert::Round => whole(to, value.real().round_ties_even()),
-        Convert::Cut => whole(to, value.real().trunc()),
-        Convert::Test => {
-            let truth = match value {
-                Value::Real(number) => *number != 0.0,
-                other => other.is_true(),
-            };
-            (Value::truth(truth), false)
-        }
-        Convert::Bits => match value {
-            Value::Real(number) => int(to, (*number as f32).to_bits().into()),
-            other => finite(to, f32::from_bits(other.int() as u32).into()),
-        },
-        Convert::Day => (Value::Int(value.int() / 86_400), false),
-        Convert::Clock => (Value::Int(value.int() % 86_400 * 1000), false),
-        Convert::Midnight => int(to, value.int() * 86_400),
-        Convert::Write => (Value::Text(written(from, value)), false),
-        Convert::Parse => parsed(to, value.text()),
-    }
-}
-
-fn whole(to: Base, number: f64) -> Outcome {
-    let fits = to.range().is_some_and(|(low, high)| {
-        // Each end as a double, which may be rounded up to one more than the greatest.
-        number >= low as f64
-            && number < high as f64 + 1.0
-            && (low..=high).contains(&(number as i128))
-    });
-    match fits {
-        true => (Value::Int(number as i128), false),
-        false => FAILED,
-    }
-}
-
-fn written(from: Base, value: &Value) -> String {
-    let shown = value.shown(from);
-    match value {
-        Value::Text(text) => text.clone(),
-        _ => shown,
-    }
-}
-
-fn parsed(to: Base, text: &str) -> Outcome {
-    let text = text.trim();
-    let failed = (Value::zero(to), true);
-    if to.is_real() {
-        let number = text.parse().ok().filter(|number: &f64| number.is_finite());
-        return number.map_or(failed, |number| finite(to, number));
-    }
-    if to == Base::Bool {
-        return match text.to_ascii_uppercase().as_str() {
-            "TRUE" | "1" => (Value::Int(1), false),
-            "FALSE" | "0" => (Value::Int(0), false),
-            _ => failed,
-        };
-    }
-    let number = match text.strip_prefix("16#") {
-        Some(digits) => i128::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    };
-    let fits = |number: &i128| to.range().is_some_and(|(a, b)| (a..=b).contains(number));
-    match number.filter(fits) {
-        Some(number) => (Value::Int(number), false),
-        None => failed,
-    }
-}
-
-/// A number that a person gives for a value of this type; none if it does not fit.
-pub fn given(value: Value, to: Base) -> Option<Value> {
-    match value {
-        Value::Int(number) if to.is_real() => Some(finite(to, number as f64))
-            .filter(|out| !out.1)
-            .map(|out| out.0),
-        Value::Real(number) if to.is_real() => Some(finite(to, number))
-            .filter(|out| !out.1)
-            .map(|out| out.0),
-        Value::Int(number) => {
-            let fits = to
-                .range()
-                .is_some_and(|(low, high)| (low..=high).contains(&number));
-            fits.then_some(Value::Int(number))
-        }
-        Value::Real(_) | Value::Text(_) => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -365,31 +218,6 @@ mod tests {
         let big = || Value::Real(f64::from(f32::MAX));
         assert_eq!(of(Binary::Add, Base::Real, big(), big()), none);
         assert!(!of(Binary::Add, Base::Lreal, big(), big()).1);
-    }
-
-    #[test]
-    fn reals_round_halves_to_even() {
-        for (number, rounded, cut) in [(2.5, 2, 2), (3.5, 4, 3), (-2.5, -2, -2), (-2.6, -3, -2)] {
-            let of = |how| convert(how, Base::Real, Base::Int, &Value::Real(number));
-            assert_eq!(of(Convert::Round), (Value::Int(rounded), false));
-            assert_eq!(of(Convert::Cut), (Value::Int(cut), false));
-        }
-        for (number, to) in [
-            (40_000.0, Base::Int),
-            (-1.0, Base::Uint),
-            (2147483648.0, Base::Dint),
-        ] {
-            assert_eq!(
-                convert(Convert::Round, Base::Real, to, &Value::Real(number)),
-                FAILED
-            );
-        }
-        let odd = Value::Real(100_000.125);
-        let bits = convert(Convert::Bits, Base::Real, Base::Dword, &odd).0;
-        assert_eq!(
-            convert(Convert::Bits, Base::Dword, Base::Real, &bits),
-            (odd, false)
-        );
     }
 
     #[test]

@@ -1,13 +1,14 @@
 //! Calls of functions and of instances of blocks.
 
 use super::arguments::{Argument, Params};
-use super::declare::Section;
+use super::builder::Builder;
+use super::named::Named;
 use super::places::Target;
-use super::{BlockCall, Builder, Instance, Named, Param, both};
+use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::standard::{Role, Standard};
+use crate::typed::standard::Standard;
 use crate::typed::{
-    Base, Call, Expr, ExprKind, Input, Kind, Output, Root, Stmt, StmtKind, Store, TypeId, UnitKind,
+    Base, Call, Expr, ExprKind, Kind, Output, Stmt, StmtKind, Store, TypeId, UnitKind,
 };
 
 impl Builder<'_, '_> {
@@ -108,158 +109,6 @@ impl Builder<'_, '_> {
         self.pass(&name, params, arguments, None, &mut call, at)?;
         self.writes |= !call.lent.is_empty() || !call.outputs.is_empty();
         Some((call, result))
-    }
-
-    /// A call of an instance of a block: its inputs, the call, what is read behind it.
-    pub fn block(&mut self, target: Target, arguments: Vec<Argument>, at: Span) -> Vec<Stmt> {
-        self.writes = true;
-        match self.tree.types.kind(target.ty).clone() {
-            Kind::Standard(block) => self.standard(block, target, arguments, at),
-            Kind::Block(unit) => self.own_block(unit, target, arguments, at),
-            _ => {
-                let (written, what) = (self.written(target.at), self.what_type(target.ty));
-                let help = (
-                    "a function and an instance of a function block can be called",
-                    "podem ser chamadas uma função e uma instância de um bloco de funções",
-                );
-                self.tell(
-                    Code::StNotCallable,
-                    target.at,
-                    [written.into(), what, help.into()],
-                );
-                Vec::new()
-            }
-        }
-    }
-
-    fn own_block(
-        &mut self,
-        unit: u32,
-        target: Target,
-        arguments: Vec<Argument>,
-        at: Span,
-    ) -> Vec<Stmt> {
-        let Some(draft) = self.draft(unit) else {
-            return Vec::new();
-        };
-        let name = draft.unit.name.clone();
-        let params: Params = draft.params.iter().map(|p| (p.clone(), false)).collect();
-        self.lenient = draft.incomplete;
-        if let Some(here) = self.current {
-            self.edges.push((here as u32, unit, target.at));
-        }
-        let made = BlockCall {
-            instance: self.instance(&target),
-            from: self.current,
-            unit,
-            in_loop: self.loops > 0,
-            at: target.at,
-        };
-        self.calls.push(made);
-        let mut call = Call {
-            unit,
-            instance: Some(target.place.clone()),
-            inputs: Vec::new(),
-            lent: Vec::new(),
-            outputs: Vec::new(),
-            at,
-        };
-        let Some(mut after) = self.pass(&name, params, arguments, Some(&target), &mut call, at)
-        else {
-            return Vec::new();
-        };
-        let mut all = vec![Stmt {
-            kind: StmtKind::Call(call),
-            at,
-        }];
-        all.append(&mut after);
-        all
-    }
-
-    fn instance(&self, target: &Target) -> Instance {
-        let scope = match target.place.root {
-            Root::Static => None,
-            _ => self.current,
-        };
-        (scope, target.place.root, target.place.offset)
-    }
-
-    fn standard(
-        &mut self,
-        block: Standard,
-        target: Target,
-        arguments: Vec<Argument>,
-        at: Span,
-    ) -> Vec<Stmt> {
-        let written = self.written(target.at);
-        let timed = !matches!(block, Standard::Sr | Standard::Rs);
-        if timed && self.loops > 0 {
-            let words = [written.clone().into(), block.name().into()];
-            self.tell(Code::StCalledInLoop, target.at, words);
-        }
-        let key = self.instance(&target);
-        if timed && let Some(draft) = self.here() {
-            draft.timed = true;
-        }
-        if timed && self.called.insert(key, at).is_some() {
-            let words = [written.into(), block.name().into()];
-            self.tell(Code::StCalledTwice, target.at, words);
-        }
-        let param = |(offset, (name, base, role)): (u32, (&str, Base, Role))| {
-            let section = match role {
-                Role::Input => Section::Input,
-                _ => Section::Output,
-            };
-            let param = Param {
-                name: name.to_owned(),
-                section,
-                ty: TypeId::of(base),
-                offset,
-            };
-            (param, false)
-        };
-        let parts = (0..).zip(block.parts().iter().copied());
-        let params = parts
-            .filter(|(_, part)| part.2 != Role::Hidden)
-            .map(param)
-            .collect();
-        let mut call = Call {
-            unit: 0,
-            instance: None,
-            inputs: Vec::new(),
-            lent: Vec::new(),
-            outputs: Vec::new(),
-            at,
-        };
-        let after = self.pass(
-            block.name(),
-            params,
-            arguments,
-            Some(&target),
-            &mut call,
-            at,
-        );
-        let Some(mut after) = after else {
-            return Vec::new();
-        };
-        let mut all = Vec::new();
-        for input in call.inputs {
-            if let Input::Value(offset, value, store) = input {
-                let mut place = target.place.clone();
-                place.offset += offset;
-                let at = value.at;
-                all.push(Stmt {
-                    kind: StmtKind::Assign(place, value, store),
-                    at,
-                });
-            }
-        }
-        all.push(Stmt {
-            kind: StmtKind::Standard(block, target.place),
-            at,
-        });
-        all.append(&mut after);
-        all
     }
 
     pub(super) fn told_other_type(&mut self, target: &Target, needed: TypeId) {

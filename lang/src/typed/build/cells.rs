@@ -1,7 +1,7 @@
 //! The cells of a variable, and what they begin with.
 
-use super::Builder;
-use super::declare::Traits;
+use super::builder::Builder;
+use super::named::Traits;
 use crate::typed::{Base, Cell, Initial, Kind, TypeId, Value};
 
 impl Builder<'_, '_> {

@@ -1,6 +1,6 @@
 //! Which value goes where: by itself, or by a conversion that a text asks for.
 
-use super::Builder;
+use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::ops;
 use crate::typed::{Base, Convert, Expr, ExprKind, Kind, TypeId, Value};

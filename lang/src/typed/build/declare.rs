@@ -1,58 +1,11 @@
 //! Variables: what a declaration says, and where the variable stands.
 
-use super::{Builder, MOST_CELLS, Named, Param, both};
+use super::builder::{Builder, MOST_CELLS};
+use super::named::{Named, Param, Section, Traits, Variable};
+use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Expr, ExprKind, Initial, Kind, Place, Point, Root, TypeId, UnitKind, Value};
+use crate::typed::{Expr, ExprKind, Initial, Kind, Root, TypeId, UnitKind, Value};
 use std::sync::Arc;
-
-/// The kind of a declaration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Section {
-    Var,
-    Input,
-    Output,
-    InOut,
-    Temp,
-    /// VAR_GLOBAL, and what is declared outside of all units.
-    Global,
-    /// Names a global.
-    External,
-}
-
-/// What else a declaration says.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Traits {
-    pub initial: Option<Arc<Initial>>,
-    pub constant: bool,
-    pub retain: bool,
-    /// It is the front end's own, and no symbol.
-    pub unseen: bool,
-    pub point: Option<Point>,
-}
-
-/// A variable, and where it is.
-#[derive(Clone, Debug)]
-pub(crate) struct Variable {
-    pub name: String,
-    pub ty: TypeId,
-    pub root: Root,
-    pub offset: u32,
-    pub section: Section,
-    pub constant: bool,
-    pub at: Span,
-}
-
-impl Variable {
-    /// As a place.
-    pub fn place(&self, at: Span) -> Place {
-        Place {
-            root: self.root,
-            offset: self.offset,
-            indices: Vec::new(),
-            at,
-        }
-    }
-}
 
 impl Builder<'_, '_> {
     /// Declares a variable where the builder is: in a unit, or for all. What is wrong with it is told.

@@ -1,9 +1,12 @@
 //! The end: no unit calls itself, and each function has a result.
 
-use super::{Builder, MOST_CALLS};
+use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Tree, UnitKind};
 use std::collections::HashSet;
+
+/// Calls stand in calls no deeper.
+const MOST_CALLS: u32 = 60;
 
 impl Builder<'_, '_> {
     /// The tree; none where errors have been told.

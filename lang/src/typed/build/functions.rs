@@ -1,7 +1,9 @@
 //! The standard functions, as `docs/structured-text.md` lists them.
 
+use super::arguments::Argument;
+use super::builder::Builder;
 use super::coerce::conversion;
-use super::{Argument, Builder, both};
+use super::words::both;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Extra, Generic, TypeId, Unary};
 

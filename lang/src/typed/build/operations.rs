@@ -1,6 +1,6 @@
 //! What the standard functions make of their operands.
 
-use super::Builder;
+use super::builder::Builder;
 use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Extra, Generic, TypeId, Unary};
 

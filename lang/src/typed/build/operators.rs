@@ -1,6 +1,6 @@
 //! Operators: the common type of their operands, times and dates, folding.
 
-use super::Builder;
+use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::ops;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Generic, TypeId, Unary, Value};

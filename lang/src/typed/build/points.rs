@@ -1,7 +1,7 @@
 //! The points of the board, by their addresses.
 
-use super::Builder;
-use super::declare::Traits;
+use super::builder::Builder;
+use super::named::Traits;
 use crate::address::{Address, parse};
 use crate::diagnostics::{Code, Span};
 use crate::dialect::Dialect;

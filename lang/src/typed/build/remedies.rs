@@ -1,7 +1,8 @@
 //! What is wrong with a type, and what to write instead.
 
+use super::builder::Builder;
 use super::coerce::conversion;
-use super::{Builder, both};
+use super::words::both;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::Generic;
 use crate::typed::{Base, Expr, ExprKind, Kind, TypeId};

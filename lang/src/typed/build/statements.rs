@@ -1,7 +1,8 @@
 //! Statements: what is stored where, conditions, loops, CASE.
 
+use super::builder::Builder;
 use super::places::Target;
-use super::{Builder, both};
+use super::words::both;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Expr, ExprKind, For, Kind, Root, Stmt, StmtKind, TypeId, Value};
 

@@ -1,6 +1,6 @@
 //! The symbols of a finished tree: each member and each element by its own name.
 
-use super::Builder;
+use super::builder::Builder;
 use crate::diagnostics::Span;
 use crate::typed::standard::Role;
 use crate::typed::{Holds, Kind, Symbol, TypeId};

@@ -1,6 +1,7 @@
 //! Words that messages put together, in both languages.
 
-use super::{Builder, Named, Section};
+use super::builder::Builder;
+use super::named::{Named, Section};
 use crate::diagnostics::Word;
 use crate::typed::{Kind, TypeId, UnitKind};
 
