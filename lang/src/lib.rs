@@ -37,6 +37,7 @@ mod parser;
 mod places;
 pub mod run;
 mod rung;
+mod scanner;
 mod show;
 mod small;
 mod spell;

@@ -5,7 +5,7 @@ use super::parser::Parser;
 use super::words::Word;
 use crate::diagnostics::{Code, Span};
 use crate::small::cursor::{Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 use crate::st::literal;
 use crate::typed::{Base, Binary, Compare, Value};
 

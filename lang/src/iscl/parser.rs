@@ -7,7 +7,7 @@ use super::ast::{Decl, Program, Statement};
 use super::words::{RULES, Word};
 use crate::diagnostics::{Code, Found, Span};
 use crate::small::cursor::{Cursor, Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 use crate::typed::Base;
 
 pub(super) struct Parser<'t, 'f> {

@@ -8,7 +8,7 @@ use super::words::{Word, lacking};
 use crate::diagnostics::Code;
 use crate::names::near::nearest;
 use crate::small::cursor::{Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 use crate::typed::Base;
 
 /// What a command or a declaration may begin with.

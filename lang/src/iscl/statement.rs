@@ -5,7 +5,7 @@ use super::parser::Parser;
 use super::words::Word;
 use crate::diagnostics::Code;
 use crate::small::cursor::{Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 
 impl Statement {
     /// Whether it ends with a word of its own.

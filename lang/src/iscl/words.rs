@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Code;
 use crate::small::cursor::{Keywords, named};
-use crate::small::lexer::{Rules, Sign};
+use crate::small::rules::{Rules, Sign};
 
 pub(super) const RULES: Rules = Rules {
     language: "InterSCL",

@@ -6,7 +6,7 @@ use super::slots::is_place;
 use super::words::Word;
 use crate::diagnostics::{Code, Span};
 use crate::small::cursor::{Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 
 impl Parser<'_, '_> {
     pub(super) fn command(&mut self) -> Parsed<Statement> {

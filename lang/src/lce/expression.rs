@@ -7,7 +7,7 @@ use super::parser::Parser;
 use super::words::{Word, lacking};
 use crate::diagnostics::{Code, Span};
 use crate::small::cursor::{Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 use crate::st::literal;
 use crate::typed::{Binary, Compare, Value};
 

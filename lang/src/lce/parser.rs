@@ -7,7 +7,7 @@ use super::words::{RULES, Word, lacking};
 use crate::diagnostics::{Code, Found};
 use crate::names::near::nearest;
 use crate::small::cursor::{Cursor, Keywords, Parsed, Told};
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 use std::collections::HashSet;
 
 pub(super) struct Parser<'t, 'f> {

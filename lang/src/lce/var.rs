@@ -7,7 +7,7 @@ use super::parser::Parser;
 use super::slots::is_place;
 use super::words::Word;
 use crate::diagnostics::Code;
-use crate::small::lexer::Sign;
+use crate::small::rules::Sign;
 
 impl<'t> Parser<'t, '_> {
     /// The lines behind `var`.
@@ -94,7 +94,7 @@ impl<'t> Parser<'t, '_> {
         }
     }
 
-    fn give(&mut self, place: crate::small::lexer::Token, name: crate::small::lexer::Token) {
+    fn give(&mut self, place: crate::small::rules::Token, name: crate::small::rules::Token) {
         let written: &'t str = self.cursor.slice(name.span);
         self.given.insert(written);
         self.aliases.push(Alias {

@@ -2,7 +2,8 @@
 //!
 //! Owns the way forward and how deep it goes. Must not know which words a language has: it takes them as they come.
 
-use super::lexer::{Rules, Sign, Token, tokens};
+use super::lexer::tokens;
+use super::rules::{Rules, Sign, Token};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::names::near::nearest;
 

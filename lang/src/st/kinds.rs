@@ -3,7 +3,8 @@
 //! What has neither is compiled by Instruction List's own lowering, which knows every maker's words.
 
 use super::Dialect;
-use super::lexer::{Kind, Token, tokens};
+use super::lexer::tokens;
+use super::token::{Kind, Token};
 use super::words::Keyword;
 use crate::diagnostics::Found;
 use crate::operators;

@@ -1,32 +1,25 @@
 //! Structured Text (IEC 61131-3, B.3), SCL, and Instruction List with types: from a text to the typed tree.
 //!
-//! `lexer` (bytes → words), `literal` (what they are worth), `parser` (words → `ast`), `check` (names and types, by
-//! the builder that all typed languages share). It knows no board and no files, and no text makes it panic.
+//! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `literal` (what they are worth), `kinds` (whether a
+//! list has types), `parser` (words → `ast`), `check` (names and types, by the builder that all typed languages share). It
+//! knows no board and no files, and no text makes it panic.
 
 mod ast;
+mod bounds;
 mod check;
+mod comments;
 mod kinds;
-pub(crate) mod lexer;
+mod lexer;
 pub(crate) mod literal;
 mod parser;
+mod token;
 mod words;
 
 pub(crate) use kinds::has_types;
+pub(crate) use token::Dialect;
 
 use crate::diagnostics::{Code, Found};
 use crate::typed::Tree;
-
-/// How a text is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Dialect {
-    /// IEC 61131-3.
-    #[default]
-    Iec,
-    /// As Siemens writes it: `#name`, `"name"`, BEGIN.
-    Scl,
-    /// Instruction List, which declares as Structured Text does.
-    Il,
-}
 
 /// The tree of a text; none where something is wrong, which is told.
 pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<Tree> {

@@ -1,12 +1,13 @@
 //! Names and types: from the syntax tree to the typed tree.
 //!
-//! - `types`: types as they are declared, and what a variable begins with
+//! - `types`, `derived`: types as they are declared, and what a variable begins with
 //! - `units`: variables, and the order in which units are declared
 //! - `list`: what Instruction List does
 //! - `expressions`, `statements`: the rest
 //!
 //! What a name means and which types go together is the builder's to say; this says what stands in the text.
 
+mod derived;
 mod expressions;
 mod initial;
 mod list;

@@ -1,14 +1,14 @@
-//! Statements that hold others: IF, CASE and loops.
+//! Loops, and what statements that hold others have in common.
 
-use super::super::ast::{Arm, Counting, Node, Path, Statement, StatementKind};
-use super::super::lexer::Kind;
+use super::super::ast::{Counting, Node, Path, Statement, StatementKind};
+use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
 
 impl Parser<'_, '_> {
     /// A condition with the word behind it.
-    fn condition(&mut self, keyword: Keyword, help: (&str, &str)) -> Parsed<Node> {
+    pub(super) fn condition(&mut self, keyword: Keyword, help: (&str, &str)) -> Parsed<Node> {
         self.closers.push(Keyword::Then);
         let read = self.expression();
         self.closers.pop();
@@ -34,113 +34,11 @@ impl Parser<'_, '_> {
     }
 
     /// The statements of a part, and what is open while they are read.
-    fn part(&mut self, closer: Keyword) -> Vec<Statement> {
+    pub(super) fn part(&mut self, closer: Keyword) -> Vec<Statement> {
         self.closers.push(closer);
         let body = self.statements();
         self.closers.pop();
         body
-    }
-
-    pub(super) fn if_statement(&mut self, start: Span) -> Parsed<Statement> {
-        const THEN: (&str, &str) = (
-            "behind the condition stands THEN",
-            "depois da condição vem THEN",
-        );
-        let mut arms = Vec::new();
-        let mut otherwise = Vec::new();
-        self.next();
-        let mut condition = self.condition(Keyword::Then, THEN);
-        loop {
-            let (node, failed) = match condition {
-                Ok(node) => (node, false),
-                Err(Told) => (self.wrong_node(start), true),
-            };
-            if failed {
-                self.seek_part();
-            }
-            let body = self.part(Keyword::EndIf);
-            arms.push((node, body));
-            let keyword = self.keyword();
-            if keyword == Keyword::Elsif {
-                self.next();
-                condition = self.condition(Keyword::Then, THEN);
-                continue;
-            }
-            if keyword == Keyword::Else {
-                let at = self.next().span;
-                if self.keyword() == Keyword::If && !self.on_new_line() && !self.closed_twice() {
-                    let span = at.to(self.token().span);
-                    self.tell_other_word(span, Keyword::Elsif);
-                    self.next();
-                    condition = self.condition(Keyword::Then, THEN);
-                    continue;
-                }
-                otherwise = self.part(Keyword::EndIf);
-                if matches!(self.keyword(), Keyword::Else | Keyword::Elsif) {
-                    let span = self.token().span;
-                    let written = self.short(span);
-                    self.tell(Code::StStrayEnd, span, [written.into(), "IF".into()]);
-                    self.next();
-                    self.recover();
-                    self.part(Keyword::EndIf);
-                }
-            }
-            break;
-        }
-        if !self.accept_keyword(Keyword::EndIf) {
-            self.not_closed(start, Keyword::EndIf);
-        }
-        self.accept(Kind::Semicolon);
-        let kind = StatementKind::If(arms, otherwise);
-        let span = start.to(self.behind());
-        Ok(Statement { kind, span })
-    }
-
-    /// Whether behind `ELSE IF` two END_IF follow one another, so that it is an IF of its own: looked for as far as a
-    /// person would.
-    fn closed_twice(&self) -> bool {
-        let mut open = 0_i32;
-        for by in 0..600 {
-            match self.keyword_ahead(by) {
-                Keyword::If => open += 1,
-                Keyword::EndIf => open -= 1,
-                keyword if keyword.ends_unit() || keyword.begins_unit() => return false,
-                _ => {}
-            }
-            if self.ahead(by).kind == Kind::End {
-                return false;
-            }
-            if open == 0 {
-                // The IF behind ELSE ends here; does the outer one end too?
-                let semicolon = usize::from(self.ahead(by + 1).kind == Kind::Semicolon);
-                return self.keyword_ahead(by + 1 + semicolon) == Keyword::EndIf
-                    || semicolon == 1 && {
-                        let next = self.keyword_ahead(by + 2);
-                        !next.ends_unit() && self.later_end_if(by + 2)
-                    };
-            }
-        }
-        true
-    }
-
-    /// Whether more IF are closed than opened from there to the end of the unit.
-    fn later_end_if(&self, from: usize) -> bool {
-        let mut open = 0_i32;
-        for by in from..from + 600 {
-            match self.keyword_ahead(by) {
-                Keyword::If => open += 1,
-                Keyword::EndIf => open -= 1,
-                keyword if keyword.ends_unit() => return false,
-                _ => {}
-            }
-            if open < 0 {
-                return true;
-            }
-            if self.ahead(by).kind == Kind::End {
-                return false;
-            }
-        }
-        false
     }
 
     pub(super) fn while_statement(&mut self, start: Span) -> Parsed<StatementKind> {
@@ -251,113 +149,5 @@ impl Parser<'_, '_> {
         };
         self.expect_keyword(Keyword::Do, HELP)?;
         Ok((variable, from, to, by))
-    }
-
-    pub(super) fn case_statement(&mut self, start: Span) -> Parsed<StatementKind> {
-        self.next();
-        let help = ("behind the value stands OF", "depois do valor vem OF");
-        self.closers.push(Keyword::None);
-        let read = self.expression();
-        self.closers.pop();
-        let selector = read.and_then(|node| {
-            self.expect_keyword(Keyword::Of, help)?;
-            Ok(node)
-        });
-        let selector = match selector {
-            Ok(selector) => selector,
-            Err(Told) => {
-                self.seek_part();
-                self.wrong_node(start)
-            }
-        };
-        let (mut arms, mut otherwise) = (Vec::new(), Vec::new());
-        loop {
-            while self.accept(Kind::Semicolon) {}
-            if self.is_label() {
-                match self.arm() {
-                    Ok(arm) => arms.push(arm),
-                    Err(Told) => {
-                        self.seek_part();
-                        self.part(Keyword::EndCase);
-                    }
-                }
-                continue;
-            }
-            if self.accept_keyword(Keyword::Else) {
-                self.accept(Kind::Colon);
-                // No label is looked for behind ELSE.
-                otherwise = self.part(Keyword::EndCase);
-                continue;
-            }
-            let keyword = self.keyword();
-            if keyword == Keyword::EndCase
-                || self.is(Kind::End)
-                || keyword.ends_unit()
-                || keyword.begins_unit()
-            {
-                break;
-            }
-            if keyword.ends_part() {
-                break;
-            }
-            let what = (
-                "a value with a colon, `1:`,",
-                "um valor com dois-pontos, `1:`,",
-            );
-            let help = (
-                "each part of CASE begins with its values: 1, 2: or 3..5: or a name of an enumeration",
-                "cada parte de CASE começa com os seus valores: 1, 2: ou 3..5: ou um nome de enumeração",
-            );
-            self.missing(what, help);
-            let before = self.at;
-            self.recover();
-            if self.at == before {
-                self.next();
-            }
-        }
-        if !self.accept_keyword(Keyword::EndCase) {
-            self.not_closed(start, Keyword::EndCase);
-        }
-        Ok(StatementKind::Case(selector, arms, otherwise))
-    }
-
-    /// Whether a label of CASE stands here.
-    pub(super) fn is_label(&self) -> bool {
-        let follows =
-            |by: usize| matches!(self.ahead(by).kind, Kind::Colon | Kind::Comma | Kind::Range);
-        match self.kind() {
-            Kind::Number | Kind::Minus | Kind::Plus | Kind::Text => true,
-            Kind::Typed => follows(1),
-            Kind::Word if matches!(self.keyword(), Keyword::True | Keyword::False) => follows(1),
-            Kind::Word => self.keyword() == Keyword::None && follows(1),
-            _ => false,
-        }
-    }
-
-    fn arm(&mut self) -> Parsed<Arm> {
-        let mut labels = Vec::new();
-        loop {
-            self.closers.push(Keyword::None);
-            let low = self.expression();
-            let high = match self.is(Kind::Range) {
-                true => {
-                    self.next();
-                    self.expression().map(Some)
-                }
-                false => Ok(None),
-            };
-            self.closers.pop();
-            labels.push((low?, high?));
-            if !self.accept(Kind::Comma) {
-                break;
-            }
-        }
-        let help = (
-            "behind the values of a part stands a colon",
-            "depois dos valores de uma parte vêm dois-pontos",
-        );
-        self.expect(Kind::Colon, ":", help)?;
-        let body = self.part(Keyword::EndCase);
-        Ok(Arm { labels, body })
     }
 }

@@ -1,7 +1,7 @@
 //! Declarations: sections of variables.
 
 use super::super::ast::{Decl, Section, Vars};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};

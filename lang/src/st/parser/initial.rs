@@ -1,7 +1,7 @@
 //! What variables begin with.
 
 use super::super::ast::{Init, Node, SpecKind, TypeSpec};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::declare::NAME;
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::Code;

@@ -4,7 +4,7 @@
 //! place.
 
 use super::super::ast::{Arg, Instruction, Line, Name};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};

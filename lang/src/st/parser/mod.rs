@@ -2,25 +2,28 @@
 //!
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
-//! - `statement`, `compound`: statements; `recover`: what is done behind one that is wrong
+//! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done behind one that is wrong
 //! - `list`: the lines of Instruction List
-//! - `expression`: the rest
+//! - `expression`, `operand`, `path`: the rest
 //!
 //! It tells what is not written as the grammar has it, once for each place, and goes on behind the statement.
 
+mod choice;
 mod compound;
 mod declare;
 mod expression;
 mod initial;
 mod list;
+mod operand;
+mod path;
 mod recover;
 mod statement;
 mod types;
 mod unit;
 
-use super::Dialect;
 use super::ast::{File, Name};
-use super::lexer::{Kind, Token, tokens};
+use super::lexer::tokens;
+use super::token::{Dialect, Kind, Token};
 use super::words::{Keyword, meant};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::names::near::nearest;

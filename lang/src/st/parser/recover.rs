@@ -1,7 +1,7 @@
 //! Where statements end, and how the parser goes on behind what is wrong.
 
 use super::super::ast::{Node, NodeKind, Statement};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};

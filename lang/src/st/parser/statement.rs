@@ -1,7 +1,7 @@
 //! Statements: assignments, calls, and what ends each.
 
 use super::super::ast::{Path, Statement, StatementKind};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span, Word};

@@ -1,7 +1,7 @@
 //! Types as they are written.
 
 use super::super::ast::{Name, Node, SpecKind, TypeDecl, TypeSpec};
-use super::super::lexer::Kind;
+use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::declare::NAME;
 use super::{Parsed, Parser, Told};

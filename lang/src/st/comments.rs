@@ -1,0 +1,92 @@
+//! The comments of Structured Text, and the pragmas of other tools.
+//!
+//! Owns where they end.
+
+use super::lexer::Lexer;
+use crate::diagnostics::{Code, Span};
+
+impl Lexer<'_, '_> {
+    /// `(* … *)`, which may hold others; where that leaves one open to the end of the text, they do not count.
+    pub(super) fn comment(&mut self) {
+        let start = self.scan.at;
+        let (mut depth, mut first) = (0_usize, None);
+        while !self.scan.is_at_end() {
+            match (self.scan.peek(0), self.scan.peek(1)) {
+                (b'(', b'*') => {
+                    depth += usize::from(!self.flat || depth == 0);
+                    self.scan.at += 2;
+                }
+                (b'*', b')') => {
+                    self.scan.at += 2;
+                    depth -= 1;
+                    first = first.or(Some(self.scan.at));
+                    if depth == 0 {
+                        return;
+                    }
+                }
+                _ => self.scan.at += 1,
+            }
+        }
+        match first {
+            Some(end) => {
+                self.flat = true;
+                self.scan.at = end;
+            }
+            None => self.told_open(start, 2),
+        }
+    }
+
+    /// `/* … */`
+    pub(super) fn slashed(&mut self) {
+        let start = self.scan.at;
+        self.scan.at += 2;
+        while !self.scan.is_at_end() {
+            if (self.scan.peek(0), self.scan.peek(1)) == (b'*', b'/') {
+                self.scan.at += 2;
+                return;
+            }
+            self.scan.at += 1;
+        }
+        self.told_open(start, 2);
+    }
+
+    fn told_open(&mut self, start: usize, width: usize) {
+        let span = Span {
+            start: start as u32,
+            end: (start + width) as u32,
+        };
+        self.found.tell(Code::StCommentOpen, span, []);
+    }
+
+    /// Skips `{attribute 'x'}`, `{ S7_Optimized_Access := 'TRUE' }`: braces on one line that begin with such a word.
+    pub(super) fn is_pragma(&mut self) -> bool {
+        let rest = self.scan.rest();
+        let line = rest
+            .as_bytes()
+            .iter()
+            .take(400)
+            .take_while(|byte| **byte != b'\n');
+        let Some(end) = line.into_iter().position(|byte| *byte == b'}') else {
+            return false;
+        };
+        let words = rest.get(1..end).unwrap_or_default().trim_start();
+        let known = [
+            "attribute",
+            "region",
+            "endregion",
+            "warning",
+            "info",
+            "text",
+            "S7_",
+            "InstructionName",
+            "LibVersion",
+            "Extern",
+            "EXTERNAL",
+        ];
+        let is = known.iter().any(|word| words.starts_with(word));
+        if is {
+            self.scan.at += end + 1;
+        }
+        is
+    }
+}
