@@ -1,4 +1,4 @@
-//! Arithmetic that no instruction does in one piece: powers, dates and times, shifts.
+//! Arithmetic that no instruction does in one piece: powers, dates and times.
 //!
 //! Owns by which other operations it is done.
 
@@ -34,43 +34,8 @@ impl Coder<'_, '_> {
         match op {
             Binary::Min | Binary::Max if base != Base::Bool => self.extreme(op, a, b),
             Binary::Power => self.power(a, b, base, at),
-            Binary::Modulo if base.is_real() => {
-                self.lacking(
-                    at,
-                    ("MOD of REAL numbers", "MOD de números REAL"),
-                    (
-                        "convert to DINT first, or subtract the divisor in a loop",
-                        "converta antes para DINT, ou subtraia o divisor em um laço",
-                    ),
-                );
-                again(a, b)
-            }
             Binary::ShiftLeft | Binary::ShiftRight | Binary::RotateLeft | Binary::RotateRight => {
-                if !matches!(b.kind, ExprKind::Constant(_)) {
-                    self.lacking(
-                        at,
-                        (
-                            "a shift by a number that is computed",
-                            "um deslocamento por um número calculado",
-                        ),
-                        (
-                            "shift by a constant, or by 1 in a FOR loop",
-                            "desloque por uma constante, ou por 1 em um laço FOR",
-                        ),
-                    );
-                    return again(a, whole(0, Base::Dint, at));
-                }
-                let turns = matches!(op, Binary::RotateLeft | Binary::RotateRight);
-                let a = match turns {
-                    true if base.bits() < 32 && !self.is_within(&a, base) => self.keep(expr(
-                        ExprKind::Convert(Convert::Wrap, Box::new(a)),
-                        base,
-                        at,
-                    )),
-                    true => self.simple(a),
-                    false => a,
-                };
-                again(a, b)
+                self.shifted(op, a, b, base, at)
             }
             Binary::DtPlusTime => both(Binary::Add, a, seconds(b)),
             Binary::DtMinusTime => both(Binary::Subtract, a, seconds(b)),
@@ -130,16 +95,27 @@ impl Coder<'_, '_> {
             ExprKind::Constant(value) => value.int(),
             _ => i128::MIN,
         };
-        if exponent == i128::MIN || exponent < 0 && !base.is_real() || exponent.abs() > 1_000 {
+        if exponent == i128::MIN {
             self.lacking(
                 at,
-                ("a power whose exponent is computed", "uma potência de expoente calculado"),
                 (
-                    "write a whole number from 0 to 1000 as the exponent, or multiply in a loop",
-                    "escreva um número inteiro de 0 a 1000 como expoente, ou multiplique em um laço",
+                    "a power whose exponent is computed",
+                    "uma potência de expoente calculado",
+                ),
+                (
+                    "write a whole number as the exponent, or multiply in a loop",
+                    "escreva um número inteiro como expoente, ou multiplique em um laço",
                 ),
             );
             return one();
+        }
+        if exponent < 0 && !base.is_real() {
+            // Of whole numbers nothing is left but of 1, -1, and 0, which cannot be computed.
+            let part = self.keep(both(Binary::Divide, one(), a));
+            return match exponent % 2 {
+                0 => both(Binary::Multiply, part.clone(), part),
+                _ => part,
+            };
         }
         let mut rest = exponent.unsigned_abs();
         let mut square = if rest > 1 { self.simple(a) } else { a };

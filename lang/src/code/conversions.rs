@@ -3,11 +3,10 @@
 //! Owns what a BOOL is as a number, and which REAL fits an integer.
 
 use super::coder::Coder;
-use super::flat::expr;
-use super::flat::{both, compare, whole};
+use super::flat::{both, compare, constant, expr, whole};
 use super::ranges::real_bounds;
 use crate::diagnostics::Span;
-use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind};
+use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Value};
 use unoclp_core::isa::Opcode;
 
 impl Coder<'_, '_> {
@@ -60,15 +59,7 @@ impl Coder<'_, '_> {
             return made(a);
         }
         if most > i128::from(i32::MAX) {
-            self.lacking(
-                at,
-                (
-                    "a conversion of REAL to a number of 32 bits without a sign",
-                    "uma conversão de REAL para um número de 32 bits sem sinal",
-                ),
-                ("convert to DINT first", "converta antes para DINT"),
-            );
-            return whole(0, base, at);
+            return self.without_sign(how, a, base, at);
         }
         let number = expr(ExprKind::Convert(how, Box::new(a)), Base::Dint, at);
         let held = self.keep(number);
@@ -76,5 +67,22 @@ impl Coder<'_, '_> {
         let below = compare(Compare::Less, held.clone(), whole(least, Base::Dint, at));
         self.zero_where(&both(Binary::Or, above, below), &held);
         Expr { base, ..held }
+    }
+
+    /// A REAL as 32 bits without a sign: from 2^31 on by what it is above 2^32, which is exact.
+    fn without_sign(&mut self, how: Convert, a: Expr, base: Base, at: Span) -> Expr {
+        let real = |number: f64| constant(Value::Real(number), Base::Real, at);
+        let a = self.simple(a);
+        let held = self.keep(a.clone());
+        let is_big = compare(Compare::GreaterEqual, a.clone(), real(2_147_483_648.0));
+        let big = self.keep(is_big);
+        if let ExprKind::Read(to) = &held.kind {
+            let above = both(Binary::Subtract, a, real(4_294_967_296.0));
+            self.guarded(&big, to, &above);
+        }
+        let number = self.keep(expr(ExprKind::Convert(how, Box::new(held)), Base::Dint, at));
+        let negative = compare(Compare::Less, number.clone(), whole(0, Base::Dint, at));
+        self.zero_where(&both(Binary::Xor, negative, big), &number);
+        Expr { base, ..number }
     }
 }

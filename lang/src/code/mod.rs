@@ -13,7 +13,8 @@
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
 //! - `uses`: what is done with each cell; `allot`: its place; `seats`: markers, registers, timers, counters
 //! - `ranges`: which values an expression may have; `operand`: what an operation takes as it stands
-//! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`
+//! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`,
+//!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
 //! - `pen`: what acc and value hold; `finish`: labels, first values, what is kept, the cost of loops
@@ -45,6 +46,7 @@ mod pure;
 mod ranges;
 mod seats;
 mod selection;
+mod shifts;
 mod statements;
 mod subscripts;
 mod uses;

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Holds, Symbol, Tree};
-use unoclp_lang::{Lang, Lines, TextLanguage, check, given};
+use unoclp_lang::{Diagnostic, Lang, Lines, TextLanguage, Told, check, given};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -51,6 +51,50 @@ struct Case {
     printed: Vec<toml::Value>,
     /// The line in which S 04 is set first.
     fails: Option<u32>,
+    /// What is told besides where the board cannot do it; all else runs on the board's core too.
+    #[serde(default)]
+    board: Vec<String>,
+    /// For each of them, a part of its message or help in English.
+    #[serde(default)]
+    board_says: Vec<String>,
+    /// Likewise in Portuguese.
+    #[serde(default)]
+    board_diz: Vec<String>,
+}
+
+/// Each diagnostic by its code and place.
+fn places(told: &Told, source: &str) -> Vec<String> {
+    let lines = Lines::new(source);
+    let place = |d: &Diagnostic| {
+        let (line, column) = lines.place(source, d.span.start);
+        format!("{} {line}:{column}", d.code)
+    };
+    told.iter().map(place).collect()
+}
+
+/// Its message and its help.
+fn said(told: &Told, lang: Lang) -> Vec<String> {
+    let one = |d: &Diagnostic| [d.message(lang), d.help(lang)].join("; ");
+    told.iter().map(one).collect()
+}
+
+/// What should be told and is not: places, and parts of what is said.
+fn untold(
+    told: &Told,
+    source: &str,
+    expected: &[String],
+    says: &[String],
+    diz: &[String],
+) -> Option<String> {
+    let (english, portuguese) = (said(told, Lang::En), said(told, Lang::Pt));
+    let places = places(told, source);
+    if places != expected {
+        return Some(format!("told {places:?} {english:#?}, not {expected:?}"));
+    }
+    let says = says.iter().zip(&english);
+    let mut both = says.chain(diz.iter().zip(&portuguese));
+    let (part, all) = both.find(|(part, all)| !all.contains(*part))?;
+    Some(format!("{all:?} does not say {part:?}"))
 }
 
 /// A value of a table as a person writes it.
@@ -86,28 +130,15 @@ impl Case {
         };
         let checked = check(source, language);
         let lines = Lines::new(source);
-        let told: Vec<String> = checked
-            .diagnostics
-            .iter()
-            .map(|d| {
-                let (line, column) = lines.place(source, d.span.start);
-                format!("{} {line}:{column}", d.code)
-            })
-            .collect();
-        let said = |lang| -> Vec<String> {
-            let one = |d: &unoclp_lang::Diagnostic| [d.message(lang), d.help(lang)].join("; ");
-            checked.diagnostics.iter().map(one).collect()
-        };
-        let (english, portuguese) = (said(Lang::En), said(Lang::Pt));
-        if told != self.told {
-            return Some(format!("told {told:?} {english:#?}, not {:?}", self.told));
-        }
-        let says = self.says.iter().zip(&english);
-        let silent = says
-            .chain(self.diz.iter().zip(&portuguese))
-            .find(|(part, all)| !all.contains(*part));
-        if let Some((part, all)) = silent {
-            return Some(format!("{all:?} does not say {part:?}"));
+        let untold = untold(
+            &checked.diagnostics,
+            source,
+            &self.told,
+            &self.says,
+            &self.diz,
+        );
+        if untold.is_some() {
+            return untold;
         }
         match &checked.tree {
             Some(tree) => {
@@ -172,21 +203,16 @@ impl Case {
     /// The same on the board's core, where the board can do it.
     fn on_board(&self, source: &str, language: TextLanguage) -> Result<(), String> {
         let made = board::compiled(source, language);
-        if let Some(errors) = board::errors(&made) {
-            // What the board lacks is told by messages of its own.
-            let own = made
-                .diagnostics
-                .iter()
-                .any(|d| (201..=210).contains(&(d.code as u16)));
-            return match own {
-                true => {
-                    if std::env::var("UNOCLP_SHOW").is_ok() {
-                        println!("not on the board: {}: {errors}", self.name);
-                    }
-                    Ok(())
-                }
-                false => Err(format!("does not compile: {errors}")),
-            };
+        if board::errors(&made).is_some() || !self.board.is_empty() {
+            let told = &made.diagnostics;
+            let untold = untold(
+                told,
+                source,
+                &self.board,
+                &self.board_says,
+                &self.board_diz,
+            );
+            return untold.map_or(Ok(()), |fault| Err(format!("for the board: {fault}")));
         }
         let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
             return Err("no program".to_owned());
