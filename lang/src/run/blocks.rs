@@ -41,9 +41,10 @@ impl Cells<'_> {
     }
 }
 
-/// INT's greatest and least value, where counters stop.
-const MOST: i128 = 32_767;
-const LEAST: i128 = -32_768;
+/// A counter's number after so many counts: it stops at the ends of 32 bits, as the board's does (NC-15).
+fn counted(count: i128, by: i128) -> i128 {
+    (count + by).clamp(i32::MIN.into(), i32::MAX.into())
+}
 
 impl Machine<'_> {
     /// Runs the block whose first cell this is.
@@ -81,25 +82,27 @@ impl Machine<'_> {
     }
 }
 
+/// Whether a counter has reached its preset, which is at least 0 (NC-15).
+fn is_reached(cells: &Cells<'_>, count: i128) -> bool {
+    count >= cells.get("PV").max(0)
+}
+
 fn up(cells: &mut Cells<'_>) {
     let rises = cells.rises("CU", "#CU");
-    let count = cells.get("CV");
-    let count = match (cells.is("R"), rises && count < MOST) {
-        (true, _) => 0,
-        (false, true) => count + 1,
-        (false, false) => count,
+    let count = match cells.is("R") {
+        true => 0,
+        false => counted(cells.get("CV"), rises.into()),
     };
     cells.set("CV", count);
-    cells.put("Q", count >= cells.get("PV"));
+    let reached = is_reached(cells, count);
+    cells.put("Q", reached);
 }
 
 fn down(cells: &mut Cells<'_>) {
     let rises = cells.rises("CD", "#CD");
-    let count = cells.get("CV");
-    let count = match (cells.is("LD"), rises && count > LEAST) {
-        (true, _) => cells.get("PV"),
-        (false, true) => count - 1,
-        (false, false) => count,
+    let count = match cells.is("LD") {
+        true => cells.get("PV"),
+        false => counted(cells.get("CV"), -i128::from(rises)),
     };
     cells.set("CV", count);
     cells.put("Q", count <= 0);
@@ -107,32 +110,35 @@ fn down(cells: &mut Cells<'_>) {
 
 fn both(cells: &mut Cells<'_>) {
     let (up, down) = (cells.rises("CU", "#CU"), cells.rises("CD", "#CD"));
-    let mut count = cells.get("CV");
-    if cells.is("R") {
-        count = 0;
+    let count = if cells.is("R") {
+        0
     } else if cells.is("LD") {
-        count = cells.get("PV");
-    } else if up != down {
-        count = (count + if up { 1 } else { -1 }).clamp(LEAST, MOST);
-    }
+        cells.get("PV")
+    } else {
+        counted(counted(cells.get("CV"), up.into()), -i128::from(down))
+    };
     cells.set("CV", count);
-    cells.put("QU", count >= cells.get("PV"));
+    let reached = is_reached(cells, count);
+    cells.put("QU", reached);
     cells.put("QD", count <= 0);
 }
 
+/// Once it is over it stays so until IN falls, whatever PT becomes (NC-9).
 fn on_delay(cells: &mut Cells<'_>, now: i128) {
-    if cells.rises("IN", "#M") {
+    let (rises, preset) = (cells.rises("IN", "#M"), cells.get("PT").max(0));
+    if rises {
         cells.set("#AT", now);
     }
-    let preset = cells.get("PT").max(0);
-    let runs = cells.is("IN");
-    let elapsed = if runs {
-        (now - cells.get("#AT")).clamp(0, preset)
-    } else {
-        0
+    let elapsed = now - cells.get("#AT");
+    let (on, before) = (cells.is("IN"), cells.is("Q") && !rises);
+    let q = on && (before || elapsed >= preset);
+    let elapsed = match (on, q) {
+        (false, _) => 0,
+        (true, true) => preset,
+        (true, false) => elapsed,
     };
     cells.set("ET", elapsed);
-    cells.put("Q", runs && elapsed >= preset);
+    cells.put("Q", q);
 }
 
 fn off_delay(cells: &mut Cells<'_>, now: i128) {
@@ -161,12 +167,13 @@ fn pulse(cells: &mut Cells<'_>, now: i128) {
         cells.set("#AT", now);
         cells.put("Q", true);
     }
-    if cells.is("Q") {
-        let elapsed = (now - cells.get("#AT")).clamp(0, preset);
-        cells.set("ET", elapsed);
-        cells.put("Q", elapsed < preset);
-    }
-    if !cells.is("Q") && !cells.is("IN") {
-        cells.set("ET", 0);
-    }
+    let elapsed = now - cells.get("#AT");
+    let runs = cells.is("Q") && elapsed < preset;
+    let elapsed = match (runs, cells.is("IN")) {
+        (true, _) => elapsed,
+        (false, true) => preset,
+        (false, false) => 0,
+    };
+    cells.set("ET", elapsed);
+    cells.put("Q", runs);
 }

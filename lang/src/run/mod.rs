@@ -17,6 +17,7 @@ mod statements;
 
 use crate::diagnostics::Span;
 use crate::typed::{Base, Holds, Point, Symbol, Tree, Value};
+use unoclp_core::Clocks;
 
 /// More steps than this no scan takes; a loop that does not end is stopped so.
 pub const MOST_STEPS: u64 = 20_000_000;
@@ -59,6 +60,7 @@ pub struct Machine<'t> {
     tree: &'t Tree,
     memory: Vec<Value>,
     now: i64,
+    clocks: Clocks,
     scans: u64,
     steps: u64,
     most: u64,
@@ -80,6 +82,7 @@ impl<'t> Machine<'t> {
             tree,
             memory: tree.cells.iter().map(|cell| cell.initial.clone()).collect(),
             now: 0,
+            clocks: Clocks::new(),
             scans: 0,
             steps: 0,
             most: MOST_STEPS,
@@ -112,11 +115,13 @@ impl<'t> Machine<'t> {
     }
 
     fn system_markers(&mut self) {
+        // The board's clock has 32 bits.
+        self.clocks.scan(self.scans == 0, self.now as u32);
         for (cell, point) in &self.tree.points {
             let bit = match point {
                 Point::System(1) => self.scans == 0,
-                Point::System(2) => self.now.rem_euclid(1000) >= 500,
-                Point::System(3) => self.now.rem_euclid(100) >= 50,
+                Point::System(2) => self.clocks.slow(),
+                Point::System(3) => self.clocks.fast(),
                 Point::System(_) => false,
                 _ => continue,
             };

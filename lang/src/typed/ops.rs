@@ -10,6 +10,7 @@ use super::value::Value;
 use super::width::{FAILED, finite, int, narrowed, wide};
 pub use super::width::{Outcome, narrow};
 use std::cmp::Ordering;
+use unoclp_core::real;
 
 /// Of one operand of type `base`.
 pub fn unary(op: Unary, base: Base, value: &Value) -> Outcome {
@@ -96,8 +97,8 @@ fn of_reals(op: Binary, base: Base, x: f64, b: &Value) -> Outcome {
     match op {
         Binary::Add => finite(base, x + y),
         Binary::Subtract => finite(base, x - y),
-        Binary::Multiply => finite(base, x * y),
-        Binary::Divide => finite(base, x / y),
+        Binary::Multiply => product(base, x, y),
+        Binary::Divide => quotient(base, x, y),
         Binary::Modulo => finite(base, x % y),
         Binary::Min => finite(base, x.min(y)),
         Binary::Max => finite(base, x.max(y)),
@@ -106,23 +107,45 @@ fn of_reals(op: Binary, base: Base, x: f64, b: &Value) -> Outcome {
     }
 }
 
+fn product(base: Base, x: f64, y: f64) -> Outcome {
+    match base {
+        Base::Real => as_on_the_board(real::multiply, x, y),
+        _ => finite(base, x * y),
+    }
+}
+
+fn quotient(base: Base, x: f64, y: f64) -> Outcome {
+    match base {
+        Base::Real => as_on_the_board(real::divide, x, y),
+        _ => finite(base, x / y),
+    }
+}
+
+/// Below the least normal number the board rounds in a way of its own.
+fn as_on_the_board(operation: fn(i32, i32) -> (i32, bool), x: f64, y: f64) -> Outcome {
+    let bits = |number: f64| (number as f32).to_bits().cast_signed();
+    let (made, failed) = operation(bits(x), bits(y));
+    let made = f32::from_bits(made.cast_unsigned());
+    (Value::Real(made.into()), failed)
+}
+
 /// By squaring, each product rounded, as the board does it.
 fn real_power(base: Base, x: f64, exponent: i128) -> Outcome {
     let (mut result, mut square, mut failed) = (1.0, x, false);
     let mut rest = exponent.unsigned_abs().min(1 << 31);
     while rest > 0 {
         if rest & 1 == 1 {
-            let (product, over) = finite(base, result * square);
+            let (product, over) = product(base, result, square);
             (result, failed) = (product.real(), failed | over);
         }
         rest >>= 1;
         if rest > 0 {
-            let (product, over) = finite(base, square * square);
+            let (product, over) = product(base, square, square);
             (square, failed) = (product.real(), failed | over);
         }
     }
     let (value, over) = match exponent < 0 {
-        true => finite(base, 1.0 / result),
+        true => quotient(base, 1.0, result),
         false => finite(base, result),
     };
     (if failed { Value::Real(0.0) } else { value }, failed | over)
