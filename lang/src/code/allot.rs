@@ -37,7 +37,7 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
         found,
         told: false,
     };
-    allotter.points(tree);
+    allotter.points(tree, uses);
     allotter.blocks(flat, uses);
     allotter.rows(flat, uses);
     let own = tree.cells.len() as u32;
@@ -115,7 +115,7 @@ fn instead(base: Base) -> (&'static str, &'static str) {
 }
 
 impl Allotter<'_> {
-    fn points(&mut self, tree: &Tree) {
+    fn points(&mut self, tree: &Tree, uses: &Uses) {
         for (cell, point) in &tree.points {
             let number = |n: u32| u8::try_from(n).unwrap_or(u8::MAX);
             let seat = match *point {
@@ -129,6 +129,15 @@ impl Allotter<'_> {
             };
             self.seats.take(seat);
             self.seats.of.insert(*cell, seat);
+        }
+        // Behind the others, whose registers are the program's choice.
+        for (cell, point) in &tree.points {
+            if let Point::Pwm(output) = *point
+                && uses.get(*cell).is_some_and(|of| of.reads > 0)
+                && self.seat(*cell, Base::Int, false).is_some()
+            {
+                self.seats.outputs.insert(*cell, output as u8);
+            }
         }
     }
 

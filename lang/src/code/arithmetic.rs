@@ -3,8 +3,10 @@
 //! Owns by which other operations it is done.
 
 use super::coder::Coder;
+use super::fails::may_fail;
 use super::flat::{both, compare, whole};
 use super::flat::{constant, expr};
+use super::ranges::bounds;
 use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
 
@@ -63,6 +65,14 @@ impl Coder<'_, '_> {
     /// As a TIME; 0 and S 04 where it is beyond.
     fn difference(&mut self, a: Expr, b: Expr, unit: i128, at: Span) -> Expr {
         let most = i128::from(i32::MAX) / unit;
+        let (from, to) = (bounds(&a), bounds(&b));
+        // Numbers without signs that are nearly 32 bits apart are near one another where 32 bits are all there are.
+        let far = (to.1 - from.0).max(from.1 - to.0) > i128::from(u32::MAX) - most;
+        let (a, b) = match far {
+            true => (self.simple(a), self.simple(b)),
+            false => (a, b),
+        };
+        let sides = far.then(|| compare(Compare::Less, a.clone(), b.clone()));
         let apart = both(Binary::Subtract, a, b);
         let apart = expr(
             ExprKind::Convert(Convert::Keep, Box::new(apart)),
@@ -76,7 +86,11 @@ impl Coder<'_, '_> {
             Base::Udint,
             at,
         );
-        let wrong = compare(Compare::Greater, shifted, whole(2 * most, Base::Udint, at));
+        let mut wrong = compare(Compare::Greater, shifted, whole(2 * most, Base::Udint, at));
+        if let Some(less) = sides {
+            let negative = compare(Compare::Less, held.clone(), whole(0, Base::Dint, at));
+            wrong = both(Binary::Or, wrong, both(Binary::Xor, less, negative));
+        }
         self.zero_where(&wrong, &held);
         let made = both(Binary::Multiply, held, whole(unit, Base::Dint, at));
         Expr {
@@ -118,7 +132,11 @@ impl Coder<'_, '_> {
             };
         }
         let mut rest = exponent.unsigned_abs();
-        let mut square = if rest > 1 { self.simple(a) } else { a };
+        let mut square = match rest {
+            0 if may_fail(&a) => self.keep(a),
+            0 | 1 => a,
+            _ => self.simple(a),
+        };
         let mut result: Option<Expr> = None;
         while rest > 0 {
             if rest & 1 == 1 {

@@ -29,6 +29,9 @@ impl Coder<'_, '_> {
             return false;
         };
         let plain = to.indices.is_empty() && from.indices.is_empty();
+        if self.seats.outputs.contains_key(&to.offset) {
+            return false;
+        }
         let seat = |cell| self.seats.of.get(&cell).copied();
         let (Some(Seat::Register(held)), Some(Seat::Register(goal))) =
             (seat(from.offset), seat(to.offset))

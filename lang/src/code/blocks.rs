@@ -3,13 +3,15 @@
 //! Owns which instructions a block becomes and which of its members need a place. Must not know other statements.
 
 use super::coder::Coder;
+use super::fails::may_fail;
 use super::flat::{Does, Step, constant, place, read};
 use super::flat::{both, not};
 use super::pen::Acc;
+use super::ranges::bounds;
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
 use unoclp_core::Target;
-use unoclp_core::isa::{Opcode, Operand};
+use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 
 impl Coder<'_, '_> {
     /// Calls a block; whether the step behind it is done too.
@@ -66,7 +68,11 @@ impl Coder<'_, '_> {
                 self.reached(cell + 3, Seat::Reached(counter));
             }
             Standard::Ctd => {
-                let (down, load, preset) = (input(self, 0), input(self, 1), input(self, 2));
+                let (down, load, mut preset) = (input(self, 0), input(self, 1), input(self, 2));
+                // It is loaded where LD is 1 alone, and computed always.
+                if may_fail(&preset) {
+                    preset = self.keep(preset);
+                }
                 let Some(&counter) = self.seats.counters.get(&cell) else {
                     return false;
                 };
@@ -111,7 +117,11 @@ impl Coder<'_, '_> {
         }
     }
 
+    /// Q1, which has no place where nothing reads it.
     fn result(&mut self, cell: u32, value: &Expr) {
+        if !self.seats.of.contains_key(&cell) && may_fail(value) {
+            return self.bit(value, false);
+        }
         self.assign_prepared(&place(cell, value.at), value, Store::Narrow(Base::Bool));
     }
 
@@ -175,6 +185,11 @@ impl Coder<'_, '_> {
                 self.pen.plain(Opcode::FallingEdge);
                 self.pen.acc = Acc::Other;
                 self.value(preset);
+                if bounds(preset).0 < 0 {
+                    // It was 0, and stays so.
+                    let least = Operand::Value(Taken::Constant(0));
+                    self.pen.with(Opcode::GreaterOrEqual, least, None);
+                }
                 self.store(cell + 3);
                 self.pen.holds = None;
             } else {

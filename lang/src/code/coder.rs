@@ -43,6 +43,9 @@ impl Coder<'_, '_> {
                 if self.pen.acc == Acc::One {
                     self.pen.holds = Some(Seat::Register(register));
                 }
+                if let Some(&output) = self.seats.outputs.get(&cell) {
+                    self.pen.numbered(Opcode::StorePwm, output, Some(cell));
+                }
             }
             Some(&Seat::Pwm(output)) => self.pen.numbered(Opcode::StorePwm, output, Some(cell)),
             Some(&Seat::Count(counter)) => {

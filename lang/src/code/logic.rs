@@ -3,6 +3,7 @@
 //! Owns how logic is turned round and simplified. Must not know instructions.
 
 use super::coder::Coder;
+use super::fails::may_fail;
 use super::flat::{constant, read};
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
@@ -36,11 +37,11 @@ fn and(all: Vec<Bit>) -> Bit {
     for part in all {
         match part {
             Bit::Is(true) => {}
-            Bit::Is(false) => return Bit::Is(false),
             Bit::And(inner) => parts.extend(inner),
             other => parts.push(other),
         }
     }
+    only_what_matters(&mut parts, false);
     match parts.len() {
         0 => Bit::Is(true),
         1 => parts.swap_remove(0),
@@ -53,11 +54,11 @@ fn or(all: Vec<Bit>) -> Bit {
     for part in all {
         match part {
             Bit::Is(false) => {}
-            Bit::Is(true) => return Bit::Is(true),
             Bit::Or(inner) => parts.extend(inner),
             other => parts.push(other),
         }
     }
+    only_what_matters(&mut parts, true);
     match parts.len() {
         0 => Bit::Is(false),
         1 => parts.swap_remove(0),
@@ -81,6 +82,23 @@ pub(super) fn begins(bit: &mut Bit, held: Seat) -> bool {
             None => false,
         },
         other => is(other),
+    }
+}
+
+/// Where a part is this constant, all of them come to it; the others matter if they may set S 04.
+fn only_what_matters(parts: &mut Vec<Bit>, decides: bool) {
+    let is = |part: &Bit| matches!(part, Bit::Is(is) if *is == decides);
+    if parts.iter().any(is) {
+        parts.retain(sets_error);
+        parts.insert(0, Bit::Is(decides));
+    }
+}
+
+fn sets_error(bit: &Bit) -> bool {
+    match bit {
+        Bit::Is(_) | Bit::Contact(..) => false,
+        Bit::Test(_, a, b) => may_fail(a) || may_fail(b),
+        Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => parts.iter().any(sets_error),
     }
 }
 

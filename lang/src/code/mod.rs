@@ -11,8 +11,10 @@
 //!
 //! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
+//! - `counts`: numbers of counters, which are wider than their type
 //! - `uses`: what is done with each cell; `allot`: its place; `seats`: markers, registers, timers, counters
-//! - `ranges`: which values an expression may have; `operand`: what an operation takes as it stands
+//! - `ranges`: which values an expression may have; `fails`: whether it may set S 04; `operand`: what an operation takes as
+//!   it stands
 //! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`,
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
@@ -31,6 +33,8 @@ mod coder;
 mod compare;
 mod conversions;
 mod copy;
+mod counts;
+mod fails;
 mod finish;
 mod flat;
 mod inline;
@@ -119,6 +123,7 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
     }
     merge::merge(&mut flat, own);
     merge::gather(&mut flat);
+    counts::mark(&mut flat);
     let uses = uses::Uses::of(&flat);
     let seats = allot::allot(tree, &flat, &uses, found);
     if found.has_errors() {
@@ -150,10 +155,15 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
         .symbols
         .iter()
         .map(|symbol| match symbol.holds {
-            Holds::Cell(cell) => seats
-                .of
-                .get(&cell)
-                .and_then(|seat| seat.shown(&finished.timers)),
+            Holds::Cell(cell) => {
+                seats
+                    .of
+                    .get(&cell)
+                    .and_then(|seat| match seats.outputs.get(&cell) {
+                        Some(&output) => seats::Seat::Pwm(output).shown(&finished.timers),
+                        None => seat.shown(&finished.timers),
+                    })
+            }
             Holds::Either { .. } => None,
         })
         .collect();

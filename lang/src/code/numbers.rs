@@ -3,6 +3,7 @@
 //! Owns which instructions an operation takes. Must not know statements; acc stays as it is.
 
 use super::coder::Coder;
+use super::fails::may_fail;
 use super::operand::bits;
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Place, Unary, Width};
@@ -180,6 +181,9 @@ impl Coder<'_, '_> {
         let by = by.int();
         let turns = matches!(op, Binary::RotateLeft | Binary::RotateRight);
         if !turns && !(0..bits).contains(&by) {
+            if may_fail(a) {
+                self.value(a);
+            }
             self.number(Opcode::Load, 0);
             return;
         }

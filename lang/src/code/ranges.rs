@@ -8,6 +8,9 @@ use crate::typed::{Base, Binary, Convert, Expr, ExprKind, TypeId, Unary, Width};
 /// The type of what an analogue input reads.
 pub(super) const ANALOGUE: TypeId = TypeId(u32::MAX);
 
+/// The type of what a counter's number reads: it goes on beyond INT.
+pub(super) const COUNT: TypeId = TypeId(u32::MAX - 1);
+
 /// The least and the greatest value.
 pub(super) type Bounds = (i128, i128);
 
@@ -39,6 +42,7 @@ pub(super) fn bounds(expr: &Expr) -> Bounds {
     match &expr.kind {
         ExprKind::Constant(value) => (value.int(), value.int()),
         ExprKind::Read(_) if expr.ty == ANALOGUE => (0, 1023),
+        ExprKind::Read(_) if expr.ty == COUNT => (i32::MIN.into(), i32::MAX.into()),
         ExprKind::Read(place) if place.offset >= TEMPORARY && place.offset & 1 == 1 => wide(base),
         ExprKind::Convert(Convert::Keep, a) => within(base, of(a)),
         ExprKind::Convert(Convert::Wrap, a) if !a.base.is_real() => {

@@ -52,6 +52,8 @@ pub(super) struct Seats {
     pub of: HashMap<u32, Seat>,
     pub timers: HashMap<u32, usize>,
     pub counters: HashMap<u32, u8>,
+    /// PWM outputs that the program reads: it reads a register, which the output follows.
+    pub outputs: HashMap<u32, u8>,
     /// What is kept: registers and counters.
     pub kept_registers: Vec<u8>,
     pub kept_counters: Vec<u8>,

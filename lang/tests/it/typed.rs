@@ -205,13 +205,7 @@ impl Case {
         let made = board::compiled(source, language);
         if board::errors(&made).is_some() || !self.board.is_empty() {
             let told = &made.diagnostics;
-            let untold = untold(
-                told,
-                source,
-                &self.board,
-                &self.board_says,
-                &self.board_diz,
-            );
+            let untold = untold(told, source, &self.board, &self.board_says, &self.board_diz);
             return untold.map_or(Ok(()), |fault| Err(format!("for the board: {fault}")));
         }
         let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
