@@ -1,4 +1,11 @@
-//! What the tests of several crates share: how many rounds they make, and the corpora of the fuzz targets.
+//! What the tests of several crates share: how many rounds they make, random programs of all types, and the corpora
+//! of the fuzz targets.
+
+mod random;
+mod typed;
+
+pub use random::Random;
+pub use typed::typed_program;
 
 use std::env;
 use std::fs;

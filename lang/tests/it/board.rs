@@ -6,6 +6,7 @@ use unoclp_core::{Image, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{CompiledText, Severity, TextLanguage, compile_text};
+use unoclp_testing::Random;
 
 /// A board with room for anything, so that it is not room that is compared.
 pub fn large() -> Profile {
@@ -112,6 +113,26 @@ impl<'t> Twins<'t> {
         true
     }
 
+    /// Changes some inputs, and seldom some variables, as a person at the board and one at the monitor do.
+    pub fn stir(&mut self, plc: &mut Plc<'_>, random: &mut Random) {
+        let tree = self.tree;
+        for (at, symbol) in tree.symbols.iter().enumerate() {
+            let value = match &*symbol.name {
+                "%IW4" if random.percent(20) => random.below(1024) as i128,
+                name if name.starts_with("%IX") && random.percent(30) => random.below(2) as i128,
+                "b0" | "b1" | "b2" | "b3" if random.percent(2) => random.below(2) as i128,
+                "i0" if random.percent(20) => random.below(9) as i128 - 2,
+                _ => continue,
+            };
+            self.set(plc, at, &Value::Int(value));
+        }
+    }
+
+    /// What stands at the pins.
+    pub fn inputs(&self) -> Inputs {
+        self.inputs
+    }
+
     /// One scan of both, and what differs behind it.
     pub fn scan(&mut self, plc: &mut Plc<'_>, now: u32) -> Result<(), String> {
         let ended = self.machine.scan(now.into());
@@ -125,6 +146,11 @@ impl<'t> Twins<'t> {
         for (symbol, place) in self.tree.symbols.iter().zip(self.places) {
             let Some(place) = place else { continue };
             let (wanted, base) = self.machine.value(symbol);
+            // A pin takes what fits it of what its variable holds.
+            let wanted = match (&wanted, place.starts_with("Q ") && base != Base::Bool) {
+                (Value::Int(level), true) => Value::Int((*level).clamp(0, 255)),
+                _ => wanted,
+            };
             if let Some(value) = held(plc, place, base, now)
                 && !same(&value, &wanted)
             {

@@ -2,31 +2,7 @@
 
 use unoclp_core::{Image, Inputs, Loader, Plc, Profile};
 use unoclp_lang::{Compiled, Options, compile};
-
-/// SplitMix64 (Steele, Lea and Flood, 2014).
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = self.0;
-        let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    pub fn below(&mut self, limit: usize) -> usize {
-        ((u128::from(self.bits()) * limit as u128) >> 64) as usize
-    }
-
-    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
-    }
-
-    pub fn percent(&mut self, cases: usize) -> bool {
-        self.below(100) < cases
-    }
-}
+pub use unoclp_testing::Random;
 
 /// A board with more memory than any, so that size decides nothing.
 pub const LARGE: Profile = Profile {
