@@ -33,4 +33,5 @@ mod state_refused;
 mod state_scans;
 mod stop;
 mod suite;
+mod typed;
 mod watchdog;
