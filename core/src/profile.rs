@@ -12,6 +12,8 @@ pub struct Profile {
     pub stored_bytes: u16,
     /// Bytes that a program may take in run memory: its linked form and its data.
     pub linked_bytes: u16,
+    /// Whether it has the instructions of REAL numbers (NC-23).
+    pub real: bool,
 }
 
 impl Profile {
@@ -23,6 +25,13 @@ impl Profile {
         outputs: 4,
         stored_bytes: 900,
         linked_bytes: 960,
+        real: true,
+    };
+
+    /// The Arduino Nano, wired the same: its boot loader takes the room that REAL numbers would.
+    pub const NANO: Profile = Profile {
+        real: false,
+        ..Profile::UNO
     };
 
     /// Bytes of memory in which a [`Plc`](crate::Plc) runs any program that fits: it keeps the stored form,

@@ -172,6 +172,11 @@ pub(crate) fn xx(code: i32, base: i32) -> Option<u8> {
     (0..100).contains(&xx).then_some(xx as u8)
 }
 
+/// Whether an instruction that is stored so is one of REAL numbers (NC-23).
+pub const fn is_real(stored: u8) -> bool {
+    stored >= Opcode::RealAdd as u8 && stored <= Opcode::RealComparable as u8
+}
+
 /// The byte of the row that a first stored byte belongs to.
 pub(crate) const fn first_of(byte: u8) -> u8 {
     if holds_point(byte) { byte & 0xF0 } else { byte }

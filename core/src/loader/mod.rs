@@ -306,6 +306,9 @@ impl<'m, B: Board> Loader<'m, B> {
         if xx < entry.first || xx > last {
             return Err(no_such(kind));
         }
+        if !self.board.profile().real && isa::is_real(stored) {
+            return Err(Cause::UnknownCode);
+        }
         self.needs.note(kind, xx)?;
         if kind.is_value() && xx == isa::POPPED || stored == Opcode::StoreTable as u8 {
             self.rung.pop()?;

@@ -259,6 +259,7 @@ fn limits_of_the_uno() {
         outputs,
         stored_bytes,
         linked_bytes,
+        real: _,
     } = Profile::UNO;
     for name in ["README.md", "README.pt-BR.md", "docs/numeric-code.md"] {
         let rows = table(&document(name), "profile");

@@ -1,11 +1,16 @@
 //! What the data files under `suite/` cannot say: memory sizes, and going on after a fault.
 
+use unoclp_core::isa::{Opcode, is_real};
 use unoclp_core::{Cause, Fault, Image, Loader, Plc, Profile};
 
 /// All faults that can be told of a text, as number and line.
 fn faults(text: &[u8]) -> Vec<(u8, Option<u32>)> {
+    faults_on(Profile::UNO, text)
+}
+
+fn faults_on(board: Profile, text: &[u8]) -> Vec<(u8, Option<u32>)> {
     let mut memory = [0; 2000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, board);
     let mut faults: Vec<Fault> = Vec::new();
     for &byte in text {
         faults.extend(loader.push(byte).err());
@@ -40,6 +45,27 @@ fn goes_on_after_a_fault() {
             (31, Some(11)), // close without open
             (35, Some(12)), // operands missing, told at the end
         ]
+    );
+}
+
+#[test]
+fn a_board_without_real_numbers_knows_no_code_of_them() {
+    // NC-23. Only the code is told; the constant behind it is none.
+    let text = b"0\n766801\n82656800\n1065353216\n738482\n838402\n";
+    assert_eq!(faults_on(Profile::UNO, text), []);
+    let told = [(24, Some(3)), (24, Some(5))];
+    assert_eq!(faults_on(Profile::NANO, text), told);
+    for opcode in Opcode::ALL {
+        let is_named = format!("{opcode:?}").starts_with("Real");
+        assert_eq!(is_real(opcode.row().stored), is_named, "{opcode:?}");
+    }
+    // What is stored is refused as well: `ITR`.
+    let mut memory = [0; 100];
+    let mut loader = Loader::new(&mut memory, Profile::NANO);
+    let refused = loader.restore(&mut [0xED].into_iter());
+    assert_eq!(
+        refused.map_err(|fault| fault.cause),
+        Err(Cause::UnknownCode)
     );
 }
 
