@@ -21,12 +21,26 @@ const COST: usize = 2;
 
 fn main() {
     println!("cargo::rerun-if-changed=src");
+    board();
     let mut texts: Vec<Vec<u8>> = Cause::ALL.iter().map(|cause| cause.text().into()).collect();
     literals(Path::new("src"), &mut texts);
     let pairs = learn(texts);
     let folder = env::var("OUT_DIR").expect("cargo names the folder");
     let table = format!("{pairs:?}");
     fs::write(Path::new(&folder).join("pairs.rs"), table).expect("the folder is there");
+}
+
+/// Compiles for the board that `cargo xtask firmware` names; for the UNO where none is named. A feature of cargo's would
+/// become part of the names of all functions, and so of their order: another firmware for the UNO.
+fn board() {
+    const BOARD: &str = "UNOCLP_BOARD";
+    println!("cargo::rustc-check-cfg=cfg(nano)");
+    println!("cargo::rerun-if-env-changed={BOARD}");
+    match env::var(BOARD).as_deref() {
+        Ok("nano") => println!("cargo::rustc-cfg=nano"),
+        Ok("uno") | Err(_) => {}
+        Ok(other) => panic!("{BOARD} is uno or nano, not {other}"),
+    }
 }
 
 /// The first literal of each `flash_text!` in the sources of this folder.

@@ -9,13 +9,19 @@ use unoclp_core::{Board, Profile, isa};
 #[unsafe(export_name = "ENGINE_ROWS")]
 static ROWS: Table<u8, { isa::PACKED.len() }> = Table::new(isa::PACKED);
 
-/// The UNO, as the loader knows it.
+/// What fits on the board.
+pub const PROFILE: Profile = match cfg!(nano) {
+    true => Profile::NANO,
+    false => Profile::UNO,
+};
+
+/// The board, as the loader knows it.
 pub struct Uno;
 
 impl Board for Uno {
     #[inline(always)]
     fn profile(&self) -> Profile {
-        Profile::UNO
+        PROFILE
     }
 
     #[inline(always)]

@@ -437,6 +437,8 @@ impl fmt::Display for Parity {
 pub const VENDOR: &str = "unoclp";
 /// See [`VENDOR`].
 pub const PRODUCT: &str = "unoclp UNO";
+/// The same of the firmware for Nanos, which has no REAL numbers.
+pub const NANO: &str = "unoclp Nano";
 
 /// The number that two words hold, the high one first.
 pub const fn long(high: u16, low: u16) -> u32 {

@@ -5,6 +5,7 @@ use super::data::Data;
 use super::layout::{ADDRESS_BYTES, POINTS, SNAPSHOT_BYTES};
 use super::link::{self, Job};
 use super::memory;
+use crate::instructions::PROFILE;
 use crate::operation::Images;
 use crate::page::Running;
 use core::arch::global_asm;
@@ -38,6 +39,7 @@ macro_rules! assembly {
 }
 
 unoclp_core::instructions!(assembly {
+    REAL = PROFILE.real as u8;
     PAGE_DATA = offset_of!(Running, data);
     DATA_SYSTEM = offset_of!(Data, system);
     DATA_INPUTS = offset_of!(Data, inputs);

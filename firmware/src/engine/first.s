@@ -4,7 +4,8 @@
         .section .progmem.gcc.engine, "ax", @progbits
 engine_first_page:
 
-; REAL numbers.
+; REAL numbers. Where the board has none the loader refuses them, and their labels are those of what comes next.
+        .if     REAL
 engine_real_add:
         rjmp    real_add
 engine_real_subtract:
@@ -31,6 +32,20 @@ engine_real_absolute:
 engine_real_negate:
         subi    r25, 0x80
         rjmp    real_check
+        .else
+engine_real_add:
+engine_real_subtract:
+engine_real_multiply:
+engine_real_divide:
+engine_real_root:
+engine_real_from_signed:
+engine_real_from_unsigned:
+engine_real_round:
+engine_real_cut:
+engine_real_comparable:
+engine_real_absolute:
+engine_real_negate:
+        .endif
 
 ; Numbers without signs.
 engine_unsigned_divide:

@@ -2,6 +2,7 @@
 ; set. What is not finite becomes 0, an error. Sums, products and quotients are avr-libc's, by names
 ; that the compiler's own library does not have: it would take far more room.
 
+        .if     REAL
 ; The library changes r18 to r27 and T, which stand in r8, r9 and r12 to r15 meanwhile.
 real_subtract:
         ldi     r30, 0x80
@@ -214,3 +215,4 @@ real_comparable:
         subi    r25, 0x80
         rcall   negate
 1:      rjmp    back
+        .endif

@@ -11,7 +11,9 @@ use crate::store;
 use unoclp_core::isa::{COUNTER_DATA, TIMER_DATA};
 use unoclp_core::{Image, Millis};
 use unoclp_modbus::eeprom::program;
-use unoclp_modbus::map::{AREA, AREAS, PRODUCT, Span, VENDOR, coil, flag, form, holding, input};
+use unoclp_modbus::map::{
+    AREA, AREAS, NANO, PRODUCT, Span, VENDOR, coil, flag, form, holding, input,
+};
 use unoclp_modbus::{Access, Addresses, Device, Exception, Table, Word};
 
 const MARKER: u8 = coil::MARKERS.first as u8;
@@ -376,7 +378,10 @@ impl Device for Map<'_, '_, '_> {
     fn identification(&self, object: u8, index: u8) -> Option<u8> {
         let text = match object {
             0 => flash_codes!(Codes::plain(VENDOR)),
-            1 => flash_codes!(Codes::plain(PRODUCT)),
+            1 => flash_codes!(Codes::plain(match cfg!(nano) {
+                true => NANO,
+                false => PRODUCT,
+            })),
             _ => flash_codes!(Codes::plain(env!("CARGO_PKG_VERSION"))),
         };
         text.at(index)

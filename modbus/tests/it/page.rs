@@ -2,8 +2,8 @@
 
 use unoclp_modbus::eeprom::program::{VERSION, head};
 use unoclp_modbus::map::{
-    ALL, BLOCK_BYTES, Command, PRODUCT, Rights, Span, State, VENDOR, Width, cause, coil, flag,
-    form, holding, input, setting,
+    ALL, BLOCK_BYTES, Command, NANO, PRODUCT, Rights, Span, State, VENDOR, Width, cause, coil,
+    flag, form, holding, input, setting,
 };
 use unoclp_modbus::{Exception, Table};
 
@@ -180,7 +180,8 @@ fn the_page_has_the_window_and_the_stored_form() {
     let only = format!("only function 16 from {} on", holding::UPLOAD.first);
     assert!(window[1].contains(&only), "{window:?}");
 
-    assert!(PAGE.contains(&format!("vendor `{VENDOR}`, product `{PRODUCT}`")));
+    let products = format!("product `{PRODUCT}` or `{NANO}`");
+    assert!(PAGE.contains(&format!("vendor `{VENDOR}`, {products}")));
 
     let sum = &row("Input registers", &addresses(input::PROGRAM_SUM))[2];
     let bytes = input::PROGRAM_BYTES.first;
