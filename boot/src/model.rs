@@ -30,6 +30,19 @@ impl Model {
         }
     }
 
+    /// That of this name.
+    pub fn named(name: &str) -> Option<Model> {
+        Model::ALL.into_iter().find(|model| model.name() == name)
+    }
+
+    /// The board whose firmware it takes.
+    pub const fn firmware(self) -> Model {
+        match self {
+            Model::Uno => Model::Uno,
+            Model::Nano | Model::NanoOld => Model::Nano,
+        }
+    }
+
     /// Bits per second that its boot loader speaks.
     pub const fn rate(self) -> u32 {
         match self {

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use anyhow::Result;
+use unoclp_boot::Model;
 
 use crate::demo::simulator;
 use crate::firmware::{self, Firmware};
@@ -19,7 +20,7 @@ const PAGE: &str = "docs/benchmarks.md";
 /// If a step fails. A target that is not met is no failure: the page says so.
 pub fn run() -> Result<()> {
     let toolchain = setup::for_simulator()?;
-    let firmware = firmware::build(&toolchain)?;
+    let firmware = firmware::build(&toolchain, Model::Uno)?;
     say("bench: compiling the simulator");
     shell::run(simulator("build").arg("--bin=bench"))?;
     say("bench: measuring; this takes a minute or two");

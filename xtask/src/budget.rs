@@ -1,36 +1,36 @@
 //! What the firmware takes of the ATmega328P's memories, and what it may take.
 
-use std::fmt;
-
 use anyhow::{Context, Result};
 use object::{Object, ObjectSection, SectionFlags, elf};
+use unoclp_boot::Model;
 
 /// Data addresses begin here in an AVR ELF, and those of the EEPROM at twice that distance.
 const DATA: u64 = 0x80_0000;
 const EEPROM: u64 = 0x81_0000;
 
-/// The limits. Each is a number of bytes.
+/// The limits on a board. Each is a number of bytes.
 ///
-/// Flash: 32 KB less the 512 B boot loader of the UNO (ATmega328P datasheet DS40002061, section
-/// 27). RAM: section 8.3; what is not static is the stack's. Initialised data takes both, and is a
-/// sign of texts or tables that belong into flash.
-pub const BUDGETS: [Budget; 3] = [
-    Budget {
-        name: "flash",
-        limit: 32_256,
-        used: |size| size.code + size.data,
-    },
-    Budget {
-        name: "static RAM",
-        limit: 2_048,
-        used: |size| size.data + size.bss,
-    },
-    Budget {
-        name: ".data",
-        limit: 32,
-        used: |size| size.data,
-    },
-];
+/// Flash: what the boot loader leaves. RAM: ATmega328P datasheet DS40002061, section 8.3; what is not static is the
+/// stack's. Initialised data takes both, and is a sign of texts or tables that belong into flash.
+pub const fn budgets(board: Model) -> [Budget; 3] {
+    [
+        Budget {
+            name: "flash",
+            limit: board.room() as u64,
+            used: |size| size.code + size.data,
+        },
+        Budget {
+            name: "static RAM",
+            limit: 2_048,
+            used: |size| size.data + size.bss,
+        },
+        Budget {
+            name: ".data",
+            limit: 32,
+            used: |size| size.data,
+        },
+    ]
+}
 
 /// A limit and what counts towards it.
 pub struct Budget {
@@ -78,37 +78,32 @@ impl Size {
         Ok(size)
     }
 
-    /// The budgets that are exceeded, by name.
-    pub fn exceeded(&self) -> Vec<&'static str> {
-        BUDGETS
+    /// The budgets of a board that are exceeded, by name.
+    pub fn exceeded(&self, board: Model) -> Vec<&'static str> {
+        budgets(board)
             .iter()
             .filter(|budget| (budget.used)(self) > budget.limit)
             .map(|budget| budget.name)
             .collect()
     }
-}
 
-/// A line for each budget: used, limit, per cent.
-impl fmt::Display for Size {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (n, budget) in BUDGETS.iter().enumerate() {
+    /// A line for each budget of a board: used, limit, per cent.
+    pub fn table(&self, board: Model) -> String {
+        let line = |budget: &Budget| {
             let used = (budget.used)(self);
-            let line_end = if n == 0 { "" } else { "\n" };
-            let verdict = if used > budget.limit {
-                "  TOO MUCH"
-            } else {
-                ""
+            let verdict = match used > budget.limit {
+                true => "  TOO MUCH",
+                false => "",
             };
-            write!(
-                f,
-                "{line_end}{:<11}{:>7} of {:>6} B {:>4} %{verdict}",
+            format!(
+                "{:<11}{:>7} of {:>6} B {:>4} %{verdict}",
                 budget.name,
                 thousands(used),
                 thousands(budget.limit),
                 100 * used / budget.limit,
-            )?;
-        }
-        Ok(())
+            )
+        };
+        budgets(board).each_ref().map(line).join("\n")
     }
 }
 
@@ -136,9 +131,9 @@ mod tests {
             data: 26,
             bss: 2_022,
         };
-        assert_eq!(size.exceeded(), Vec::<&str>::new());
+        assert_eq!(size.exceeded(Model::Uno), Vec::<&str>::new());
 
-        let one_more = |size: Size| size.exceeded();
+        let one_more = |size: Size| size.exceeded(Model::Uno);
         assert_eq!(
             one_more(Size {
                 code: 32_231,
@@ -158,6 +153,17 @@ mod tests {
     }
 
     #[test]
+    fn a_nano_has_less_flash() {
+        let size = Size {
+            code: 30_721,
+            ..Size::default()
+        };
+        assert_eq!(size.exceeded(Model::Uno), [""; 0]);
+        assert_eq!(size.exceeded(Model::Nano), ["flash"]);
+        assert_eq!(size.exceeded(Model::NanoOld), ["flash"]);
+    }
+
+    #[test]
     fn the_report_names_used_limit_and_what_is_too_much() {
         let size = Size {
             code: 16_123,
@@ -167,7 +173,7 @@ mod tests {
         let expected = "flash       16,128 of 32,256 B   50 %\n\
                         static RAM   2,053 of  2,048 B  100 %  TOO MUCH\n\
                         .data            5 of     32 B   15 %";
-        assert_eq!(size.to_string(), expected);
+        assert_eq!(size.table(Model::Uno), expected);
     }
 
     #[test]

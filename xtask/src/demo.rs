@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use anyhow::Result;
+use unoclp_boot::Model;
 
 use crate::firmware::{self, Firmware};
 use crate::shell::{self, say};
@@ -19,7 +20,7 @@ const SCENARIO: &str = "programs/demo.toml";
 /// If a step fails.
 pub fn run() -> Result<()> {
     let toolchain = setup::for_simulator()?;
-    let firmware = firmware::build(&toolchain)?;
+    let firmware = firmware::build(&toolchain, Model::Uno)?;
 
     say(&format!("demo: putting {PROGRAM} on the image of a card"));
     let root = shell::root();

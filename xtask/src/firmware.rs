@@ -1,63 +1,102 @@
-//! `cargo xtask firmware`: builds the firmware, measures and checks it.
+//! `cargo xtask firmware`: builds the firmware of each board, measures and checks it.
 
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
+use unoclp_boot::Model;
 use unoclp_core::Profile;
 use unoclp_core::isa::Opcode;
+use unoclp_modbus::map;
 
 use crate::budget::{Size, thousands};
 use crate::link::{self, Link};
 use crate::shell::{self, say};
+use crate::tested::{self, Compiler};
 use crate::toolchain::Toolchain;
 use crate::{mulcheck, parts, setup};
 
+/// `cargo xtask firmware`
+#[derive(clap::Args)]
+pub struct Args {
+    /// Keep what is built as the tested firmware: firmware/unoclp-uno.hex, firmware/unoclp-nano.hex, and their sums
+    #[arg(long)]
+    keep: bool,
+}
+
+/// The boards that have a firmware of their own.
+pub const BOARDS: [Model; 2] = [Model::Uno, Model::Nano];
+
 /// A build that is within its limits and has no product of the compiler's.
 pub struct Firmware {
-    /// `target/firmware/unoclp.elf`
+    /// `target/firmware/unoclp.elf`, of another board than the UNO `unoclp-nano.elf`.
     pub elf: PathBuf,
-    /// `target/firmware/unoclp.hex`, for avrdude.
+    /// `target/firmware/unoclp.hex`, for a boot loader.
     pub hex: PathBuf,
 }
 
-/// Sets up, builds, and says where the result is.
+impl Firmware {
+    /// Where that of this board is built.
+    pub fn of(board: Model) -> Firmware {
+        let folder = folder();
+        let name = name(board);
+        Firmware {
+            elf: folder.join(format!("{name}.elf")),
+            hex: folder.join(format!("{name}.hex")),
+        }
+    }
+}
+
+/// Sets up, builds, says where the results are, and whether the compiler is the tested one.
 ///
 /// # Errors
 /// As [`build`], and if a tool is missing.
-pub fn run() -> Result<()> {
+pub fn run(args: &Args) -> Result<()> {
     let toolchain = setup::for_firmware()?;
-    let firmware = build(&toolchain)?;
-    say(&format!("firmware: {}", firmware.elf.display()));
-    say(&format!("firmware: {}", firmware.hex.display()));
+    let firmwares = build_all(&toolchain)?;
+    for Firmware { elf, hex } in &firmwares {
+        say(&format!("firmware: {}", elf.display()));
+        say(&format!("firmware: {}", hex.display()));
+    }
+    if args.keep {
+        return tested::keep(&Compiler::of(&toolchain)?);
+    }
+    println!("{}", tested::verdict(&Compiler::of(&toolchain)?)?);
     Ok(())
 }
 
-/// Builds the firmware. Where this fails, no older build is left that could be taken for it.
+/// Builds the firmware of each board, and notes what has built it.
 ///
 /// # Errors
-/// If it does not compile, exceeds a limit of [`crate::budget::BUDGETS`], or the compiler has made
+/// As [`build`].
+pub fn build_all(toolchain: &Toolchain) -> Result<Vec<Firmware>> {
+    let firmwares = BOARDS.map(|board| build(toolchain, board));
+    let firmwares = firmwares.into_iter().collect::<Result<_>>()?;
+    tested::note(&Compiler::of(toolchain)?)?;
+    Ok(firmwares)
+}
+
+/// Builds the firmware of a board. Where this fails, no older build is left that could be taken for it.
+///
+/// # Errors
+/// If it does not compile, exceeds a limit of [`crate::budget::budgets`], or the compiler has made
 /// a product, which may be wrong.
-pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
-    let folder = shell::root().join("target/firmware");
-    let firmware = Firmware {
-        elf: folder.join("unoclp.elf"),
-        hex: folder.join("unoclp.hex"),
-    };
+pub fn build(toolchain: &Toolchain, board: Model) -> Result<Firmware> {
+    let firmware = Firmware::of(board);
     shell::make_folder_of(&firmware.elf)?;
-    let unshortened = folder.join("unoclp-unshortened.elf");
+    let unshortened = folder().join(format!("{}-unshortened.elf", name(board)));
     for old in [&firmware.elf, &firmware.hex, &unshortened] {
         if old.exists() {
             fs::remove_file(old).with_context(|| format!("cannot remove {}", old.display()))?;
         }
     }
 
-    say("firmware: compiling for the ATmega328P");
-    let link = compile(toolchain)?;
+    say(&format!("firmware: compiling {}", product(board)));
+    let link = compile(toolchain, board)?;
 
     say("firmware: shortening what the compiler has made");
-    let shortened = shortened();
+    let shortened = shortened(board);
     let rules = link::link(&link, &shortened)?;
     println!("{}", link::savings(&rules));
     let elf =
@@ -65,8 +104,9 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
 
     say("firmware: measuring and checking it");
     let size = Size::of(&elf)?;
-    println!("{size}\n{}\n{}", parts::table(&elf)?, program_room());
-    let exceeded = size.exceeded();
+    let table = size.table(board);
+    println!("{table}\n{}\n{}", parts::table(&elf)?, program_room());
+    let exceeded = size.exceeded(board);
     ensure!(
         exceeded.is_empty(),
         "the firmware does not fit: too much {}",
@@ -86,7 +126,7 @@ pub fn build(toolchain: &Toolchain) -> Result<Firmware> {
 }
 
 /// Has the firmware compiled to assembly, and says how rustc has linked it.
-fn compile(toolchain: &Toolchain) -> Result<Link> {
+fn compile(toolchain: &Toolchain, board: Model) -> Result<Link> {
     // Where cargo finds an ELF that was made with the same flags, rustc does not run, and what is printed
     // may be of a build with others.
     let results = target_folder().join("avr-none/firmware/deps");
@@ -97,7 +137,7 @@ fn compile(toolchain: &Toolchain) -> Result<Link> {
         }
     }
     let printed = target_folder().join("link-args");
-    let mut rustc = cargo(toolchain, "rustc");
+    let mut rustc = cargo(toolchain, "rustc", board);
     rustc.args(["--", "--emit=asm,link"]);
     shell::run(rustc.arg(format!("--print=link-args={}", printed.display())))?;
     let text = fs::read_to_string(&printed)
@@ -105,19 +145,43 @@ fn compile(toolchain: &Toolchain) -> Result<Link> {
     Link::parse(&text)
 }
 
-/// A cargo command on the firmware.
-pub fn cargo(toolchain: &Toolchain, subcommand: &str) -> Command {
+/// A cargo command on the firmware of a board.
+pub fn cargo(toolchain: &Toolchain, subcommand: &str, board: Model) -> Command {
     let mut cargo = toolchain.cargo(subcommand);
     cargo
+        // For `firmware/build.rs`.
+        .env("UNOCLP_BOARD", board.name())
         .args(["--package=unoclp-firmware", "--profile=firmware"])
         .arg("--target-dir")
         .arg(target_folder());
     cargo
 }
 
-/// The shortened firmware before it is checked, with its assembly beside it.
-pub fn shortened() -> PathBuf {
-    target_folder().join("shortened/unoclp.elf")
+/// The shortened firmware of a board before it is checked, with its assembly beside it.
+pub fn shortened(board: Model) -> PathBuf {
+    let folder = target_folder().join("shortened").join(board.name());
+    folder.join("unoclp.elf")
+}
+
+/// Where builds are left.
+pub fn folder() -> PathBuf {
+    shell::root().join("target/firmware")
+}
+
+/// What the files of a build are called.
+fn name(board: Model) -> &'static str {
+    match board.firmware() {
+        Model::Uno => "unoclp",
+        _ => "unoclp-nano",
+    }
+}
+
+/// What it says that it is, over Modbus.
+fn product(board: Model) -> &'static str {
+    match board.firmware() {
+        Model::Uno => map::PRODUCT,
+        _ => map::NANO,
+    }
 }
 
 /// The AVR build has a folder of its own: the simulator's tests may run cargo meanwhile.

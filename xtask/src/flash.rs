@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Result, ensure};
+use unoclp_boot::Model;
 
 use crate::shell::{self, say};
 use crate::{firmware, setup};
@@ -38,7 +39,7 @@ pub fn run(args: &Args) -> Result<()> {
     );
     let hex = match &args.hex {
         Some(hex) => hex.clone(),
-        None => firmware::build(&setup::for_firmware()?)?.hex,
+        None => firmware::build(&setup::for_firmware()?, Model::Uno)?.hex,
     };
     ensure!(hex.is_file(), "there is no file {}", hex.display());
 

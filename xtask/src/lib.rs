@@ -18,5 +18,6 @@ pub mod setup;
 pub mod shell;
 pub mod steps;
 pub mod test;
+pub mod tested;
 pub mod toolchain;
 pub mod wasm;

@@ -17,8 +17,8 @@ enum Task {
     Soak(test::SoakArgs),
     /// Look for inputs that break a promise, guided by the code that they reach
     Fuzz(fuzz::Args),
-    /// Build the firmware: target/firmware/unoclp.elf and unoclp.hex
-    Firmware,
+    /// Build the firmware of the UNO and of Nanos: target/firmware/unoclp.hex and unoclp-nano.hex
+    Firmware(firmware::Args),
     /// Measure the firmware on a simulated UNO, and write docs/benchmarks.md
     Bench,
     /// Put a program on the image of a memory card
@@ -49,7 +49,7 @@ fn main() -> ExitCode {
         Task::Test(args) => test::run(&args),
         Task::Soak(args) => test::soak(&args),
         Task::Fuzz(args) => fuzz::run(&args),
-        Task::Firmware => firmware::run(),
+        Task::Firmware(args) => firmware::run(&args),
         Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),

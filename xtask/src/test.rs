@@ -70,8 +70,11 @@ pub fn run(args: &TestArgs) -> Result<()> {
     let (programs, examples) = both(
         || check_and_compile(&steps),
         || {
-            let mut clippy = firmware::cargo(&toolchain, "clippy");
-            steps.run_aside("clippy on the firmware", clippy.args(DENY))?;
+            for board in firmware::BOARDS {
+                let mut clippy = firmware::cargo(&toolchain, "clippy", board);
+                let step = format!("clippy on the firmware, {}", board.name());
+                steps.run_aside(&step, clippy.args(DENY))?;
+            }
             build_firmware(&steps)?;
             let mut wasm = wasm::check(&toolchain);
             steps.run_aside("libraries for WebAssembly", &mut wasm)

@@ -41,12 +41,16 @@ impl Toolchain {
 
     fn is_usable(&self) -> bool {
         let sysroot = shell::output(self.rustc().args(["--print", "sysroot"]));
-        let version = shell::output(self.rustc().arg("--version"));
-        let (Some(sysroot), Some(version)) = (sysroot, version) else {
+        let (Some(sysroot), Some(version)) = (sysroot, self.version()) else {
             return false;
         };
         let core = Path::new(&sysroot).join("lib/rustlib/src/rust/library/core");
         core.is_dir() && is_new_enough(&version, env!("CARGO_PKG_RUST_VERSION"))
+    }
+
+    /// What its rustc says that it is: name, version, commit and day.
+    pub fn version(&self) -> Option<String> {
+        shell::output(self.rustc().arg("--version"))
     }
 
     /// Whether it comes with clippy.

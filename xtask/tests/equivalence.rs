@@ -8,6 +8,7 @@ use std::fs;
 use avr_shorten::assembly::{Line, Unit};
 use avr_shorten::equivalence::Pair;
 use avr_shorten::machine::Program;
+use unoclp_boot::Model;
 use xtask::{firmware, link};
 
 /// How often each function runs.
@@ -19,8 +20,8 @@ const LEAST: usize = 80;
 /// The least share of the mistakes that must be found, in per cent.
 const FOUND: usize = 90;
 
-fn units() -> (Unit, Unit) {
-    let elf = firmware::shortened();
+fn units(board: Model) -> (Unit, Unit) {
+    let elf = firmware::shortened(board);
     let read = |path| {
         let text = fs::read_to_string(&path);
         Unit::parse(&text.expect("`cargo xtask firmware` leaves its assembly"))
@@ -48,7 +49,11 @@ fn changed(before: &Unit, after: &Unit) -> Vec<String> {
 
 #[test]
 fn every_function_that_was_shortened_does_the_same() {
-    let (before, after) = units();
+    firmware::BOARDS.into_iter().for_each(does_the_same);
+}
+
+fn does_the_same(board: Model) {
+    let (before, after) = units(board);
     let changed = changed(&before, &after);
     let mut pair = Pair::new(program(&before), program(&after));
     let (mut alike, mut void, mut failed) = (0, 0, Vec::new());
@@ -78,7 +83,7 @@ fn every_function_that_was_shortened_does_the_same() {
 /// The runs must find a mistake: in each function one instruction is left out behind the pass.
 #[test]
 fn an_instruction_that_is_lost_is_found() {
-    let (before, after) = units();
+    let (before, after) = units(Model::Uno);
     let (mut found, mut lost) = (0, 0);
     for (n, name) in changed(&before, &after).iter().enumerate() {
         let mut wrong = after.clone();
