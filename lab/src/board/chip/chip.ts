@@ -1,0 +1,160 @@
+// One life of the chip, from a reset to the next: avr8js' processor with peripherals around it. avr8js' own reset leaves
+// peripherals and pending events as they were, so each reset makes a new chip, which takes over what a reset leaves.
+
+import {
+  AVRClock,
+  AVREEPROM,
+  AVRIOPort,
+  AVRSPI,
+  AVRWatchdog,
+  CPU,
+  avrInstruction,
+  portBConfig,
+  portCConfig,
+  portDConfig,
+  spiConfig,
+  timer0Config,
+  timer1Config,
+  timer2Config,
+  watchdogConfig,
+} from "avr8js";
+import type { ResetCause } from "../messages";
+import type { Setting } from "../serial";
+import { converter } from "./converter";
+import { type Eeprom, eepromRegisters } from "./eeprom";
+import { CLOCK_HZ, MCUSR, RAM, RAM_LEN, SPCR, WDCE, WDE, WDTCSR, WORKING_REGISTERS } from "./registers";
+import { Timer } from "./timer";
+import { Usart } from "./usart";
+
+/** Bits of MCUSR. */
+const RECORD: Readonly<Record<ResetCause, number>> = { power: 1, button: 2, "brown-out": 4, watchdog: 8 };
+
+/** What stands around the chip. */
+export interface Around {
+  readonly eeprom: Eeprom;
+  /** The voltage at a pin of port C. */
+  millivolts(pin: number): number;
+  /** A byte has been sent. */
+  sent(byte: number, setting: Setting): void;
+  /** A byte goes to the card, so many cycles long; gives the one that comes back. */
+  exchange(byte: number, cycles: number): number;
+  /** What a port does to its pins has changed. */
+  portChanged(port: Port): void;
+  /** SPI was switched on or off. */
+  busSwitched(): void;
+}
+
+export type Port = "B" | "C" | "D";
+
+export class Chip {
+  readonly cpu: CPU;
+  readonly usart: Usart;
+  readonly timer0: Timer;
+  readonly timer1: Timer;
+  readonly ports: Readonly<Record<Port, AVRIOPort>>;
+  /** The watchdog has bitten: this life is over. */
+  bitten = false;
+  private until = 0;
+
+  /** A chip at its first instruction, at this cycle; `before` is the one whose RAM it takes over. */
+  constructor(flash: Uint16Array, around: Around, cause: ResetCause, cycle: number, before: Chip | null) {
+    const cpu = new CPU(flash, RAM_LEN);
+    this.cpu = cpu;
+    cpu.cycles = cycle;
+    if (before) {
+      cpu.data.set(before.cpu.data.subarray(0, WORKING_REGISTERS));
+      cpu.data.set(before.cpu.data.subarray(RAM), RAM);
+    } else {
+      scramble(cpu.data);
+    }
+    const record = before ? (before.cpu.data[MCUSR] ?? 0) : 0;
+    cpu.data[MCUSR] = record | RECORD[cause];
+
+    const ports = { B: portBConfig, C: portCConfig, D: portDConfig };
+    const port = (name: Port): AVRIOPort => {
+      const made = new AVRIOPort(cpu, ports[name]);
+      made.addListener(() => around.portChanged(name));
+      return made;
+    };
+    this.ports = { B: port("B"), C: port("C"), D: port("D") };
+    this.timer0 = new Timer(cpu, timer0Config);
+    this.timer1 = new Timer(cpu, timer1Config);
+    new Timer(cpu, timer2Config);
+    this.usart = new Usart(cpu, around.sent.bind(around));
+    converter(cpu, around.millivolts.bind(around));
+    new AVREEPROM(cpu, around.eeprom, eepromRegisters(around.eeprom.writeCycles));
+    this.connectBus(around);
+    this.connectWatchdog(cause);
+  }
+
+  /** Runs to this cycle, or to the end of this life or of the instruction in which it is over. */
+  run(until: number): void {
+    const { cpu } = this;
+    this.until = until;
+    while (cpu.cycles < this.until) {
+      avrInstruction(cpu);
+      cpu.tick();
+    }
+  }
+
+  /** The same, and to where the instruction at this byte address is the next; says whether it is. */
+  runTo(address: number, until: number): boolean {
+    const { cpu } = this;
+    const pc = address >> 1;
+    this.until = until;
+    while (cpu.cycles < this.until) {
+      avrInstruction(cpu);
+      cpu.tick();
+      if (cpu.pc === pc) return true;
+    }
+    return false;
+  }
+
+  /** From within a run: it goes no further than to this cycle. */
+  noLaterThan(cycle: number): void {
+    this.until = Math.min(this.until, cycle);
+  }
+
+  register(address: number): number {
+    return this.cpu.data[address] ?? 0;
+  }
+
+  private connectBus(around: Around): void {
+    const { cpu } = this;
+    const spi = new AVRSPI(cpu, spiConfig, CLOCK_HZ);
+    spi.onByte = (byte) => {
+      const cycles = spi.transferCycles;
+      const answer = around.exchange(byte, cycles);
+      cpu.addClockEvent(() => spi.completeTransfer(answer), cycles);
+    };
+    cpu.writeHooks[SPCR] = (value, _, address) => {
+      cpu.data[address] = value;
+      around.busSwitched();
+      return true;
+    };
+  }
+
+  private connectWatchdog(cause: ResetCause): void {
+    const { cpu } = this;
+    new AVRWatchdog(cpu, watchdogConfig, new AVRClock(cpu, CLOCK_HZ));
+    // It calls this as it bites.
+    cpu.reset = () => {
+      this.bitten = true;
+      this.noLaterThan(0);
+    };
+    if (cause === "watchdog") {
+      // It goes on, at its shortest.
+      cpu.writeData(WDTCSR, WDCE | WDE);
+      cpu.writeData(WDTCSR, WDE);
+    }
+  }
+}
+
+/** Arbitrary bytes, the same each time: a chip promises nothing better after power-up. */
+function scramble(data: Uint8Array): void {
+  let state = 0x9e37_79b9;
+  for (let at = 0; at < data.length; at += 1) {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    if (at < WORKING_REGISTERS || at >= RAM) data[at] = state >>> 24;
+  }
+}

@@ -1,0 +1,44 @@
+// Where the registers of the ATmega328P stand in its data space (datasheet, section 36), and their bits.
+
+export const PINB = 0x23;
+export const DDRB = 0x24;
+export const PORTB = 0x25;
+export const PINC = 0x26;
+export const DDRC = 0x27;
+export const PORTC = 0x28;
+export const PIND = 0x29;
+export const DDRD = 0x2a;
+export const PORTD = 0x2b;
+
+export const SPCR = 0x4c;
+export const SPSR = 0x4d;
+export const SPDR = 0x4e;
+/** SPI is on, in SPCR. */
+export const SPE = 1 << 6;
+
+export const MCUSR = 0x54;
+export const WDTCSR = 0x60;
+export const WDCE = 1 << 4;
+export const WDE = 1 << 3;
+
+export const ADCSRA = 0x7a;
+export const ADIF = 1 << 4;
+export const ADSC = 1 << 6;
+
+export const UCSRA = 0xc0;
+export const UCSRB = 0xc1;
+export const UCSRC = 0xc2;
+export const UBRRL = 0xc4;
+export const UBRRH = 0xc5;
+export const UDR = 0xc6;
+
+/** First address of the RAM. */
+export const RAM = 0x100;
+/** Bytes of the RAM. */
+export const RAM_LEN = 2048;
+/** Working registers, which a reset leaves alone like the RAM. */
+export const WORKING_REGISTERS = 32;
+
+/** Cycles of a second, and of a millisecond. */
+export const CLOCK_HZ = 16_000_000;
+export const CYCLES_PER_MS = CLOCK_HZ / 1000;
