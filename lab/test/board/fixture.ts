@@ -1,0 +1,91 @@
+// What the tests of the simulated board share.
+
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { Board, type Witness } from "../../src/board/board";
+import { CYCLES_PER_MS } from "../../src/board/chip/registers";
+import { readHex } from "../../src/board/hex";
+import type { ResetCause } from "../../src/board/messages";
+
+// Tests are bundled into target/lab/…, and the firmware is built into target/firmware.
+const target = new URL("../..", import.meta.url);
+
+/** The firmware as it is flashed. */
+export function firmwareHex(): string {
+  const hex = new URL("firmware/unoclp.hex", target);
+  return readFileSync(fileURLToPath(hex), "utf8");
+}
+
+export function firmware(): Uint16Array {
+  const flash = readHex(firmwareHex());
+  if (!flash) throw new Error("target/firmware/unoclp.hex is no Intel hex");
+  return flash;
+}
+
+/** The image of a card with the program of this name: `cargo xtask test` puts those in `programs/` here on cards. */
+export function card(program: string): Uint8Array {
+  return new Uint8Array(readFileSync(fileURLToPath(new URL(`lab/cards/${program}.img`, target))));
+}
+
+/** Keeps what it hears. */
+export class Notes implements Witness {
+  text = "";
+  bytes: number[] = [];
+  outputs: { output: number; high: boolean }[] = [];
+  resets: ResetCause[] = [];
+  powers: boolean[] = [];
+  eepromWrites = 0;
+  blocks: number[] = [];
+
+  serial(byte: number): void {
+    this.bytes.push(byte);
+    this.text += String.fromCharCode(byte);
+  }
+  output(output: number, high: boolean): void {
+    this.outputs.push({ output, high });
+  }
+  reset(cause: ResetCause): void {
+    this.resets.push(cause);
+  }
+  power(on: boolean): void {
+    this.powers.push(on);
+  }
+  eeprom(): void {
+    this.eepromWrites += 1;
+  }
+  card(block: number): void {
+    this.blocks.push(block);
+  }
+}
+
+export interface Fixture {
+  readonly board: Board;
+  readonly notes: Notes;
+}
+
+/** A board with the firmware, before its plug goes in. */
+export function newBoard(flash = firmware()): Fixture {
+  const notes = new Notes();
+  return { board: new Board(flash, notes), notes };
+}
+
+/** The same, with the plug in, and a card with this program. */
+export function poweredBoard(program: string): Fixture {
+  const fixture = newBoard();
+  fixture.board.insert(card(program));
+  fixture.board.plug(true);
+  return fixture;
+}
+
+/** The same, when it scans. */
+export function runningBoard(program: string): Fixture {
+  const fixture = poweredBoard(program);
+  const { board, notes } = fixture;
+  for (let waited = 0; waited < 20_000 && !notes.text.endsWith("RUN\r\n"); waited += 10) board.run(ms(10));
+  if (!notes.text.endsWith("RUN\r\n")) throw new Error(`the board does not run: ${notes.text}`);
+  return fixture;
+}
+
+export function ms(millis: number): number {
+  return millis * CYCLES_PER_MS;
+}
