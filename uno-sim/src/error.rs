@@ -59,4 +59,10 @@ pub enum Error {
         /// Number of bytes.
         len: usize,
     },
+    /// The board on avr8js has not been built.
+    #[error("no {}: build it with `npm ci` and `node build.mjs engine` in lab/", .0.display())]
+    NoAvr8js(PathBuf),
+    /// Node cannot be started.
+    #[error("cannot start node, which runs avr8js: {0}")]
+    NoNode(std::io::Error),
 }

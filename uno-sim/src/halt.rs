@@ -40,4 +40,10 @@ pub enum Halt {
     /// The power went at a write to the EEPROM, as a test had asked for.
     #[error("the power was cut at a write to the EEPROM; Uno::power_up turns it on again")]
     PowerCut,
+    /// The simulator itself went no further, or has ended.
+    #[error("the simulator went no further: {reason}")]
+    Simulator {
+        /// What it said, or what its process ended with.
+        reason: String,
+    },
 }

@@ -37,6 +37,7 @@
 
 mod adc;
 mod avr;
+pub mod avr8js;
 mod eeprom;
 mod elf;
 pub mod engine;

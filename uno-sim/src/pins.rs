@@ -36,7 +36,20 @@ impl PinRegisters {
     pub fn of(avr: &Avr) -> PinRegisters {
         // PORT follows DDR.
         let [b, c, d] = [reg::DDRB, reg::DDRC, reg::DDRD].map(|ddr| avr.register_pair(ddr));
-        let spi_on = avr.register(reg::SPCR) & 0x40;
+        PinRegisters::new(b, c, d, avr.register(reg::SPCR))
+    }
+
+    /// The same from a copy of data space; registers that it lacks are 0.
+    pub fn of_data(data: &[u8]) -> PinRegisters {
+        let register = |address: u16| data.get(usize::from(address)).copied().unwrap_or(0);
+        let pair = |ddr| u16::from_le_bytes([register(ddr), register(ddr + 1)]);
+        let [b, c, d] = [reg::DDRB, reg::DDRC, reg::DDRD].map(pair);
+        PinRegisters::new(b, c, d, register(reg::SPCR))
+    }
+
+    #[inline]
+    fn new(b: u16, c: u16, d: u16, spcr: u8) -> PinRegisters {
+        let spi_on = spcr & 0x40;
         PinRegisters(
             u64::from(b) | u64::from(d) << 16 | u64::from(c) << 32 | u64::from(spi_on) << 48,
         )

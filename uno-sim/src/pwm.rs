@@ -3,7 +3,7 @@
 //! simavr would write each pulse to the port's register; that is switched off, so that a pin that has its PWM shows the
 //! level that the program has set beside it.
 
-use crate::avr::{Avr, reg};
+use crate::avr::reg;
 
 /// The pulses on a pin. A new value that the program has written counts at once, where the chip waits for the next pulse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,29 +20,37 @@ impl Pwm {
         self.high as f64 / self.period as f64
     }
 
-    /// That of timer 0 on D6 (OC0A).
-    pub(crate) fn of_timer_0(avr: &Avr) -> Option<Pwm> {
-        let control_a = avr.register(reg::TCCR0A);
-        let control_b = avr.register(reg::TCCR0B);
-        let compare = avr.register(reg::OCR0A).into();
+    /// That of timer 0 on D6 (OC0A), from data space.
+    pub(crate) fn of_timer_0(data: &[u8]) -> Option<Pwm> {
+        let control_a = register(data, reg::TCCR0A);
+        let control_b = register(data, reg::TCCR0B);
+        let compare = register(data, reg::OCR0A).into();
         // WGM0: mode 3.
         let top = (control_a & 3 == 3 && control_b & 8 == 0).then_some(0xFF)?;
         pulses(control_a, control_b, compare, top)
     }
 
-    /// That of timer 1 on D9 (OC1A).
-    pub(crate) fn of_timer_1(avr: &Avr) -> Option<Pwm> {
-        let control_a = avr.register(reg::TCCR1A);
-        let control_b = avr.register(reg::TCCR1B);
+    /// That of timer 1 on D9 (OC1A), from data space.
+    pub(crate) fn of_timer_1(data: &[u8]) -> Option<Pwm> {
+        let control_a = register(data, reg::TCCR1A);
+        let control_b = register(data, reg::TCCR1B);
         let top = match control_a & 3 | control_b >> 1 & 0x0C {
             5 => 0xFF,
             6 => 0x1FF,
             7 => 0x3FF,
-            14 => avr.register_pair(reg::ICR1),
+            14 => register_pair(data, reg::ICR1),
             _ => return None,
         };
-        pulses(control_a, control_b, avr.register_pair(reg::OCR1A), top)
+        pulses(control_a, control_b, register_pair(data, reg::OCR1A), top)
     }
+}
+
+fn register(data: &[u8], address: u16) -> u8 {
+    data.get(usize::from(address)).copied().unwrap_or(0)
+}
+
+fn register_pair(data: &[u8], address: u16) -> u16 {
+    u16::from_le_bytes([register(data, address), register(data, address + 1)])
 }
 
 /// Fast PWM up to `top`, with these bits COMnA and CSn.

@@ -1,13 +1,19 @@
-//! The firmware as an engine for scenarios.
+//! The firmware as an engine for scenarios, on whatever simulates the board.
 
-use crate::sd::{Kind, SdCard};
-use crate::{Analogue, CYCLES_PER_MS, Edge, Error, Halt, Pin, Program, Slot, Space, Uno};
+mod kept;
+mod memory;
+mod simulated;
+mod told;
+
+use crate::avr8js::Avr8js;
+use crate::{CYCLES_PER_MS, Error, Halt, Program, Slot, Space, Uno};
+use memory::{Memory, ON};
+pub use simulated::Simulated;
+use told::{fault, served_fault};
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::isa::{ANALOGUE, NEAR_REGISTERS};
 use unoclp_core::{Image, Inputs, Loader, Millis, Profile};
 use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
-use unoclp_modbus::Crc;
-use unoclp_modbus::eeprom::program as kept;
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;
@@ -16,18 +22,11 @@ const LONGEST_SCAN: u64 = 50 * CYCLES_PER_MS;
 /// How long a refused program is watched with all buttons pressed, ms.
 const WATCH: u64 = 20;
 
-/// Cycles in which a board answers a short request at 115200 baud.
-const ANSWER: u64 = 10 * CYCLES_PER_MS;
 /// How long a board is left alone before its power is cut, ms: it writes retentive markers and a record of
 /// numbers to its EEPROM beside its scans.
 const BEFORE_CUT: u64 = 320;
 /// How long a clock stands meanwhile, ms: what goes on beside the scans waits for it.
 const STANDING: u64 = 4;
-
-/// How long a board waits for a card that is not there, ms.
-const EMPTY_SLOT: u8 = 240;
-/// By how much its clock is put forward meanwhile, ms.
-const FORWARD: u8 = 24;
 
 /// How the board's millisecond clock goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +38,13 @@ pub enum Clock {
     Running,
 }
 
+/// On simavr.
+pub type UnoEngine = FirmwareEngine<Uno>;
+/// On avr8js, as in the lab's page.
+pub type Avr8jsEngine = FirmwareEngine<Avr8js>;
+
 /// The firmware's ELF file on a simulated board, with a card for each program.
-pub struct UnoEngine {
+pub struct FirmwareEngine<S> {
     program: Program,
     clock: Clock,
     scan: u32,
@@ -52,7 +56,7 @@ pub struct UnoEngine {
     registers: u8,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
     analogue: [bool; ANALOGUE as usize],
-    uno: Option<Uno>,
+    uno: Option<S>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
 }
@@ -83,54 +87,19 @@ pub enum EngineError {
     NoProgram,
 }
 
-/// Where the firmware keeps what scenarios look at and set: in `PAGE`, from there so many bytes on
-/// (`firmware/src/engine/data.rs`).
-#[derive(Clone, Copy)]
-struct Memory {
-    page: Option<u32>,
-}
-
-/// The data of the program, which ends where the page does, so that registers go on behind it.
-const DATA: u32 = 512 - 227;
-/// Two bytes for each reading of an analogue input, A 00 first.
-const READINGS: u32 = DATA + 17;
-/// A byte for each marker, M 01 first; its highest bit counts.
-const MARKERS: u32 = DATA + 35;
-/// Four bytes for each register, D 01 first.
-const REGISTERS: u32 = DATA + 99;
-/// A marker that is 1.
-const ON: u8 = 0x80;
-
-impl Memory {
-    fn of(program: &Program) -> Memory {
-        let page = program.symbol("PAGE");
-        let page = page.filter(|symbol| symbol.space == Space::Data);
-        Memory {
-            page: page.map(|symbol| symbol.address),
-        }
-    }
-
-    /// The address of this place in the page.
-    fn at(self, place: u32) -> Result<u32, EngineError> {
-        self.page
-            .map(|page| page + place)
-            .ok_or(EngineError::NoSymbol("PAGE"))
-    }
-}
-
-impl UnoEngine {
+impl<S: Simulated> FirmwareEngine<S> {
     /// An engine with this firmware.
     ///
     /// # Errors
     /// Where it is not an unoclp firmware.
-    pub fn new(program: Program, clock: Clock) -> Result<UnoEngine, EngineError> {
+    pub fn new(program: Program, clock: Clock) -> Result<FirmwareEngine<S>, EngineError> {
         let symbol = |name, space| {
             let symbol = program.symbol(name).filter(|symbol| symbol.space == space);
             symbol
                 .map(|symbol| symbol.address)
                 .ok_or(EngineError::NoSymbol(name))
         };
-        Ok(UnoEngine {
+        Ok(FirmwareEngine {
             scan: symbol("scan_begin", Space::Flash)?,
             tick: symbol("__vector_13", Space::Flash)?,
             millis: symbol("MILLIS", Space::Data)?,
@@ -145,44 +114,6 @@ impl UnoEngine {
         })
     }
 
-    /// Powers a board with this slot and follows its start-up: to the first scan, or to a fault,
-    /// after which all buttons are pressed for a while. No output may move.
-    ///
-    /// # Errors
-    /// Where neither comes, or an output moves.
-    pub fn start(&mut self, slot: Slot) -> Result<Result<(), Refusal>, EngineError> {
-        self.uno = Some(Uno::with_program(self.program.clone(), slot)?);
-        self.follow_start()
-    }
-
-    /// Powers a board that has kept this program, with no card in its slot, and follows its start-up. That takes much
-    /// less time than to read a card and to keep what is on it. All else in its EEPROM is as the chip comes.
-    ///
-    /// # Errors
-    /// Where it comes neither to the first scan nor to a fault, or an output moves.
-    pub fn start_kept(
-        &mut self,
-        program: &unoclp_core::Program<'_>,
-    ) -> Result<Result<(), Refusal>, EngineError> {
-        self.analogue = Default::default();
-        self.registers = program.registers() as u8;
-        let stored = program.stored();
-        let head = kept::head(stored.len() as u16);
-        let [high, low] = kept::sum(stored).to_be_bytes();
-        let all = [&[kept::VALID][..], &head, &[low, high], stored].concat();
-        let mut uno = Uno::with_program(self.program.clone(), Slot::Empty)?;
-        uno.write_eeprom(kept::MARK, &all)?;
-        // It waits for a card by its clock, which no program sees yet.
-        for _ in 0..EMPTY_SLOT / FORWARD {
-            uno.run_ms(1).map_err(|halt| told(&uno, halt))?;
-            let now = uno.read_ram(self.millis, 1)?.first().copied();
-            let now = now.unwrap_or_default().saturating_add(FORWARD);
-            uno.write_ram(self.millis, &[now])?;
-        }
-        self.uno = Some(uno);
-        self.follow_start()
-    }
-
     /// Follows the start-up of a board that has just got its power.
     fn follow_start(&mut self) -> Result<Result<(), Refusal>, EngineError> {
         self.next = None;
@@ -194,25 +125,18 @@ impl UnoEngine {
                 Err(Halt::Timeout { .. }) if uno.cycles() < limit => {}
                 Err(halt) => return Err(told(uno, halt)),
             }
-            if let Some(refusal) = fault(&uno.serial())? {
+            if let Some(refusal) = fault(&said(uno))? {
                 break Some(refusal);
             }
         };
         if refusal.is_some() {
             uno.set_inputs(0xFF);
-            let run = uno.run_ms(WATCH);
+            let run = uno.run_cycles(WATCH * CYCLES_PER_MS);
             run.map_err(|halt| told(uno, halt))?;
-        } else if !uno.serial().ends_with("RUN\r\n") {
-            return Err(EngineError::Serial(uno.serial().into_owned()));
+        } else if !uno.serial().ends_with(b"RUN\r\n") {
+            return Err(EngineError::Serial(said(uno)));
         }
-        let moved = uno.edges().iter().find_map(|edge| match edge {
-            Edge {
-                pin: Pin::Output(output),
-                ..
-            } => Some(*output),
-            _ => None,
-        });
-        match (moved, refusal) {
+        match (uno.moved_output(), refusal) {
             (Some(output), _) => Err(EngineError::OutputMoved(output)),
             (None, Some(refusal)) => Ok(Err(refusal)),
             (None, None) => {
@@ -222,11 +146,6 @@ impl UnoEngine {
                 Ok(Ok(()))
             }
         }
-    }
-
-    /// The board, from the first start on.
-    pub fn uno(&mut self) -> Option<&mut Uno> {
-        self.uno.as_mut()
     }
 
     /// Runs until the board is at this address again.
@@ -255,12 +174,12 @@ impl UnoEngine {
         if inputs.analogue == Inputs::default().analogue && !self.analogue.contains(&true) {
             return Ok(());
         }
-        let readings = self.memory.at(READINGS)?;
+        let readings = self.memory.readings()?;
         for (index, &reading) in inputs.analogue.iter().enumerate() {
             let driven = &mut self.analogue[index];
             *driven |= reading != 0;
             if *driven {
-                uno.set_analogue(index, Analogue::Reading(reading));
+                uno.set_reading(index, reading);
             }
             let place = readings + 2 * index as u32;
             if self.clock == Clock::Lockstep {
@@ -287,6 +206,23 @@ impl UnoEngine {
     }
 }
 
+impl UnoEngine {
+    /// Powers a board with this slot and follows its start-up: to the first scan, or to a fault,
+    /// after which all buttons are pressed for a while. No output may move.
+    ///
+    /// # Errors
+    /// Where neither comes, or an output moves.
+    pub fn start(&mut self, slot: Slot) -> Result<Result<(), Refusal>, EngineError> {
+        self.uno = Some(Uno::with_program(self.program.clone(), slot)?);
+        self.follow_start()
+    }
+
+    /// The board, from the first start on.
+    pub fn uno(&mut self) -> Option<&mut Uno> {
+        self.uno.as_mut()
+    }
+}
+
 /// The highest register that a program has.
 fn registers(file: &[u8]) -> u8 {
     let mut memory = [0; Profile::UNO.linked_bytes as usize];
@@ -299,17 +235,17 @@ fn registers(file: &[u8]) -> u8 {
     program.map_or(NEAR_REGISTERS, |program| program.registers() as u8)
 }
 
-impl Engine for UnoEngine {
+impl<S: Simulated> Engine for FirmwareEngine<S> {
     type Error = EngineError;
 
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, EngineError> {
         let image = CardImage::new(Fat::Fat16)
             .file("PROGRAM.TXT", file)
             .build()?;
-        let card = SdCard::new(Kind::Sdhc, image)?;
         self.analogue = Default::default();
         self.registers = registers(file);
-        self.start(Slot::Card(card))
+        self.uno = Some(S::powered(&self.program, image, self.uno.take())?);
+        self.follow_start()
     }
 
     /// A real power cut. Before it the board goes on for a while, with its clock standing in lockstep.
@@ -322,12 +258,10 @@ impl Engine for UnoEngine {
                 uno.write_ram(self.millis, &[now.wrapping_add(slice as u8 & 1)])?;
                 uno.write_ram(self.age, &[1])?;
             }
-            let run = uno.run_ms(STANDING);
+            let run = uno.run_cycles(STANDING * CYCLES_PER_MS);
             run.map_err(|halt| told(uno, halt))?;
         }
-        uno.power_up();
-        uno.take_serial();
-        uno.take_edges();
+        uno.cut_power();
         match self.follow_start()? {
             Ok(()) => Ok(()),
             Err(refusal) => Err(EngineError::Serial(refusal.to_string())),
@@ -338,13 +272,13 @@ impl Engine for UnoEngine {
         let uno = self.uno.as_ref().ok_or(EngineError::NoProgram)?;
         match cell {
             Cell::Marker(number) => {
-                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                let place = self.memory.marker(number)?;
                 let on = uno.read_ram(place, 1)?.iter().any(|cell| cell & ON != 0);
                 Ok(on.into())
             }
             Cell::Register(number) if number > self.registers => Ok(0),
             Cell::Register(number) => {
-                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                let place = self.memory.register(number)?;
                 let bytes = uno.read_ram(place, 4)?.first_chunk();
                 Ok(bytes.map_or(0, |bytes| i32::from_le_bytes(*bytes)))
             }
@@ -355,12 +289,12 @@ impl Engine for UnoEngine {
         let uno = self.uno.as_mut().ok_or(EngineError::NoProgram)?;
         match cell {
             Cell::Marker(number) => {
-                let place = self.memory.at(MARKERS + u32::from(number) - 1)?;
+                let place = self.memory.marker(number)?;
                 uno.write_ram(place, &[if value == 0 { 0 } else { ON }])?;
             }
             Cell::Register(number) if number > self.registers => {}
             Cell::Register(number) => {
-                let place = self.memory.at(REGISTERS + 4 * (u32::from(number) - 1))?;
+                let place = self.memory.register(number)?;
                 uno.write_ram(place, &value.to_le_bytes())?;
             }
         }
@@ -405,59 +339,13 @@ impl Engine for UnoEngine {
     }
 }
 
-fn told(uno: &Uno, halt: Halt) -> EngineError {
-    EngineError::Halt(halt, uno.serial().into_owned())
+fn told(uno: &impl Simulated, halt: Halt) -> EngineError {
+    EngineError::Halt(halt, said(uno))
 }
 
-/// The fault that a board in FAULT tells over Modbus (`docs/modbus.md`); none where it does not answer, or
-/// is in another state.
-fn served_fault(uno: &mut Uno) -> Result<Option<Refusal>, Halt> {
-    // Of server 1: input registers 16 to 21.
-    let request = [1, 4, 0, 16, 0, 6];
-    uno.take_serial();
-    uno.send_serial(&[&request[..], &Crc::of(&request).to_bytes()].concat());
-    uno.run_cycles(ANSWER)?;
-    let reply = uno.take_serial();
-    let [1, 4, 12, words @ .., _, _] = &reply[..] else {
-        return Ok(None);
-    };
-    let word = |index: usize| u16::from_be_bytes([words[2 * index], words[2 * index + 1]]);
-    let in_fault = words.len() == 12 && word(0) == 3;
-    let line = || u32::from(word(4)) << 16 | u32::from(word(5));
-    Ok(in_fault.then(|| Refusal {
-        number: word(2) as u8,
-        line: Some(line()).filter(|&line| line != 0),
-    }))
-}
-
-/// The fault that the serial port tells, once its line is complete.
-fn fault(serial: &str) -> Result<Option<Refusal>, EngineError> {
-    let Some((_, line)) = serial.split_once("\r\nfault ") else {
-        return Ok(None);
-    };
-    let Some((line, _)) = line.split_once("\r\n") else {
-        return Ok(None);
-    };
-    parse_fault(line)
-        .map(Some)
-        .ok_or_else(|| EngineError::Serial(serial.to_owned()))
-}
-
-/// `24, line 7: no such code`, or `51: no card answers …`
-fn parse_fault(line: &str) -> Option<Refusal> {
-    let (place, text) = line.split_once(": ")?;
-    let (number, line) = match place.split_once(", line ") {
-        Some((number, line)) => (number, Some(line.parse().ok()?)),
-        None => (place, None),
-    };
-    let refusal = Refusal {
-        number: number.parse().ok()?,
-        line,
-    };
-    let cause = unoclp_core::Cause::ALL
-        .iter()
-        .find(|cause| cause.number() == refusal.number)?;
-    (cause.text() == text).then_some(refusal)
+/// What the serial port said.
+fn said(uno: &impl Simulated) -> String {
+    String::from_utf8_lossy(uno.serial()).into_owned()
 }
 
 /// The value that makes these pulses: the timer of D6 counts to 256, that of D9 to 2000, of which 125 are

@@ -71,8 +71,8 @@ impl Uno {
     /// for the others always.
     pub fn pwm(&self, index: usize) -> Option<Pwm> {
         let pwm = match index {
-            0 => Pwm::of_timer_0(&self.avr),
-            3 => Pwm::of_timer_1(&self.avr),
+            0 => Pwm::of_timer_0(self.avr.data()),
+            3 => Pwm::of_timer_1(self.avr.data()),
             _ => None,
         };
         pwm.filter(|_| self.levels.is_output >> index & 1 == 1)

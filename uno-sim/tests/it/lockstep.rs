@@ -7,7 +7,9 @@ use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::{Cell, Engine};
 use unoclp_testing::rounds;
-use unoclp_uno_sim::engine::{Clock, UnoEngine};
+use unoclp_uno_sim::Uno;
+use unoclp_uno_sim::avr8js::Avr8js;
+use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 
 const PROGRAMS: u32 = 600;
 /// As many as a quick run takes too: of fewer, chance decides how much they do.
@@ -18,8 +20,18 @@ const SEED: u64 = 0x0C19;
 
 #[test]
 fn random_programs_behave_alike() {
+    compare::<Uno>();
+}
+
+/// The same programs on avr8js, which the lab's page runs the firmware on.
+#[test]
+fn random_programs_behave_alike_on_avr8js() {
+    compare::<Avr8js>();
+}
+
+fn compare<S: Simulated>() {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
-    let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
+    let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults) = (0u64, 0u64, 0u64);
     let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
     for n in 0..programs {

@@ -3,11 +3,12 @@
 use crate::common;
 use unoclp_core::Millis;
 use unoclp_host_sim::scenario::{Scenario, check};
-use unoclp_uno_sim::engine::{Clock, UnoEngine};
-use unoclp_uno_sim::{Program, unshortened_elf};
+use unoclp_uno_sim::avr8js::Avr8js;
+use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
+use unoclp_uno_sim::{Program, Uno, unshortened_elf};
 
-fn run_all(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
-    let mut engine = UnoEngine::new(firmware, clock).unwrap();
+fn run_all<S: Simulated>(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
+    let mut engine = FirmwareEngine::<S>::new(firmware, clock).unwrap();
     let (mut passed, mut failed) = (0, Vec::new());
     for path in common::scenarios(folders) {
         let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
@@ -36,7 +37,19 @@ fn run_all(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
 #[test]
 fn every_scenario_in_lockstep() {
     let firmware = common::firmware();
-    run_all(
+    run_all::<Uno>(
+        firmware,
+        Clock::Lockstep,
+        &["programs", "suite"],
+        Millis::MAX,
+    );
+}
+
+/// The same on avr8js, which the lab's page runs the firmware on.
+#[test]
+fn every_scenario_in_lockstep_on_avr8js() {
+    let firmware = common::firmware();
+    run_all::<Avr8js>(
         firmware,
         Clock::Lockstep,
         &["programs", "suite"],
@@ -50,7 +63,7 @@ fn every_scenario_in_lockstep() {
 fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
     let firmware = Program::read_enlarged(&unshortened_elf().unwrap()).unwrap();
     assert!(firmware.flash_bytes() > common::firmware().flash_bytes());
-    run_all(
+    run_all::<Uno>(
         firmware,
         Clock::Lockstep,
         &["programs", "suite"],
@@ -64,7 +77,7 @@ fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
 #[test]
 fn programs_and_timers_on_the_running_clock() {
     let firmware = common::firmware();
-    run_all(
+    run_all::<Uno>(
         firmware,
         Clock::Running,
         &["programs", "suite/timers"],
