@@ -1,0 +1,269 @@
+// The simulated board as the page sees it: obeys commands, lets time go on, and tells events. It knows the messages and
+// a clock, and no worker.
+
+import { Board, type Witness } from "./board";
+import { CYCLES_PER_MS } from "./chip/registers";
+import { readHex } from "./hex";
+import {
+  ANALOGUE_INPUTS,
+  type Analogue,
+  BLOCK_LEN,
+  type Command,
+  EEPROM_LEN,
+  type Edge,
+  type Event,
+  INPUTS,
+  type Pins,
+  type ResetCause,
+  type Trouble,
+  USUAL_FORMAT,
+} from "./messages";
+import { Pace } from "./pace";
+
+/** How long a turn works at most, and how long one takes that has all done in time: ms. */
+const WORK = 12;
+const TURN = 16;
+/** Simulated ms between two looks at the clock. */
+const CHUNK = 0.5;
+/** Edges that one event tells; of more, the first are left out. */
+const EDGES = 1000;
+const RATES = { least: 300, most: 1_000_000 };
+
+export class Session implements Witness {
+  private board: Board | null = null;
+  private image: Uint8Array | null = null;
+  private format = USUAL_FORMAT;
+  private readonly pace = new Pace();
+  private factor = 1;
+  /** Simulated ms that time may still go on; `Infinity` while it runs, 0 while it stands. */
+  private left = 0;
+  private poweredAt = 0;
+  // What is told at the end of a turn.
+  private sent: number[] = [];
+  private edges: Edge[] = [];
+  private eepromChanged = false;
+  private readonly written = new Set<number>();
+  private shown = "";
+
+  /** `clock` is real time in ms. */
+  constructor(
+    private readonly tell: (event: Event) => void,
+    private readonly clock: () => number,
+  ) {
+    tell({ kind: "ready" });
+  }
+
+  /** Obeys a command. After it there may be something to do: see `turn`. */
+  obey(command: Command): void {
+    const trouble = this.attempt(command);
+    if (trouble) this.tell({ kind: "trouble", trouble });
+    if (this.left === 0) this.report();
+  }
+
+  /**
+   * Lets time go on for a while. Gives the ms until the next turn, 0 if there is more to do than this turn could, `null`
+   * if time stands.
+   */
+  turn(): number | null {
+    const began = this.clock();
+    const due = Math.min(this.left, this.left === Infinity ? this.pace.due(began) : Infinity);
+    const behind = this.work(due, began + WORK);
+    this.report();
+    const now = this.clock();
+    const measured = this.left === Infinity ? this.pace.measure(now) : null;
+    if (measured) this.tell({ kind: "pace", at: this.at, ...measured });
+    if (this.left === 0) return null;
+    return behind ? 0 : Math.max(0, TURN - (now - began));
+  }
+
+  /** Simulates so many ms, unless the clock comes to `end`; says whether some of them are left. */
+  private work(due: number, end: number): boolean {
+    const { board } = this;
+    if (!board) return false;
+    let left = due;
+    try {
+      while (left > 0 && this.left > 0 && this.clock() < end) {
+        const before = board.now;
+        board.run(Math.min(left, CHUNK) * CYCLES_PER_MS);
+        const passed = (board.now - before) / CYCLES_PER_MS;
+        left -= passed;
+        if (this.left === Infinity) this.pace.pay(passed);
+        else this.left = Math.max(0, this.left - passed);
+      }
+    } catch {
+      this.tell({ kind: "trouble", trouble: "broken" });
+      board.plug(false);
+      this.left = 0;
+    }
+    if (this.left === 0) this.pauses();
+    return left > 0;
+  }
+
+  private attempt(command: Command): Trouble | null {
+    const { board } = this;
+    switch (command.kind) {
+      case "firmware":
+        return this.load(command.hex);
+      case "eeprom":
+        if (command.bytes.length !== EEPROM_LEN || !board || board.hasPower) return "bad-eeprom";
+        board.eeprom.bytes.set(command.bytes);
+        return null;
+      case "plug":
+        if (!board) return "no-firmware";
+        board.plug(command.on);
+        this.shown = "";
+        return null;
+      case "plug-at-write":
+        board?.pullPlugAtWrite(command.armed);
+        return null;
+      case "reset":
+        board?.reset();
+        return null;
+      case "button":
+        if (!isNumber(command.input, 1, INPUTS)) return "bad-value";
+        board?.press(command.input, command.closed);
+        return null;
+      case "bouncing":
+        if (board) board.bouncing = command.on;
+        return null;
+      case "analogue":
+        if (!isNumber(command.input, 0, ANALOGUE_INPUTS - 1) || !isAnalogue(command.to)) return "bad-value";
+        board?.setAnalogue(command.input, command.to);
+        return null;
+      case "stop":
+        board?.setStop(command.closed);
+        return null;
+      case "card":
+        return this.insert(command.image);
+      case "speed":
+        if (!(command.factor > 0)) return "bad-value";
+        this.factor = command.factor;
+        this.pace.start(this.clock(), command.factor);
+        return null;
+      case "run":
+        if (this.left !== Infinity) this.pace.start(this.clock(), this.factor);
+        this.left = Infinity;
+        return null;
+      case "pause":
+        this.left = 0;
+        this.report();
+        this.pauses();
+        return null;
+      case "step":
+        if (!(command.millis > 0 && command.millis < Infinity)) return "bad-value";
+        if (this.left !== Infinity) this.left = command.millis;
+        return null;
+      case "line":
+        if (!isNumber(command.format.baud, RATES.least, RATES.most)) return "bad-value";
+        this.format = command.format;
+        board?.setLine(command.format);
+        return null;
+      case "serial":
+        board?.send(command.bytes);
+        return null;
+    }
+  }
+
+  /** A board with this firmware, in place of the one before, whose EEPROM, card and line it keeps. */
+  private load(hex: string): Trouble | null {
+    const flash = readHex(hex);
+    if (!flash) return "bad-firmware";
+    const before = this.board;
+    before?.plug(false);
+    const board = new Board(flash, this);
+    if (before) board.eeprom.bytes.set(before.eeprom.bytes);
+    board.insert(this.image);
+    board.setLine(this.format);
+    this.board = board;
+    return null;
+  }
+
+  private insert(image: Uint8Array | null): Trouble | null {
+    if (image && (image.length === 0 || image.length % BLOCK_LEN !== 0)) return "bad-card";
+    this.reportCard();
+    this.image = image;
+    this.board?.insert(image);
+    return null;
+  }
+
+  /** Simulated ms since the power came. */
+  private get at(): number {
+    return ((this.board?.now ?? 0) - this.poweredAt) / CYCLES_PER_MS;
+  }
+
+  private pauses(): void {
+    this.tell({ kind: "paused", at: this.at });
+  }
+
+  serial(byte: number): void {
+    this.sent.push(byte);
+  }
+
+  output(output: number, high: boolean): void {
+    this.edges.push({ at: this.at, output, high });
+    if (this.edges.length > EDGES) this.edges.shift();
+  }
+
+  reset(cause: ResetCause): void {
+    this.reportSerial();
+    this.tell({ kind: "reset", cause });
+  }
+
+  power(on: boolean): void {
+    this.report();
+    if (on) this.poweredAt = this.board?.now ?? 0;
+    this.tell({ kind: "power", on });
+  }
+
+  eeprom(): void {
+    this.eepromChanged = true;
+  }
+
+  card(block: number): void {
+    this.written.add(block);
+  }
+
+  /** Tells all that has changed. */
+  private report(): void {
+    this.reportSerial();
+    this.reportPins();
+    this.reportCard();
+    if (this.eepromChanged && this.board) {
+      this.eepromChanged = false;
+      this.tell({ kind: "eeprom", bytes: this.board.eeprom.bytes.slice() });
+    }
+  }
+
+  private reportSerial(): void {
+    if (this.sent.length === 0) return;
+    this.tell({ kind: "serial", at: this.at, bytes: Uint8Array.from(this.sent) });
+    this.sent = [];
+  }
+
+  private reportPins(): void {
+    if (!this.board) return;
+    const pins: Pins = this.board.takePins();
+    const shown = JSON.stringify(pins);
+    if (shown === this.shown && this.edges.length === 0) return;
+    this.shown = shown;
+    this.tell({ kind: "pins", at: this.at, pins, edges: this.edges });
+    this.edges = [];
+  }
+
+  private reportCard(): void {
+    for (const block of this.written) {
+      const bytes = this.image?.slice(block * BLOCK_LEN, (block + 1) * BLOCK_LEN);
+      if (bytes) this.tell({ kind: "card", block, bytes });
+    }
+    this.written.clear();
+  }
+}
+
+function isNumber(value: number, least: number, most: number): boolean {
+  return Number.isInteger(value) && value >= least && value <= most;
+}
+
+function isAnalogue(to: Analogue): boolean {
+  if (to === "open") return true;
+  return "millivolts" in to ? to.millivolts >= 0 && to.millivolts <= 5000 : isNumber(to.reading, 0, 1023);
+}
