@@ -68,6 +68,8 @@ export class Timer {
   /** The count, as it stood when the cycle counter read `since`, where a count began. */
   private count = 0;
   private since = 0;
+  /** The count has been written since it last went on: it does not match as it does so. */
+  private written = false;
   /** High byte of the next write to a register of 16 bits. */
   private high = 0;
 
@@ -128,6 +130,7 @@ export class Timer {
 
     this.hookNumber(config.TCNT, (value) => {
       this.count = value;
+      this.written = true;
     });
     this.hookNumber(config.OCRA, (value) => this.setCompare(this.units[0], value));
     this.hookNumber(config.OCRB, (value) => this.setCompare(this.units[1], value));
@@ -231,8 +234,10 @@ export class Timer {
       const taken = Math.min(counts, rest);
       for (const unit of this.units) {
         // A match shows as the count goes on from it.
-        if (unit.compare >= this.count && unit.compare < this.count + taken) this.match(unit);
+        const from = this.written ? this.count + 1 : this.count;
+        if (unit.compare >= from && unit.compare < this.count + taken) this.match(unit);
       }
+      this.written = false;
       this.count += taken;
       counts -= taken;
       if (this.count > last) {
