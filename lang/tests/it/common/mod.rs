@@ -10,6 +10,7 @@ pub const LARGE: Profile = Profile {
     outputs: 4,
     stored_bytes: 60_000,
     linked_bytes: 60_000,
+    real: true,
 };
 
 pub fn large() -> Options {
