@@ -6,6 +6,17 @@ use super::coder::Coder;
 use crate::typed::{Compare, Expr, ExprKind};
 use unoclp_core::isa::{Opcode, Value as Operand};
 
+/// The comparison with its sides exchanged.
+fn exchanged(op: Compare) -> Compare {
+    match op {
+        Compare::Less => Compare::Greater,
+        Compare::LessEqual => Compare::GreaterEqual,
+        Compare::Greater => Compare::Less,
+        Compare::GreaterEqual => Compare::LessEqual,
+        same => same,
+    }
+}
+
 fn opcode(op: Compare) -> Opcode {
     match op {
         Compare::Equal => Opcode::Equal,
@@ -26,14 +37,7 @@ impl Coder<'_, '_> {
         }
         let unsigned = self.is_unsigned(a) || self.is_unsigned(b);
         if self.operand(b).is_none() && self.operand(a).is_some() {
-            let exchanged = match op {
-                Compare::Less => Compare::Greater,
-                Compare::LessEqual => Compare::GreaterEqual,
-                Compare::Greater => Compare::Less,
-                Compare::GreaterEqual => Compare::LessEqual,
-                same => same,
-            };
-            return self.compare(exchanged, b, a);
+            return self.compare(exchanged(op), b, a);
         }
         if unsigned {
             self.compare_unsigned(op, a, b);
@@ -92,6 +96,10 @@ impl Coder<'_, '_> {
     }
 
     fn compare_reals(&mut self, op: Compare, a: &Expr, b: &Expr) {
+        let constant = |e: &Expr| matches!(e.kind, ExprKind::Constant(_));
+        if constant(a) && !constant(b) {
+            return self.compare_reals(exchanged(op), b, a);
+        }
         if let ExprKind::Constant(value) = &b.kind {
             self.value(a);
             self.pen.changes_value(Opcode::RealComparable);

@@ -128,6 +128,11 @@ impl Seats {
         cell
     }
 
+    /// Whether this cell is a temporary, for such values as `wide` says or more.
+    pub(super) fn is_temporary(&self, cell: u32, wide: bool) -> bool {
+        cell >= TEMPORARY && (cell & 1 == 1 || !wide)
+    }
+
     /// How many temporaries there are.
     pub(super) fn mark(&self) -> usize {
         self.busy.len()

@@ -8,7 +8,7 @@ use super::flat::{constant, expr};
 use super::prepare::MOST_DEEP;
 use super::ranges::bounds;
 use crate::diagnostics::Span;
-use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
+use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Place, Unary, Value};
 use unoclp_core::isa::Opcode;
 
 impl Coder<'_, '_> {
@@ -128,19 +128,38 @@ impl Coder<'_, '_> {
         held
     }
 
-    /// The smaller or the greater.
+    /// The smaller or the greater; of two that are equal, the first.
     pub(super) fn extreme(&mut self, op: Binary, a: Expr, b: Expr) -> Expr {
-        let (base, at) = (a.base, a.at);
-        let b = self.simple(b);
-        let wide = !self.is_within(&a, base) || !self.is_within(&b, base);
-        let (to, held) = self.temporary_for(base, at, wide);
-        self.put(&to, &a);
-        let how = match op {
-            Binary::Min => Compare::Less,
-            _ => Compare::Greater,
+        let base = a.base;
+        // What is computed is put where the other one may replace it.
+        let second_first = self.operand(&a).is_some() && self.operand(&b).is_none();
+        let (begun, other) = match second_first {
+            true => (b, a),
+            false => (a, self.simple(b)),
         };
-        let other = compare(how, b.clone(), held.clone());
-        self.guarded(&other, &to, &b);
+        let wide = !self.is_within(&begun, base) || !self.is_within(&other, base);
+        let (to, held) = self.own_temporary(begun, wide);
+        let how = match (op, second_first) {
+            (Binary::Min, false) => Compare::Less,
+            (Binary::Min, true) => Compare::LessEqual,
+            (_, false) => Compare::Greater,
+            (_, true) => Compare::GreaterEqual,
+        };
+        self.guarded(&compare(how, other.clone(), held.clone()), &to, &other);
         held
+    }
+
+    /// A prepared value in a temporary that nothing else reads: its own, if it stands in one.
+    fn own_temporary(&mut self, value: Expr, wide: bool) -> (Place, Expr) {
+        match &value.kind {
+            ExprKind::Read(own) if self.seats.is_temporary(own.offset, wide) => {
+                ((**own).clone(), value)
+            }
+            _ => {
+                let (to, held) = self.temporary_for(value.base, value.at, wide);
+                self.put(&to, &value);
+                (to, held)
+            }
+        }
     }
 }
