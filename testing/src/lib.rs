@@ -1,9 +1,11 @@
-//! What the tests of several crates share: how many rounds they make, random programs of all types, and the corpora
-//! of the fuzz targets.
+//! What the tests of several crates share: how many rounds they make, random programs of all types, the corpora of the
+//! fuzz targets, and the programs that stand in several languages.
 
+mod languages;
 mod random;
 mod typed;
 
+pub use languages::{Twins, in_languages};
 pub use random::Random;
 pub use typed::typed_program;
 

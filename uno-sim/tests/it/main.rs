@@ -8,6 +8,7 @@ mod common;
 mod diagnosis;
 mod fault_matrix;
 mod kept;
+mod languages;
 mod lockstep;
 mod modbus;
 mod modbus_boundaries;

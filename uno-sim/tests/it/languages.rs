@@ -1,0 +1,26 @@
+//! The programs that stand in several languages, in each of them on the firmware.
+
+use crate::common;
+use std::fs;
+use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
+use unoclp_source::Written;
+use unoclp_testing::in_languages;
+use unoclp_uno_sim::engine::{Clock, UnoEngine};
+
+#[test]
+fn every_language_passes_the_scenario() {
+    let mut engine = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
+    for twins in in_languages() {
+        for text in twins.texts() {
+            let name = text.display().to_string();
+            let source = Written::new(name.clone(), fs::read(&text).unwrap()).check(None);
+            let program = ProgramFile {
+                name: name.clone(),
+                bytes: source.unwrap_or_else(|refused| panic!("{refused:?}")).code,
+            };
+            let scenario = Scenario::load_for(&twins.scenario(), program);
+            let report = check(&scenario.unwrap(), &mut engine);
+            assert!(report.passed(), "{name}: {report}");
+        }
+    }
+}
