@@ -2,6 +2,7 @@
 
 mod analogue;
 mod arithmetic;
+mod brackets;
 mod cards;
 mod clients;
 mod common;
