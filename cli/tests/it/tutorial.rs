@@ -6,7 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Scenario, check};
-use unoclp_lang::{Options, compile};
+use unoclp_lang::{Options, TextLanguage, compile, compile_text};
+use unoclp_source::BOARD;
 
 const PAGES: [&str; 2] = ["docs/tutorial.md", "docs/tutorial.pt-BR.md"];
 const FOLDER: &str = "programs/tutorial";
@@ -39,71 +40,119 @@ fn blocks(text: &str) -> Vec<Block> {
         .collect()
 }
 
-/// The steps of a page: each program's name and its part of the page.
+/// The languages of the steps, as their files end and as the pages name their blocks.
+const LANGUAGES: [&str; 2] = ["il", "st"];
+
+/// What stands before the end of a link to a program, the end of its name, and what stands behind the link.
+fn linked(rest: &str) -> Option<(&str, &str, &str)> {
+    let (link, behind) = rest.split_once(')')?;
+    let (name, end) = link.rsplit_once('.')?;
+    LANGUAGES.contains(&end).then_some((name, end, behind))
+}
+
+/// The steps of a page: each program's file and its part of the page.
 fn steps(page: &str) -> Vec<(String, String)> {
     let link = format!("](../{FOLDER}/");
     let text = read(page);
     let sections = text.split("\n## ").skip(1);
     sections
         .filter_map(|section| {
-            let (name, _) = section.split_once(&link)?.1.split_once(".il)")?;
+            let (name, end, _) = linked(section.split_once(&link)?.1)?;
             // The solutions stand in a folder of their own.
-            (!name.contains('/')).then(|| (name.to_owned(), section.to_owned()))
+            (!name.contains('/')).then(|| (format!("{name}.{end}"), section.to_owned()))
         })
         .collect()
 }
 
+/// The language of a file.
+fn language(file: &str) -> &str {
+    file.rsplit_once('.').unwrap().1
+}
+
 /// The program file that the compiler makes of a text in which it finds nothing to say.
-fn compiled(text: &str) -> String {
-    let compiled = compile(text, &Options::default());
-    let diagnostics = &compiled.diagnostics;
+fn compiled(text: &str, language: &str) -> String {
+    let (file, diagnostics) = match language {
+        "il" => {
+            let compiled = compile(text, &Options::default());
+            (compiled.file(), compiled.diagnostics.listed)
+        }
+        _ => {
+            let compiled = compile_text(text, TextLanguage::St, BOARD);
+            (compiled.file(), compiled.diagnostics.listed)
+        }
+    };
     assert!(diagnostics.is_empty(), "{diagnostics:#?}\n{text}");
-    compiled.file().unwrap()
+    file.unwrap()
+}
+
+/// What `unoclp` with these arguments prints in the language of a page, from this word in either language on.
+fn printed(arguments: &[&str], page: &str, from: [&str; 2]) -> String {
+    let (lang, from) = match page.contains("pt-BR") {
+        true => ("pt_BR.UTF-8", from[1]),
+        false => ("C.UTF-8", from[0]),
+    };
+    let (code, printed, told) = outcome_in(arguments, lang);
+    assert_eq!((code, told.as_str()), (0, ""), "{arguments:?}");
+    let begin = printed.find(from).unwrap();
+    printed[begin..].to_owned()
 }
 
 /// What `unoclp list` draws of a program in the language of a page, without the title above it.
-fn ladder(name: &str, page: &str) -> String {
-    let (lang, rung) = match page.contains("pt-BR") {
-        true => ("pt_BR.UTF-8", "Degrau 1"),
-        false => ("C.UTF-8", "Rung 1"),
-    };
-    let file = path(&format!("{FOLDER}/{name}.il"));
-    let (code, listing, told) =
-        outcome_in(&["list", file.to_str().unwrap(), "--as", "ladder"], lang);
-    assert_eq!((code, told.as_str()), (0, ""), "{name}");
-    let rungs = listing.find(rung).unwrap();
-    listing[rungs..].to_owned()
+fn ladder(file: &str, page: &str) -> String {
+    let file = path(&format!("{FOLDER}/{file}"));
+    let arguments = ["list", file.to_str().unwrap(), "--as", "ladder"];
+    printed(&arguments, page, ["Rung 1", "Degrau 1"])
 }
 
-/// What a block of this kind must hold in the step of this program on a page.
-fn expected(kind: &str, name: &str, page: &str) -> String {
-    let text = read(&format!("{FOLDER}/{name}.il"));
-    match kind {
-        "il" => text,
-        "numeric" => compiled(&text),
-        "ladder" => ladder(name, page),
-        _ => panic!("{name}: a block of {kind}"),
+/// A command line `unoclp run FILE …`, and what it prints.
+fn run(text: &str, page: &str) -> String {
+    let command = text.lines().next().unwrap();
+    let words: Vec<&str> = command.split(' ').collect();
+    let ["unoclp", "run", file, options @ ..] = &words[..] else {
+        panic!("{page}: {command}");
+    };
+    let file = path(file);
+    let arguments = [&["run", file.to_str().unwrap()], options].concat();
+    let table = printed(&arguments, page, ["name", "nome"]);
+    format!("{command}\n{table}")
+}
+
+/// What this block of a page must hold in the step of this program.
+fn expected(block: &Block, file: &str, page: &str) -> String {
+    let text = read(&format!("{FOLDER}/{file}"));
+    match block.kind.as_str() {
+        kind if kind == language(file) => text,
+        "numeric" => compiled(&text, language(file)),
+        "ladder" => ladder(file, page),
+        "run" => run(&block.text, page),
+        kind => panic!("{file}: a block of {kind}"),
     }
 }
 
 #[test]
 fn each_step_shows_its_program_and_what_becomes_of_it() {
     for page in PAGES {
-        for (name, section) in steps(page) {
+        for (file, section) in steps(page) {
             let mut shown = Vec::new();
-            for Block { kind, text } in blocks(&section) {
-                let is_first = !shown.contains(&kind);
+            for block in blocks(&section) {
+                let Block { kind, text } = &block;
+                let is_first = !shown.contains(kind);
                 shown.push(kind.clone());
                 // A timing chart has no kind; a further text is an example beside the program.
                 if is_first && !kind.is_empty() {
-                    let expected = expected(&kind, &name, page);
-                    assert_eq!(text, expected, "{page}: {name} as {kind}:\n{expected}");
+                    let expected = expected(&block, &file, page);
+                    assert_eq!(*text, expected, "{page}: {file} as {kind}:\n{expected}");
                 }
             }
-            for kind in ["il", "ladder"] {
+            // A ladder diagram of numbers and loops would teach nothing: there the values do.
+            let due = match language(&file) {
+                "il" => &["il", "ladder"][..],
+                _ => &["st"],
+            };
+            for kind in due {
                 assert!(
                     shown.iter().any(|shown| shown == kind),
-                    "{page}: {name} as {kind}"
+                    "{page}: {file} as {kind}"
                 );
             }
         }
@@ -115,10 +164,11 @@ fn each_step_shows_its_program_and_what_becomes_of_it() {
 fn every_text_compiles_without_a_warning() {
     for page in PAGES {
         let blocks = blocks(&read(page));
-        let texts: Vec<_> = blocks.iter().filter(|block| block.kind == "il").collect();
-        assert!(texts.len() > 20, "{page}: {}", texts.len());
-        for Block { text, .. } in texts {
-            compiled(text);
+        let is_text = |block: &&Block| LANGUAGES.contains(&block.kind.as_str());
+        let texts: Vec<_> = blocks.iter().filter(is_text).collect();
+        assert!(texts.len() > 26, "{page}: {}", texts.len());
+        for Block { kind, text } in texts {
+            compiled(text, kind);
         }
     }
 }
@@ -127,8 +177,9 @@ fn every_text_compiles_without_a_warning() {
 fn both_languages_show_the_same() {
     let [english, portuguese] = PAGES.map(|page| {
         let all = blocks(&read(page));
-        // The words in a timing chart are those of its language, and so are those above a rung.
-        let is_heading = |line: &&str| line.starts_with("Rung ") || line.starts_with("Degrau ");
+        // The words in a timing chart are those of its language, and so are those above a rung or a table.
+        let headings = ["Rung ", "Degrau ", "name ", "nome "];
+        let is_heading = |line: &&str| headings.iter().any(|heading| line.starts_with(heading));
         let same = |Block { kind, text }| {
             let lines: Vec<String> = text
                 .lines()
@@ -143,22 +194,22 @@ fn both_languages_show_the_same() {
     assert_eq!(english, portuguese);
 }
 
-/// The names of the programs in a folder, in order. Each is kept as numeric code too, and does what
+/// The files of the programs in a folder, in order. Each is kept as numeric code too, and does what
 /// its scenario says.
 fn programs(folder: &str) -> Vec<String> {
     let entries = fs::read_dir(path(folder)).unwrap();
-    let mut names: Vec<_> = entries
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|end| end == "il"))
-        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+    let files = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut files: Vec<_> = files
+        .filter(|file| file.contains('.') && LANGUAGES.contains(&language(file)))
         .collect();
-    names.sort();
-    for name in &names {
-        let file = compiled(&read(&format!("{folder}/{name}.il")));
+    files.sort();
+    for program in &files {
+        let (name, _) = program.rsplit_once('.').unwrap();
+        let file = compiled(&read(&format!("{folder}/{program}")), language(program));
         let kept = read(&format!("{folder}/{name}.txt"));
         assert_eq!(
             kept, file,
-            "{name}.txt is not what the compiler makes of {name}.il"
+            "{name}.txt is not what the compiler makes of {program}"
         );
         let scenario = path(&format!("{folder}/{name}.toml"));
         let scenario = Scenario::load(&scenario).unwrap_or_else(|error| panic!("{error}"));
@@ -166,15 +217,15 @@ fn programs(folder: &str) -> Vec<String> {
         let report = check(&scenario, &mut HostEngine::default());
         assert!(report.passed(), "{report}");
     }
-    names
+    files
 }
 
 #[test]
 fn every_program_is_a_step() {
     let programs = programs(FOLDER);
     for page in PAGES {
-        let names: Vec<_> = steps(page).into_iter().map(|(name, _)| name).collect();
-        assert_eq!(names, programs, "{page}");
+        let files: Vec<_> = steps(page).into_iter().map(|(file, _)| file).collect();
+        assert_eq!(files, programs, "{page}");
     }
 }
 
@@ -187,14 +238,15 @@ fn every_exercise_is_solved() {
         let text = read(page);
         let link = format!("](../{folder}/");
         let links = text.split(&link).skip(1);
-        let shown: Vec<_> = links.map(|rest| rest.split_once(".il)").unwrap()).collect();
-        let names: Vec<_> = shown.iter().map(|(name, _)| *name).collect();
-        assert_eq!(names, solutions, "{page}");
-        assert_eq!(names.len(), steps(page).len(), "{page}");
-        for (name, rest) in shown {
-            let program = read(&format!("{folder}/{name}.il"));
+        let shown: Vec<_> = links.map(|rest| linked(rest).unwrap()).collect();
+        let file = |(name, end, _): &(&str, &str, &str)| format!("{name}.{end}");
+        let files: Vec<_> = shown.iter().map(file).collect();
+        assert_eq!(files, solutions, "{page}");
+        assert_eq!(files.len(), steps(page).len(), "{page}");
+        for (file, (_, _, rest)) in files.iter().zip(shown) {
+            let program = read(&format!("{folder}/{file}"));
             let block = blocks(rest).into_iter().next().unwrap();
-            assert!(program.ends_with(&block.text), "{page}: {name}");
+            assert!(program.ends_with(&block.text), "{page}: {file}");
         }
     }
 }
