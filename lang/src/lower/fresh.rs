@@ -12,7 +12,13 @@ use unoclp_core::isa::Opcode;
 
 impl Lower<'_, '_> {
     /// Gives first values to what is new at this call of a unit; `given` are the inputs that the call gives.
-    pub(super) fn renew(&mut self, unit: usize, instance: usize, given: &[String], span: Span) {
+    pub(super) fn renew(
+        &mut self,
+        unit: usize,
+        instance: usize,
+        given: &HashSet<String>,
+        span: Span,
+    ) {
         let unit = &self.units[unit];
         let stored = stored_first(unit);
         let renewed = |var: &&Var| {

@@ -71,7 +71,7 @@ fn run<'a>(
     };
     lower.declare_all();
     lower.initials();
-    lower.renew(0, 0, &[], Span::default());
+    lower.renew(0, 0, &HashSet::new(), Span::default());
     lower.unit_body(0, 0, None, None);
     let again = std::mem::take(&mut lower.counted).again();
     lower.check_uncalled();

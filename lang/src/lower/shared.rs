@@ -5,6 +5,7 @@ use crate::ast::{Param, Section, Var};
 use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::tree::Num;
+use std::collections::HashSet;
 
 impl Lower<'_, '_> {
     /// For this call the name is that variable.
@@ -37,7 +38,13 @@ impl Lower<'_, '_> {
     }
 
     /// A call must say what each of them is.
-    pub(super) fn unbound(&mut self, unit: usize, instance: usize, given: &[String], span: Span) {
+    pub(super) fn unbound(
+        &mut self,
+        unit: usize,
+        instance: usize,
+        given: &HashSet<String>,
+        span: Span,
+    ) {
         let units = self.units;
         let Some(unit) = units.get(unit) else { return };
         let in_out = unit.vars.iter().filter(|var| var.section == Section::InOut);

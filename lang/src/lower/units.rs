@@ -6,11 +6,14 @@ use crate::diagnostics::{Code, Span};
 use crate::names::{Instance, Place};
 use crate::rung::{Rungs, Written};
 use crate::tree::{Bit, Num, Number};
+use std::collections::{HashMap, HashSet};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 
 /// More instances than this no board holds; blocks that contain several others would make them without end.
 const MOST_INSTANCES: usize = 4_000;
+/// So many names a message lists at most.
+const MOST_NAMES: usize = 40;
 
 impl Lower<'_, '_> {
     /// Gives the variables of the program their places, and those of its blocks. A function gets its own
@@ -142,15 +145,19 @@ impl Lower<'_, '_> {
             .filter(|var| is_input(var))
             .map(|var| var.name.text.as_str())
             .collect();
-        let mut given: Vec<String> = inputs.iter().take(done).map(|&i| i.to_owned()).collect();
+        let known: HashSet<&str> = inputs.iter().copied().collect();
+        let in_outs = vars.iter().filter(|var| var.section == Section::InOut);
+        let in_outs: HashMap<&str, &Var> = in_outs
+            .rev()
+            .map(|var| (var.name.text.as_str(), var))
+            .collect();
+        let mut given: HashSet<String> = inputs.iter().take(done).map(|&i| i.to_owned()).collect();
         for (index, param) in params.iter().enumerate().filter(|(_, param)| !param.out) {
             let named = param.name.as_ref().map(|name| name.text.as_str());
             let input = named.or_else(|| inputs.get(index + done).copied());
-            let Some(input) = input.filter(|input| inputs.contains(input)) else {
-                let has = (
-                    format!("it has {}", inputs.join(", ")),
-                    format!("tem {}", inputs.join(", ")),
-                );
+            let Some(input) = input.filter(|input| known.contains(input)) else {
+                let names = few(&inputs);
+                let has = (format!("it has {names}"), format!("tem {names}"));
                 let (text, span) = match &param.name {
                     Some(word) => (self.names.written(word.span), word.span),
                     None => (self.spelled(&param.value), param.value.span),
@@ -162,9 +169,8 @@ impl Lower<'_, '_> {
                 );
                 continue;
             };
-            given.push(input.to_owned());
-            let shared = |var: &&Var| var.section == Section::InOut && var.name.text == input;
-            if let Some(var) = vars.iter().find(shared) {
+            given.insert(input.to_owned());
+            if let Some(var) = in_outs.get(input) {
                 self.bind(instance, var, param);
                 continue;
             }
@@ -270,4 +276,14 @@ enum Nesting {
     /// A block that contains itself would never end.
     InItself,
     TooDeep,
+}
+
+/// The first of these names.
+fn few(names: &[&str]) -> String {
+    let more = if names.len() > MOST_NAMES {
+        ", …"
+    } else {
+        ""
+    };
+    names[..names.len().min(MOST_NAMES)].join(", ") + more
 }
