@@ -54,6 +54,14 @@ impl Value {
         }
     }
 
+    /// Of a text its first characters.
+    pub(crate) fn cut(self, most: u32) -> Value {
+        match self {
+            Value::Text(text) => Value::Text(text.chars().take(most as usize).collect()),
+            other => other,
+        }
+    }
+
     /// Whether it is not 0.
     pub fn is_true(&self) -> bool {
         self.int() != 0

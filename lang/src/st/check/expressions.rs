@@ -1,7 +1,7 @@
 //! Expressions and calls.
 
 use super::super::ast::{Arg, Name, Node, NodeKind, Op, Part, Path};
-use super::Checker;
+use super::{Checker, State};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Argument, Given, Named, Target, both};
 use crate::typed::{Base, Compare, Expr, Kind, TypeId, Value};
@@ -13,7 +13,7 @@ impl Checker<'_, '_, '_> {
         match &node.kind {
             NodeKind::Wrong => self.builder.wrong(at),
             NodeKind::Literal(base, value) => self.builder.literal(*base, value.clone(), at),
-            NodeKind::Member(ty, value) => self.value_of(ty, value, at),
+            NodeKind::Member(ty, value) => self.value_of(ty, value, hint, at),
             NodeKind::Path(path) => {
                 if let Some(expr) = self.hinted(path, hint) {
                     return expr;
@@ -75,22 +75,28 @@ impl Checker<'_, '_, '_> {
         Some(expr)
     }
 
-    /// `Color#Red`
-    fn value_of(&mut self, ty: &Name, value: &Name, at: Span) -> Expr {
-        let Some(id) = self.builder.find_type(&ty.text) else {
-            if self.types.contains_key(&self.builder.key(&ty.text)) {
-                // Its declaration is wrong, which has been told.
-                return self.builder.wrong(at);
-            }
+    /// The type before `#`; none if it is wrong, which is told.
+    fn type_of_value(&mut self, ty: &Name, hint: Option<TypeId>) -> Option<TypeId> {
+        if let Some(&at) = self.types.get(&self.builder.key(&ty.text)) {
+            // In its own declaration it has no name yet: `Color : (Red, Green) := Color#Red`.
+            let own = hint.filter(|_| self.type_states[at] == State::Begun);
+            return own.or_else(|| self.declared_type(at, ty));
+        }
+        let known = self.builder.find_type(&ty.text);
+        if known.is_none() {
             let help = both(
                 "write a type of the norm, T#, D#, or the name of an enumeration before #",
                 "escreva antes de # um tipo da norma, T#, D#, ou o nome de uma enumeração",
             );
-            self.builder.tell(
-                Code::StUnknownType,
-                ty.span,
-                [ty.text.as_str().into(), help],
-            );
+            let words = [ty.text.as_str().into(), help];
+            self.builder.tell(Code::StUnknownType, ty.span, words);
+        }
+        known
+    }
+
+    /// `Color#Red`
+    fn value_of(&mut self, ty: &Name, value: &Name, hint: Option<TypeId>, at: Span) -> Expr {
+        let Some(id) = self.type_of_value(ty, hint) else {
             return self.builder.wrong(at);
         };
         let path = Path {

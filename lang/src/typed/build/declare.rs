@@ -4,7 +4,7 @@ use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Expr, ExprKind, Initial, Kind, Root, TypeId, UnitKind, Value};
+use crate::typed::{Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
 use std::sync::Arc;
 
 impl Builder<'_, '_> {
@@ -204,7 +204,13 @@ impl Builder<'_, '_> {
     pub fn initial(&mut self, expr: Expr, ty: TypeId) -> Option<Arc<Initial>> {
         let expr = self.coerce(expr, ty);
         match expr.kind {
-            ExprKind::Constant(value) => Some(Arc::new(Initial::Value(value))),
+            ExprKind::Constant(value) => {
+                let value = match self.store_of(ty) {
+                    Store::Text(most) => value.cut(most),
+                    _ => value,
+                };
+                Some(Arc::new(Initial::Value(value)))
+            }
             ExprKind::Wrong => None,
             _ => {
                 let written = self.written(expr.at);
