@@ -5,7 +5,7 @@
 use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
-use crate::diagnostics::{Code, Found, Span};
+use crate::diagnostics::{Code, Found, Span, Word};
 use crate::typed::{Base, Holds, Point, Standard, Tree};
 use std::collections::{BTreeMap, HashMap};
 use unoclp_core::isa::{COUNTERS, REGISTERS, RETENTIVE};
@@ -34,9 +34,13 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
     let mut allotter = Allotter {
         seats: &mut seats,
         names: &names,
+        tree,
+        flat,
+        uses,
         found,
         told: false,
     };
+    allotter.types();
     allotter.points(tree, uses);
     allotter.blocks(flat, uses);
     allotter.rows(flat, uses);
@@ -78,6 +82,9 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
 struct Allotter<'a> {
     seats: &'a mut Seats,
     names: &'a HashMap<u32, (String, Span)>,
+    tree: &'a Tree,
+    flat: &'a Flat,
+    uses: &'a Uses,
     found: &'a mut Found,
     told: bool,
 }
@@ -101,7 +108,7 @@ fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
 }
 
 /// What to take in place of a type that the board lacks.
-fn instead(base: Base) -> (&'static str, &'static str) {
+pub(super) fn instead(base: Base) -> (&'static str, &'static str) {
     match base {
         Base::Lreal => ("take REAL", "use REAL"),
         Base::Lint => ("take DINT", "use DINT"),
@@ -141,29 +148,90 @@ impl Allotter<'_> {
         }
     }
 
+    /// What a person calls a cell, and where it is declared: of what a call has, the unit that is called.
     fn place(&self, cell: u32) -> (String, Span) {
-        self.names.get(&cell).cloned().unwrap_or_default()
+        if let Some(named) = self.names.get(&cell) {
+            return named.clone();
+        }
+        let behind = self.flat.calls.partition_point(|call| call.0 <= cell);
+        let called = behind.checked_sub(1).and_then(|at| self.flat.calls.get(at));
+        let unit = called
+            .map(|call| call.1)
+            .or(self.tree.programs.first().copied());
+        let unit = unit.and_then(|unit| self.tree.units.get(unit as usize));
+        unit.map(|unit| (unit.name.clone(), unit.at))
+            .unwrap_or_default()
     }
 
-    fn none_left(&mut self, words: (&str, &str), most: String, cell: u32) {
-        self.seats.none_left = true;
-        if !self.told {
-            self.told = true;
-            let (name, at) = self.place(cell);
-            let words = [words.into(), most.into(), name.into()];
-            self.found.tell(Code::BoardNoneLeft, at, words);
+    /// Variables of types that the board lacks: each declaration is told once.
+    fn types(&mut self) {
+        let mut told = None;
+        for symbol in &self.tree.symbols {
+            let Holds::Cell(cell) = symbol.holds else {
+                continue;
+            };
+            let base = self.flat.cells.get(cell as usize).map(|held| held.base);
+            let Some(base) = base.filter(|base| !base.is_on_board()) else {
+                continue;
+            };
+            self.seats.of.insert(cell, Seat::Register(1));
+            if told.replace(symbol.at) != Some(symbol.at) {
+                let name = symbol.name.split('[').next().unwrap_or_default();
+                self.told_type(name, base, symbol.at);
+            }
         }
+    }
+
+    fn told_type(&mut self, name: &str, base: Base, at: Span) {
+        let words = [name.into(), base.name().into(), instead(base).into()];
+        self.found.tell(Code::BoardType, at, words);
+    }
+
+    fn none_left(&mut self, words: (&str, &str), most: u32, cell: u32) {
+        self.seats.none_left = true;
+        if std::mem::replace(&mut self.told, true) {
+            return;
+        }
+        let (name, at) = self.place(cell);
+        // Of an array or a structure: how much of it there is, and how much has found a place.
+        let own = |other: &u32| self.names.get(other).is_some_and(|named| named.1 == at);
+        let kind = |other: &u32| {
+            let base = |cell: u32| self.flat.cells.get(cell as usize).map(|held| held.base);
+            (base(*other) == Some(Base::Bool)) == (base(cell) == Some(Base::Bool))
+        };
+        let parts = self
+            .uses
+            .cells
+            .keys()
+            .filter(|cell| own(cell) && kind(cell));
+        let parts: Vec<u32> = parts.copied().collect();
+        let whole = name.split(['[', '.']).next().unwrap_or_default();
+        if whole == name || parts.len() < 2 || words == COUNTER {
+            let name = format!("`{name}`");
+            let words = [words.into(), most.to_string().into(), name.into()];
+            self.found.tell(Code::BoardNoneLeft, at, words);
+            return;
+        }
+        let free = parts.iter().filter(|cell| self.seats.of.contains_key(cell));
+        let free = free.count().to_string();
+        let count = parts.len();
+        let takes = Word::Both(
+            format!("{count} {}s", words.0),
+            match words {
+                REGISTER => format!("{count} registradores"),
+                MARKER => format!("{count} memórias"),
+                _ => format!("{count} memórias retentivas"),
+            },
+        );
+        self.found
+            .tell(Code::BoardRow, at, [whole.into(), takes, free.into()]);
     }
 
     /// A place for a cell of its own.
     fn seat(&mut self, cell: u32, base: Base, retain: bool) -> Option<Seat> {
         if !base.is_on_board() {
             let (name, at) = self.place(cell);
-            self.found.tell(
-                Code::BoardType,
-                at,
-                [name.into(), base.name().into(), instead(base).into()],
-            );
+            self.told_type(&name, base, at);
             self.seats.of.insert(cell, Seat::Register(1));
             return None;
         }
@@ -187,7 +255,7 @@ impl Allotter<'_> {
                 Some(seat)
             }
             None => {
-                self.none_left(words, most.to_string(), cell);
+                self.none_left(words, most, cell);
                 None
             }
         }
@@ -199,23 +267,25 @@ impl Allotter<'_> {
             let length = row.end - row.start;
             let first = self.seats.row(length);
             let cells = flat.cells.get(row.start as usize..row.end as usize);
-            let wrong = cells
+            if let Some(wrong) = cells
                 .unwrap_or_default()
                 .iter()
-                .find(|held| !held.base.is_on_board());
-            if let Some(wrong) = wrong {
-                let base = wrong.base;
-                self.seat(row.start, base, false);
+                .find(|held| !held.base.is_on_board())
+            {
+                if !self.seats.of.contains_key(&row.start) {
+                    self.seat(row.start, wrong.base, false);
+                }
                 continue;
             }
             let Some(first) = first else {
                 let (name, at) = self.place(row.start);
                 let free = REGISTERS as u32 - self.seats.registers.count_ones();
-                let words = [
-                    name.into(),
-                    length.to_string().into(),
-                    free.to_string().into(),
-                ];
+                let whole = name.split(['[', '.']).next().unwrap_or_default();
+                let takes = Word::Both(
+                    format!("{length} registers in a row"),
+                    format!("{length} registradores seguidos"),
+                );
+                let words = [whole.into(), takes, free.to_string().into()];
                 self.found.tell(Code::BoardRow, at, words);
                 continue;
             };
@@ -273,7 +343,7 @@ impl Allotter<'_> {
             };
             counters += 1;
             if counters > COUNTERS {
-                self.none_left(COUNTER, COUNTERS.to_string(), cell);
+                self.none_left(COUNTER, COUNTERS.into(), cell);
                 continue;
             }
             let number = counters;

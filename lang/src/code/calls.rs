@@ -37,9 +37,10 @@ fn narrowed(value: Expr, base: Base) -> Expr {
 }
 
 impl Inliner<'_, '_> {
-    /// Makes the cells of a call.
-    pub(super) fn enter(&mut self, unit: &Unit, own: u32, at: Span) -> Frame {
+    /// Makes the cells of a call of the unit of this number.
+    pub(super) fn enter(&mut self, number: u32, unit: &Unit, own: u32, at: Span) -> Frame {
         let local = self.flat.cells.len() as u32;
+        self.flat.calls.push((local, number));
         if self.flat.cells.len() > 100_000 {
             self.too_large.get_or_insert(at);
         } else {
@@ -158,7 +159,7 @@ impl Inliner<'_, '_> {
             let to = self.place(&output.to, frame);
             outputs.push(self.settled(to));
         }
-        let mut callee = self.enter(unit, own, call.at);
+        let mut callee = self.enter(call.unit, unit, own, call.at);
         (callee.lent, callee.given) = (lent, given);
         let base = match call.instance {
             Some(_) => own,

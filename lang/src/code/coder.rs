@@ -98,7 +98,7 @@ impl Coder<'_, '_> {
             _ => {
                 let words = ("marker", "memória");
                 let most = "56".to_owned();
-                let name = String::new();
+                let name = ("what this block does", "o que este bloco faz");
                 self.found.tell(
                     Code::BoardNoneLeft,
                     at,

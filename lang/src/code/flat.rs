@@ -20,6 +20,8 @@ pub(super) struct Flat {
     /// How many labels there are.
     pub labels: u32,
     pub loops: Vec<Turns>,
+    /// Where the cells of each call begin, in their order, and the unit that is called.
+    pub calls: Vec<(u32, u32)>,
 }
 
 /// A loop: how often it turns each time it is reached, and the loop around it.

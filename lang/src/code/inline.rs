@@ -71,7 +71,7 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
     };
     for &number in &tree.programs {
         if let Some(unit) = tree.units.get(number as usize) {
-            let mut frame = inliner.enter(unit, 0, unit.at);
+            let mut frame = inliner.enter(number, unit, 0, unit.at);
             inliner.body(unit, &mut frame);
         }
     }

@@ -142,12 +142,6 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
-    if coder.seats.none_left && !coder.found.has_errors() {
-        let words = ("register or marker", "registrador ou memória");
-        let at = coder.pen.at;
-        let none = [words.into(), "98".into(), "".into()];
-        coder.found.tell(crate::Code::BoardNoneLeft, at, none);
-    }
     let finished = finish::finish(&coder, tree, text, &flat.loops, found);
     let seats = std::mem::take(&mut coder.seats);
     found.join(apart);

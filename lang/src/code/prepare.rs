@@ -16,6 +16,12 @@ pub(super) const MOST_DEEP: u32 = 6;
 impl Coder<'_, '_> {
     pub(super) fn prepare(&mut self, from: Expr) -> Expr {
         let Expr { kind, base, ty, at } = from;
+        let is_known = matches!(kind, ExprKind::Constant(_));
+        if !base.is_on_board() && !base.is_any() && !is_known {
+            let name = base.name();
+            self.lacking(at, (name, name), super::allot::instead(base));
+            return constant(Value::Int(0), Base::Dint, at);
+        }
         let again = |kind| Expr { kind, base, ty, at };
         match kind {
             ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Call(_) => again(kind),

@@ -5,6 +5,7 @@
 use super::coder::Coder;
 use super::flat::{Does, Step};
 use super::pen::Acc;
+use crate::diagnostics::Code;
 use crate::typed::{Expr, ExprKind, Unary};
 use unoclp_core::isa::Opcode;
 
@@ -31,6 +32,15 @@ impl Coder<'_, '_> {
                 self.step(step);
             }
             self.seats.release_to(mark);
+            if self.seats.none_left && !self.found.has_errors() {
+                let words = ("register or marker", "registrador ou memória");
+                let what = (
+                    "what this statement puts aside",
+                    "o que este comando guarda no meio",
+                );
+                let words = [words.into(), "98".into(), what.into()];
+                self.found.tell(Code::BoardNoneLeft, step.at, words);
+            }
         }
     }
 

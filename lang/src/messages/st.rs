@@ -349,15 +349,15 @@ macro_rules! st_rows {
         "a placa não tem {0}"
         "{1}";
     203 BoardNoneLeft Error
-        "no {0} is left for `{2}`: the board has {1}"
+        "no {0} is left for {2}: the board has {1}"
         "use fewer variables, or one for several purposes"
-        "não sobrou {0} para `{2}`: a placa tem {1}"
+        "não sobrou {0} para {2}: a placa tem {1}"
         "use menos variáveis, ou a mesma para mais de um fim";
     204 BoardRow Error
-        "`{0}` takes {1} registers in a row, and {2} are free"
-        "make the array smaller; an array with computed subscripts takes a register for each element"
-        "`{0}` ocupa {1} registradores seguidos, e há {2} livres"
-        "diminua a matriz; uma matriz de índice calculado ocupa um registrador por elemento";
+        "`{0}` takes {1}, and {2} are free"
+        "make it smaller; an array with computed subscripts takes a register for each element"
+        "`{0}` ocupa {1}, e há {2} livres"
+        "diminua-a; uma matriz de índice calculado ocupa um registrador por elemento";
     205 BoardRetain Error
         "the board cannot keep a {0} over a power cut"
         "keep what matters of it in a variable of its own with RETAIN"
