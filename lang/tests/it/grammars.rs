@@ -1,4 +1,4 @@
-//! The tables of `docs/grammar-tests.md` name each production and statement of the two sources, and cases that are there.
+//! The tables of `docs/grammar-tests.md` name each production and statement of the three sources, and cases that are there.
 
 use std::collections::HashSet;
 use std::fs;
@@ -84,6 +84,9 @@ const LCE: [&str; 27] = [
     "// comentário",
 ];
 
+/// The productions of IEC 61131-3, B.1.3.1 to B.1.3.3, in its order.
+const TYPES: &str = include_str!("../iec-types.txt");
+
 fn read(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -115,6 +118,8 @@ fn cases() -> HashSet<String> {
         "iscl-mistakes.toml",
         "lce.toml",
         "lce-mistakes.toml",
+        "types.toml",
+        "values.toml",
     ] {
         let text = read(&format!("lang/tests/typed/{file}"));
         let names = text.lines().filter_map(|line| {
@@ -134,7 +139,12 @@ fn each_production_and_statement_has_its_cases() {
     let known = cases();
     for page in ["docs/grammar-tests.md", "docs/grammar-tests.pt-BR.md"] {
         let text = read(page);
-        for (heading, sources) in [("\n## InterSCL\n", &ISCL[..]), ("\n## LCE\n", &LCE[..])] {
+        let types: Vec<&str> = TYPES.lines().collect();
+        for (heading, sources) in [
+            ("\n## InterSCL\n", &ISCL[..]),
+            ("\n## LCE\n", &LCE[..]),
+            ("\n## IEC 61131-3, B.1.3\n", &types[..]),
+        ] {
             let rows = rows(&text, heading);
             let named: Vec<&str> = rows.iter().map(|row| row.0.as_str()).collect();
             assert_eq!(named, sources, "{page}");
@@ -146,6 +156,35 @@ fn each_production_and_statement_has_its_cases() {
             }
         }
     }
+}
+
+/// No production of the norm is left out: what one names, another one makes.
+#[test]
+fn each_production_of_the_norm_has_those_it_names() {
+    let made: HashSet<&str> = TYPES
+        .lines()
+        .filter_map(|line| line.split(' ').next())
+        .collect();
+    // What B.1.2 and B.1 make.
+    let others = [
+        "constant",
+        "identifier",
+        "integer",
+        "signed_integer",
+        "character_string",
+        "non_generic_type_name",
+    ];
+    for line in TYPES.lines() {
+        let (_, names) = line.split_once("= ").unwrap();
+        let words = names.split(|c: char| !c.is_ascii_lowercase() && c != '_');
+        for word in words.filter(|word| word.len() > 1) {
+            assert!(
+                made.contains(word) || others.contains(&word),
+                "{word} in {line}"
+            );
+        }
+    }
+    assert_eq!(made.len(), 46);
 }
 
 /// The cases of a cell; a name may have a `;` itself.
