@@ -207,6 +207,7 @@ impl Allotter<'_> {
         let parts: Vec<u32> = parts.copied().collect();
         let whole = name.split(['[', '.']).next().unwrap_or_default();
         if whole == name || parts.len() < 2 || words == COUNTER {
+            let name = if words == COUNTER { whole } else { &name };
             let name = format!("`{name}`");
             let words = [words.into(), most.to_string().into(), name.into()];
             self.found.tell(Code::BoardNoneLeft, at, words);

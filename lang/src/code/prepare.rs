@@ -5,8 +5,8 @@
 use super::coder::Coder;
 use super::flat::constant;
 use super::ranges::bounds;
-use crate::diagnostics::{Code, Span};
-use crate::typed::{Base, Expr, ExprKind, Unary, Value};
+use crate::diagnostics::{Code, Span, Word};
+use crate::typed::{Base, Expr, ExprKind, Extra, Unary, Value};
 
 /// Values that wait at once, at most; one is left for a table.
 pub(super) const MOST_WAITING: u32 = 7;
@@ -70,18 +70,28 @@ impl Coder<'_, '_> {
                 self.select(which, no, yes, base, at)
             }
             ExprKind::Mux(which, all) => self.mux(*which, all, base, at),
-            ExprKind::Extra(..) => {
-                self.lacking(
-                    at,
-                    ("this function", "esta função"),
-                    (
-                        "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
-                        "ela só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
-                    ),
-                );
+            ExprKind::Extra(function, _) => {
+                self.lacking_function(function, at);
                 constant(Value::zero(base), base, at)
             }
         }
+    }
+
+    fn lacking_function(&mut self, function: Extra, at: Span) {
+        let what = match function {
+            Extra::Power => Word::from(("a power of a REAL exponent", "potência de expoente REAL")),
+            _ => format!("{function:?}").to_uppercase().into(),
+        };
+        let is_text = matches!(function, Extra::Len | Extra::Find);
+        let instead = match is_text {
+            true => super::allot::instead(Base::Str),
+            false => (
+                "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
+                "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
+            ),
+        };
+        self.found
+            .tell(Code::BoardLacks, at, [what, instead.into()]);
     }
 
     pub(super) fn lacking(&mut self, at: Span, what: (&str, &str), instead: (&str, &str)) {
