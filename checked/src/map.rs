@@ -44,11 +44,33 @@ impl SourceMap {
     }
 
     /// The lines that `steps` steps from `first` on stand in, the least and the greatest: what is compiled may
-    /// stand in another order than the text.
+    /// stand in another order than the text. Of steps from several units, those of the first of these.
     pub fn lines(&self, first: usize, steps: usize) -> Option<(usize, usize)> {
-        let places = self.steps.get(first..first + steps)?;
-        let least = places.iter().map(|place| place.line).min()?;
-        Some((least, places.iter().map(|place| place.last).max()?))
+        let units = self.units(first, steps);
+        units.first().map(|(_, lines)| *lines)
+    }
+
+    /// The functions and function blocks that `steps` steps from `first` on stand in, in the order of the steps, and the
+    /// least and the greatest line in each; none is the program itself.
+    pub fn units(&self, first: usize, steps: usize) -> Vec<(Option<&str>, (usize, usize))> {
+        let places = self.steps.get(first..first + steps).unwrap_or_default();
+        // What begins a rung may stand in the unit in which the one before has ended.
+        let places = match places {
+            [begins, own @ ..] if own.first().is_some_and(|own| own.unit != begins.unit) => own,
+            all => all,
+        };
+        let mut units: Vec<(Option<&str>, (usize, usize))> = Vec::new();
+        for place in places {
+            let unit = place.unit.as_deref();
+            match units.iter_mut().find(|(of, _)| *of == unit) {
+                Some((_, (least, last))) => {
+                    *least = (*least).min(place.line);
+                    *last = (*last).max(place.last);
+                }
+                None => units.push((unit, (place.line, place.last))),
+            }
+        }
+        units
     }
 
     /// The step that has become this line of numeric code.

@@ -36,8 +36,8 @@ pub fn listing(drawing: &Drawing<'_>, map: &SourceMap, names: &Names, title: Tit
     text
 }
 
-/// What stands above a rung: `Rung 3, lines 27 to 31: Turning, or running out`, as many lines as that takes;
-/// then its labels.
+/// What stands above a rung: `Rung 3, lines 27 to 31 (Motor): Turning, or running out`, with the unit that it comes from,
+/// and the lines in others, `(Motor 9-12)`, as many lines as that takes; then its labels.
 pub(crate) fn heading(
     drawing: &Drawing<'_>,
     map: &SourceMap,
@@ -47,6 +47,19 @@ pub(crate) fn heading(
 ) -> Vec<String> {
     let rung = &drawing.ladder().rungs[index];
     let mut first = title(index + 1, map.lines(rung.first, rung.steps));
+    let units = map.units(rung.first, rung.steps);
+    let unit = |(at, (unit, (from, to))): (usize, &(Option<&str>, (usize, usize)))| {
+        let unit = unit.as_ref()?;
+        Some(match (at, from == to) {
+            (0, _) => (*unit).to_owned(),
+            (_, true) => format!("{unit} {from}"),
+            (..) => format!("{unit} {from}-{to}"),
+        })
+    };
+    let units: Vec<String> = units.iter().enumerate().filter_map(unit).collect();
+    if !units.is_empty() {
+        first += &format!(" ({})", units.join(", "));
+    }
     let about: Vec<&str> = map.about(rung.first).collect();
     if !about.is_empty() {
         first += ": ";

@@ -62,6 +62,46 @@ impl Comments {
     }
 }
 
+/// Where the comments of a text in a typed language are: `(* *)`, `/* */`, `//`, none of them in a literal of its line.
+pub(crate) fn of_any(text: &str) -> Vec<Span> {
+    let bytes = text.as_bytes();
+    let nested = nested(bytes);
+    let mut spans = Vec::new();
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        let rest = &bytes[at..];
+        let find = |end: &[u8]| {
+            let behind = rest.windows(end.len()).skip(2);
+            let found = behind.zip(2..).find(|(window, _)| *window == end);
+            found.map_or(bytes.len(), |(_, length)| at + length + end.len())
+        };
+        let line_end = || at + rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+        let end = match (byte, rest.get(1)) {
+            (b'(', Some(b'*')) => nested.get(&at).copied().unwrap_or_else(|| find(b"*)")),
+            (b'/', Some(b'*')) => find(b"*/"),
+            (b'/', Some(b'/')) => line_end(),
+            (b'\'' | b'"', _) => {
+                let own = rest.iter().take(line_end() - at).skip(1);
+                at += own
+                    .zip(2..)
+                    .find(|(b, _)| **b == byte)
+                    .map_or(1, |(_, length)| length);
+                continue;
+            }
+            _ => {
+                at += 1;
+                continue;
+            }
+        };
+        spans.push(Span {
+            start: at as u32,
+            end: end as u32,
+        });
+        at = end;
+    }
+    spans
+}
+
 /// Where comments that hold whole comments begin and end. A `(*` within a comment that has no end of its own
 /// is a part of what the comment says.
 pub(crate) fn nested(bytes: &[u8]) -> HashMap<usize, usize> {
@@ -96,9 +136,10 @@ fn words(comment: &str) -> &str {
     if let Some(words) = comment.strip_prefix("//").or(comment.strip_prefix(';')) {
         return words;
     }
-    let words = comment.strip_prefix("(*").unwrap_or(comment);
+    let words = comment.strip_prefix("(*").or(comment.strip_prefix("/*"));
+    let words = words.unwrap_or(comment);
     let words = words
-        .strip_suffix(')')
+        .strip_suffix([')', '/'])
         .unwrap_or(words)
         .trim_end_matches([' ', '\t']);
     words.strip_suffix('*').unwrap_or(words)
@@ -107,4 +148,23 @@ fn words(comment: &str) -> &str {
 fn some(words: &str) -> Option<String> {
     let words = words.trim();
     (!words.is_empty()).then(|| words.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_of_typed_languages_are_found() {
+        let text = "a (* b (* c *) *) d // e 'f\n'g (* h' /* i\n */ \"//\" 'j // k\nl (* m";
+        let found: Vec<&str> = of_any(text)
+            .iter()
+            .filter_map(|span| text.get(span.range()))
+            .collect();
+        assert_eq!(
+            found,
+            ["(* b (* c *) *)", "// e 'f", "/* i\n */", "// k", "(* m"]
+        );
+        assert_eq!([words("/* i */"), words("(* i *)")], [" i "; 2]);
+    }
 }

@@ -49,7 +49,7 @@ mod whole;
 mod words;
 
 pub use back::{instructions_to_il, to_il};
-pub use code::{CompiledText, compile_text, places};
+pub use code::{CompiledText, Held, Holding, Spot, Variable, compile_text};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;
@@ -166,7 +166,7 @@ fn translate(
     let mut program = None;
     if !found.has_errors() {
         let comments = Comments::new(text, &starts, &parsed.comments);
-        let places = Places::new(text, &starts, units, comments);
+        let places = Places::new(text, &starts, places::units(text, units), comments);
         program = emit::check(text, &lines, &origins, board, places, found);
     }
     (lines, program)

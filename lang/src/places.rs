@@ -13,12 +13,26 @@ use std::sync::Arc;
 use unoclp_checked::{Place, SourceMap};
 use unoclp_core::isa::{Kind, Opcode};
 
+/// The functions and function blocks of a text: where they stand, in that order, and what they are called.
+pub(crate) type Units = Vec<(Range<u32>, Arc<str>)>;
+
+/// Those of a text in Instruction List.
+pub(crate) fn units(text: &str, units: &[Unit]) -> Units {
+    let named = |unit: &Unit| {
+        let name = text.get(unit.name.as_ref()?.span.range())?;
+        Some((unit.span.start..unit.end, Arc::from(name)))
+    };
+    let units = units.iter().filter(|unit| unit.kind != UnitKind::Program);
+    let mut units: Units = units.filter_map(named).collect();
+    units.sort_by_key(|(bytes, _)| bytes.start);
+    units
+}
+
 /// Makes the map of a text, code by code.
 pub(crate) struct Places<'t> {
     text: &'t str,
     lines: &'t Lines,
-    /// The functions and function blocks of the text: where they stand, and what they are called.
-    units: Vec<(Range<u32>, Arc<str>)>,
+    units: Units,
     comments: Comments,
     map: SourceMap,
 }
@@ -27,18 +41,13 @@ impl<'t> Places<'t> {
     pub(crate) fn new(
         text: &'t str,
         lines: &'t Lines,
-        units: &[Unit],
+        units: Units,
         comments: Comments,
     ) -> Places<'t> {
-        let named = |unit: &Unit| {
-            let name = text.get(unit.name.as_ref()?.span.range())?;
-            Some((unit.span.start..unit.end, Arc::from(name)))
-        };
-        let units = units.iter().filter(|unit| unit.kind != UnitKind::Program);
         Places {
             text,
             lines,
-            units: units.filter_map(named).collect(),
+            units,
             map: SourceMap {
                 title: comments.title(),
                 steps: Vec::new(),
@@ -52,10 +61,11 @@ impl<'t> Places<'t> {
         let span = origin.span;
         let (line, column) = self.lines.place(self.text, span.start);
         let line = line as usize;
-        let unit = self
+        let behind = self
             .units
-            .iter()
-            .find(|(bytes, _)| bytes.contains(&span.start));
+            .partition_point(|(bytes, _)| bytes.start <= span.start);
+        let unit = behind.checked_sub(1).and_then(|at| self.units.get(at));
+        let unit = unit.filter(|(bytes, _)| bytes.contains(&span.start));
         self.map.steps.push(Place {
             unit: unit.map(|(_, name)| name.clone()),
             line,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_ladder::{Ladder, Names};
-use unoclp_lang::{Dialect, TextLanguage, Told};
+use unoclp_lang::{Dialect, Holding, Spot, TextLanguage, Told, Variable};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub struct Source {
     pub size: Size,
     /// Where its steps stand in the text.
     pub map: SourceMap,
+    /// Its variables, where its language declares them with types.
+    pub variables: Vec<Variable>,
     /// The program.
     pub checked: Checked,
 }
@@ -98,9 +100,33 @@ pub fn names(map: &SourceMap, ladder: &Ladder) -> Names {
 pub fn point_names(source: &Source) -> BTreeMap<String, String> {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder).into_iter();
-    names
+    let mut names: BTreeMap<String, String> = names
         .map(|(point, name)| (point.to_string(), name))
-        .collect()
+        .collect();
+    for variable in &source.variables {
+        let Holding::One((spot, _)) = variable.holding else {
+            continue;
+        };
+        let point = match spot {
+            Spot::Input(n) => format!("I{n}"),
+            Spot::Output(n) => format!("Q{n}"),
+            Spot::Analogue(n) => format!("A{n}"),
+            Spot::Pwm(n) => format!("P{n}"),
+            Spot::TimerQ(n) | Spot::Elapsed(n) => format!("T{n}"),
+            Spot::Count(n) | Spot::Reached(n) | Spot::AtZero(n) => format!("C{n}"),
+            Spot::Register(_) | Spot::Marker(_) | Spot::System(_) => continue,
+        };
+        // A timer and a counter are called as their block: `pause` of `pause.Q`.
+        match variable.name.rsplit_once('.') {
+            Some((block, _)) if point.starts_with(['T', 'C']) => {
+                names.insert(point, block.to_owned());
+            }
+            _ => {
+                names.entry(point).or_insert_with(|| variable.name.clone());
+            }
+        }
+    }
+    names
 }
 
 /// The program of a file in numeric code, for what shows neither its text nor all of its faults.

@@ -100,6 +100,7 @@ impl Written {
             language: Language::Numeric,
             size: Size::of(checked.program()),
             map,
+            variables: Vec::new(),
             checked,
         })
     }
@@ -125,6 +126,7 @@ impl Written {
             },
             size: Size::of(checked.program()),
             map,
+            variables: made.variables,
             checked,
         })
     }
@@ -152,6 +154,7 @@ impl Written {
             },
             size: Size::of(checked.program()),
             map,
+            variables: Vec::new(),
             checked,
         })
     }

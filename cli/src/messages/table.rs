@@ -32,9 +32,6 @@ unoclp_source::messages! {
     nothing_to_run()
         "say what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
-    not_run(language)
-        "run does not read {language}; it reads Structured Text (.st, .scl), InterSCL (.iscl) and LCE (.lce). Say --language st, iscl or lce if the text is that"
-        "run não lê {language}; lê Texto Estruturado (.st, .scl), InterSCL (.iscl) e LCE (.lce). Indique --language st, iscl ou lce se o texto for isso";
     the_text() "the text" "o texto";
     the_input() "standard input" "entrada padrão";
     set_form(given)
@@ -43,6 +40,9 @@ unoclp_source::messages! {
     no_variable(name, names)
         "the program has no variable {name}; it has {names}"
         "o programa não tem a variável {name}; ele tem {names}";
+    no_variables(name)
+        "the program has no variable {name}; it has none at all"
+        "o programa não tem a variável {name}; ele não tem nenhuma";
     no_value(written, name, type_name)
         "{written} is no value for {name}, which is {type_name}"
         "{written} não é um valor para {name}, que é {type_name}";
@@ -363,6 +363,8 @@ unoclp_source::messages! {
     inputs() "Inputs" "Entradas";
     outputs() "Outputs" "Saídas";
     memory() "Memory" "Memória";
+    variables() "Variables" "Variáveis";
+    watched() "Watched (PRINT)" "Observadas (PRINT)";
     board() "Board" "Placa";
     timers() "Timers (ms)" "Temporizadores (ms)";
     timers_of(first, last, count)

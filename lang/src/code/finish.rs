@@ -19,6 +19,7 @@ impl Coder<'_, '_> {
     pub(super) fn first_values(&mut self, tree: &Tree) {
         let mut own: Vec<(Seat, i32, u32)> = Vec::new();
         let mut kept = Vec::new();
+        let names = super::seats::named(tree);
         for (number, cell) in (0..).zip(&tree.cells) {
             let value = super::operand::bits(&cell.initial, cell.base);
             let seat = self.seats.of.get(&number).copied();
@@ -38,20 +39,22 @@ impl Coder<'_, '_> {
             && let Some(Seat::Register(flag)) = self.seats.lasting(false)
         {
             self.seats.kept_registers.push(flag);
+            self.declared(&kept, &names);
             self.pen.fresh();
             self.pen
                 .operation(Opcode::Load, Value::Register(flag), None);
             self.pen.operation(Opcode::Equal, Value::Constant(0), None);
             self.pen.acc = super::pen::Acc::Other;
-            self.set_all(&kept);
+            self.set_all(&kept, &names);
             self.pen.operation(Opcode::Load, Value::Constant(1), None);
             self.pen.numbered(Opcode::Store, flag, None);
         }
         if !own.is_empty() {
+            self.declared(&own, &names);
             self.pen.fresh();
             self.pen.numbered(Opcode::SystemContact, 1, None);
             self.pen.acc = super::pen::Acc::Other;
-            self.set_all(&own);
+            self.set_all(&own, &names);
         }
         self.pen.holds = None;
     }
@@ -74,10 +77,20 @@ impl Coder<'_, '_> {
         used && settable
     }
 
+    /// What is written next comes from the declaration of the first of these.
+    fn declared(&mut self, all: &[(Seat, i32, u32)], names: &HashMap<u32, (String, Span)>) {
+        if let Some((_, at)) = all.first().and_then(|(_, _, cell)| names.get(cell)) {
+            self.pen.at = *at;
+        }
+    }
+
     /// Stores where acc is 1.
-    fn set_all(&mut self, all: &[(Seat, i32, u32)]) {
+    fn set_all(&mut self, all: &[(Seat, i32, u32)], names: &HashMap<u32, (String, Span)>) {
         let mut held = None;
         for &(seat, value, cell) in all {
+            if let Some((_, at)) = names.get(&cell) {
+                self.pen.at = *at;
+            }
             let bit = match seat {
                 Seat::Marker(n) => Some((Opcode::SetMarker, n)),
                 Seat::Output(n) => Some((Opcode::SetCoil, n)),
@@ -184,7 +197,14 @@ pub(super) fn finish(
             Written::OfTimer(opcode, index) => Instruction::numbered(*opcode, timer(*index)),
         };
         let name = line.cell.and_then(|cell| names.get(&cell));
-        let name = name.map(|(name, _)| name.clone());
+        let name = name.map(|(name, _)| match instruction.operand {
+            // A box stands for the whole block: `pause`, not `pause.IN`.
+            Operand::Timer(_) | Operand::Count { .. } => {
+                let block = name.rsplit_once('.').map(|(block, _)| block);
+                block.unwrap_or(name).to_owned()
+            }
+            _ => name.clone(),
+        });
         for (at, code) in instruction.codes().enumerate() {
             let first = at == 0;
             let own = |text: String| if first { text } else { String::new() };

@@ -19,7 +19,8 @@
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
-//! - `pen`: what acc and value hold; `finish`: labels, first values, what is kept, the cost of loops
+//! - `pen`: what acc and value hold; `variables`: what is shown of it while it runs
+//! - `finish`: labels, first values, what is kept, the cost of loops
 
 mod allot;
 mod arithmetic;
@@ -55,15 +56,18 @@ mod statements;
 mod subscripts;
 mod uses;
 mod values;
+mod variables;
 
-use crate::comments::Comments;
+use crate::comments::{self, Comments};
 use crate::diagnostics::{Found, Lines, Told};
 use crate::emit::{self, CodeLine};
 use crate::languages::{self, TextLanguage};
-use crate::places::Places;
-use crate::typed::{Holds, Tree};
+use crate::places::{Places, Units};
+use crate::typed::{Tree, UnitKind};
+use std::sync::Arc;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
+pub use variables::{Held, Holding, Spot, Variable};
 
 /// What has come of a text in a typed language.
 #[derive(Debug)]
@@ -74,8 +78,8 @@ pub struct CompiledText {
     pub lines: Vec<CodeLine>,
     /// The program, as the board's own loader has checked it, and where its steps stand in the text.
     pub program: Option<(Checked, SourceMap)>,
-    /// Where the board keeps each symbol of the tree, in their order: `D 01`, `M 03`, `Q 01`.
-    pub places: Vec<Option<String>>,
+    /// The tree's symbols in their order, as the board keeps them; none where the board cannot do the text.
+    pub variables: Vec<Variable>,
     /// What was found in the text.
     pub diagnostics: Told,
 }
@@ -84,6 +88,16 @@ impl CompiledText {
     /// The program file with its comments; none where there are errors.
     pub fn file(&self) -> Option<String> {
         self.program.as_ref().map(|_| emit::file(&self.lines))
+    }
+
+    /// Where the board keeps each symbol of the tree, in their order: `D 01`, `M 03`; none where it does not, or in one of
+    /// two places.
+    pub fn places(&self) -> Vec<Option<String>> {
+        let place = |variable: &Variable| match variable.holding {
+            Holding::One((spot, _)) => Some(spot.to_string()),
+            _ => None,
+        };
+        self.variables.iter().map(place).collect()
     }
 }
 
@@ -95,7 +109,7 @@ pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> Compi
         tree: None,
         lines: Vec::new(),
         program: None,
-        places: Vec::new(),
+        variables: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = &tree {
@@ -104,15 +118,6 @@ pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> Compi
     made.tree = tree;
     made.diagnostics = found.finish();
     made
-}
-
-/// Where the board keeps each symbol of a text, in their order; nothing where the board cannot do the text.
-pub fn places(text: &str, language: TextLanguage, board: Profile) -> Vec<Option<String>> {
-    let made = compile_text(text, language, board);
-    match made.program {
-        Some(_) => made.places,
-        None => Vec::new(),
-    }
 }
 
 fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut CompiledText) {
@@ -145,27 +150,35 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
     let finished = finish::finish(&coder, tree, text, &flat.loops, found);
     let seats = std::mem::take(&mut coder.seats);
     found.join(apart);
-    made.places = tree
-        .symbols
-        .iter()
-        .map(|symbol| match symbol.holds {
-            Holds::Cell(cell) => {
-                seats
-                    .of
-                    .get(&cell)
-                    .and_then(|seat| match seats.outputs.get(&cell) {
-                        Some(&output) => seats::Seat::Pwm(output).shown(&finished.timers),
-                        None => seat.shown(&finished.timers),
-                    })
-            }
-            Holds::Either { .. } => None,
-        })
-        .collect();
     made.lines = finished.lines;
     if found.has_errors() {
         return;
     }
     let starts = Lines::new(text);
-    let places = Places::new(text, &starts, &[], Comments::new(text, &starts, &[]));
+    let comments = Comments::new(text, &starts, &comments::of_any(text));
+    let places = Places::new(text, &starts, units(tree, text), comments);
     made.program = emit::check(text, &made.lines, &finished.origins, board, places, found);
+    if made.program.is_some() {
+        made.variables = variables::variables(tree, &seats, &finished.timers);
+    }
+}
+
+/// Where the functions and function blocks of a tree stand: each as far as the next unit. Programs are told apart where
+/// there are more than one.
+fn units(tree: &Tree, text: &str) -> Units {
+    let mut starts: Vec<(u32, Option<Arc<str>>)> = tree
+        .units
+        .iter()
+        .map(|unit| {
+            let is_named = unit.kind != UnitKind::Program || tree.programs.len() > 1;
+            (unit.at.start, is_named.then(|| Arc::from(&*unit.name)))
+        })
+        .collect();
+    starts.sort_by_key(|(start, _)| *start);
+    let ends = starts.iter().skip(1).map(|(start, _)| *start);
+    let ends: Vec<u32> = ends.chain([text.len() as u32 + 1]).collect();
+    let units = starts.into_iter().zip(ends);
+    units
+        .filter_map(|((start, name), end)| Some((start..end, name?)))
+        .collect()
 }

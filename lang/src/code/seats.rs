@@ -28,24 +28,6 @@ pub(super) enum Seat {
     Count(u8),
 }
 
-impl Seat {
-    /// As a person writes it; a timer by its number.
-    pub(super) fn shown(self, timers: &[u8]) -> Option<String> {
-        let timer = |index: usize| timers.get(index).copied().filter(|&n| n > 0);
-        Some(match self {
-            Seat::Input(n) => format!("I {n:02}"),
-            Seat::Output(n) => format!("Q {n:02}"),
-            Seat::Marker(n) => format!("M {n:02}"),
-            Seat::System(n) => format!("S {n:02}"),
-            Seat::Timer(index) | Seat::Elapsed(index) => format!("T {:02}", timer(index)?),
-            Seat::Reached(n) | Seat::Zero(n) | Seat::Count(n) => format!("C {n:02}"),
-            Seat::Register(n) => format!("D {n:02}"),
-            Seat::Analogue(n) => format!("A {n:02}"),
-            Seat::Pwm(n) => format!("Q {n:02}"),
-        })
-    }
-}
-
 /// All of it.
 #[derive(Debug, Default)]
 pub(super) struct Seats {

@@ -25,13 +25,14 @@ fn compared(seed: u64) -> Result<bool, String> {
             false => Ok(false),
         };
     }
+    let places = made.places();
     let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
         return Ok(false);
     };
     let lines = made.lines.iter();
     let lines = lines.map(|l| format!("{} {} {}\n", l.code, l.letters, l.symbol));
     with_plc(&mut checked, |plc| {
-        let mut twins = Twins::new(&tree, &made.places);
+        let mut twins = Twins::new(&tree, &places);
         let random = &mut Random(seed ^ 0x5EED);
         let mut now = 0;
         for scan in 0..SCANS {

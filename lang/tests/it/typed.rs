@@ -208,11 +208,12 @@ impl Case {
             let untold = untold(told, source, &self.board, &self.board_says, &self.board_diz);
             return untold.map_or(Ok(()), |fault| Err(format!("for the board: {fault}")));
         }
+        let places = made.places();
         let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
             return Err("no program".to_owned());
         };
         board::with_plc(&mut checked, |plc| {
-            let mut twins = board::Twins::new(&tree, &made.places);
+            let mut twins = board::Twins::new(&tree, &places);
             for scan in 0..self.scans.unwrap_or(1) {
                 for (name, value) in &self.set {
                     let value = match value {

@@ -36,6 +36,7 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<(u32, u32)>, String
     let Some((text, made)) = fitting(seed) else {
         return Ok(None);
     };
+    let places = made.places();
     let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {
         return Ok(None);
     };
@@ -45,7 +46,7 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<(u32, u32)>, String
         return Err(format!("seed {seed}: refused, {refusal}\n{text}"));
     }
     with_plc(&mut checked, |plc| {
-        let mut twins = Twins::new(&tree, &made.places);
+        let mut twins = Twins::new(&tree, &places);
         let random = &mut Random(seed ^ 0x5EED);
         let mut now = random.below(1 << 31) as u32;
         let (mut changes, mut before) = (0, None);

@@ -1,27 +1,25 @@
 //! What a run has come to, for a program: one object.
 
-use super::{Ran, type_name, written};
-use unoclp_lang::typed::{Base, Symbol, Value};
+use super::{Ran, Row};
+use unoclp_lang::typed::{Base, Value};
 
-pub(super) fn json(ran: &Ran<'_>) -> String {
-    let printed: Vec<String> = ran
-        .printed
-        .iter()
-        .map(|printed| value(&printed.value, printed.base, None))
-        .collect();
-    let symbols: Vec<String> = ran
-        .symbols
-        .iter()
-        .map(|(symbol, held, base, place)| {
-            format!(
-                r#"{{"name": {}, "type": {}, "value": {}, "place": {}}}"#,
-                quoted(&symbol.name),
-                quoted(&type_name(symbol, *base)),
-                value(held, *base, Some(symbol)),
-                place.as_deref().map_or_else(|| "null".to_owned(), quoted)
-            )
-        })
-        .collect();
+pub(super) fn json(ran: &Ran) -> String {
+    let printed = ran.printed.iter();
+    let printed: Vec<String> = printed.map(|(held, base)| value(held, *base)).collect();
+    let symbol = |row: &Row| {
+        format!(
+            r#"{{"name": {}, "type": {}, "value": {}, "place": {}}}"#,
+            quoted(&row.name),
+            quoted(&row.type_name),
+            row.named
+                .as_deref()
+                .map_or_else(|| value(&row.value, row.base), quoted),
+            row.place
+                .as_deref()
+                .map_or_else(|| "null".to_owned(), quoted)
+        )
+    };
+    let symbols: Vec<String> = ran.symbols.iter().map(symbol).collect();
     format!(
         "{{\"scans\": {}, \"printed\": [{}], \"symbols\": [{}]}}\n",
         ran.scans,
@@ -31,14 +29,12 @@ pub(super) fn json(ran: &Ran<'_>) -> String {
 }
 
 /// Numbers as numbers, BOOL as true and false, TIME in ms, all else as strings.
-fn value(held: &Value, base: Base, symbol: Option<&Symbol>) -> String {
-    if let Some(symbol) = symbol.filter(|symbol| !symbol.values.is_empty()) {
-        return quoted(&written(symbol, held, base));
-    }
+fn value(held: &Value, base: Base) -> String {
     match (held, base) {
         (Value::Int(truth), Base::Bool) => (*truth != 0).to_string(),
         (Value::Int(number), _) if !base.is_date() => number.to_string(),
-        (Value::Real(_), _) => held.shown(base),
+        // JSON has no number for what is not finite.
+        (Value::Real(number), _) if number.is_finite() => held.shown(base),
         (Value::Text(text), _) => quoted(text),
         _ => quoted(&held.shown(base)),
     }
@@ -79,7 +75,7 @@ mod tests {
                 "\"a\\\"b\\\\\\u0009\"",
             ),
         ] {
-            assert_eq!(value(&held, base, None), json);
+            assert_eq!(value(&held, base), json);
         }
     }
 }

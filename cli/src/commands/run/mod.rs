@@ -1,23 +1,25 @@
-//! `unoclp run`: runs a text on this PC, and shows what its variables hold at the end.
+//! `unoclp run`: runs a program on this PC, and shows what its variables hold at the end.
 //!
+//! - `tree`: a text in a typed language, with all types
+//! - `core`: Instruction List and numeric code, as the board runs them
 //! - `table`: the symbols as a table
 //! - `json`: all of it as one object
 
+mod core;
 mod json;
 mod table;
+mod tree;
 
-use super::open::{count, no_program, read};
+use super::open::{Shown, no_program, read};
 use super::wording::Wording;
-use crate::{Outcome, renderer};
-use anstream::{eprint, eprintln, print};
-use anyhow::{anyhow, bail};
+use crate::Outcome;
+use anstream::print;
+use anyhow::bail;
 use clap::Args;
 use std::path::PathBuf;
 use unoclp_cli::messages;
-use unoclp_lang::run::{MOST_STEPS, Machine, Printed, Stop};
-use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
-use unoclp_lang::{self as lang, CheckedText, Lines, Span};
-use unoclp_source::{BOARD, Written, WrittenIn, decode};
+use unoclp_lang::typed::{Base, Value};
+use unoclp_source::{Written, WrittenIn};
 
 /// What to run, and how.
 #[derive(Args)]
@@ -43,86 +45,73 @@ pub struct What {
     json: bool,
 }
 
-/// A text by its name.
-struct Text {
-    name: String,
-    text: String,
+/// What a run has come to.
+struct Ran {
+    scans: u32,
+    printed: Vec<(Value, Base)>,
+    symbols: Vec<Row>,
 }
 
-/// What a run has come to.
-struct Ran<'t> {
-    scans: u32,
-    printed: Vec<Printed>,
-    /// Each with its value, its type, and where the board keeps it.
-    symbols: Vec<(&'t Symbol, Value, Base, Option<String>)>,
+/// A variable at the end of a run.
+struct Row {
+    name: String,
+    type_name: String,
+    value: Value,
+    base: Base,
+    /// The name of the value of an enumeration.
+    named: Option<String>,
+    /// Where the board keeps it.
+    place: Option<String>,
+}
+
+impl Row {
+    /// The value as a person reads it.
+    fn shown(&self) -> String {
+        let shown = || self.value.shown(self.base);
+        self.named.clone().unwrap_or_else(shown)
+    }
 }
 
 /// `unoclp run`.
 pub fn run(arguments: What) -> Outcome {
     let written = program(&arguments)?;
-    let language = match written.language {
-        Ok(WrittenIn::Typed(language)) => language,
-        Ok(other) => bail!(messages::not_run(other.name())),
+    let ran = match written.language {
+        Ok(WrittenIn::Typed(language)) => tree::run(&arguments, written, language)?,
+        Ok(WrittenIn::Il | WrittenIn::Numeric) => core::run(&arguments, written)?,
         Err(why) => bail!(no_program(&written.name, why)),
     };
-    let text = Text {
-        text: decode(&written.bytes),
-        name: written.name,
-    };
-    let CheckedText { tree, diagnostics } = lang::check(&text.text, language);
-    let shown = lang::show(
-        &text.name,
-        &text.text,
-        &diagnostics,
-        messages::spoken(),
-        &renderer(),
-    );
-    let Some(tree) = tree else {
-        let all = format!("{shown}{}: {}", text.name, count(&diagnostics));
-        match arguments.json {
-            true => eprintln!("{all}"),
-            false => say!("{all}"),
-        }
+    let Some(ran) = ran else {
         return Ok(false);
-    };
-    eprint!("{shown}");
-    let mut machine = Machine::new(&tree);
-    for given in &arguments.set {
-        set(&mut machine, &tree, given)?;
-    }
-    let mut printed = Vec::new();
-    for scan in 0..arguments.scans {
-        let now = i64::from(scan) * i64::from(arguments.every);
-        let ran = machine.scan(now);
-        let told = machine.printed();
-        match arguments.json {
-            true => printed.extend(told),
-            // At once: nothing of it is lost where a later scan does not end.
-            false => print!("{}", table::lines(&told)),
-        }
-        if let Err(stop) = ran {
-            eprintln!("{}", stopped(&text, stop));
-            return Ok(false);
-        }
-    }
-    if let Some(at) = machine.failed() {
-        eprintln!("{}", placed(&text, at, messages::not_computed));
-    }
-    let mut places = lang::places(&text.text, language, BOARD).into_iter();
-    let symbols = tree.symbols.iter().map(|symbol| {
-        let (value, base) = machine.value(symbol);
-        (symbol, value, base, places.next().flatten())
-    });
-    let ran = Ran {
-        scans: arguments.scans,
-        printed,
-        symbols: symbols.collect(),
     };
     match arguments.json {
         true => print!("{}", json::json(&ran)),
         false => print!("{}", table::table(&ran)),
     }
     Ok(true)
+}
+
+impl What {
+    /// What --set says: names, and what they become.
+    fn settings(&self) -> anyhow::Result<Vec<(&str, &str)>> {
+        let setting = |given| match str::split_once(given, '=') {
+            Some((name, written)) => Ok((name.trim(), written.trim_start_matches(['=', ' ']))),
+            None => bail!(messages::set_form(given)),
+        };
+        self.set.iter().map(|given| setting(given)).collect()
+    }
+
+    /// The time of a scan, in ms.
+    fn time(&self, scan: u32) -> i64 {
+        i64::from(scan) * i64::from(self.every)
+    }
+
+    /// Where the errors of the program are told: standard output is for the object in JSON alone.
+    fn shown(&self) -> Shown {
+        match self.json {
+            true => Shown::Beside,
+            false => Shown::Here,
+        }
+    }
 }
 
 /// The program, wherever the arguments have it.
@@ -138,75 +127,22 @@ fn program(arguments: &What) -> anyhow::Result<Written> {
     Ok(arguments.wording.of(name, bytes))
 }
 
-/// Sets a variable as `--set` says.
-fn set(machine: &mut Machine<'_>, tree: &Tree, given: &str) -> anyhow::Result<()> {
-    let Some((name, written)) = given.split_once('=') else {
-        bail!(messages::set_form(given));
-    };
-    let (name, written) = (name.trim(), written.trim_start_matches(['=', ' ']));
-    let mut symbols = tree.symbols.iter();
-    let exact = tree.symbols.iter().find(|symbol| symbol.name == name);
-    let symbol = exact.or_else(|| symbols.find(|symbol| symbol.name.eq_ignore_ascii_case(name)));
-    let Some(symbol) = symbol else {
-        let names: Vec<&str> = tree
-            .symbols
-            .iter()
-            .map(|symbol| symbol.name.as_str())
-            .take(12)
-            .collect();
-        bail!(messages::no_variable(name, names.join(", ")));
-    };
-    let base = machine.value(symbol).1;
-    let read = |base| lang::given(written, base, &symbol.values);
-    let no_value = || anyhow!(messages::no_value(written, name, &symbol.type_name));
-    match symbol.holds {
-        Holds::Cell(cell) => machine.set_cell(cell, read(base).ok_or_else(no_value)?),
-        Holds::Either { flag, set, clear } => {
-            // A whole number is held as one, and another as REAL.
-            let whole = read(Base::Dint);
-            machine.set_cell(flag, Value::truth(whole.is_none()));
-            match whole {
-                Some(value) => machine.set_cell(clear, value),
-                None => machine.set_cell(set, read(Base::Real).ok_or_else(no_value)?),
-            }
+/// The one of these names that is meant: exactly so, or else in whatever case.
+fn find(names: &[String], name: &str) -> anyhow::Result<usize> {
+    let exact = names.iter().position(|of| of == name);
+    let alike = || names.iter().position(|of| of.eq_ignore_ascii_case(name));
+    match exact.or_else(alike) {
+        Some(at) => Ok(at),
+        None if names.is_empty() => bail!(messages::no_variables(name)),
+        None => {
+            let some = names.iter().take(12).map(String::as_str);
+            let some: Vec<&str> = some.collect();
+            let more = if names.len() > some.len() {
+                ", …"
+            } else {
+                ""
+            };
+            bail!(messages::no_variable(name, some.join(", ") + more))
         }
-    }
-    Ok(())
-}
-
-fn stopped(text: &Text, stop: Stop) -> String {
-    match stop {
-        Stop::Endless(at) => placed(text, at, |place| messages::scan_endless(place, MOST_STEPS)),
-        Stop::TooDeep(at) => placed(text, at, messages::calls_too_deep),
-    }
-}
-
-/// A message about a place of the text, and its line.
-fn placed(text: &Text, at: Span, told: impl Fn(String) -> String) -> String {
-    let (line, column) = Lines::new(&text.text).place(&text.text, at.start);
-    let shown = text.text.lines().nth(line as usize - 1).unwrap_or_default();
-    format!(
-        "{}\n  {}",
-        told(format!("{}:{line}:{column}", text.name)),
-        shown.trim()
-    )
-}
-
-/// The type of a symbol; of one that holds what was last written, that of what it holds.
-fn type_name(symbol: &Symbol, base: Base) -> String {
-    match symbol.holds {
-        Holds::Cell(_) => symbol.type_name.clone(),
-        Holds::Either { .. } => base.name().to_owned(),
-    }
-}
-
-/// A value as a person reads it: an enumeration by its names.
-fn written(symbol: &Symbol, value: &Value, base: Base) -> String {
-    let named = usize::try_from(value.int())
-        .ok()
-        .and_then(|at| symbol.values.get(at));
-    match named {
-        Some(name) => name.clone(),
-        None => value.shown(base),
     }
 }

@@ -1,17 +1,16 @@
 //! What a run has come to, for a person: what was printed, and the symbols in columns.
 
-use super::{Ran, type_name, written};
+use super::Ran;
 use unoclp_cli::messages;
-use unoclp_lang::run::Printed;
-use unoclp_lang::typed::Value;
+use unoclp_lang::typed::{Base, Value};
 
 /// What was printed, a line for each.
-pub(super) fn lines(all: &[Printed]) -> String {
+pub(super) fn lines(all: &[(Value, Base)]) -> String {
     let mut text = String::new();
-    for printed in all {
-        let shown = match &printed.value {
+    for (value, base) in all {
+        let shown = match value {
             Value::Text(text) => text.clone(),
-            value => value.shown(printed.base),
+            value => value.shown(*base),
         };
         text += &format!("{shown}\n");
     }
@@ -19,7 +18,7 @@ pub(super) fn lines(all: &[Printed]) -> String {
 }
 
 /// The symbols in columns.
-pub(super) fn table(ran: &Ran<'_>) -> String {
+pub(super) fn table(ran: &Ran) -> String {
     let mut text = String::new();
     if ran.symbols.is_empty() {
         return text;
@@ -31,13 +30,12 @@ pub(super) fn table(ran: &Ran<'_>) -> String {
         messages::symbol_place(),
     ];
     let mut rows = vec![heads];
-    for (symbol, value, base, place) in &ran.symbols {
-        let shown = written(symbol, value, *base);
+    for row in &ran.symbols {
         rows.push([
-            symbol.name.clone(),
-            type_name(symbol, *base),
-            shown,
-            place.clone().unwrap_or_else(|| "-".to_owned()),
+            row.name.clone(),
+            row.type_name.clone(),
+            row.shown(),
+            row.place.clone().unwrap_or_else(|| "-".to_owned()),
         ]);
     }
     let mut widths = [0; 4];

@@ -1,0 +1,173 @@
+//! Instruction List and numeric code, run as the board runs them.
+
+use super::super::open::{check_written, running};
+use super::{Ran, Row, What, find};
+use anstream::eprintln;
+use anyhow::anyhow;
+use std::collections::{BTreeMap, BTreeSet};
+use unoclp_cli::messages;
+use unoclp_core::{Image, Inputs, Millis};
+use unoclp_host_sim::engine::Machine;
+use unoclp_lang::typed::{Base, Value};
+use unoclp_lang::{self as lang, Spot};
+use unoclp_source::{Written, point_names};
+
+/// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
+pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<Ran>> {
+    let again = written.clone();
+    let check = |written| check_written(written, &arguments.wording, arguments.shown());
+    let Some(source) = check(written)? else {
+        return Ok(None);
+    };
+    let names = point_names(&source);
+    let mut machine = Machine::new(source.checked);
+    let points = points(&machine, &names);
+    let mut inputs = Inputs::default();
+    for (name, written) in arguments.settings()? {
+        let names = points
+            .iter()
+            .flat_map(|point| [point.name.clone(), point.address()]);
+        let names: Vec<String> = names.collect();
+        let point = &points[find(&names, name)? / 2];
+        let value = lang::given(written, point.base, &[]);
+        let bits = value.and_then(|value| bits(&value));
+        let set = bits.and_then(|bits| point.set(bits, &mut machine, &mut inputs));
+        set.ok_or_else(|| anyhow!(messages::no_value(written, name, point.type_name())))?;
+    }
+    for scan in 0..arguments.scans {
+        let now = arguments.time(scan) as Millis;
+        if let Err(fault) = machine.scan_observed(inputs, now, |_, _| ()) {
+            // The program that runs has no text any more.
+            if let Ok(source) = again.check(arguments.wording.dialect) {
+                eprintln!("{}", running(&source, fault));
+            }
+            return Ok(None);
+        }
+    }
+    let last = arguments.scans.saturating_sub(1);
+    let now = arguments.time(last) as Millis;
+    let symbols = points.iter().map(|point| point.row(&machine, &inputs, now));
+    Ok(Some(Ran {
+        scans: arguments.scans,
+        printed: Vec::new(),
+        symbols: symbols.collect(),
+    }))
+}
+
+/// A point that the program uses, by its name.
+struct Used {
+    name: String,
+    spot: Spot,
+    base: Base,
+}
+
+/// What the program uses, in the order of the addresses.
+fn points(machine: &Machine, names: &BTreeMap<String, String>) -> Vec<Used> {
+    let used = machine.used();
+    let of = |numbers: &BTreeSet<u8>, spot: fn(u8) -> Spot| -> Vec<Spot> {
+        numbers.iter().map(|&number| spot(number)).collect()
+    };
+    let timers = machine.plc().timers(0).count() as u8;
+    let spots = [
+        of(&used.inputs, Spot::Input),
+        of(&used.outputs, Spot::Output),
+        of(&used.analogue, Spot::Analogue),
+        of(&used.pwm, Spot::Pwm),
+        of(&used.markers, Spot::Marker),
+        of(&used.registers, Spot::Register),
+        of(&used.counters, Spot::Count),
+        (1..=timers).map(Spot::Elapsed).collect(),
+    ];
+    let used = |spot| {
+        let mut point = Used {
+            name: String::new(),
+            base: match spot {
+                Spot::Input(_) | Spot::Output(_) | Spot::Marker(_) => Base::Bool,
+                Spot::Analogue(_) | Spot::Pwm(_) => Base::Int,
+                Spot::Register(number) if used.reals.contains(&number) => Base::Real,
+                Spot::Elapsed(_) => Base::Time,
+                _ => Base::Dint,
+            },
+            spot,
+        };
+        let address = point.address();
+        point.name = names.get(&address).cloned().unwrap_or(address);
+        point
+    };
+    spots.into_iter().flatten().map(used).collect()
+}
+
+impl Used {
+    /// `I1`
+    fn address(&self) -> String {
+        let place = self.spot.to_string();
+        let (letter, number) = place.split_once(' ').unwrap_or_default();
+        let letter = match self.spot {
+            Spot::Pwm(_) => "P",
+            _ => letter,
+        };
+        format!("{letter}{}", number.parse().unwrap_or(0_u8))
+    }
+
+    fn type_name(&self) -> &'static str {
+        self.base.name()
+    }
+
+    fn row(&self, machine: &Machine, inputs: &Inputs, now: Millis) -> Row {
+        let plc = machine.plc();
+        let bit = |bits: u64, number: u8| (bits >> number.saturating_sub(1) & 1) as i32;
+        let at = |number: u8| usize::from(number).saturating_sub(1);
+        let bits = match self.spot {
+            Spot::Input(n) => bit(inputs.points.0.into(), n),
+            Spot::Output(n) => bit(plc.outputs().0.into(), n),
+            Spot::Marker(n) => bit(plc.markers(), n),
+            Spot::Analogue(n) => inputs.analogue.get(usize::from(n)).map_or(0, |&v| v.into()),
+            Spot::Pwm(n) => plc.pwm(n).into(),
+            Spot::Register(n) => plc.registers().get(at(n)).copied().unwrap_or_default(),
+            Spot::Count(n) => plc.counters().nth(at(n)).map_or(0, |of| of.value),
+            Spot::Elapsed(n) => {
+                let timer = plc.timers(now).nth(at(n));
+                timer.map_or(0, |timer| timer.elapsed.cast_signed())
+            }
+            _ => 0,
+        };
+        Row {
+            name: self.name.clone(),
+            type_name: self.type_name().to_owned(),
+            value: match self.base {
+                Base::Real => Value::Real(f32::from_bits(bits.cast_unsigned()).into()),
+                _ => Value::Int(bits.into()),
+            },
+            base: self.base,
+            named: None,
+            place: Some(self.spot.to_string()),
+        }
+    }
+
+    /// Sets it before the first scan; none of what cannot be set.
+    fn set(&self, bits: i32, machine: &mut Machine, inputs: &mut Inputs) -> Option<()> {
+        match self.spot {
+            Spot::Input(n) => {
+                let mask = 1 << n.checked_sub(1)?;
+                let points = inputs.points.0 & !mask;
+                inputs.points = Image(if bits != 0 { points | mask } else { points });
+            }
+            Spot::Analogue(n) => {
+                *inputs.analogue.get_mut(usize::from(n))? = bits.try_into().ok()?
+            }
+            Spot::Marker(n) => machine.with_plc(|plc| plc.set_marker(n, bits != 0)),
+            Spot::Register(n) => machine.with_plc(|plc| plc.set_register(n, bits)),
+            _ => return None,
+        }
+        Some(())
+    }
+}
+
+/// The 32 bits of a value.
+fn bits(value: &Value) -> Option<i32> {
+    match value {
+        Value::Int(number) => i32::try_from(*number).ok(),
+        Value::Real(number) => Some((*number as f32).to_bits().cast_signed()),
+        Value::Text(_) => None,
+    }
+}

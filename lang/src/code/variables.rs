@@ -1,0 +1,248 @@
+//! The variables of a program as the board keeps them, for whoever shows them live.
+//!
+//! Owns which of the tree's symbols stands where, and how what is read there becomes a value. Must not know how it is read.
+
+use super::seats::{Seat, Seats};
+use crate::typed::{Base, Expr, ExprKind, Holds, Root, Stmt, StmtKind, Symbol, Tree, Value, Width};
+use std::collections::HashSet;
+use std::fmt;
+
+/// Where the board keeps a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Spot {
+    /// An input.
+    Input(u8),
+    /// An output.
+    Output(u8),
+    /// A marker.
+    Marker(u8),
+    /// A system marker.
+    System(u8),
+    /// The Q of a timer.
+    TimerQ(u8),
+    /// The elapsed time of a timer.
+    Elapsed(u8),
+    /// Whether a counter has reached its preset.
+    Reached(u8),
+    /// Whether a counter is at 0 or less.
+    AtZero(u8),
+    /// The number of a counter.
+    Count(u8),
+    /// A register.
+    Register(u8),
+    /// An analogue input, from 0.
+    Analogue(u8),
+    /// The PWM of an output.
+    Pwm(u8),
+}
+
+impl fmt::Display for Spot {
+    /// `D 01`, `M 03`, `Q 01`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (letter, number) = match *self {
+            Spot::Input(n) => ('I', n),
+            Spot::Output(n) | Spot::Pwm(n) => ('Q', n),
+            Spot::Marker(n) => ('M', n),
+            Spot::System(n) => ('S', n),
+            Spot::TimerQ(n) | Spot::Elapsed(n) => ('T', n),
+            Spot::Reached(n) | Spot::AtZero(n) | Spot::Count(n) => ('C', n),
+            Spot::Register(n) => ('D', n),
+            Spot::Analogue(n) => ('A', n),
+        };
+        write!(f, "{letter} {number:02}")
+    }
+}
+
+/// A value of this type in this spot.
+pub type Held = (Spot, Base);
+
+/// How the board holds a variable.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Holding {
+    /// Always in one spot.
+    One(Held),
+    /// In one of two, as a bit says: a variable that holds what was last written.
+    Either {
+        /// The bit.
+        flag: Spot,
+        /// The one that is meant if it is 1; none if the program never reads it so.
+        set: Option<Held>,
+        /// And if it is 0.
+        clear: Option<Held>,
+    },
+    /// Nowhere, because the program does nothing with it: it stays as it begins.
+    Constant(Value, Base),
+}
+
+/// A variable of a program; a member and an element are variables of their own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// As it was declared: `level`, `q.x`, `a[1,0]`.
+    pub name: String,
+    /// Its type, as a person writes it.
+    pub type_name: String,
+    /// The name behind an enumeration's number, in order of the numbers.
+    pub values: Vec<String>,
+    /// How the board holds it.
+    pub holding: Holding,
+    /// Whether PRINT asks to show it.
+    pub is_watched: bool,
+}
+
+impl Variable {
+    /// Where it stands, as `read` tells of a bit which of two is meant; none if nowhere.
+    pub fn spot(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<Spot> {
+        self.held(read).map(|(spot, _)| spot)
+    }
+
+    fn held(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<Held> {
+        match &self.holding {
+            Holding::One(held) => Some(*held),
+            Holding::Either { flag, set, clear } => match read(*flag)? {
+                0 => *clear,
+                _ => *set,
+            },
+            Holding::Constant(..) => None,
+        }
+    }
+
+    /// What it holds, and of what type, where `read` gives what stands in a spot.
+    pub fn value(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<(Value, Base)> {
+        match &self.holding {
+            Holding::Constant(value, base) => Some((value.clone(), *base)),
+            _ => {
+                let (spot, base) = self.held(&read)?;
+                Some((of_bits(read(spot)?, base), base))
+            }
+        }
+    }
+
+    /// What it holds, as a literal of its type.
+    pub fn shown(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<String> {
+        let (value, base) = self.value(read)?;
+        let at = usize::try_from(value.int()).ok();
+        let named = at.and_then(|at| self.values.get(at));
+        Some(named.cloned().unwrap_or_else(|| value.shown(base)))
+    }
+}
+
+/// The value that 32 bits of the board are, read as this type.
+fn of_bits(bits: i32, base: Base) -> Value {
+    match base.width() {
+        Width::Single => Value::Real(f32::from_bits(bits.cast_unsigned()).into()),
+        Width::Unsigned => Value::Int(bits.cast_unsigned().into()),
+        Width::Bit => Value::truth(bits != 0),
+        _ => Value::Int(bits.into()),
+    }
+}
+
+/// The variables of a tree, in the order of its symbols, where its cells have these seats.
+pub(super) fn variables(tree: &Tree, seats: &Seats, timers: &[u8]) -> Vec<Variable> {
+    let mut watched = HashSet::new();
+    for unit in &tree.units {
+        watch(&unit.body, &mut watched);
+    }
+    let held = |cell: u32| {
+        let spot = match seats.outputs.get(&cell) {
+            Some(&output) => Spot::Pwm(output),
+            None => seats.of.get(&cell)?.spot(timers)?,
+        };
+        Some((spot, tree.cells.get(cell as usize)?.base))
+    };
+    let variable = |symbol: &Symbol| {
+        let (holding, cells) = match symbol.holds {
+            Holds::Cell(cell) => (held(cell).map(Holding::One), [cell; 2]),
+            Holds::Either { flag, set, clear } => {
+                let either = held(flag).map(|(flag, _)| Holding::Either {
+                    flag,
+                    set: held(set),
+                    clear: held(clear),
+                });
+                let only = held(set).or(held(clear)).map(Holding::One);
+                (either.or(only), [set, clear])
+            }
+        };
+        let holding = holding.or_else(|| {
+            let cell = tree.cells.get(*cells.last()? as usize)?;
+            Some(Holding::Constant(cell.initial.clone(), cell.base))
+        });
+        Variable {
+            name: symbol.name.clone(),
+            type_name: symbol.type_name.clone(),
+            values: symbol.values.clone(),
+            is_watched: cells.iter().any(|cell| watched.contains(cell)),
+            holding: holding.unwrap_or(Holding::Constant(Value::Int(0), Base::Bool)),
+        }
+    };
+    tree.symbols.iter().map(variable).collect()
+}
+
+/// The cells that PRINT shows.
+fn watch(body: &[Stmt], cells: &mut HashSet<u32>) {
+    for stmt in body {
+        match &stmt.kind {
+            StmtKind::Print(_, shown) => of_print(shown, cells),
+            StmtKind::If(arms, or) => {
+                arms.iter().for_each(|(_, body)| watch(body, cells));
+                watch(or, cells);
+            }
+            StmtKind::Case(_, arms, or) => {
+                arms.iter().for_each(|(_, body)| watch(body, cells));
+                watch(or, cells);
+            }
+            StmtKind::While(_, body) | StmtKind::Repeat(body, _) => watch(body, cells),
+            StmtKind::For(turns) => watch(&turns.body, cells),
+            _ => {}
+        }
+    }
+}
+
+fn of_print(shown: &Expr, cells: &mut HashSet<u32>) {
+    if let ExprKind::Read(place) = &shown.kind
+        && place.root == Root::Static
+        && place.indices.is_empty()
+    {
+        cells.insert(place.offset);
+    }
+}
+
+impl Seat {
+    /// What the board calls it; a timer by its number.
+    fn spot(self, timers: &[u8]) -> Option<Spot> {
+        let timer = |index: usize| timers.get(index).copied().filter(|&n| n > 0);
+        Some(match self {
+            Seat::Input(n) => Spot::Input(n),
+            Seat::Output(n) => Spot::Output(n),
+            Seat::Marker(n) => Spot::Marker(n),
+            Seat::System(n) => Spot::System(n),
+            Seat::Timer(index) => Spot::TimerQ(timer(index)?),
+            Seat::Elapsed(index) => Spot::Elapsed(timer(index)?),
+            Seat::Reached(n) => Spot::Reached(n),
+            Seat::Zero(n) => Spot::AtZero(n),
+            Seat::Count(n) => Spot::Count(n),
+            Seat::Register(n) => Spot::Register(n),
+            Seat::Analogue(n) => Spot::Analogue(n),
+            Seat::Pwm(n) => Spot::Pwm(n),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_are_values_of_their_type() {
+        for (bits, base, shown) in [
+            (1, Base::Bool, "TRUE"),
+            (-5, Base::Int, "-5"),
+            (-1, Base::Udint, "4294967295"),
+            (-1, Base::Dword, "16#FFFFFFFF"),
+            (0x3FC0_0000, Base::Real, "1.5"),
+            (1500, Base::Time, "T#1s500ms"),
+            (-1, Base::Date, "D#11761191-01-20"),
+        ] {
+            assert_eq!(of_bits(bits, base).shown(base), shown);
+        }
+    }
+}
