@@ -19,7 +19,7 @@ impl Coder<'_, '_> {
     pub(super) fn first_values(&mut self, tree: &Tree) {
         let mut own: Vec<(Seat, i32, u32)> = Vec::new();
         let mut kept = Vec::new();
-        let names = super::seats::named(tree);
+        let names = super::allot::named(tree);
         for (number, cell) in (0..).zip(&tree.cells) {
             let value = super::operand::bits(&cell.initial, cell.base);
             let seat = self.seats.of.get(&number).copied();
