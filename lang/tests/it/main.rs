@@ -2,6 +2,7 @@
 
 mod any_text;
 mod blocks;
+#[allow(dead_code, reason = "each test uses its part")]
 mod board;
 mod cases;
 mod common;
