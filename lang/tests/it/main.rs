@@ -15,6 +15,7 @@ mod places;
 mod random_programs;
 mod random_typed;
 mod round_trip;
+mod sizes;
 mod small_any_text;
 mod twins;
 mod typed;

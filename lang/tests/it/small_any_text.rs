@@ -103,6 +103,73 @@ const LCE: [(&str, Shape); 17] = [
     }),
 ];
 
+const IL: [(&str, Shape); 14] = [
+    ("a long sum", |n| {
+        format!("VAR r : REAL; END_VAR\nLD r\n{}ST r", "ADD r\n".repeat(n))
+    }),
+    ("operands", |n| {
+        format!(
+            "VAR r : REAL; END_VAR\nLD r\nADD r{}\nST r",
+            ", r".repeat(n)
+        )
+    }),
+    ("parentheses", |n| {
+        format!("VAR r : REAL; END_VAR\nLD r\n{}", "ADD( r\n".repeat(n))
+    }),
+    ("parentheses of operands", |n| {
+        format!("VAR r : REAL; END_VAR\nLD {}r", "(".repeat(n))
+    }),
+    ("closing parentheses", |n| {
+        format!("VAR r : REAL; END_VAR\nLD r\n{}", ")\n".repeat(n))
+    }),
+    ("labels and jumps", |n| {
+        let all: String = (0..n)
+            .map(|i| format!("a{i}: ADD r\nJMP a{}\n", i + 1))
+            .collect();
+        format!("VAR r : REAL; END_VAR\nLD r\n{all}a{n}: ST r")
+    }),
+    ("jumps back", |n| {
+        let all: String = (0..n).map(|i| format!("LD x\nJMPC a{}\n", i / 2)).collect();
+        let labels: String = (0..n).map(|i| format!("a{i}: LD x\nST x\n")).collect();
+        format!("VAR x : BOOL; r : REAL; END_VAR\n{labels}{all}")
+    }),
+    ("IF", |n| {
+        format!(
+            "VAR x : BOOL; r : REAL; END_VAR\n{}",
+            "LD x\nIF\n".repeat(n)
+        )
+    }),
+    ("ELSE", |n| {
+        format!("VAR x : BOOL; r : REAL; END_VAR\n{}", "ELSE\n".repeat(n))
+    }),
+    ("MPS", |n| {
+        format!(
+            "VAR x : BOOL; r : REAL; END_VAR\nLD x\n{}",
+            "MPS\nANDN x\n".repeat(n)
+        )
+    }),
+    ("edges", |n| {
+        format!(
+            "VAR x : BOOL; r : REAL; END_VAR\n{}",
+            "LDP x\nST x\n".repeat(n)
+        )
+    }),
+    ("names of nothing", |n| {
+        let all: String = (0..n).map(|i| format!("LD a{i}\nST b{i}\n")).collect();
+        format!("VAR r : REAL; END_VAR\n{all}")
+    }),
+    ("operators of nothing", |n| {
+        let all: String = (0..n).map(|i| format!("op{i} r\n")).collect();
+        format!("VAR r : REAL; END_VAR\n{all}")
+    }),
+    ("conversions", |n| {
+        format!(
+            "VAR r : REAL; END_VAR\nLD r\n{}ST r",
+            "REAL_TO_DINT\nDINT_TO_REAL\n".repeat(n)
+        )
+    }),
+];
+
 fn shapes() -> impl Iterator<Item = (TextLanguage, &'static str, Shape)> {
     let iscl = ISCL
         .iter()
@@ -110,7 +177,10 @@ fn shapes() -> impl Iterator<Item = (TextLanguage, &'static str, Shape)> {
     let lce = LCE
         .iter()
         .map(|(name, shape)| (TextLanguage::Lce, *name, *shape));
-    iscl.chain(lce)
+    let il = IL
+        .iter()
+        .map(|(name, shape)| (TextLanguage::Il, *name, *shape));
+    iscl.chain(lce).chain(il)
 }
 
 #[test]
@@ -127,6 +197,10 @@ fn a_hundred_thousand_of_anything_is_one_error_or_few() {
                 | "braces"
                 | "closing braces"
                 | "networks"
+                | "operators of nothing"
+                | "closing parentheses"
+                | "ELSE"
+                | "IF"
                 | "se without parentheses"
                 | "se without braces"
         );
@@ -178,14 +252,19 @@ fn texts(language: TextLanguage) -> Vec<String> {
 
 #[test]
 fn mutated_texts_are_read_and_run() {
-    for language in [TextLanguage::Iscl, TextLanguage::Lce] {
+    for language in [TextLanguage::Iscl, TextLanguage::Lce, TextLanguage::Il] {
         let texts = texts(language);
         let words: Vec<&str> = texts
             .iter()
             .flat_map(|text| text.split_whitespace())
             .collect();
         let (mut random, mut ran) = (Random(5), 0);
-        for _ in 0..10_000 {
+        // A text of many lines is seldom left right.
+        let rounds = match language {
+            TextLanguage::Il => 20_000,
+            _ => 10_000,
+        };
+        for _ in 0..rounds {
             let text = &texts[random.below(texts.len())];
             let mut parts: Vec<&str> = text.split_inclusive([' ', '\n', ';', '(', ')']).collect();
             for _ in 0..=random.below(2) {
@@ -214,6 +293,7 @@ fn mutated_texts_are_read_and_run() {
                 "{text}"
             );
             if let Some(tree) = checked.tree {
+                assert_eq!(crate::typed_tree::faults(&tree), [""; 0], "{text}");
                 let mut machine = Machine::new(&tree).with_steps(2_000);
                 for scan in 0..3 {
                     let _ = machine.scan(scan * 40);
@@ -239,5 +319,10 @@ fn signs_at_random_are_read() {
         check(&text, TextLanguage::Lce);
         check(&format!("se (V0 {text}"), TextLanguage::Lce);
         check(&format!("rede {text}"), TextLanguage::Lce);
+        check(&text, TextLanguage::Il);
+        check(
+            &format!("VAR r : REAL; END_VAR\nLD {text}"),
+            TextLanguage::Il,
+        );
     }
 }

@@ -13,7 +13,7 @@ const MEGABYTE: usize = 1 << 20;
 /// Each shape as deep or as long as it is asked for.
 type Shape = fn(usize) -> String;
 
-const SHAPES: [(&str, Shape); 32] = [
+const SHAPES: [(&str, Shape); 33] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -57,6 +57,9 @@ const SHAPES: [(&str, Shape); 32] = [
         format!("{}{}", "(* ".repeat(n), "*) ".repeat(n))
     }),
     ("open texts", |n| "x := 'a\n".repeat(n)),
+    ("operands of a function", |n| {
+        format!("VAR x : INT; END_VAR x := ADD(x{});", ", x".repeat(n))
+    }),
     ("names of nothing", |n| {
         (0..n).map(|i| format!("a{i} := b{i};\n")).collect()
     }),

@@ -49,7 +49,8 @@ pub(super) fn check(text: &str, file: &File, found: &mut Found) -> Option<Tree> 
     if !is_program(text, file, found) {
         return None;
     }
-    let builder = Builder::new(text, Letters::Alike, found);
+    let mut builder = Builder::new(text, Letters::Alike, found);
+    builder.is_list = file.is_list;
     let mut checker = Checker {
         builder,
         file,

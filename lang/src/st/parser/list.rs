@@ -107,6 +107,8 @@ impl Parser<'_, '_> {
             operands: Vec::new(),
             given: None,
         };
+        // `ABS` alone, where another instruction follows on its line.
+        let alone = spelling.is_none() && self.ends(*open);
         let formal = self.ahead(1).kind == Kind::Word
             && matches!(self.ahead(2).kind, Kind::Assign | Kind::Arrow);
         if self.is(Kind::Open) && (formal || !defers) {
@@ -128,7 +130,10 @@ impl Parser<'_, '_> {
             if !self.ends(0) && !loads {
                 made.operands.push(self.list_operand()?);
             }
-        } else if !self.ends(*open) {
+        } else if !alone
+            && !self.ends(0)
+            && spelling.is_none_or(|spelling| spelling.op.takes_operand())
+        {
             loop {
                 made.operands.push(self.list_operand()?);
                 if !self.accept(Kind::Comma) {

@@ -49,6 +49,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub found: &'f mut Found,
     pub tree: Tree,
     pub(super) letters: Letters,
+    /// The text is in Instruction List.
+    pub is_list: bool,
     pub(super) globals: HashMap<String, Named>,
     pub(super) drafts: Vec<Draft>,
     pub(super) current: Option<usize>,
@@ -78,6 +80,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             found,
             tree: Tree::default(),
             letters,
+            is_list: false,
             globals: HashMap::new(),
             drafts: Vec::new(),
             current: None,

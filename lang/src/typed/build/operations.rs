@@ -1,8 +1,11 @@
 //! What the standard functions make of their operands.
 
 use super::builder::Builder;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Extra, Generic, TypeId, Unary};
+
+/// Operands of one call that each stand within the one before.
+const MOST_OPERANDS: usize = 300;
 
 impl Builder<'_, '_> {
     pub(super) fn chain(
@@ -11,6 +14,10 @@ impl Builder<'_, '_> {
         at: Span,
         join: impl Fn(&mut Self, Expr, Expr) -> Expr,
     ) -> Expr {
+        if operands.len() > MOST_OPERANDS {
+            self.tell(Code::StTooDeep, at, []);
+            return self.wrong(at);
+        }
         let mut operands = operands.into_iter();
         let Some(mut all) = operands.next() else {
             return self.wrong(at);

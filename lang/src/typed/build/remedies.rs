@@ -41,6 +41,14 @@ impl Builder<'_, '_> {
         }
     }
 
+    /// A conversion as it is written; of what an instruction has left in the accumulator, it stands alone.
+    fn converting(&self, name: String, written: &str) -> String {
+        match self.is_list && written.contains(' ') {
+            true => name,
+            false => format!("{name}({written})"),
+        }
+    }
+
     fn remedy(&self, expr: &Expr, needed: TypeId, written: &str) -> Word {
         let name = self.tree.types.name(needed);
         let Some(to) = self.tree.types.base(needed) else {
@@ -61,7 +69,7 @@ impl Builder<'_, '_> {
         }
         if self.is_enum(expr.ty) {
             let of = self.tree.types.name(expr.ty);
-            return write(format!("{of}_TO_{to}({written})"));
+            return write(self.converting(format!("{of}_TO_{to}"), written));
         }
         match (from, to) {
             (Base::AnyInt, Base::Bool) => both(
@@ -81,12 +89,12 @@ impl Builder<'_, '_> {
                         format!("escreva {whole} ou use REAL para a variável"),
                     )
                 }
-                _ => write(format!("REAL_TO_{to}({written})")),
+                _ => write(self.converting(format!("REAL_TO_{to}"), written)),
             },
             (Base::AnyInt | Base::AnyReal, _) if to.is_text() => write(format!("'{written}'")),
             _ if conversion(from, to).is_some() => {
                 let from = if from.is_any() { Base::Dint } else { from };
-                write(format!("{from}_TO_{to}({written})"))
+                write(self.converting(format!("{from}_TO_{to}"), written))
             }
             _ => both(
                 format!("take a value of type {name}"),
@@ -135,8 +143,12 @@ impl Builder<'_, '_> {
                 )
             }
             Generic::Bit => write(format!("{written} <> 0")),
-            Generic::Int if base.is_real() => write(format!("REAL_TO_DINT({written})")),
-            Generic::Real if base.is_int() => write(format!("{base}_TO_REAL({written})")),
+            Generic::Int if base.is_real() => {
+                write(self.converting("REAL_TO_DINT".to_owned(), &written))
+            }
+            Generic::Real if base.is_int() => {
+                write(self.converting(format!("{base}_TO_REAL"), &written))
+            }
             _ if base == Base::Bool => both(
                 format!(
                     "for numbers of BOOL write BOOL_TO_INT({written}); AND and OR join two of them"
@@ -152,7 +164,7 @@ impl Builder<'_, '_> {
                     Base::Dword => "UDINT",
                     _ => "ULINT",
                 };
-                write(format!("{base}_TO_{int}({written})"))
+                write(self.converting(format!("{base}_TO_{int}"), &written))
             }
             _ if base.is_text() => ("CONCAT joins texts", "CONCAT junta textos").into(),
             _ => both(
@@ -174,13 +186,13 @@ impl Builder<'_, '_> {
         };
         let (p, q) = (settle(a.base), settle(b.base));
         let help = match (p, q) {
-            (Base::Bool, _) if !b.base.is_any() => format!("{q}_TO_BOOL({second})"),
-            (_, Base::Bool) => format!("BOOL_TO_{p}({second})"),
-            (Base::Bool, _) => format!("BOOL_TO_{q}({first})"),
-            _ if q.is_real() => format!("{p}_TO_{q}({first})"),
-            _ if b.base.is_any() && p.is_int() => format!("{q}_TO_{p}({second})"),
+            (Base::Bool, _) if !b.base.is_any() => self.converting(format!("{q}_TO_BOOL"), &second),
+            (_, Base::Bool) => self.converting(format!("BOOL_TO_{p}"), &second),
+            (Base::Bool, _) => self.converting(format!("BOOL_TO_{q}"), &first),
+            _ if q.is_real() => self.converting(format!("{p}_TO_{q}"), &first),
+            _ if b.base.is_any() && p.is_int() => self.converting(format!("{q}_TO_{p}"), &second),
             (Base::Time, _) if b.base.is_any() => format!("T#{second}ms"),
-            _ => format!("{q}_TO_{p}({second})"),
+            _ => self.converting(format!("{q}_TO_{p}"), &second),
         };
         let words = [name.into(), x, y, help.into()];
         self.tell(Code::StNoCommon, at, words);

@@ -117,12 +117,20 @@ impl Walk<'_, '_, '_, '_> {
         }
     }
 
-    /// The accumulator, as it goes into an operation, with one more link.
+    /// The accumulator as it goes into an operation, whose result it is to hold.
     pub(super) fn linked(&mut self, word: &str, at: Span) -> Option<Expr> {
         if self.links >= super::MOST_LINKS {
             self.settle();
         }
-        self.take(word, at)
+        match &self.acc {
+            Acc::Value(_) => {}
+            _ => return self.take(word, at),
+        }
+        self.unused = None;
+        match std::mem::replace(&mut self.acc, Acc::Wrong) {
+            Acc::Value(expr) => Some(expr),
+            _ => None,
+        }
     }
 
     /// A statement that stores in these cells.

@@ -274,14 +274,17 @@ impl Walk<'_, '_, '_, '_> {
         }
         let name = edge_name(self.line, self.edges);
         self.edges += 1;
-        let Some(target) = self.c.builder.name(&name, at) else {
+        // There may have been too many to declare, which has been told.
+        let known = self.c.builder.find(&name).is_some();
+        let target = known.then(|| self.c.builder.name(&name, at)).flatten();
+        let Some(target) = target else {
             return self.c.builder.wrong(at);
         };
         let body = self
             .c
             .builder
             .block(target.clone(), vec![named("CLK", expr)], at);
-        self.before(&Changes::Anything, true);
+        // It changes nothing that a text can name.
         body.into_iter().for_each(|one| self.push(one));
         let q = self.c.builder.member(target, "Q", at);
         self.c.builder.read(q, at)
@@ -344,8 +347,12 @@ impl Checker<'_, '_, '_> {
                     ..Traits::default()
                 };
                 let name = edge_name(at, number);
-                self.builder
+                let made = self
+                    .builder
                     .declare(&name, one.span, ty, Section::Var, traits);
+                if made.is_none() {
+                    return;
+                }
             }
         }
     }

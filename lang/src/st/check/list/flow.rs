@@ -56,24 +56,23 @@ impl Walk<'_, '_, '_, '_> {
     /// Walks back from each line that uses the accumulator to those that fill it.
     pub(super) fn find_needs(&mut self) {
         let count = self.lines.len();
-        let mut from: Vec<Vec<usize>> = vec![Vec::new(); count + 1];
+        // Whether the line behind each comes next, and who jumps to a label's line.
+        let mut goes_on = vec![true; count];
+        let mut jumps: HashMap<usize, Vec<usize>> = HashMap::new();
+        let mut fills = vec![false; count];
         let mut todo = Vec::new();
-        let mut fills = vec![false; count + 1];
         for (at, line) in self.lines.iter().enumerate() {
-            let reads = self.reads(line);
-            fills[at] = !reads && self.fills(line);
-            if reads {
+            if self.reads(line) {
                 todo.push(at);
+            } else {
+                fills[at] = self.fills(line);
             }
-            let (next, label) = match line {
-                Line::Does(one) => self.leads(one),
-                _ => (true, None),
-            };
-            if next {
-                from[at + 1].push(at);
-            }
-            if let Some(label) = label {
-                from[label].push(at);
+            if let Line::Does(one) = line {
+                let (next, label) = self.leads(one);
+                goes_on[at] = next;
+                label
+                    .into_iter()
+                    .for_each(|label| jumps.entry(label).or_default().push(at));
             }
         }
         self.needs = vec![false; count + 1];
@@ -81,7 +80,9 @@ impl Walk<'_, '_, '_, '_> {
             if std::mem::replace(&mut self.needs[at], true) {
                 continue;
             }
-            todo.extend(from[at].iter().copied().filter(|&before| !fills[before]));
+            let before = at.checked_sub(1).filter(|&before| goes_on[before]);
+            let jumps = jumps.get(&at).into_iter().flatten().copied();
+            todo.extend(before.into_iter().chain(jumps).filter(|&one| !fills[one]));
         }
     }
 
@@ -110,6 +111,7 @@ impl Walk<'_, '_, '_, '_> {
             let word = name.text.as_str().into();
             self.tell(Code::InParentheses, name.span, [word]);
             self.frames.clear();
+            self.lost = true;
         }
         self.kept.clear();
         if self.needs[at] {
@@ -368,7 +370,8 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     pub(super) fn end_of_ifs(&mut self) {
-        for open in std::mem::take(&mut self.ifs) {
+        // Of more than one the innermost is told, behind which the END_IF of another may have been taken.
+        if let Some(open) = self.ifs.pop() {
             let why = ("write END_IF behind it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, ["IF".into(), why.into()]);
         }

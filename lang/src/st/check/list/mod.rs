@@ -53,6 +53,8 @@ struct Walk<'c, 'a, 't, 'f> {
     /// Operations in the accumulator's expression.
     links: u32,
     frames: Vec<Frame>,
+    /// Operations that waited may be lost to an error.
+    lost: bool,
     /// What MPS has kept.
     kept: Vec<Acc>,
     /// `(N`: the load that follows is inverted.
@@ -99,6 +101,7 @@ impl Checker<'_, '_, '_> {
             acc: Acc::Empty,
             links: 0,
             frames: Vec::new(),
+            lost: false,
             kept: Vec::new(),
             inverts: false,
             unused: None,
@@ -116,6 +119,7 @@ impl Checker<'_, '_, '_> {
                 Line::Wrong => {
                     walk.unreachable = false;
                     walk.unused = None;
+                    walk.lost = true;
                     walk.acc = Acc::Wrong;
                 }
                 Line::Does(instruction) => walk.instruction(instruction, at),
@@ -127,10 +131,13 @@ impl Checker<'_, '_, '_> {
 
 impl Walk<'_, '_, '_, '_> {
     fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [crate::Word; N]) {
+        if code.severity() == crate::Severity::Error {
+            self.unused = None;
+        }
         self.c.builder.tell(code, at, words);
     }
 
-    /// Adds a statement. What the accumulator and waiting operations hold is put aside first where it may change.
+    /// Adds a statement that changes nothing which the accumulator reads.
     fn push(&mut self, statement: Stmt) {
         if let Some(statements) = self.made.last_mut() {
             statements.push(statement);
@@ -145,7 +152,8 @@ impl Walk<'_, '_, '_, '_> {
 
     fn finish(mut self) -> Vec<Stmt> {
         self.warn_unused();
-        for frame in std::mem::take(&mut self.frames) {
+        // Of more than one the first is told, since what closes it may close the others.
+        if let Some(frame) = self.frames.first() {
             self.tell(Code::LeftOpen, frame.at, []);
         }
         self.end_of_ifs();

@@ -5,7 +5,7 @@ use super::{Acc, Frame, MOST_FRAMES, Walk, is_load};
 use crate::diagnostics::{Code, Span};
 use crate::operators::{self, Op};
 use crate::typed::build::{Argument, Given, Named, Target, both};
-use crate::typed::{Base, Expr, ExprKind, Kind, UnitKind, Value};
+use crate::typed::{Base, Expr, ExprKind, Kind, TypeId, UnitKind, Value};
 use unoclp_core::isa::Opcode;
 
 impl Walk<'_, '_, '_, '_> {
@@ -259,25 +259,29 @@ impl Walk<'_, '_, '_, '_> {
             return;
         };
         let links = self.links + 1;
-        let mut all = vec![accumulated(expr.clone())];
+        let ty = expr.ty;
+        if name == "NEG" {
+            let expr = self.c.builder.negate(expr, one.span);
+            self.hold(expr, links);
+            self.unused = Some(one.span);
+            return;
+        }
+        let mut all = vec![accumulated(expr)];
         for arg in &one.operands {
-            let given = self.operand(arg, one, &expr);
+            let given = self.operand(arg, one, ty);
             all.push(given);
         }
-        let expr = match name.as_str() {
-            "NEG" => self.c.builder.negate(expr, one.span),
-            name => self.c.builder.function(name, all, one.span),
-        };
+        let expr = self.c.builder.function(&name, all, one.span);
         self.hold(expr, links);
         self.unused = Some(one.span);
     }
 
     /// An operand; a value of the accumulator's own enumeration is looked for there.
-    fn operand(&mut self, arg: &Arg, one: &Instruction, with: &Expr) -> Argument {
+    fn operand(&mut self, arg: &Arg, one: &Instruction, with: TypeId) -> Argument {
         let spelling = one.spelling;
         let negated = spelling.is_some_and(|spelling| spelling.negated);
         let edge = spelling.is_some_and(|spelling| spelling.edge.is_some());
-        let mut expr = self.c.expr(&arg.node, Some(with.ty));
+        let mut expr = self.c.expr(&arg.node, Some(with));
         if edge {
             expr = self.edge(expr, one.span);
         }
@@ -311,8 +315,11 @@ impl Walk<'_, '_, '_, '_> {
 
     /// `AND(`
     fn defer(&mut self, one: &Instruction, name: String, negated: bool, at: usize) {
-        if self.frames.len() >= MOST_FRAMES {
+        if self.frames.len() == MOST_FRAMES {
             self.tell(Code::TooDeep, one.span, []);
+        }
+        if self.frames.len() >= MOST_FRAMES {
+            self.acc = Acc::Wrong;
         }
         let acc = match self.linked(&one.word.text, one.word.span) {
             Some(expr) => Acc::Value(expr),
@@ -341,7 +348,10 @@ impl Walk<'_, '_, '_, '_> {
     /// `)`
     pub(super) fn close(&mut self, span: Span) {
         let Some(frame) = self.frames.pop() else {
-            return self.tell(Code::CloseWithoutOpen, span, []);
+            if !self.lost {
+                self.tell(Code::CloseWithoutOpen, span, []);
+            }
+            return;
         };
         let Some(mut inner) = self.take(")", span) else {
             return;
@@ -389,6 +399,10 @@ impl Walk<'_, '_, '_, '_> {
     fn by_name(&mut self, one: &Instruction, at: usize) {
         if let Some(unit) = self.own_function(one) {
             return self.own_call(unit, one, at);
+        }
+        if self.c.calls_itself(&one.word) {
+            self.acc = Acc::Wrong;
+            return;
         }
         let word = one.word.text.clone();
         let variable = matches!(self.c.builder.find(&word), Some(Named::Variable(_)));
