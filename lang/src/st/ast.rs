@@ -216,6 +216,8 @@ impl Body {
 pub(super) struct File {
     /// It is written in Instruction List.
     pub is_list: bool,
+    /// Each integer is a DINT, whatever its declaration says: Instruction List without types.
+    pub is_wide: bool,
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,
     pub units: Vec<UnitDecl>,

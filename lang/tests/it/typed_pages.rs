@@ -6,10 +6,11 @@ use unoclp_lang::run::Machine;
 use unoclp_lang::{TextLanguage, check};
 
 /// A language, its page, and how many examples that has at least.
-const PAGES: [(TextLanguage, &str, usize); 3] = [
+const PAGES: [(TextLanguage, &str, usize); 4] = [
     (TextLanguage::St, "structured-text", 9),
     (TextLanguage::Iscl, "interscl", 3),
     (TextLanguage::Lce, "lce", 4),
+    (TextLanguage::Il, "instruction-list", 3),
 ];
 
 fn read(page: &str) -> String {

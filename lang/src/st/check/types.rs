@@ -12,6 +12,10 @@ impl Checker<'_, '_, '_> {
     pub(super) fn type_named(&mut self, name: &Name) -> Option<TypeId> {
         let key = self.builder.key(&name.text);
         if let Some(base) = Base::named(&key) {
+            let base = match self.file.is_wide && base.is_int() {
+                true => Base::Dint,
+                false => base,
+            };
             return Some(TypeId::of(base));
         }
         if let Some(&at) = self.types.get(&key) {

@@ -1,6 +1,7 @@
 //! Programs, functions and blocks, and what stands around them.
 
 use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
+use super::super::has_types;
 use super::super::token::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
@@ -11,6 +12,7 @@ impl Parser<'_, '_> {
     pub(super) fn file(&mut self) -> File {
         let mut file = File {
             is_list: self.list,
+            is_wide: self.list && !has_types(self.text),
             ..File::default()
         };
         loop {
