@@ -87,6 +87,34 @@ const LCE: [&str; 27] = [
 /// The productions of IEC 61131-3, B.1.3.1 to B.1.3.3, in its order.
 const TYPES: &str = include_str!("../iec-types.txt");
 
+/// How books and tools write Instruction List.
+const IL: [&str; 24] = [
+    "END",
+    "OUT T0 K50",
+    "OUT C1 K3",
+    "MPS MRD MPP, LPS LRD LPP",
+    "LDP LDF",
+    "PLS PLF",
+    "DIFU DIFD RSET TIM CNT",
+    "PT, PV, CLK",
+    "ST T0.IN, CAL T0",
+    "T1 (IN := …)",
+    "PT left out",
+    "SR, RS",
+    "VAR_EXTERNAL",
+    "VAR_IN_OUT",
+    "standard functions",
+    "standard blocks",
+    "ADD 2, 4, 7",
+    "+10, UINT#16#F",
+    "nested comments",
+    "AND( I2 OR I3 )",
+    "I 0.0",
+    "%M0",
+    "X0",
+    "CONFIGURATION … END_CONFIGURATION",
+];
+
 fn read(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -113,15 +141,20 @@ fn rows(page: &str, heading: &str) -> Vec<(String, String)> {
 /// `lce.toml: liga sets`, for each case that there is.
 fn cases() -> HashSet<String> {
     let mut all = HashSet::new();
-    for file in [
-        "iscl.toml",
-        "iscl-mistakes.toml",
-        "lce.toml",
-        "lce-mistakes.toml",
-        "types.toml",
-        "values.toml",
+    for (folder, file) in [
+        ("typed", "iscl.toml"),
+        ("typed", "iscl-mistakes.toml"),
+        ("typed", "lce.toml"),
+        ("typed", "lce-mistakes.toml"),
+        ("typed", "types.toml"),
+        ("typed", "values.toml"),
+        ("typed", "il.toml"),
+        ("cases", "inputs.toml"),
+        ("cases", "makers.toml"),
+        ("cases", "shared.toml"),
+        ("cases", "writings.toml"),
     ] {
-        let text = read(&format!("lang/tests/typed/{file}"));
+        let text = read(&format!("lang/tests/{folder}/{file}"));
         let names = text.lines().filter_map(|line| {
             let name = line.strip_prefix("name = \"")?;
             name.strip_suffix('"')
@@ -140,10 +173,15 @@ fn each_production_and_statement_has_its_cases() {
     for page in ["docs/grammar-tests.md", "docs/grammar-tests.pt-BR.md"] {
         let text = read(page);
         let types: Vec<&str> = TYPES.lines().collect();
+        let list = match page.contains("pt-BR") {
+            true => "\n## Lista de Instruções\n",
+            false => "\n## Instruction List\n",
+        };
         for (heading, sources) in [
             ("\n## InterSCL\n", &ISCL[..]),
             ("\n## LCE\n", &LCE[..]),
             ("\n## IEC 61131-3, B.1.3\n", &types[..]),
+            (list, &IL[..]),
         ] {
             let rows = rows(&text, heading);
             let named: Vec<&str> = rows.iter().map(|row| row.0.as_str()).collect();
