@@ -2,7 +2,6 @@
 
 mod any_text;
 mod blocks;
-#[allow(dead_code, reason = "each test uses its part")]
 mod board;
 mod cases;
 mod common;
@@ -15,8 +14,8 @@ mod places;
 mod random_programs;
 mod random_typed;
 mod round_trip;
+mod shapes;
 mod sizes;
-mod small_any_text;
 mod twins;
 mod typed;
 mod typed_any_text;
