@@ -88,7 +88,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// What timers drive for nobody.
+    /// What timers drive for nobody: one marker for all of them, which nothing else has and nothing reads.
     pub(super) fn idle_target(&mut self, at: Span) -> Target {
         if let Some(target) = self.unused {
             return target;
