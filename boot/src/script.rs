@@ -19,8 +19,8 @@ const READ_PAGE: u8 = b't';
 const READ_SIGNATURE: u8 = b'u';
 const FLASH: u8 = b'F';
 
-/// An instruction that jumps to itself (`rjmp .-2`).
-const STALL: [u8; 2] = [0xFF, 0xCF];
+/// `nop` and `rjmp .-4`, for ever: a jump to itself alone is what simulators take for a crash.
+const STALL: [u8; 4] = [0x00, 0x00, 0xFE, 0xCF];
 
 /// How far the writing of an image is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

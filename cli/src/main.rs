@@ -1,5 +1,5 @@
 //! The command line: `unoclp check`, `compile`, `list`, `sim`, `run` and `card` on this PC,
-//! `unoclp upload`, `unoclp monitor` and `unoclp settings` on a board, `unoclp serve` for browsers.
+//! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
@@ -11,7 +11,8 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Doors, Form, Leave, What, Wording, in_portuguese, langs, language, refuse,
+    At, Changes, Doors, Firmware, Form, Leave, What, Wording, in_portuguese, langs, language,
+    refuse,
 };
 use ratatui::crossterm::terminal;
 use std::env;
@@ -112,6 +113,11 @@ enum Command {
         #[command(flatten)]
         leave: Leave,
     },
+    /// Put the firmware on a board through its boot loader, read it back and compare
+    Flash {
+        #[command(flatten)]
+        what: Firmware,
+    },
     /// Watch a board, force its inputs and outputs, and let it run and stop
     Monitor {
         /// The program that it runs, in any of the languages, to show its variables and rungs
@@ -187,7 +193,10 @@ fn environment() -> Lang {
 impl Command {
     /// Whether it must not end before a board is as it is to be.
     fn changes_a_board(&self) -> bool {
-        matches!(self, Command::Upload { .. } | Command::Settings { .. })
+        matches!(
+            self,
+            Command::Upload { .. } | Command::Settings { .. } | Command::Flash { .. }
+        )
     }
 }
 
@@ -250,6 +259,7 @@ fn main() -> ExitCode {
             at,
             leave,
         } => commands::upload(&file, &at.place(), &leave, &wording),
+        Command::Flash { what } => commands::flash(&what),
         Command::Monitor {
             file,
             wording,

@@ -83,7 +83,11 @@ fn flash_that_keeps_something_else_is_named_and_never_runs() {
     };
     let stage = Stage::Comparing;
     assert_eq!(failure, Failure { trouble, stage });
-    assert_eq!(bench.chip.flash[..2], [0xFF, 0xCF], "it stands still");
+    assert_eq!(
+        bench.chip.flash[..4],
+        [0x00, 0x00, 0xFE, 0xCF],
+        "it stands still"
+    );
     assert!(!bench.chip.started);
 }
 

@@ -1,5 +1,6 @@
 //! What is said of each failure, and where it is described.
 
+use std::collections::BTreeSet;
 use unoclp_boot::{Failure, Model, Stage, Trouble, Unfit};
 use unoclp_source::Lang;
 
@@ -61,5 +62,23 @@ fn each_failure_says_its_number_what_is_wrong_and_what_the_board_holds() {
     assert!(text.ends_with("A placa tem o firmware que tinha"), "{text}");
     for (number, text) in english.into_iter().chain(all(Lang::Pt)) {
         assert!(text.starts_with(&format!("FW-{number}: ")), "{text}");
+    }
+}
+
+#[test]
+fn the_pages_describe_each_number_and_no_other() {
+    let numbers: BTreeSet<String> = all(Lang::En)
+        .into_iter()
+        .map(|(number, _)| format!("FW-{number}"))
+        .collect();
+    let pages = [
+        include_str!("../../../docs/flash.md"),
+        include_str!("../../../docs/flash.pt-BR.md"),
+    ];
+    for page in pages {
+        let anchors = page.split("<a id=\"").skip(1);
+        let anchors = anchors.filter_map(|rest| rest.split('"').next());
+        let anchors: BTreeSet<String> = anchors.map(str::to_owned).collect();
+        assert_eq!(anchors, numbers);
     }
 }

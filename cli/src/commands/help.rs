@@ -32,6 +32,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Envia um programa a uma placa pela porta serial, em vez de um cartão",
     ),
     (
+        "flash",
+        "Grava o firmware em uma placa pelo bootloader dela, lê de volta e compara",
+    ),
+    (
         "monitor",
         "Acompanha uma placa, força entradas e saídas, e a põe em RUN ou STOP",
     ),
@@ -78,6 +82,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "sim",
         "file",
         "O programa, em qualquer das linguagens; com um cenário, no lugar do que ele indica",
+    ),
+    (
+        "flash",
+        "file",
+        "Um arquivo de firmware em Intel HEX; sem isto, o firmware testado que vem com este comando",
+    ),
+    (
+        "flash",
+        "board",
+        "A placa: uno, nano ou nano-old, um Nano com o bootloader que ele tinha até 2018 [padrão: uno]",
     ),
     (
         "monitor",
@@ -207,6 +221,7 @@ const VALUES: &[(&str, &str)] = &[
     ("FILE", "ARQUIVO"),
     ("CARD", "CARTÃO"),
     ("PORT", "PORTA"),
+    ("BOARD", "PLACA"),
     ("ADDRESS", "ENDEREÇO"),
     ("RATE", "TAXA"),
     ("PARITY", "PARIDADE"),

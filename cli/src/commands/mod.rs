@@ -5,9 +5,10 @@
 //! - `compile`, `card`: from a text to numeric code, and onto a card
 //! - `list`, `sim`: a program shown, and simulated
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
-//! - `interrupt`: Ctrl-C
+//! - `interrupt`, `progress`: Ctrl-C; a line that changes
 //! - `run`: a program on this PC, and its variables
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
+//! - `flash`: the firmware of a board
 //! - `serve`: the page, and a board behind it
 
 /// Says a line, if anybody reads it: a board is not left half done because nobody does.
@@ -20,12 +21,14 @@ macro_rules! say {
 
 mod card;
 mod compile;
+mod flash;
 mod help;
 mod interrupt;
 mod list;
 mod monitor;
 mod open;
 mod output;
+mod progress;
 mod refuse;
 mod run;
 mod serve;
@@ -37,6 +40,7 @@ mod words;
 
 pub use card::card;
 pub use compile::compile;
+pub use flash::{Firmware, flash};
 pub use help::in_portuguese;
 pub use list::list;
 pub use monitor::monitor;

@@ -2,14 +2,13 @@
 
 use super::interrupt::{Interrupt, Interrupted};
 use super::open::{Shown, faulty, open, running};
+use super::progress::{hide, show};
 use super::wording::Wording;
 use super::{failed, meet, not_stopped};
 use crate::Outcome;
-use anstream::eprint;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use std::cell::Cell;
-use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
 use std::path::Path;
 use unoclp_board::diagnostics::{Diagnostics, Kept};
@@ -166,7 +165,7 @@ impl Upload {
         let storing = Cell::new(false);
         let mut show = |progress| {
             storing.set(progress == Progress::Storing);
-            show(progress);
+            show(|| told(progress));
         };
         let attend = || match storing.get() {
             true => ControlFlow::Continue(()),
@@ -206,25 +205,10 @@ fn whole<T>(talked: ControlFlow<Interrupted, T>) -> Result<T, Interrupted> {
     }
 }
 
-/// Shows the progress in a line that changes, where somebody sees it.
-fn show(progress: Progress) {
-    if stderr().is_terminal() {
-        match progress {
-            Progress::Sent { pass, bytes, of } => {
-                let sent = messages::sent(messages::pass(pass), bytes, of);
-                eprint!("{ANEW}{sent}");
-            }
-            Progress::Storing => eprint!("{ANEW}{}", messages::writing()),
-        }
+/// How far it is.
+fn told(progress: Progress) -> String {
+    match progress {
+        Progress::Sent { pass, bytes, of } => messages::sent(messages::pass(pass), bytes, of),
+        Progress::Storing => messages::writing(),
     }
 }
-
-/// Takes the line back.
-fn hide() {
-    if stderr().is_terminal() {
-        eprint!("{ANEW}");
-    }
-}
-
-/// Back to the beginning of an empty line.
-const ANEW: &str = "\r\x1b[K";

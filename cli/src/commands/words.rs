@@ -1,6 +1,14 @@
 //! The words of the command line for what the libraries know as types of their own.
 
 use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use unoclp_boot::Model;
+
+/// The boards, as --board names them.
+pub fn models() -> impl TypedValueParser<Value = Model> {
+    PossibleValuesParser::new(Model::ALL.map(Model::name))
+        .map(|name| Model::named(&name).unwrap_or_default())
+}
 
 /// The parity bit of each byte on the line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

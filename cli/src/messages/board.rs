@@ -11,6 +11,7 @@ use unoclp_board::settings::Settings;
 use unoclp_board::upload::{Broken, Pass};
 use unoclp_board::watch::Forced;
 use unoclp_board::{Failure, Line, Parity, lock as bits};
+use unoclp_boot::Stage;
 use unoclp_modbus::Exception;
 use unoclp_source::diagnosis;
 
@@ -118,6 +119,16 @@ pub fn pass(pass: Pass) -> String {
     match pass {
         Pass::Check => checking(),
         Pass::Store => storing(),
+    }
+}
+
+/// What is done with a firmware.
+pub fn stage(stage: Stage) -> String {
+    match stage {
+        Stage::Meeting => calling_boot_loader(),
+        Stage::Writing => writing_firmware(),
+        Stage::Comparing => comparing_firmware(),
+        Stage::Finishing => starting_firmware(),
     }
 }
 

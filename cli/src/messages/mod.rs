@@ -11,7 +11,7 @@ mod spoken;
 mod table;
 
 pub use board::{
-    broken, failure, foreign, left_forced, lock, parity, pass, settings, spoken_line, start,
+    broken, failure, foreign, left_forced, lock, parity, pass, settings, spoken_line, stage, start,
     trouble,
 };
 #[cfg(test)]

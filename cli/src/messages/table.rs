@@ -252,6 +252,18 @@ unoclp_source::messages! {
     storing() "storing" "gravação";
     sent(pass, bytes, all) "{pass}: {bytes} of {all} bytes" "{pass}: {bytes} de {all} bytes";
     writing() "writing program memory …" "gravando a memória de programa …";
+    tested_firmware() "the tested firmware" "o firmware testado";
+    flashing(name, bytes, board, port)
+        "{name}: {bytes} bytes, for the board {board} at {port}"
+        "{name}: {bytes} bytes, para a placa {board} em {port}";
+    flash_progress(stage, percent) "{stage}: {percent} %" "{stage}: {percent} % pronto";
+    calling_boot_loader() "calling the boot loader" "chamando o bootloader";
+    writing_firmware() "writing" "gravando";
+    comparing_firmware() "reading back" "lendo de volta";
+    starting_firmware() "starting" "iniciando";
+    flashed(bytes)
+        "written, read back and compared: {bytes} bytes; the board starts it. The program and the settings that it kept are as they were"
+        "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes que ela guardava ficaram como estavam";
     not_stopped(failure) "the board cannot be stopped: {failure}" "não foi possível parar a placa: {failure}";
     stop_locked()
         "commands are locked, so the board is stopped by A5 only: close it, then try again"

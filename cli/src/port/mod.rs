@@ -2,7 +2,9 @@
 //!
 //! - `place`: which port, and what is spoken there
 //! - `open`: opening the port without resetting the board behind it
+//! - `flash`: a firmware through the boot loader
 
+mod flash;
 mod open;
 mod place;
 

@@ -7,6 +7,8 @@ mod board_commands;
 mod check_output;
 mod command_line;
 mod common;
+#[cfg(unix)]
+mod flash;
 mod instruction_list;
 mod kept;
 mod languages;

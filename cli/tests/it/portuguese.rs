@@ -130,6 +130,7 @@ fn no_command_says_anything_in_english() {
             &["card", &good, file], &["card", "/dev/null", file], &["card", &missing, file],
             &["upload", file, "--port", "/dev/no-such-port"], &["monitor", file, "--port", "/dev/no-such-port"],
             &["upload", file, "--port", "/dev/null"],
+            &["flash", file, "--port", "/dev/null"], &["flash", "--port", "/dev/no-such-port", "--board", "nano"],
         ];
         for command in commands {
             is_portuguese(&[command, &["--lang", "pt"][..]].concat(), "C.UTF-8");
@@ -175,7 +176,7 @@ fn no_argument_is_refused_in_english() {
     said(&["--fly"]);
     said(&["help"]);
     for command in [
-        "check", "compile", "list", "sim", "card", "upload", "monitor", "settings",
+        "check", "compile", "list", "sim", "card", "upload", "monitor", "settings", "flash",
     ] {
         said(&[command]);
         said(&["help", command]);
@@ -196,6 +197,7 @@ fn no_argument_is_refused_in_english() {
             ("--as", "x"),
             ("--lock", "x"),
             ("--end-forcing", "0"),
+            ("--board", "mega"),
         ] {
             said(&[command, "a", "--port", "/dev/no-such-port", option, value]);
         }
