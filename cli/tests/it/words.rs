@@ -75,6 +75,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "st-diagnostics",
         "structured-text",
         "tutorial",
+        "types",
     ] {
         let name = format!("docs/{page}.pt-BR.md");
         texts.push((name.clone(), prose(&read(&name))));
