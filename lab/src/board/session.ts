@@ -57,7 +57,7 @@ export class Session implements Witness {
   obey(command: Command): void {
     const trouble = this.attempt(command);
     if (trouble) this.tell({ kind: "trouble", trouble });
-    if (this.left === 0) this.report();
+    if (this.stands) this.report();
   }
 
   /**
@@ -65,6 +65,7 @@ export class Session implements Witness {
    * if time stands.
    */
   turn(): number | null {
+    if (this.stands) return null;
     const began = this.clock();
     const due = Math.min(this.left, this.left === Infinity ? this.pace.due(began) : Infinity);
     const behind = this.work(due, began + WORK);
@@ -72,7 +73,7 @@ export class Session implements Witness {
     const now = this.clock();
     const measured = this.left === Infinity ? this.pace.measure(now) : null;
     if (measured) this.tell({ kind: "pace", at: this.at, ...measured });
-    if (this.left === 0) return null;
+    if (this.stands) return null;
     return behind ? 0 : Math.max(0, TURN - (now - began));
   }
 
@@ -82,9 +83,10 @@ export class Session implements Witness {
     if (!board) return false;
     let left = due;
     try {
-      while (left > 0 && this.left > 0 && this.clock() < end) {
+      while (left > 0 && !this.stands && this.clock() < end) {
         const before = board.now;
-        board.run(Math.min(left, CHUNK) * CYCLES_PER_MS);
+        // A whole number: of less than a cycle, time would not go on.
+        board.run(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS));
         const passed = (board.now - before) / CYCLES_PER_MS;
         left -= passed;
         if (this.left === Infinity) this.pace.pay(passed);
@@ -95,7 +97,7 @@ export class Session implements Witness {
       board.plug(false);
       this.left = 0;
     }
-    if (this.left === 0) this.pauses();
+    if (this.stands) this.pauses();
     return left > 0;
   }
 
@@ -184,6 +186,10 @@ export class Session implements Witness {
     this.image = image;
     this.board?.insert(image);
     return null;
+  }
+
+  private get stands(): boolean {
+    return this.left === 0;
   }
 
   /** Simulated ms since the power came. */

@@ -7,8 +7,8 @@ import { CYCLES_PER_MS } from "../../src/board/chip/registers";
 import { readHex } from "../../src/board/hex";
 import type { ResetCause } from "../../src/board/messages";
 
-// Tests are bundled into target/lab/…, and the firmware is built into target/firmware.
-const target = new URL("../..", import.meta.url);
+// Tests are bundled below target/lab, and the firmware is built into target/firmware.
+const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/lab/") + 1);
 
 /** The firmware as it is flashed. */
 export function firmwareHex(): string {

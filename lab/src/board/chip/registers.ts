@@ -1,18 +1,6 @@
 // Where the registers of the ATmega328P stand in its data space (datasheet, section 36), and their bits.
 
-export const PINB = 0x23;
-export const DDRB = 0x24;
-export const PORTB = 0x25;
-export const PINC = 0x26;
-export const DDRC = 0x27;
-export const PORTC = 0x28;
-export const PIND = 0x29;
-export const DDRD = 0x2a;
-export const PORTD = 0x2b;
-
 export const SPCR = 0x4c;
-export const SPSR = 0x4d;
-export const SPDR = 0x4e;
 /** SPI is on, in SPCR. */
 export const SPE = 1 << 6;
 
