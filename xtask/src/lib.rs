@@ -5,6 +5,7 @@
 pub mod bench;
 pub mod budget;
 pub mod card;
+pub mod count;
 pub mod demo;
 pub mod firmware;
 pub mod flash;
@@ -12,6 +13,7 @@ pub mod fuzz;
 pub mod link;
 pub mod modules;
 pub mod mulcheck;
+pub mod node;
 pub mod parts;
 pub mod programs;
 pub mod setup;

@@ -4,6 +4,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 
+use crate::node;
 use crate::shell::{self, exists, output, say};
 use crate::toolchain::Toolchain;
 
@@ -87,6 +88,12 @@ const TESTS: &[Need] = &[
     ),
 ];
 
+/// What the lab is built with, and what runs its simulated board.
+const LAB: &[Need] = &[
+    need("nodejs", "building and testing the lab", |_| exists("node")),
+    need("npm", "the packages of the lab", |_| exists("npm")),
+];
+
 /// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
 const PYTHON: [&str; 2] = ["pymodbus==3.16.1", "pyserial==3.5"];
 
@@ -111,8 +118,9 @@ pub fn for_simulator() -> Result<Toolchain> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn for_tests() -> Result<Toolchain> {
-    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS])?;
+    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS, LAB])?;
     provide_python()?;
+    node::install()?;
     Ok(toolchain)
 }
 

@@ -1,15 +1,14 @@
 //! `cargo xtask test`: everything that must pass; `cargo xtask soak`: more of the random tests.
 
-use std::io::{BufRead, BufReader};
-use std::ops::AddAssign;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 
+use crate::count::{self, Count};
 use crate::programs::{self, Tally};
 use crate::shell::{self, cargo, say};
 use crate::steps::{Steps, both};
-use crate::{firmware, setup, wasm};
+use crate::{firmware, node, setup, wasm};
 
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
@@ -58,16 +57,16 @@ pub fn run(args: &TestArgs) -> Result<()> {
         );
         let programs = both(
             || steps.take("compiling the tests", programs::compile),
-            || build_firmware(&steps),
+            || build_firmware(&steps).and_then(|()| build_lab(&steps)),
         )?;
         say(&format!("quick: without {}", SLOW.join(", ")));
         let is_quick = |name: &str| !SLOW.iter().any(|slow| name.ends_with(slow));
         let tally = steps.take("tests", || programs.run(QUICK, is_quick))?;
-        return report(&steps, &tally, Count::default());
+        return report(&steps, &tally, test_lab(&steps)?);
     }
     steps.take("format", format)?;
     // The AVR build has a folder of its own, and mostly one processor's worth of work.
-    let (programs, examples) = both(
+    let (programs, mut others) = both(
         || check_and_compile(&steps),
         || {
             for board in firmware::BOARDS {
@@ -76,6 +75,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
                 steps.run_aside(&step, clippy.args(DENY))?;
             }
             build_firmware(&steps)?;
+            build_lab(&steps)?;
             let mut wasm = wasm::check(&toolchain);
             steps.run_aside("libraries for WebAssembly", &mut wasm)
         },
@@ -83,7 +83,8 @@ pub fn run(args: &TestArgs) -> Result<()> {
     let tally = steps.take("tests on the PC and on the simulated UNO", || {
         programs.run(100, |_| true)
     })?;
-    report(&steps, &tally, examples)
+    others += test_lab(&steps)?;
+    report(&steps, &tally, others)
 }
 
 /// Sets up, builds, and makes many times the rounds of the random tests.
@@ -95,7 +96,7 @@ pub fn soak(args: &SoakArgs) -> Result<()> {
     let steps = Steps::default();
     let programs = both(
         || steps.take("compiling the tests", programs::compile),
-        || build_firmware(&steps),
+        || build_firmware(&steps).and_then(|()| build_lab(&steps)),
     )?;
     let rounds = 100 * args.times;
     let tests = || programs.run(rounds, is_random);
@@ -130,7 +131,9 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
     })?;
     let programs = steps.take("compiling the tests", programs::compile)?;
     let examples = steps.take("examples in the documentation", || {
-        tests(cargo().args(["test", "--doc"]).args(HOST))
+        let mut examples = cargo();
+        examples.args(["test", "--doc"]).args(HOST);
+        count::tests(&mut examples, count::by_cargo)
     })?;
     Ok((programs, examples))
 }
@@ -139,6 +142,15 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
 fn build_firmware(steps: &Steps) -> Result<()> {
     let xtask = std::env::current_exe().context("cannot find xtask itself")?;
     steps.run_aside("firmware", Command::new(xtask).arg("firmware"))
+}
+
+/// What the suite runs the firmware on beside simavr, and its tests.
+fn build_lab(steps: &Steps) -> Result<()> {
+    steps.take("the simulated board of the lab", node::build)
+}
+
+fn test_lab(steps: &Steps) -> Result<Count> {
+    steps.take("tests of the simulated board on Node", node::test)
 }
 
 /// Says how long steps and tests took, what has failed, and how many have passed.
@@ -160,89 +172,4 @@ fn report(steps: &Steps, tally: &Tally, mut sum: Count) -> Result<()> {
         bail!("{} tests failed", sum.failed);
     }
     Ok(())
-}
-
-/// How many tests have passed and failed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Count {
-    passed: usize,
-    failed: usize,
-}
-
-impl AddAssign for Count {
-    fn add_assign(&mut self, other: Count) {
-        self.passed += other.passed;
-        self.failed += other.failed;
-    }
-}
-
-/// Runs tests, shows what they print, and counts them.
-fn tests(command: &mut Command) -> Result<Count> {
-    let mut child = command
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|error| shell::not_started(command, error))?;
-    let mut sum = Count::default();
-    if let Some(stdout) = child.stdout.take() {
-        for line in BufReader::new(stdout).lines() {
-            let line = line.context("cannot read what the tests print")?;
-            println!("{line}");
-            if let Some(count) = counted(&line) {
-                sum += count;
-            }
-        }
-    }
-    let status = child.wait()?;
-    ensure!(
-        status.success(),
-        "{} passed, {} failed",
-        sum.passed,
-        sum.failed
-    );
-    ensure!(sum.passed > 0, "no test was run");
-    Ok(sum)
-}
-
-/// The numbers of a line such as `test result: ok. 7 passed; 0 failed; 0 ignored; …`.
-fn counted(line: &str) -> Option<Count> {
-    let words: Vec<_> = line
-        .strip_prefix("test result: ")?
-        .split([' ', ';'])
-        .collect();
-    let before = |name| {
-        let at = words.iter().position(|&word| word == name)?;
-        words.get(at.checked_sub(1)?)?.parse().ok()
-    };
-    Some(Count {
-        passed: before("passed")?,
-        failed: before("failed")?,
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Count, counted};
-
-    #[test]
-    fn only_the_result_lines_of_the_harness_are_counted() {
-        let count = |passed, failed| Some(Count { passed, failed });
-        let cases = [
-            (
-                "test result: ok. 12 passed; 0 failed; 0 ignored; 0 measured; 3 filtered out; finished in 0.01s",
-                count(12, 0),
-            ),
-            (
-                "test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out",
-                count(3, 2),
-            ),
-            ("test counts::a_test ... ok", None),
-            ("the test result: ok. 12 passed; 0 failed", None),
-            ("test result: ok.", None),
-            ("test result: passed; failed", None),
-            ("", None),
-        ];
-        for (line, expected) in cases {
-            assert_eq!(counted(line), expected, "{line}");
-        }
-    }
 }
