@@ -8,7 +8,7 @@ use unoclp_lang::typed::{Base, Value};
 use unoclp_lang::{Diagnostic, Severity, TextLanguage, check};
 
 /// A language, its page, and how many examples that has at least.
-const PAGES: [(TextLanguage, &str, usize); 4] = [
+const PAGES: [(TextLanguage, &str, usize); 5] = [
     (TextLanguage::St, "structured-text", 9),
     (TextLanguage::St, "types", 8),
     (TextLanguage::Iscl, "interscl", 3),
