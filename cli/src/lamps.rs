@@ -108,7 +108,8 @@ impl Lamps {
     fn lines(&self, columns: usize, most: usize) -> Vec<Line<'static>> {
         let longest = self.0.iter().filter_map(|lamp| lamp.name.as_ref());
         let longest = longest.map(|name| name.chars().count()).max();
-        let mut tries = (FEWEST..=longest.unwrap_or_default()).rev();
+        let longest = longest.unwrap_or_default();
+        let mut tries = (FEWEST.min(longest)..=longest).rev();
         let fits = |letters: usize| {
             let lines = self.wrapped(letters, columns);
             (lines.len() <= most).then_some(lines)
@@ -189,6 +190,12 @@ mod tests {
         );
         assert_eq!(shown(&lamps, 31, 1), [" I1 ○ start_…   I2 ○  I3 ○ stop"]);
         assert_eq!(shown(&lamps, 24, 1), [" I1 ○  I2 ○  I3 ○"]);
+    }
+
+    #[test]
+    fn short_names_are_names() {
+        let lamps = lamps(&["go", ""]);
+        assert_eq!(shown(&lamps, 80, 1), [" I1 ○ go   I2 ○"]);
     }
 
     #[test]

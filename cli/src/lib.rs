@@ -17,3 +17,4 @@ pub mod port;
 pub mod screen;
 #[cfg(feature = "page")]
 pub mod shared;
+mod variables;

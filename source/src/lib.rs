@@ -35,7 +35,7 @@ pub use written::{Refused, Written};
 
 use unoclp_core::Profile;
 
-pub use unoclp_lang::Lang;
+pub use unoclp_lang::{Holding, Lang, Spot, Variable};
 
 /// The board that every tool of this version checks and simulates for.
 pub const BOARD: Profile = Profile::UNO;

@@ -1,6 +1,7 @@
 //! The program file that the board shall run: what a board does not tell of it.
 
 use crate::panel::Drawn;
+use crate::variables::Variables;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::{Kept, Trouble};
 use unoclp_board::watch::{Reading, Scope};
@@ -8,6 +9,7 @@ use unoclp_checked::SourceMap;
 use unoclp_core::Delay;
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Flow, Probe, Twin};
+use unoclp_lang::Spot;
 use unoclp_source::used::Used;
 use unoclp_source::{Source, point_names};
 
@@ -30,6 +32,8 @@ pub struct Program {
     pub(super) written: u16,
     /// What it uses of the board.
     pub(super) used: Used,
+    /// Its variables, if its language declares them.
+    pub(super) variables: Variables,
     /// What it calls its points.
     pub(super) names: BTreeMap<String, String>,
     /// Its text, line by line.
@@ -53,6 +57,7 @@ impl Program {
             written,
             used,
             names,
+            variables: Variables::new(&program.variables),
             text: program.text.lines().map(str::to_owned).collect(),
             kept,
             drawn,
@@ -99,5 +104,26 @@ impl Program {
             counters: self.counters,
             registers: self.registers,
         }
+    }
+}
+
+/// What a board has in this spot, as far as the reading tells.
+pub(super) fn read(reading: &Reading, spot: Spot) -> Option<i32> {
+    let at = |number: u8| usize::from(number).checked_sub(1);
+    let bit = |bits: u64, number: u8| Some((bits >> at(number)? & 1) as i32);
+    let timer = |number: u8| reading.timers.get(at(number)?);
+    let counter = |number: u8| reading.counters.get(at(number)?);
+    match spot {
+        Spot::Input(n) => bit(reading.inputs.into(), n),
+        Spot::Output(n) => bit(reading.outputs.into(), n),
+        Spot::Marker(n) => bit(reading.markers?, n),
+        Spot::Elapsed(n) => Some(timer(n)?.value),
+        Spot::Reached(n) => counter(n).map(|meter| (meter.value >= meter.preset).into()),
+        Spot::AtZero(n) => Some((counter(n)?.value <= 0).into()),
+        Spot::Count(n) => Some(counter(n)?.value),
+        Spot::Register(n) => reading.registers.get(at(n)?).copied(),
+        Spot::Analogue(n) => reading.analogue.get(usize::from(n)).map(|&v| v.into()),
+        // What a board does not tell.
+        Spot::TimerQ(_) | Spot::System(_) | Spot::Pwm(_) => None,
     }
 }

@@ -1,8 +1,9 @@
 //! From the app to the screen. Whatever colour says, a symbol says too: `●` is 1, `!` is forced.
 
 use super::app::App;
-use super::program::Program;
+use super::program::{Program, read};
 use crate::lamps::{Lamp, Lamps, Sides};
+use crate::variables::lines;
 use crate::{messages, screen};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -21,6 +22,8 @@ const ON: Style = Style::new().fg(Color::Green).add_modifier(Modifier::BOLD);
 /// What a person should see.
 const WARNING: Style = Style::new().fg(Color::Yellow).add_modifier(Modifier::BOLD);
 
+/// The most columns of the name of a timer or counter.
+const LONGEST_NAME: usize = 12;
 /// Columns of a timer or counter.
 const METER: u16 = 38;
 /// From this width on inputs and outputs stand side by side.
@@ -61,13 +64,19 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
             None => panels.extend([vec![inputs], vec![outputs]]),
         }
         panels.push(vec![(messages::board(), board(app, reading, width))]);
-        let memory = match app.program.as_ref().filter(|_| !app.differs()) {
-            Some(program) => memory_of(program, reading, width),
-            None => memory(reading, width),
+        let program = app.program.as_ref().filter(|_| !app.differs());
+        let memory = match program {
+            Some(program) if program.variables.any() => {
+                let watched = program.variables.watched(|spot| read(reading, spot));
+                panels.push(vec![(messages::watched(), lines(watched, width.into()))]);
+                let others = program.variables.others(|spot| read(reading, spot));
+                (messages::variables(), lines(others, width.into()))
+            }
+            Some(program) => (messages::memory(), memory_of(program, reading, width)),
+            None => (messages::memory(), memory(reading, width)),
         };
-        if !memory.is_empty() {
-            panels.push(vec![(messages::memory(), memory)]);
-        }
+        panels.push(vec![memory]);
+        panels.retain(|panels| panels.iter().any(|(_, lines)| !lines.is_empty()));
         let meters = meters(app, reading, width);
         if !meters.is_empty() {
             panels.push(vec![(messages::timers_and_counters(), meters)]);
@@ -335,10 +344,16 @@ fn meters(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
         return Vec::new();
     };
     let timers = reading.timers.iter().zip(&program.timers).zip(1..);
-    let timers =
-        timers.map(|((meter, delay), n)| meter_text(&format!("T{n} {}", delay.letters()), *meter));
+    let called = |point: String| -> String {
+        let name = program.names.get(&point).unwrap_or(&point);
+        name.chars().take(LONGEST_NAME).collect()
+    };
+    let timers = timers.map(|((meter, delay), n)| {
+        let name = called(format!("T{n}"));
+        meter_text(&format!("{name} {}", delay.letters()), *meter)
+    });
     let counters = reading.counters.iter().zip(1..);
-    let counters = counters.map(|(meter, n)| meter_text(&format!("C{n}"), *meter));
+    let counters = counters.map(|(meter, n)| meter_text(&called(format!("C{n}")), *meter));
     let all: Vec<String> = timers.chain(counters).collect();
     let per_line = usize::from(width / METER).max(1);
     let lines = all
@@ -352,7 +367,8 @@ fn meters(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
 fn meter_text(name: &str, meter: Meter) -> String {
     let Meter { value, preset } = meter;
     let figures = format!("{value}/{preset}");
-    let bar = usize::from(METER).saturating_sub(11 + figures.len() + 2);
+    let wide = name.chars().count().max(9);
+    let bar = usize::from(METER).saturating_sub(2 + wide + figures.len() + 2);
     let (done, all) = (
         i64::from(value.clamp(0, preset.max(0))),
         i64::from(preset.max(1)),

@@ -4,8 +4,11 @@
 use super::analogue::Knobs;
 use super::buttons::{Buttons, KeyUp};
 use super::drawn::Drawn;
+use super::memory::spans;
 use crate::messages;
+use crate::variables::Variables;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::text::Span;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::time::Duration;
@@ -14,7 +17,7 @@ use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Flow, Probe};
 use unoclp_host_sim::wave::{Recorder, Sample};
-use unoclp_source::used::Quantity;
+use unoclp_lang::Spot;
 use unoclp_source::{BOARD, Source, point_names};
 
 /// Virtual time from scan to scan.
@@ -41,6 +44,8 @@ pub struct App {
     map: SourceMap,
     /// Its text, line by line.
     text: Vec<String>,
+    /// Its variables, if its language declares them.
+    pub(super) variables: Variables,
     /// What it calls its points.
     pub(super) names: BTreeMap<String, String>,
     /// What the last scan did.
@@ -80,6 +85,7 @@ impl App {
             fault: None,
             fault_line: None,
             names,
+            variables: Variables::new(&program.variables),
             map: program.map,
             text: program.text.lines().map(str::to_owned).collect(),
             machine,
@@ -147,10 +153,50 @@ impl App {
         }
     }
 
-    /// What the program counts and remembers, as it stood in the last scan.
-    pub(super) fn quantities(&self) -> Vec<Quantity> {
+    /// What the program counts and remembers, as it stood in the last scan: each with its name. The variables of one that
+    /// declares them stand in place of counters, registers and markers.
+    pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
-        machine.used().quantities(machine.plc(), &self.world())
+        let selected = self.knobs.selected().map(|input| format!("A{input}"));
+        let of_points = machine.used().quantities(machine.plc(), &self.world());
+        let of_points = of_points
+            .iter()
+            .filter(|of| !self.variables.any() || of.name.starts_with(['A', 'P']));
+        let of_points = of_points.map(|of| {
+            let name = self.names.get(&of.name).unwrap_or(&of.name);
+            spans(name, of, selected.as_ref() == Some(&of.name))
+        });
+        of_points
+            .chain(self.variables.others(|spot| self.read(spot)))
+            .collect()
+    }
+
+    /// The variables that PRINT asks to show.
+    pub(super) fn watched(&self) -> Vec<Vec<Span<'static>>> {
+        self.variables.watched(|spot| self.read(spot))
+    }
+
+    /// What the last scan has left in this spot.
+    fn read(&self, spot: Spot) -> Option<i32> {
+        let plc = self.machine.plc();
+        let at = |number: u8| usize::from(number).checked_sub(1);
+        let bit = |bits: u64, number: u8| Some((bits >> at(number)? & 1) as i32);
+        let timer = |number: u8| self.timers().nth(at(number)?);
+        let counter = |number: u8| plc.counters().nth(at(number)?);
+        match spot {
+            Spot::Input(n) => bit(self.world().points.0.into(), n),
+            Spot::Output(n) => bit(plc.outputs().0.into(), n),
+            Spot::Marker(n) => bit(plc.markers(), n),
+            Spot::System(_) => None,
+            Spot::TimerQ(n) => Some(timer(n)?.q.into()),
+            Spot::Elapsed(n) => Some(timer(n)?.elapsed.cast_signed()),
+            Spot::Reached(n) => Some(counter(n)?.q.into()),
+            Spot::AtZero(n) => Some((counter(n)?.value <= 0).into()),
+            Spot::Count(n) => Some(counter(n)?.value),
+            Spot::Register(n) => plc.registers().get(at(n)?).copied(),
+            Spot::Analogue(n) => self.world().analogue.get(usize::from(n)).map(|&v| v.into()),
+            Spot::Pwm(n) => Some(plc.pwm(n).into()),
+        }
     }
 
     /// What the next scan reads.

@@ -1,10 +1,10 @@
-//! The panel of what a program counts and remembers: analogue inputs, PWM, counters, registers, markers.
+//! The panel of what a program counts and remembers: analogue inputs, PWM, counters, registers, markers, variables.
 
 use crate::panel::ON;
+use crate::variables::lines;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
-use std::collections::BTreeMap;
 use unoclp_source::used::{Quantity, real};
 
 /// The analogue input that keys turn.
@@ -18,29 +18,9 @@ pub(super) struct MemoryPage {
 }
 
 impl MemoryPage {
-    pub(super) fn new(
-        quantities: &[Quantity],
-        selected: Option<u8>,
-        names: &BTreeMap<String, String>,
-        page: usize,
-        screen: Rect,
-    ) -> MemoryPage {
-        let width = usize::from(screen.width);
-        let selected = selected.map(|input| format!("A{input}"));
-        let mut lines: Vec<Line<'static>> = Vec::new();
-        for quantity in quantities {
-            let is_selected = selected.as_ref() == Some(&quantity.name);
-            let name = names.get(&quantity.name).unwrap_or(&quantity.name);
-            let spans = spans(name, quantity, is_selected);
-            let wide: usize = spans.iter().map(Span::width).sum();
-            let room = |line: &Line| line.width() + wide <= width;
-            if !lines.last().is_some_and(room) {
-                lines.push(Line::default());
-            }
-            if let Some(line) = lines.last_mut() {
-                line.spans.extend(spans);
-            }
-        }
+    /// The page of this number, of what is shown on a screen of this size.
+    pub(super) fn new(all: Vec<Vec<Span<'static>>>, page: usize, screen: Rect) -> MemoryPage {
+        let lines = lines(all, screen.width.into());
         // What the other panels leave is shared with the timers and the rungs.
         let rows = lines
             .len()
@@ -65,7 +45,7 @@ impl MemoryPage {
 }
 
 /// With the name that the program gives it, else its own: ` D1 -45  `, ` C2 3/5  `, ` M7 ●  `
-fn spans(name: &str, quantity: &Quantity, selected: bool) -> Vec<Span<'static>> {
+pub(super) fn spans(name: &str, quantity: &Quantity, selected: bool) -> Vec<Span<'static>> {
     let value = &quantity.value;
     let name = Span::styled(
         name.to_owned(),

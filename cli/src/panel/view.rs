@@ -10,6 +10,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
+use std::collections::BTreeMap;
 use unoclp_core::{Point, Target, TimerState};
 use unoclp_host_sim::scenario::{inputs, outputs};
 
@@ -22,6 +23,9 @@ const FAULT: Style = Style::new().fg(Color::Red).add_modifier(Modifier::BOLD);
 /// The fewest columns in which a timer can be read.
 const TIMER_WIDTH: u16 = 38;
 
+/// The most columns of a timer's name.
+const LONGEST_NAME: usize = 12;
+
 /// Columns of a lamp with its name.
 const LAMP_WIDTH: u16 = 8;
 
@@ -32,16 +36,9 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     }
     let timers: Vec<TimerState> = app.timers().collect();
     let page = TimerPage::new(&timers, app.timer_page, frame.area());
-    let quantities = app.quantities();
-    let selected = app.knobs.selected();
-    let memory = MemoryPage::new(
-        &quantities,
-        selected,
-        &app.names,
-        app.memory_page,
-        frame.area(),
-    );
-    let pages = (page.pages, memory.pages);
+    let memory = MemoryPage::new(app.memory(), app.memory_page, frame.area());
+    let watched = MemoryPage::new(app.watched(), app.memory_page, frame.area());
+    let pages = (page.pages, memory.pages.max(watched.pages));
     let title = match app.buttons.momentary() {
         true => messages::inputs_held(app.inputs()),
         false => messages::inputs_toggle(app.inputs()),
@@ -53,6 +50,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         header,
         buttons,
         fault_area,
+        watched_area,
         timer_area,
         memory_area,
         rungs,
@@ -61,6 +59,7 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         Constraint::Length(1),
         Constraint::Length(sides.height()),
         Constraint::Length(if faulty.is_some() { 2 } else { 0 }),
+        Constraint::Length(watched.height()),
         Constraint::Length(page.height()),
         Constraint::Length(memory.height()),
         Constraint::Fill(1),
@@ -77,9 +76,16 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
     }
     draw_panel(title, sides.inputs, frame, input_area);
     draw_panel(messages::outputs(), sides.outputs, frame, output_area);
-    page.draw(&timers, frame, timer_area);
+    if watched.height() > 0 {
+        draw_panel(messages::watched(), watched.lines(), frame, watched_area);
+    }
+    page.draw(&timers, &app.names, frame, timer_area);
     if memory.height() > 0 {
-        draw_panel(messages::memory(), memory.lines(), frame, memory_area);
+        let title = match app.variables.any() {
+            true => messages::variables(),
+            false => messages::memory(),
+        };
+        draw_panel(title, memory.lines(), frame, memory_area);
     }
     draw_rungs(app, frame, rungs);
     draw_footer(app, pages, frame, footer);
@@ -202,7 +208,13 @@ impl TimerPage {
         if self.rows == 0 { 0 } else { self.rows + 1 }
     }
 
-    fn draw(&self, timers: &[TimerState], frame: &mut Frame, area: Rect) {
+    fn draw(
+        &self,
+        timers: &[TimerState],
+        names: &BTreeMap<String, String>,
+        frame: &mut Frame,
+        area: Rect,
+    ) {
         let per_page = usize::from(self.columns) * usize::from(self.rows);
         let first = self.page * per_page;
         let shown: Vec<_> = timers
@@ -220,23 +232,33 @@ impl TimerPage {
             .map(|(_, timer)| timer.preset.to_string().len());
         let digits = digits.max().unwrap_or(0);
         let width = usize::from(area.width / self.columns);
+        let label = |number: usize| timer_name(number, names);
+        let labels = shown
+            .iter()
+            .map(|(index, _)| label(index + 1).chars().count());
+        let wide = labels.max().unwrap_or_default().max(4);
         let rows = shown.chunks(self.columns.into()).map(|row| {
             let timers = row.iter();
             timers
-                .flat_map(|&(index, timer)| timer_spans(index + 1, timer, digits, width))
+                .flat_map(|&(index, timer)| {
+                    let label = format!("{:<wide$}", label(index + 1));
+                    timer_spans(&label, timer, digits, width)
+                })
                 .collect()
         });
         draw_panel(title, rows.collect(), frame, area);
     }
 }
 
-/// ` T1  TON ████░░░░░  1200/5000 Q1 ○ `, of this width where there is room.
-fn timer_spans(
-    number: usize,
-    timer: &TimerState,
-    digits: usize,
-    width: usize,
-) -> [Span<'static>; 5] {
+/// What the program calls a timer, as far as there is room: `pause`; else `T1`.
+fn timer_name(number: usize, names: &BTreeMap<String, String>) -> String {
+    let own = format!("T{number}");
+    let name = names.get(&own).unwrap_or(&own);
+    name.chars().take(LONGEST_NAME).collect()
+}
+
+/// ` T1   TON ████░░░░░  1200/5000 Q1 ○ `, of this width where there is room.
+fn timer_spans(label: &str, timer: &TimerState, digits: usize, width: usize) -> [Span<'static>; 5] {
     let TimerState {
         delay,
         target,
@@ -244,9 +266,9 @@ fn timer_spans(
         elapsed,
         q,
     } = *timer;
-    let left = format!(" T{number:<3} {:<3} ", delay.letters());
+    let left = format!(" {label} {:<3} ", delay.letters());
     let right = format!(" {elapsed:>digits$}/{preset:<digits$} {} ", name(target));
-    let bar = width.saturating_sub(left.len() + right.len() + 3);
+    let bar = width.saturating_sub(left.chars().count() + right.len() + 3);
     let filled = match preset {
         0 => usize::from(q) * bar,
         preset => (bar as u64 * u64::from(elapsed) / u64::from(preset)) as usize,

@@ -35,7 +35,7 @@ pub struct Live {
     boxes: Vec<(usize, String)>,
     /// Steps, and the value behind them.
     values: Vec<(usize, i32)>,
-    /// For each line of the text: null, whether it has power, or a number.
+    /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
     lines: Vec<Shown>,
 }
 
@@ -45,6 +45,7 @@ pub struct Live {
 enum Shown {
     Power(Option<bool>),
     Value(i32),
+    Literal(String),
 }
 
 impl Watched {
@@ -110,7 +111,11 @@ impl Watched {
         };
         let shown = |mark| match mark {
             Mark::Power(power) => Shown::Power(power),
-            Mark::Value(value) => value.map_or(Shown::Power(None), Shown::Value),
+            Mark::Value(None) => Shown::Power(None),
+            Mark::Value(Some(value)) => match value.parse() {
+                Ok(number) => Shown::Value(number),
+                Err(_) => Shown::Literal(value),
+            },
         };
         let text = |step| Some((step, self.boxes.text(step, &flow)?));
         let values = self.values.iter();
