@@ -1,5 +1,7 @@
 //! The monitor without a terminal and without a board: news and keys go in, wishes and the screen come out.
 
+mod typed;
+
 use super::app::App;
 use super::program::Program;
 use super::view;

@@ -1,5 +1,7 @@
 //! The simulator without a terminal: keys and time go in, the screen comes out.
 
+mod typed;
+
 use super::app::App;
 use super::buttons::KeyUp;
 use super::view;

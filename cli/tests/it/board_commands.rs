@@ -57,6 +57,49 @@ fn an_upload_says_what_it_does() {
 }
 
 #[test]
+fn every_language_is_uploaded_as_what_it_is_compiled_to() {
+    for (name, text) in [
+        ("sent.st", "VAR n : DINT; END_VAR\nn := n + 1;\n"),
+        ("sent.scl", "VAR n : DINT; END_VAR\n#n := #n + 1;\n"),
+        (
+            "sent.iscl",
+            "BLOCO INT n; n := n + 1; PRINT(n); END_BLOCK\n",
+        ),
+        ("sent.lce", "clp x\nV0 := V0 + 1;\nfim\n"),
+        ("sent-st.txt", "VAR n : DINT; END_VAR\nn := n + 1;\n"),
+    ] {
+        let program = file(name, text);
+        let (_, compiled, _) = unoclp(&["compile", &program]);
+        let fake = Fake::new(Board::default());
+        let (code, out, err) = on(&fake, &["upload", &program]);
+        assert_eq!((code, err.as_str()), (0, ""), "{name}: {out}");
+        assert!(out.ends_with("\nRUN\n"), "{name}: {out}");
+        assert_eq!(fake.board().text, compiled.as_bytes(), "{name}");
+    }
+    // Nothing is sent of what is wrong, nor of what the board cannot do.
+    let fake = Fake::new(Board::default());
+    for (name, text, told) in [
+        (
+            "wrong.st",
+            "VAR n : DINT; END_VAR\nn := m;\n",
+            "error[ST-130]",
+        ),
+        (
+            "large.st",
+            "VAR s : STRING; END_VAR\ns := 'a';\n",
+            "error[ST-201]",
+        ),
+        ("wrong.iscl", "BLOCO INT n; n := m; END_BLOCK\n", "error["),
+        ("wrong.lce", "5 := V0;\n", "error[LCE-403]"),
+    ] {
+        let (code, out, _) = on(&fake, &["upload", &file(name, text)]);
+        assert!(code == 1 && out.starts_with(told), "{name}: {out}");
+    }
+    assert_eq!(fake.board().state, RUN);
+    assert!(fake.board().text.is_empty());
+}
+
+#[test]
 fn an_upload_to_a_board_with_another_stored_form_is_no_failure() {
     let program = file("form.txt", FOLLOW);
     for state in [STOP, FAULT] {

@@ -122,3 +122,36 @@ fn whoever_leaves_is_told_what_stays_forced_and_how_long() {
         assert!(stays.contains(says), "{shown:?}");
     }
 }
+
+#[test]
+fn a_program_in_any_language_is_shown_by_its_names() {
+    for (name, text, shows) in [
+        (
+            "shown.st",
+            "VAR level : REAL; p : STRUCT n : DINT; END_STRUCT; END_VAR\nlevel := level + 0.5; p.n := p.n + 1;\n",
+            &["level", "p.n"][..],
+        ),
+        (
+            "shown.iscl",
+            "BLOCO INT n; n := n + 1; PRINT(n); END_BLOCK\n",
+            &["Watched"],
+        ),
+        (
+            "shown.lce",
+            "var V0 = nivel;\nnivel := nivel + 1;\n",
+            &["nivel"],
+        ),
+    ] {
+        let program = crate::common::file(name, text);
+        let written = unoclp_source::Written::new(name.to_owned(), text.into());
+        let source = written.check(None).unwrap();
+        let kept = unoclp_board::diagnostics::Kept::of(source.program());
+        let fake = Fake::new(Board {
+            kept,
+            ..Board::default()
+        });
+        let mut monitor = Monitor::new(&fake, &[&program]);
+        monitor.until(|monitor| shows.iter().all(|name| monitor.shown().contains(name)));
+        monitor.quit();
+    }
+}

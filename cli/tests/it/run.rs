@@ -272,6 +272,90 @@ fn every_command_takes_interscl_and_lce() {
     }
 }
 
+/// Members and elements are symbols of their own, and every type has its form.
+#[test]
+fn json_has_every_member_element_and_type() {
+    let text = "TYPE c : (Red, Green); END_TYPE\nVAR q : STRUCT x : REAL; on : BOOL; END_STRUCT; a : ARRAY[0..1,0..1] OF DINT; t : TIME := T#2s; s : STRING := 'a'; l : LREAL := 0.5; w : WORD := 16#FF; k : c := Green; i : INT; tod : TOD := TOD#12:00:00; END_VAR\nq.x := 1.5; q.on := TRUE; a[1,0] := 7; s := 'a';\n";
+    let (code, out, err) = outcome(&["run", "--json", "--text", text]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    for symbol in [
+        r#"{"name": "q.x", "type": "REAL", "value": 1.5, "place": null}"#,
+        r#"{"name": "q.on", "type": "BOOL", "value": true, "place": null}"#,
+        r#"{"name": "a[0,0]", "type": "DINT", "value": 0, "place": null}"#,
+        r#"{"name": "a[1,0]", "type": "DINT", "value": 7, "place": null}"#,
+        r#"{"name": "t", "type": "TIME", "value": 2000, "place": null}"#,
+        r#"{"name": "s", "type": "STRING", "value": "a", "place": null}"#,
+        r#"{"name": "l", "type": "LREAL", "value": 0.5, "place": null}"#,
+        r#"{"name": "w", "type": "WORD", "value": 255, "place": null}"#,
+        r#"{"name": "k", "type": "c", "value": "Green", "place": null}"#,
+        r#"{"name": "i", "type": "INT", "value": 0, "place": null}"#,
+        r#"{"name": "tod", "type": "TIME_OF_DAY", "value": "TOD#12:00:00", "place": null}"#,
+    ] {
+        assert!(out.contains(symbol), "{symbol}\n{out}");
+    }
+    // What the board can do has its place there.
+    let text = text
+        .replace("s : STRING := 'a'; l : LREAL := 0.5; ", "")
+        .replace(" s := 'a';", "");
+    let (_, out, _) = outcome(&["run", "--json", "--text", &text]);
+    for symbol in [
+        r#"{"name": "q.x", "type": "REAL", "value": 1.5, "place": "D 0"#,
+        r#"{"name": "q.on", "type": "BOOL", "value": true, "place": "M 0"#,
+        r#"{"name": "a[1,0]", "type": "DINT", "value": 7, "place": "D 0"#,
+    ] {
+        assert!(out.contains(symbol), "{symbol}\n{out}");
+    }
+}
+
+/// Instruction List and numeric code run as the board runs them.
+#[test]
+fn instruction_list_and_numeric_code_run_too() {
+    let text = "VAR\n  go AT %IX1 : BOOL;\n  lamp AT %QX1 : BOOL;\n  n : INT;\nEND_VAR\nLD n\nADD 2\nST n\nLD go\nST lamp\n";
+    let program = file("run.il", text);
+    for arguments in [
+        vec!["run", "--scans", "3", "--set", "go=TRUE", &program],
+        vec!["run", "--scans", "3", "--set", "i1=1", &program],
+        vec!["run", "--scans", "3", "--set", "go=TRUE", "--text", text],
+        vec![
+            "run",
+            "--scans",
+            "3",
+            "--set",
+            "go=1",
+            "--language",
+            "il",
+            "--text",
+            text,
+        ],
+    ] {
+        let table = "name  type  value  place\ngo    BOOL  TRUE   I 01\nlamp  BOOL  TRUE   Q 01\nn     DINT  6      D 01\n";
+        assert_eq!(
+            outcome(&arguments),
+            (0, table.to_owned(), String::new()),
+            "{arguments:?}"
+        );
+    }
+    let code = file("run.txt", "0\n766801\n787602\n1\n838401\n");
+    let (exit, out, _) = outcome(&["compile", &program]);
+    assert_eq!(exit, 0);
+    let compiled = file("run-compiled.txt", &out);
+    let (exit, out, _) = outcome(&["run", "--json", "--set", "D1=40", &compiled]);
+    let expected = r#"{"scans": 1, "printed": [], "symbols": [{"name": "I1", "type": "BOOL", "value": false, "place": "I 01"}, {"name": "Q1", "type": "BOOL", "value": false, "place": "Q 01"}, {"name": "D1", "type": "DINT", "value": 42, "place": "D 01"}]}"#;
+    assert_eq!((exit, out.trim_end()), (0, expected));
+    // Its faults are those of `check`.
+    let (exit, out, _) = outcome(&["run", &code]);
+    assert_eq!((exit, out), (1, outcome(&["check", &code]).1));
+    let endless = file("endless.il", "again: LD I1\nST Q1\nJMP again\n");
+    for (lang, told) in [
+        ("C", "endless.il:3: fault 75: "),
+        ("pt_BR", "endless.il:3: falha 75: "),
+    ] {
+        let (exit, out, err) = outcome_in(&["run", &endless], lang);
+        assert_eq!((exit, out.as_str()), (1, ""));
+        assert!(err.contains(told), "{err}");
+    }
+}
+
 #[test]
 fn interscl_runs_by_extension_by_first_word_and_by_language() {
     let block = "BLOCO\n  INT i; INT s;\n  FOR i := 1 TO 10 DO s := s + i * i; END_FOR;\n  PRINT(s);\nEND_BLOCK\n";

@@ -190,3 +190,69 @@ fn places_move_with_the_text() {
     }
     assert!(texts > 25 && comments > 200, "{texts} {comments}");
 }
+
+/// The steps of a typed text stand in its lines, with the names, comments and units that it gives them.
+#[test]
+fn each_step_of_a_typed_text_stands_at_its_statement() {
+    let text = "\
+// The whole.
+FUNCTION_BLOCK Valve
+VAR_INPUT open : BOOL; END_VAR
+VAR_OUTPUT moved : INT; END_VAR
+VAR edge : R_TRIG; END_VAR
+(* how often it opens *)
+edge(CLK := open);
+IF edge.Q THEN moved := moved + 1; END_IF;
+END_FUNCTION_BLOCK
+
+PROGRAM main
+VAR go AT %IX1 : BOOL; lamp AT %QX1 : BOOL; v : Valve; n : INT := 5; END_VAR
+/* the valve */
+v(open := go);
+lamp := n > 3; // no line of its own
+END_PROGRAM
+";
+    let source = check("valve.st", text.as_bytes());
+    assert_eq!(source.map.title, ["The whole."]);
+    let lines: Vec<&str> = text.lines().collect();
+    let mut seen = Vec::new();
+    for place in &source.map.steps {
+        let in_valve = (6..=9).contains(&place.line);
+        let unit = place.unit.as_deref();
+        assert_eq!(unit, in_valve.then_some("Valve"), "{place:?}");
+        text_at(&lines, place);
+        seen.extend(place.name.as_deref());
+    }
+    for name in ["go", "v.open", "v.moved", "v.edge.Q", "n", "lamp"] {
+        assert!(seen.contains(&name), "{name}: {seen:?}");
+    }
+    let comments = |line: usize| -> Vec<&str> {
+        let places = source.map.steps.iter().filter(|place| place.line == line);
+        places
+            .flat_map(|place| &place.comments)
+            .map(String::as_str)
+            .collect()
+    };
+    assert_eq!(comments(14), ["the valve"]);
+    assert_eq!(comments(7), ["how often it opens"]);
+    // A first value stands where it is declared.
+    assert_eq!(source.map.steps[0].line, 12);
+}
+
+/// A fault of a running program leads to the statement.
+#[test]
+fn a_line_of_code_leads_to_its_statement_in_every_typed_language() {
+    for (name, text, line) in [
+        ("loop.st", "VAR n : INT; END_VAR\n\nn := n + 1;\n", 3),
+        ("loop.iscl", "BLOCO\nINT n;\nn := n + 1;\nEND_BLOCK\n", 3),
+        ("loop.lce", "// a\n\nV0 := V0 + 1;\n", 3),
+    ] {
+        let source = check(name, text.as_bytes());
+        let codes = source.code.iter().filter(|&&byte| byte == b'\n').count() as u32;
+        for code in 2..=codes {
+            let (at, statement) = source.line_of(code).unwrap();
+            assert_eq!(at, line, "{name}");
+            assert!(statement.ends_with("+ 1;"), "{statement}");
+        }
+    }
+}

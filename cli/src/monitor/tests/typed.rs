@@ -1,0 +1,68 @@
+//! Boards that run programs in typed languages.
+
+use super::*;
+
+/// A monitor of this program, whose board has these registers, with its first input and its second marker at 1.
+fn showing_typed(name: &str, text: &str, registers: &[i32]) -> App {
+    let program = Program::new(source(name, text));
+    let kept = program.kept;
+    let mut app = app(Some(program));
+    app.hear(News::Read(Box::new(Reading {
+        diagnostics: Diagnostics {
+            program: kept,
+            ..reading().diagnostics
+        },
+        registers: registers.to_vec(),
+        markers: Some(0b10),
+        analogue: vec![7, 0, 0, 0, 0],
+        outputs: 0,
+        counters: Vec::new(),
+        timers: vec![Meter {
+            value: 1500,
+            preset: 5000,
+        }],
+        ..reading()
+    })));
+    app
+}
+
+#[test]
+fn a_board_shows_variables_by_name_and_type() {
+    let text = "VAR go AT %IX1 : BOOL; lamp AT %QX1 : BOOL; level : REAL; wait : TIME; n : UDINT; pause : TON; END_VAR\nlevel := level + 0.5;\nwait := wait + T#1ms;\nn := n + 1;\npause(IN := go, PT := T#5s);\nlamp := pause.Q;\n";
+    let registers = [2.5_f32.to_bits().cast_signed(), 90_000, -1];
+    let shown = screen(&mut showing_typed("tank.st", text, &registers), 80, 24);
+    for part in [
+        "I1● go",
+        "Q1○ lamp",
+        "\n level 2.5   wait T#1m30s   n 4294967295\n",
+        " pause TON ",
+        "level := level + 0.5;  = 2.5",
+        "wait := wait + T#1ms;  = T#1m30s",
+    ] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+}
+
+#[test]
+fn a_board_shows_what_print_marks_first() {
+    let text = "BLOCO\nBOOL go AT %IX1; BOOL odd; INT n; REAL half; INT other;\nn := n + 1; half := n * 0.5; other := n;\nIF go THEN odd := NOT odd; END_IF;\nPRINT(half); PRINT(go);\nEND_BLOCK\n";
+    let registers = [5, 2.5_f32.to_bits().cast_signed(), 5];
+    let shown = screen(&mut showing_typed("half.iscl", text, &registers), 80, 24);
+    let watched = shown.find("─ Watched (PRINT) ─").unwrap_or(usize::MAX);
+    let others = shown.find("─ Variables ─").unwrap_or_default();
+    assert!(watched < others, "{shown}");
+    assert!(shown.contains("\n go ●   half 2.5\n"), "{shown}");
+    assert!(shown.contains(" n 5   other 5\n"), "{shown}");
+}
+
+#[test]
+fn a_board_with_another_program_shows_no_variables() {
+    let program = Program::new(source("x.lce", "V0 := V0 + 1;"));
+    let mut app = app(Some(program));
+    app.hear(News::Read(Box::new(reading())));
+    let shown = screen(&mut app, 80, 24);
+    assert!(
+        shown.contains("─ Memory ─") && !shown.contains("V0"),
+        "{shown}"
+    );
+}
