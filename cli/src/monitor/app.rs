@@ -29,6 +29,8 @@ pub struct App {
     pub(super) lingering: u16,
     /// Outputs that were let go here since the last reading.
     let_go: u16,
+    /// What was asked of the forces since the last reading: the next one may have begun before that.
+    is_asked: bool,
     /// The seconds without a request behind which the board is to end what is forced here.
     end_forcing: Option<u8>,
     /// It has been said that it cannot.
@@ -57,6 +59,7 @@ impl App {
             said: None,
             lingering: 0,
             let_go: 0,
+            is_asked: false,
             end_forcing,
             is_endless_said: false,
             side: Side::Inputs,
@@ -90,8 +93,14 @@ impl App {
                     self.said = Some(messages::said_reset());
                 }
             }
-            News::Read(reading) => {
+            News::Read(mut reading) => {
                 self.lost = None;
+                if let Some(before) = self.reading.as_ref().filter(|_| self.is_asked) {
+                    reading.forced_inputs = before.forced_inputs;
+                    reading.forced_outputs = before.forced_outputs;
+                    reading.forcing_ends = before.forcing_ends;
+                }
+                self.is_asked = false;
                 if let Some(program) = &mut self.program {
                     self.flow = match reading.diagnostics.state {
                         Some(State::Fault) => Flow::default(),
@@ -101,7 +110,10 @@ impl App {
                 self.note_forces(&reading);
                 self.reading = Some(*reading);
             }
-            News::Refused(why) => self.said = Some(why),
+            News::Refused(why) => {
+                self.is_asked = false;
+                self.said = Some(why);
+            }
             News::Lost(why) => self.lost = Some(why),
         }
     }
@@ -195,6 +207,7 @@ impl App {
             return;
         };
         let before = reading.forced_outputs.points;
+        self.is_asked |= !matches!(wish, Wish::Command(_));
         match wish {
             Wish::Force(Side::Inputs, index, to) => reading.forced_inputs.set(index, to),
             Wish::Force(Side::Outputs, index, to) => reading.forced_outputs.set(index, to),

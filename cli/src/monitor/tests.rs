@@ -690,3 +690,18 @@ fn the_screen_speaks_portuguese() {
         assert!(!shown.contains(part), "{part} in\n{shown}");
     }
 }
+
+/// Who leaves right behind a force is told of it, though the reading on its way knows nothing of it yet.
+#[test]
+fn a_reading_from_before_a_force_does_not_hide_it() {
+    let mut app = showing(reading());
+    press(&mut app, KeyCode::Char('1'));
+    app.hear(News::Read(Box::new(reading())));
+    assert!(app.forced().any());
+    app.hear(News::Read(Box::new(reading())));
+    assert!(!app.forced().any(), "the board knows better");
+    press(&mut app, KeyCode::Char('1'));
+    app.hear(News::Refused("locked".to_owned()));
+    app.hear(News::Read(Box::new(reading())));
+    assert!(!app.forced().any());
+}

@@ -107,6 +107,15 @@ fn no_command_says_anything_in_english() {
     let good_il = put("a.il", "LD I1\nST Q1\nLD 5\nADD D1\nST D1\n");
     let doubtful_il = put("c.il", "LD I1\nST lamp\n");
     let bad_il = put("b.il", "LD I9\nST Q1\n");
+    let good_st = put("a.st", "VAR n : INT; END_VAR\nn := n + 1;\n");
+    let bad_st = put("b.st", "VAR n : INT; END_VAR\nn := m;\n");
+    let good_iscl = put("a.iscl", "BLOCO INT n; n := n / 2; PRINT(n); END_BLOCK\n");
+    let bad_iscl = put("b.iscl", "BLOCO INT n; n := 1.5; END_BLOCK\n");
+    let good_lce = put("a.lce", "clp x\nV0 := V0 + 1;\nfim\n");
+    let bad_lce = put("b.lce", "5 := V0;\n");
+    let page = put("a.md", "# Uma lista\n\nE uma frase.\n");
+    let empty = put("c.txt", "");
+    let binary = put("d.txt", "a\0b");
     let missing = folder.join("no.txt").to_str().unwrap().to_owned();
     let here = folder.to_str().unwrap().to_owned();
     for file in [
@@ -115,6 +124,15 @@ fn no_command_says_anything_in_english() {
         &good_il,
         &doubtful_il,
         &bad_il,
+        &good_st,
+        &bad_st,
+        &good_iscl,
+        &bad_iscl,
+        &good_lce,
+        &bad_lce,
+        &page,
+        &empty,
+        &binary,
         &missing,
         &here,
     ] {
@@ -123,6 +141,7 @@ fn no_command_says_anything_in_english() {
         let image = image.to_str().unwrap();
         #[rustfmt::skip]
         let commands: &[&[&str]] = &[
+            &["run", file], &["run", file, "--scans", "2"], &["run", file, "--set", "x"], &["run", file, "--set", "x=1"],
             &["check", file], &["list", file], &["list", file, "--as", "numeric"], &["compile", file], &["sim", file],
             &["list", file, "--svg", &missing.replace("no.txt", "no/no.svg")], &["list", file, "--svg", &good],
             &["list", file, "--as", "il", "--svg", "x.svg"], &["compile", file, "-o", &here], &["compile", file, "-o", file],
@@ -176,7 +195,7 @@ fn no_argument_is_refused_in_english() {
     said(&["--fly"]);
     said(&["help"]);
     for command in [
-        "check", "compile", "list", "sim", "card", "upload", "monitor", "settings", "flash",
+        "check", "compile", "list", "run", "sim", "card", "upload", "monitor", "settings", "flash",
     ] {
         said(&[command]);
         said(&["help", command]);
@@ -188,6 +207,7 @@ fn no_argument_is_refused_in_english() {
         said(&[command, "--fly"]);
         said(&[command, "a", "b", "c"]);
         said(&[command, "--dialect", "x"]);
+        said(&[command, "a", "--language", "x"]);
         said(&[command, "--port"]);
         for (option, value) in [
             ("--address", "0"),
