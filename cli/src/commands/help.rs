@@ -223,6 +223,7 @@ const VALUES: &[(&str, &str)] = &[
     ("PORT", "PORTA"),
     ("BOARD", "PLACA"),
     ("ADDRESS", "ENDEREÇO"),
+    ("ADDRESS:PORT", "ENDEREÇO:PORTA"),
     ("RATE", "TAXA"),
     ("PARITY", "PARIDADE"),
     ("DIALECT", "DIALETO"),

@@ -171,11 +171,11 @@ fn no_page_of_the_repository_is_a_program() {
         })
         .collect()
     };
-    let all: Vec<PathBuf> = ["", "docs", "programs", "suite", "lang/tests/typed"]
+    let all: Vec<PathBuf> = ["", "docs", "programs", "suite"]
         .iter()
         .flat_map(|folder| pages(folder))
         .collect();
-    assert!(all.len() > 50, "{}", all.len());
+    assert!(all.len() > 40, "{}", all.len());
     for path in all {
         let written = unoclp_source::WrittenIn::of(&path, &fs::read(&path).unwrap());
         assert_eq!(
