@@ -20,6 +20,8 @@ enum Target {
     Loader,
     /// Instruction List
     Il,
+    /// Structured Text, SCL, InterSCL and LCE
+    Typed,
     /// Requests to the Modbus server
     Modbus,
     /// Damaged cards
@@ -31,6 +33,7 @@ impl Target {
         match self {
             Target::Loader => "loader",
             Target::Il => "il",
+            Target::Typed => "typed",
             Target::Modbus => "modbus",
             Target::Card => "card",
         }

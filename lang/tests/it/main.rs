@@ -8,6 +8,7 @@ mod common;
 mod documents;
 mod examples;
 mod fuzzed;
+mod fuzzed_typed;
 mod grammars;
 mod limits;
 mod places;
