@@ -4,6 +4,8 @@ use divan::{Bencher, black_box};
 use std::fmt::Write;
 use unoclp_lang::{Options, TextLanguage, check, compile};
 
+mod text;
+
 fn main() {
     divan::main();
 }
@@ -29,24 +31,9 @@ fn lines(bencher: Bencher, lines: usize) {
     bencher.bench(|| compile(black_box(&text), &Options::default()));
 }
 
-/// Structured Text of so many lines, in function blocks as a person would write them.
-fn structured(lines: usize) -> String {
-    let mut text = String::new();
-    for block in 0..lines / 10 {
-        write!(
-            text,
-            "FUNCTION_BLOCK Drive{block}\nVAR_INPUT go : BOOL; level : INT; END_VAR\nVAR_OUTPUT run : BOOL; END_VAR\n\
-             VAR i : INT; END_VAR\nIF go AND level > 100 OR run THEN\n  run := go;\n\
-             ELSIF level MOD 7 = 3 THEN\n  i := i + level * 3 / (i + 1);\nEND_IF;\nEND_FUNCTION_BLOCK\n"
-        )
-        .unwrap_or_default();
-    }
-    text + "PROGRAM main\nVAR d : Drive0; END_VAR\nd(level := 5);\nEND_PROGRAM\n"
-}
-
 #[divan::bench(args = [1_000, 10_000, 100_000])]
 fn structured_lines(bencher: Bencher, lines: usize) {
-    let text = structured(lines);
+    let text = text::structured(lines);
     bencher.bench(|| check(black_box(&text), TextLanguage::St));
 }
 

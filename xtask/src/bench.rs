@@ -1,4 +1,5 @@
-//! `cargo xtask bench`: measures the firmware on a simulated UNO and writes `docs/benchmarks.md`.
+//! `cargo xtask bench`: measures the firmware on a simulated UNO, and the compiler on this PC, and writes
+//! `docs/benchmarks.md` and `docs/compile-benchmarks.md`.
 
 use std::path::Path;
 use std::process::Command;
@@ -9,10 +10,13 @@ use unoclp_boot::Model;
 use crate::demo::simulator;
 use crate::firmware::{self, Firmware};
 use crate::setup;
-use crate::shell::{self, say};
+use crate::shell::{self, cargo, say};
 
 /// The page with all figures.
 const PAGE: &str = "docs/benchmarks.md";
+
+/// The page with those of the compiler.
+const COMPILER_PAGE: &str = "docs/compile-benchmarks.md";
 
 /// Sets up, builds the firmware, and has the simulator measure it beside its yardsticks.
 ///
@@ -24,7 +28,17 @@ pub fn run() -> Result<()> {
     say("bench: compiling the simulator");
     shell::run(simulator("build").arg("--bin=bench"))?;
     say("bench: measuring; this takes a minute or two");
-    shell::run(&mut bench(&firmware, &shell::root().join(PAGE)))
+    shell::run(&mut bench(&firmware, &shell::root().join(PAGE)))?;
+    say("bench: measuring the compiler");
+    shell::run(&mut compiler_bench(&shell::root().join(COMPILER_PAGE)))
+}
+
+/// The program that measures the compiler, built as users build theirs.
+fn compiler_bench(page: &Path) -> Command {
+    let mut command = cargo();
+    command.args(["bench", "--quiet", "--package=unoclp-lang", "--bench=lines"]);
+    command.args(["--", "--page"]).arg(page);
+    command
 }
 
 /// The program that measures.

@@ -19,7 +19,7 @@ enum Task {
     Fuzz(fuzz::Args),
     /// Build the firmware of the UNO and of Nanos: target/firmware/unoclp.hex and unoclp-nano.hex
     Firmware(firmware::Args),
-    /// Measure the firmware on a simulated UNO, and write docs/benchmarks.md
+    /// Measure the firmware on a simulated UNO and the compiler, and write docs/benchmarks.md and compile-benchmarks.md
     Bench,
     /// Put a program on the image of a memory card
     Card(card::Args),
