@@ -30,6 +30,8 @@ pub(crate) struct Draft {
     pub incomplete: bool,
     /// The type of a block's instances.
     pub block: TypeId,
+    /// Its constants that have cells: the name, the type and the offset of each.
+    pub constants: Vec<(String, TypeId, u32)>,
 }
 
 /// An instance by the unit that has it and its place there; globals are nobody's.
@@ -167,6 +169,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             timed: false,
             incomplete: false,
             block,
+            constants: Vec::new(),
         });
         let named = match kind {
             UnitKind::Block => Named::Type(block),

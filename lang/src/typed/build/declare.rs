@@ -65,6 +65,9 @@ impl Builder<'_, '_> {
                     Some(Initial::Value(value)) => value.clone(),
                     _ => Value::zero(base),
                 };
+                if let (Root::Own, Some(draft)) = (root, self.here()) {
+                    draft.constants.push((name.to_owned(), ty, offset));
+                }
                 Named::Constant(value, ty)
             }
             _ => Named::Variable(variable.clone()),

@@ -33,7 +33,7 @@ impl Draft {
             }
             _ => None,
         });
-        let mut parts: Vec<_> = own.collect();
+        let mut parts: Vec<_> = own.chain(self.constants.iter().cloned()).collect();
         parts.sort_by_key(|part| part.2);
         parts
     }
