@@ -21,7 +21,13 @@ impl Lower<'_, '_> {
         };
         let place = self.place(block);
         let base = match place {
-            Place::Timer(_) => fx_step(block),
+            Place::Timer(timer) => {
+                if is_fx_retentive(block) {
+                    let kind = &mut self.names.timers[timer].kind;
+                    kind.get_or_insert(Opcode::RetentiveOnDelay);
+                }
+                fx_step(block)
+            }
             _ => 1,
         };
         let preset = self.preset(preset, base);
@@ -191,15 +197,24 @@ fn settled(acc: Acc) -> Acc {
     }
 }
 
-/// ms that a step of a timer of Mitsubishi's is, by its number.
-fn fx_step(timer: &Operand) -> i32 {
+/// The number of a timer of Mitsubishi's.
+fn fx_number(timer: &Operand) -> Option<u32> {
     let name = timer.name().unwrap_or_default();
-    let number = name
-        .trim_start_matches(|c: char| !c.is_ascii_digit())
-        .parse::<u32>();
-    match number {
-        Ok(200..=245) => 10,
-        Ok(246..=249) => 1,
+    name.trim_start_matches(|c: char| !c.is_ascii_digit())
+        .parse()
+        .ok()
+}
+
+/// Whether it keeps its elapsed time until RST.
+fn is_fx_retentive(timer: &Operand) -> bool {
+    matches!(fx_number(timer), Some(246..=255))
+}
+
+/// ms that a step of it is.
+fn fx_step(timer: &Operand) -> i32 {
+    match fx_number(timer) {
+        Some(200..=245) => 10,
+        Some(246..=249) => 1,
         _ => STEP,
     }
 }
