@@ -2,30 +2,14 @@
 //!
 //! Owns which cell gets which place. Must not know instructions.
 
+use super::allotter::{Allotter, COUNTER, MARKER, REGISTER, RETENTIVE_MARKER, named};
 use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
-use crate::diagnostics::{Code, Found, Span, Word};
-use crate::typed::{Base, Holds, Point, Standard, Tree};
-use std::collections::{BTreeMap, HashMap};
+use crate::diagnostics::{Code, Found, Word};
+use crate::typed::{Base, Point, Standard, Tree};
+use std::collections::BTreeMap;
 use unoclp_core::isa::{COUNTERS, REGISTERS, RETENTIVE};
-
-const MARKER: (&str, &str) = ("marker", "memória");
-
-const REGISTER: (&str, &str) = ("register", "registrador");
-
-const RETENTIVE_MARKER: (&str, &str) = ("retentive marker", "memória retentiva");
-
-const COUNTER: (&str, &str) = ("counter", "contador");
-
-/// What a person calls the cell, and where.
-pub(super) fn named(tree: &Tree) -> HashMap<u32, (String, Span)> {
-    let named = tree.symbols.iter().filter_map(|symbol| match symbol.holds {
-        Holds::Cell(cell) => Some((cell, (symbol.name.clone(), symbol.at))),
-        Holds::Either { .. } => None,
-    });
-    named.collect()
-}
 
 /// Gives each cell that is used a place.
 pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) -> Seats {
@@ -79,16 +63,6 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
     seats
 }
 
-struct Allotter<'a> {
-    seats: &'a mut Seats,
-    names: &'a HashMap<u32, (String, Span)>,
-    tree: &'a Tree,
-    flat: &'a Flat,
-    uses: &'a Uses,
-    found: &'a mut Found,
-    told: bool,
-}
-
 /// Whether a counter's preset is one number above 0 from the beginning, so that it has not reached it before it counts.
 fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
     let initial = flat
@@ -105,20 +79,6 @@ fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
             (_, None) => 0,
         })
         > 0
-}
-
-/// What to take in place of a type that the board lacks.
-pub(super) fn instead(base: Base) -> (&'static str, &'static str) {
-    match base {
-        Base::Lreal => ("take REAL", "use REAL"),
-        Base::Lint => ("take DINT", "use DINT"),
-        Base::Ulint => ("take UDINT", "use UDINT"),
-        Base::Lword => ("take DWORD", "use DWORD"),
-        _ => (
-            "show numbers in place of texts, for example an enumeration",
-            "mostre números em vez de textos, por exemplo uma enumeração",
-        ),
-    }
 }
 
 impl Allotter<'_> {
@@ -146,86 +106,6 @@ impl Allotter<'_> {
                 self.seats.outputs.insert(*cell, output as u8);
             }
         }
-    }
-
-    /// What a person calls a cell, and where it is declared: of what a call has, the unit that is called.
-    fn place(&self, cell: u32) -> (String, Span) {
-        if let Some(named) = self.names.get(&cell) {
-            return named.clone();
-        }
-        let behind = self.flat.calls.partition_point(|call| call.0 <= cell);
-        let called = behind.checked_sub(1).and_then(|at| self.flat.calls.get(at));
-        let unit = called
-            .map(|call| call.1)
-            .or(self.tree.programs.first().copied());
-        let unit = unit.and_then(|unit| self.tree.units.get(unit as usize));
-        unit.map(|unit| (unit.name.clone(), unit.at))
-            .unwrap_or_default()
-    }
-
-    /// Variables of types that the board lacks: each declaration is told once.
-    fn types(&mut self) {
-        let mut told = None;
-        for symbol in &self.tree.symbols {
-            let Holds::Cell(cell) = symbol.holds else {
-                continue;
-            };
-            let base = self.flat.cells.get(cell as usize).map(|held| held.base);
-            let Some(base) = base.filter(|base| !base.is_on_board()) else {
-                continue;
-            };
-            self.seats.of.insert(cell, Seat::Register(1));
-            if told.replace(symbol.at) != Some(symbol.at) {
-                let name = symbol.name.split('[').next().unwrap_or_default();
-                self.told_type(name, base, symbol.at);
-            }
-        }
-    }
-
-    fn told_type(&mut self, name: &str, base: Base, at: Span) {
-        let words = [name.into(), base.name().into(), instead(base).into()];
-        self.found.tell(Code::BoardType, at, words);
-    }
-
-    fn none_left(&mut self, words: (&str, &str), most: u32, cell: u32) {
-        self.seats.none_left = true;
-        if std::mem::replace(&mut self.told, true) {
-            return;
-        }
-        let (name, at) = self.place(cell);
-        // Of an array or a structure: how much of it there is, and how much has found a place.
-        let own = |other: &u32| self.names.get(other).is_some_and(|named| named.1 == at);
-        let kind = |other: &u32| {
-            let base = |cell: u32| self.flat.cells.get(cell as usize).map(|held| held.base);
-            (base(*other) == Some(Base::Bool)) == (base(cell) == Some(Base::Bool))
-        };
-        let parts = self
-            .uses
-            .cells
-            .keys()
-            .filter(|cell| own(cell) && kind(cell));
-        let parts: Vec<u32> = parts.copied().collect();
-        let whole = name.split(['[', '.']).next().unwrap_or_default();
-        if whole == name || parts.len() < 2 || words == COUNTER {
-            let name = if words == COUNTER { whole } else { &name };
-            let name = format!("`{name}`");
-            let words = [words.into(), most.to_string().into(), name.into()];
-            self.found.tell(Code::BoardNoneLeft, at, words);
-            return;
-        }
-        let free = parts.iter().filter(|cell| self.seats.of.contains_key(cell));
-        let free = free.count().to_string();
-        let count = parts.len();
-        let takes = Word::Both(
-            format!("{count} {}s", words.0),
-            match words {
-                REGISTER => format!("{count} registradores"),
-                MARKER => format!("{count} memórias"),
-                _ => format!("{count} memórias retentivas"),
-            },
-        );
-        self.found
-            .tell(Code::BoardRow, at, [whole.into(), takes, free.into()]);
     }
 
     /// A place for a cell of its own.

@@ -19,7 +19,7 @@ impl Coder<'_, '_> {
     pub(super) fn first_values(&mut self, tree: &Tree) {
         let mut own: Vec<(Seat, i32, u32)> = Vec::new();
         let mut kept = Vec::new();
-        let names = super::allot::named(tree);
+        let names = super::allotter::named(tree);
         for (number, cell) in (0..).zip(&tree.cells) {
             let value = super::operand::bits(&cell.initial, cell.base);
             let seat = self.seats.of.get(&number).copied();
@@ -125,7 +125,7 @@ pub(super) fn finish(
     found: &mut Found,
 ) -> Finished {
     let starts = Lines::new(text);
-    let names = super::allot::named(tree);
+    let names = super::allotter::named(tree);
     let mut timers = vec![0; coder.seats.timers.len()];
     let mut labels: HashMap<u32, u8> = HashMap::new();
     let mut number = 0_u8;

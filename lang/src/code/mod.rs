@@ -12,7 +12,7 @@
 //! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
 //! - `counts`: numbers of counters, which are wider than their type
-//! - `uses`: what is done with each cell; `allot`: its place; `seats`: markers, registers, timers, counters
+//! - `uses`: what is done with each cell; `allot`: its place; `allotter`: what is too little; `seats`: markers, registers, timers, counters
 //! - `ranges`: which values an expression may have; `fails`: whether it may set S 04; `operand`: what an operation takes as
 //!   it stands
 //! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`,
@@ -23,6 +23,7 @@
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
 mod allot;
+mod allotter;
 mod arithmetic;
 mod assign;
 mod bits;

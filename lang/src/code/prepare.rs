@@ -19,7 +19,7 @@ impl Coder<'_, '_> {
         let is_known = matches!(kind, ExprKind::Constant(_));
         if !base.is_on_board() && !base.is_any() && !is_known {
             let name = base.name();
-            self.lacking(at, (name, name), super::allot::instead(base));
+            self.lacking(at, (name, name), super::allotter::instead(base));
             return constant(Value::Int(0), Base::Dint, at);
         }
         let again = |kind| Expr { kind, base, ty, at };
@@ -84,7 +84,7 @@ impl Coder<'_, '_> {
         };
         let is_text = matches!(function, Extra::Len | Extra::Find);
         let instead = match is_text {
-            true => super::allot::instead(Base::Str),
+            true => super::allotter::instead(Base::Str),
             false => (
                 "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
                 "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
