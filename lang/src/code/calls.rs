@@ -56,7 +56,8 @@ impl Inliner<'_, '_> {
     /// Gives each local its first value that is not stored before it is read.
     fn begin(&mut self, unit: &Unit, frame: &Frame, stored: &[u32]) {
         for (offset, cell) in (0..).zip(&unit.locals) {
-            if stored.contains(&offset) || pure::is_stored_first(unit, offset) {
+            let known = cell.scratch || stored.contains(&offset);
+            if known || pure::is_stored_first(unit, offset) {
                 continue;
             }
             let value = constant(cell.initial.clone(), cell.base, unit.at);

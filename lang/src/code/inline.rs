@@ -103,6 +103,7 @@ impl Inliner<'_, '_> {
             base,
             initial: Value::zero(base),
             retain: false,
+            scratch: false,
         });
         self.flat.cells.len() as u32 - 1
     }

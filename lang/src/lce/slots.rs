@@ -203,6 +203,7 @@ impl Checker<'_, '_> {
             base,
             initial: Value::zero(base),
             retain: false,
+            scratch: false,
         });
         cells.len() as u32 - 1
     }

@@ -34,6 +34,8 @@ pub struct Cell {
     pub initial: Value,
     /// Whether it is kept over a power cut.
     pub retain: bool,
+    /// The front end's own, stored on every way before it is read: its first value is never seen.
+    pub scratch: bool,
 }
 
 /// A point of the board, by its number.

@@ -26,6 +26,7 @@ impl Builder<'_, '_> {
             base,
             initial,
             retain: false,
+            scratch: false,
         };
         let kind = self.tree.types.kind(ty);
         match kind {

@@ -159,7 +159,9 @@ impl Builder<'_, '_> {
             self.cells -= u64::from(cells);
             return None;
         }
-        let made = self.initial_cells(ty, traits);
+        let mut made = self.initial_cells(ty, traits);
+        let scratch = traits.unseen && section == Section::Temp;
+        made.iter_mut().for_each(|cell| cell.scratch = scratch);
         let cells = match root {
             Root::Own => &mut self.here()?.unit.own,
             Root::Local => &mut self.here()?.unit.locals,

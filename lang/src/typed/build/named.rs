@@ -26,7 +26,7 @@ pub(crate) struct Traits {
     pub initial: Option<Arc<Initial>>,
     pub constant: bool,
     pub retain: bool,
-    /// It is the front end's own, and no symbol.
+    /// It is the front end's own, and no symbol; VAR_TEMP of it is stored on every way before it is read.
     pub unseen: bool,
     pub point: Option<Point>,
 }

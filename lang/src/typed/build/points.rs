@@ -45,6 +45,7 @@ impl Builder<'_, '_> {
             base,
             initial: Value::zero(base),
             retain: false,
+            scratch: false,
         });
         self.tree.points.push((cell, point));
         self.points.insert(point, cell);

@@ -115,7 +115,7 @@ impl Walk<'_, '_, '_, '_> {
         }
         self.kept.clear();
         if self.needs[at] {
-            self.carry(at);
+            self.carry(at, &name.text, name.span);
         } else {
             self.warn_unused();
         }
@@ -138,11 +138,11 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     /// Puts the accumulator where the code behind this label looks for it.
-    fn carry(&mut self, label: usize) {
-        let Acc::Value(expr) = self.acc.clone() else {
+    fn carry(&mut self, label: usize, name: &str, at: Span) {
+        // It tells where there is nothing to carry.
+        let Some(expr) = self.take(name, at) else {
             return;
         };
-        self.unused = None;
         let expr = self.c.builder.settled(expr);
         let at = expr.at;
         let target = match self.labels.carried.get(&label).cloned() {
@@ -187,7 +187,7 @@ impl Walk<'_, '_, '_, '_> {
             return self.tell(Code::NoSuchLabel, span, [name.into(), help]);
         };
         if self.needs[line] {
-            self.carry(line);
+            self.carry(line, &name, span);
         }
         let condition = match conditional {
             true => {
