@@ -1,7 +1,7 @@
 //! Programs, functions and blocks, and what stands around them.
 
 use super::super::ast::{Body, File, Name, Section, SpecKind, TypeSpec, UnitDecl};
-use super::super::has_types;
+use super::super::kinds::has_types;
 use super::super::token::Kind;
 use super::super::words::{Keyword, meant};
 use super::{Parsed, Parser, Told};
