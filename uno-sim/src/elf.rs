@@ -60,6 +60,8 @@ pub struct Program {
     pub(crate) static_ram_end: u32,
     /// The flash that the chip has, bytes.
     pub(crate) flash_len: usize,
+    /// Where the chip starts: at 0, or by its fuse BOOTRST at its boot loader.
+    pub(crate) start: u32,
 }
 
 /// The ELF file of the firmware: the environment variable `UNOCLP_ELF` where it is set, else
@@ -101,6 +103,41 @@ impl Program {
             symbols: BTreeMap::new(),
             static_ram_end: RAM_START,
             flash_len,
+            start: 0,
+        }
+    }
+
+    /// A boot loader from its file in Intel HEX, on a chip that is set to start there, and before it another program:
+    /// these words of flash from address 0 on.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, or is no boot loader for this chip.
+    pub fn boot_loader(path: &Path, before: &[u16]) -> Result<Program, Error> {
+        let text = std::fs::read_to_string(path).map_err(|source| Error::Read {
+            path: path.into(),
+            source,
+        })?;
+        let unfit = |reason: String| Error::NotForThisChip {
+            path: path.into(),
+            reason,
+        };
+        let mut program = Program::empty(FLASH_LEN);
+        program.flash = vec![0xFF; FLASH_LEN];
+        for (place, word) in program.flash.chunks_exact_mut(2).zip(before) {
+            place.copy_from_slice(&word.to_le_bytes());
+        }
+        program.start = FLASH_LEN as u32;
+        for record in ihex::Reader::new(&text) {
+            if let ihex::Record::Data { offset, value } =
+                record.map_err(|error| unfit(error.to_string()))?
+            {
+                program.load(offset.into(), &value).map_err(unfit)?;
+                program.start = program.start.min(offset.into());
+            }
+        }
+        match program.start < FLASH_LEN as u32 {
+            true => Ok(program),
+            false => Err(unfit("it is empty".to_owned())),
         }
     }
 

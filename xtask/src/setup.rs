@@ -1,5 +1,6 @@
 //! Finds out what is missing, and installs it where it can: on Debian and Ubuntu, as root.
 
+use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -78,6 +79,11 @@ const TESTS: &[Need] = &[
         "checking the file systems of card images",
         |_| has_fsck(),
     ),
+    need(
+        "arduino-core-avr",
+        "writing the firmware through the real boot loaders",
+        |_| Path::new(BOOT_LOADERS).is_dir(),
+    ),
     need("mbpoll", "asking the Modbus server", |_| {
         output(Command::new("mbpoll").arg("-V")).is_some()
     }),
@@ -93,6 +99,9 @@ const LAB: &[Need] = &[
     need("nodejs", "building and testing the lab", |_| exists("node")),
     need("npm", "the packages of the lab", |_| exists("npm")),
 ];
+
+/// Where Debian's Arduino core has its boot loaders; `uno-sim/tests/it/boot_loaders.rs` reads two of them.
+const BOOT_LOADERS: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders";
 
 /// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
 const PYTHON: [&str; 2] = ["pymodbus==3.16.1", "pyserial==3.5"];

@@ -76,6 +76,16 @@ impl Avr {
         self.flash_mut()[..program.len()].copy_from_slice(program);
     }
 
+    /// Has the chip start at this byte address, from now on and behind each reset.
+    pub fn set_start(&mut self, address: u32) {
+        // SAFETY: the chip is alive, and `&mut self` keeps everybody else out; plain values.
+        unsafe {
+            let avr = &mut *self.avr.as_ptr();
+            avr.reset_pc = address;
+            avr.pc = address;
+        }
+    }
+
     /// All of the flash.
     pub fn flash(&self) -> &[u8] {
         // SAFETY: simavr has allocated flashend + 1 bytes, which live as long as `self`; nothing writes meanwhile.

@@ -72,6 +72,7 @@ impl Uno {
     pub fn with_program(program: Program, slot: Slot) -> Result<Uno, Error> {
         let mut avr = Avr::new(program.flash_len)?;
         avr.load_flash(&program.flash);
+        avr.set_start(program.start);
         power::scramble(avr.data_mut(), 0);
         let mut wired = Wired::new(&mut avr, slot)?;
         wired.eeprom.bytes_mut()[..program.eeprom.len()].copy_from_slice(&program.eeprom);

@@ -2,6 +2,7 @@
 
 mod analogue;
 mod arithmetic;
+mod boot_loaders;
 mod brackets;
 mod cards;
 mod clients;
