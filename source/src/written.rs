@@ -85,6 +85,24 @@ impl Written {
         }
     }
 
+    /// Whether it is a text in one of the typed languages.
+    pub fn is_typed(&self) -> bool {
+        self.is_text && typed(&self.name).is_some()
+    }
+
+    /// The same for numeric code and Instruction List alone, without what the typed languages take: none for a text in one
+    /// of those.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn check_untyped(self) -> Option<Result<Source, Refused>> {
+        match self.is_text {
+            true if self.is_typed() => None,
+            true => Some(self.compiled(None)),
+            false => Some(self.numeric()),
+        }
+    }
+
     fn numeric(self) -> Result<Source, Refused> {
         let (checked, map) = match numeric(&self.bytes, BOARD) {
             Ok(read) => read,

@@ -3,14 +3,20 @@
 use crate::board::{Boards, Open, Order};
 use crate::draw::{As, Speak};
 use crate::program::Text;
-use crate::words::Both;
-use crate::{card, draw, exercise, program};
+use crate::words::No;
+#[cfg(feature = "full")]
+use crate::{card, exercise};
+use crate::{draw, program};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// What a page may ask.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "ask", rename_all = "camelCase")]
+#[cfg_attr(
+    not(feature = "full"),
+    expect(dead_code, reason = "what it asks takes the other module")
+)]
 pub enum Request {
     /// What there is to say of a text: its problems, or its program.
     Check {
@@ -44,6 +50,11 @@ pub enum Request {
     },
     /// The image of a card with this PROGRAM.TXT.
     Card { program: String, state: bool },
+    /// A file of a card, by its name, from the blocks that are not empty.
+    Read {
+        blocks: Vec<(u32, String)>,
+        name: String,
+    },
     /// A conversation with a board.
     Open(Open),
     /// A step of it: what has come since the last one, at this time in ms since any moment.
@@ -60,7 +71,7 @@ pub enum Request {
 ///
 /// # Errors
 /// Why there is no answer.
-pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, Both> {
+pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, No> {
     match request {
         Request::Check { text } => program::check(text).map(value),
         Request::Ladder { text, width, speak } => draw::ladder(text, width, speak).map(value),
@@ -70,16 +81,22 @@ pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, Both> {
             width,
             speak,
         } => draw::listed(text, form, width, speak).map(value),
+        #[cfg(feature = "full")]
         Request::Exercise {
             text,
             scenario,
             title,
         } => exercise::exercise(text, &title, &scenario).map(value),
-        Request::Card { program, state } => card::card(&program, state).map(value),
+        #[cfg(feature = "full")]
+        Request::Card { program, state } => Ok(value(card::card(&program, state)?)),
+        #[cfg(feature = "full")]
+        Request::Read { blocks, name } => Ok(value(card::read(blocks, &name))),
+        #[cfg(not(feature = "full"))]
+        Request::Exercise { .. } | Request::Card { .. } | Request::Read { .. } => Err(No::More),
         Request::Open(open) => boards.open(open).map(value),
-        Request::Step { board, now, came } => boards.step(board, now, &came).map(value),
-        Request::Order { board, order } => boards.order(board, order).map(value),
-        Request::Lose { board, why } => boards.lose(board, why).map(value),
+        Request::Step { board, now, came } => Ok(value(boards.step(board, now, &came)?)),
+        Request::Order { board, order } => Ok(value(boards.order(board, order)?)),
+        Request::Lose { board, why } => Ok(value(boards.lose(board, why)?)),
         Request::Close { board } => {
             boards.close(board);
             Ok(Value::Null)

@@ -2,7 +2,9 @@
 
 use crate::words::{self, Both, both};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use unoclp_card::image::{Fat, Image};
+use unoclp_card::{Block, Device, File};
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../programs/STATE.TXT");
@@ -37,4 +39,54 @@ pub fn card(program: &str, state: bool) -> Result<Card, Both> {
             .map(|(number, block)| (number, digits(block)))
             .collect(),
     })
+}
+
+/// A card as a page tells of it: what it leaves out is empty.
+struct Told {
+    blocks: BTreeMap<u32, Block>,
+    /// What was read last.
+    last: Block,
+}
+
+impl Device for Told {
+    type Error = std::convert::Infallible;
+
+    fn read(&mut self, number: u32) -> Result<(), Self::Error> {
+        self.last = self.blocks.get(&number).copied().unwrap_or([0; 512]);
+        Ok(())
+    }
+
+    fn block(&self) -> &Block {
+        &self.last
+    }
+}
+
+/// The text of a file in the root folder, by its name in capital letters: `STATE.TXT`; none where there is no such file.
+pub fn read(blocks: Vec<(u32, String)>, name: &str) -> Option<String> {
+    let blocks = blocks
+        .into_iter()
+        .map(|(number, digits)| (number, block(&digits)));
+    let mut card = Told {
+        blocks: blocks.collect(),
+        last: [0; 512],
+    };
+    let (stem, end) = name.split_once('.').unwrap_or((name, ""));
+    let short = format!("{stem:<8}{end:<3}").into_bytes();
+    let mut file = File::default();
+    file.open(&mut card, short.iter().copied()).ok()?;
+    let mut bytes = Vec::new();
+    while let Ok(Some(part)) = file.next_block(&mut card) {
+        bytes.extend_from_slice(part);
+    }
+    Some(unoclp_source::decode(&bytes))
+}
+
+/// The block of these hexadecimal digits; 0 where they are none.
+fn block(digits: &str) -> Block {
+    let mut block = [0; 512];
+    for (byte, pair) in block.iter_mut().zip(digits.as_bytes().chunks(2)) {
+        let pair = std::str::from_utf8(pair).unwrap_or_default();
+        *byte = u8::from_str_radix(pair, 16).unwrap_or_default();
+    }
+    block
 }

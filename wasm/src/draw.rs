@@ -1,7 +1,7 @@
 //! Ladders and lists of programs.
 
 use crate::program::Text;
-use crate::words::Both;
+use crate::words::No;
 use serde::{Deserialize, Serialize};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Boxes, Flow};
@@ -54,7 +54,7 @@ pub struct Drawn {
 ///
 /// # Errors
 /// Where there is no program.
-pub fn ladder(text: Text, width: usize, speak: Speak) -> Result<Drawn, Both> {
+pub fn ladder(text: Text, width: usize, speak: Speak) -> Result<Drawn, No> {
     let source = text.program()?;
     let svg = screen(source, width.min(WIDEST), speak.into());
     Ok(Drawn { svg })
@@ -82,7 +82,7 @@ const WIDEST: usize = 400;
 ///
 /// # Errors
 /// Where there is no program.
-pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, Both> {
+pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, No> {
     let source = text.program()?;
     let width = width.min(WIDEST);
     let form = match form {

@@ -1,7 +1,7 @@
 //! Scenarios as checks of a program that somebody has written.
 
 use crate::program::Text;
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{ProgramFile, Scenario, Verdict, check};
@@ -34,7 +34,7 @@ struct Unmet {
 ///
 /// # Errors
 /// Where there is no program, or no scenario.
-pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, Both> {
+pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
     let program = text.program()?;
     let file = ProgramFile {
         name: program.name,

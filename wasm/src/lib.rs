@@ -18,14 +18,17 @@
 
 mod board;
 mod call;
+#[cfg(feature = "full")]
 mod card;
 mod draw;
+#[cfg(feature = "full")]
 mod exercise;
 mod program;
 mod tell;
 mod words;
 
 use std::cell::RefCell;
+use words::No;
 
 thread_local! {
     static DESK: RefCell<Desk> = RefCell::new(Desk::default());
@@ -69,15 +72,17 @@ pub extern "C" fn unoclp_answer() -> *const u8 {
 
 pub use board::Boards;
 
-/// The answer to a request: `{"ok": …}`, or `{"error": {"en": …, "pt": …}}` for what is no request.
+/// The answer to a request: `{"ok": …}`, `{"error": {"en": …, "pt": …}}`, or `{"more": true}` from a module without the
+/// feature `full` for what takes it.
 pub fn answer(request: &[u8], boards: &mut Boards) -> String {
     let told = match serde_json::from_slice::<call::Request>(request) {
         Ok(request) => call::answer(request, boards),
-        Err(error) => Err(words::both(|lang| words::no_request(lang, &error))),
+        Err(error) => Err(words::both(|lang| words::no_request(lang, &error)).into()),
     };
     let told = match told {
         Ok(ok) => serde_json::json!({ "ok": ok }),
-        Err(error) => serde_json::json!({ "error": error }),
+        Err(No::Told(error)) => serde_json::json!({ "error": error }),
+        Err(No::More) => serde_json::json!({ "more": true }),
     };
     told.to_string()
 }

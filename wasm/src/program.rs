@@ -3,7 +3,7 @@
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
 use crate::tell::{Problem, problems, warnings};
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, No, both};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
@@ -130,19 +130,36 @@ impl Text {
     ///
     /// # Errors
     /// What is wrong with it; the outer one where nobody looks at it.
-    pub fn open(self) -> Result<Result<Source, Refused>, Both> {
+    pub fn open(self) -> Result<Result<Source, Refused>, No> {
         if self.text.len() > LONGEST {
-            return Err(both(|lang| words::too_long(lang, LONGEST)));
+            return Err(both(|lang| words::too_long(lang, LONGEST)).into());
         }
-        Ok(Written::new(self.name, self.text.into_bytes()).check(None))
+        let written = Written::new(self.name, self.text.into_bytes());
+        #[cfg(feature = "full")]
+        return Ok(written.check(None));
+        #[cfg(not(feature = "full"))]
+        return written.check_untyped().ok_or(No::More);
+    }
+
+    /// Whether this module compiles its language.
+    ///
+    /// # Errors
+    /// [`No::More`] where it does not.
+    pub fn needs_no_more(&self) -> Result<(), No> {
+        let is_full = cfg!(feature = "full");
+        let written = || Written::new(self.name.clone(), self.text.clone().into_bytes());
+        match is_full || !written().is_typed() {
+            true => Ok(()),
+            false => Err(No::More),
+        }
     }
 
     /// The program, where there is one.
     ///
     /// # Errors
     /// That there is none.
-    pub fn program(self) -> Result<Source, Both> {
-        self.open()?.map_err(|_| both(words::faulty))
+    pub fn program(self) -> Result<Source, No> {
+        self.open()?.map_err(|_| both(words::faulty).into())
     }
 }
 
@@ -150,7 +167,7 @@ impl Text {
 ///
 /// # Errors
 /// That it is too long to be looked at.
-pub fn check(text: Text) -> Result<Checked, Both> {
+pub fn check(text: Text) -> Result<Checked, No> {
     let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
     Ok(match text.open()? {

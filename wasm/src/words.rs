@@ -17,6 +17,21 @@ pub struct Both {
     pub pt: String,
 }
 
+/// Why there is no answer.
+#[derive(Debug)]
+pub enum No {
+    /// Something is wrong, which is told.
+    Told(Both),
+    /// It takes the module that has everything.
+    More,
+}
+
+impl From<Both> for No {
+    fn from(told: Both) -> No {
+        No::Told(told)
+    }
+}
+
 /// What is said in each language.
 pub fn both(say: impl Fn(Lang) -> String) -> Both {
     Both {

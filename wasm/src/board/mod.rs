@@ -14,7 +14,7 @@ mod watched;
 pub use order::Order;
 
 use crate::program::Text;
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, No, both};
 use news::News;
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -92,7 +92,7 @@ impl Boards {
     ///
     /// # Errors
     /// Where the program has errors.
-    pub fn open(&mut self, open: Open) -> Result<u32, Both> {
+    pub fn open(&mut self, open: Open) -> Result<u32, No> {
         let usual = Line::default();
         let line = Line {
             address: open.address.unwrap_or(usual.address),
@@ -143,7 +143,8 @@ impl Boards {
     ///
     /// # Errors
     /// Where there is no conversation.
-    pub fn order(&mut self, board: u32, order: Order) -> Result<u32, Both> {
+    pub fn order(&mut self, board: u32, order: Order) -> Result<u32, No> {
+        order.needs_no_more()?;
         let number = self.number();
         let session = self.session(board)?;
         session.desk.orders.borrow_mut().push_back((number, order));

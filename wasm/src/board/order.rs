@@ -4,7 +4,7 @@ use super::Desk;
 use super::news::{Kept, News};
 use super::watched::Watched;
 use crate::program::Text;
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, No, both};
 use serde::{Deserialize, Serialize};
 use unoclp_board::diagnostics;
 use unoclp_board::map::{Command, Parity, State, holding};
@@ -55,6 +55,19 @@ pub enum Order {
     Settle { settings: Line },
 }
 
+impl Order {
+    /// Whether this module can do it: a program in a typed language takes the one that has everything.
+    ///
+    /// # Errors
+    /// [`No::More`]; what is wrong with a program is told when its turn comes.
+    pub fn needs_no_more(&self) -> Result<(), No> {
+        match self {
+            Order::Upload { text, .. } | Order::Watch { text } => text.needs_no_more(),
+            _ => Ok(()),
+        }
+    }
+}
+
 /// The settings as a page has them.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Line {
@@ -98,6 +111,16 @@ impl From<Failure> for Undone {
 impl From<Both> for Undone {
     fn from(told: Both) -> Undone {
         Undone::Told(told)
+    }
+}
+
+impl From<No> for Undone {
+    fn from(no: No) -> Undone {
+        match no {
+            No::Told(told) => Undone::Told(told),
+            // It was asked for before.
+            No::More => Undone::Told(both(words::faulty)),
+        }
     }
 }
 
