@@ -1,0 +1,178 @@
+// What the Rust of unoclp answers a page, as wasm/src has it. Nothing here but types.
+
+/** A text in both languages. */
+export interface Both {
+  readonly en: string;
+  readonly pt: string;
+}
+
+export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "numeric";
+
+/** A program as somebody writes it: the end of the name says its language. */
+export interface Text {
+  readonly name: string;
+  readonly text: string;
+}
+
+export interface Problem {
+  readonly number: string;
+  readonly severity: "error" | "warning";
+  readonly line: number;
+  readonly column: number;
+  /** Units of UTF-16 from the beginning of the text. */
+  readonly from: number;
+  readonly to: number;
+  readonly message: Both;
+  readonly help: Both;
+}
+
+export interface Uses {
+  readonly inputs: readonly number[];
+  readonly analogue: readonly number[];
+  readonly outputs: readonly number[];
+  readonly pwm: readonly number[];
+  readonly markers: readonly number[];
+  readonly registers: readonly number[];
+  /** Those of the registers that hold REAL numbers. */
+  readonly reals: readonly number[];
+  readonly counters: readonly number[];
+  readonly timers: readonly string[];
+}
+
+export interface Stored {
+  readonly version: number;
+  readonly bytes: number;
+  readonly sum: number;
+}
+
+export interface Made {
+  /** What stands in PROGRAM.TXT. */
+  readonly code: string;
+  readonly symbols: Readonly<Record<string, string>>;
+  /** For each step: the line of the text, and the first and last line of PROGRAM.TXT. */
+  readonly map: readonly (readonly [number, number, number])[];
+  readonly size: {
+    readonly codes: number;
+    readonly stored: readonly [number, number];
+    readonly linked: readonly [number, number];
+    readonly text: Both;
+  };
+  readonly uses: Uses;
+  readonly kept: Stored;
+}
+
+export interface Checked {
+  readonly language: LanguageName;
+  readonly problems: readonly Problem[];
+  readonly more: number;
+  readonly program: Made | null;
+}
+
+export interface Outcome {
+  readonly passed: boolean;
+  readonly about: string;
+  readonly unmet: readonly {
+    readonly place: string;
+    readonly expected: number;
+    readonly came: number;
+    readonly from: number;
+    readonly to: number;
+  }[];
+  readonly report: Both;
+}
+
+export interface CardImage {
+  readonly bytes: number;
+  /** Blocks that are not empty: number, and hexadecimal digits of 512 bytes. */
+  readonly blocks: readonly (readonly [number, string])[];
+}
+
+/** What is shown of a running program. */
+export interface Live {
+  /** The nets that carry power. */
+  readonly nets: readonly number[];
+  readonly boxes: readonly (readonly [number, string])[];
+  readonly values: readonly (readonly [number, number])[];
+  /** For each line of the text: whether it has power, a number, or nothing. */
+  readonly lines: readonly (boolean | number | null)[];
+}
+
+export interface Seen {
+  readonly at: number;
+  readonly state: "RUN" | "STOP" | "FAULT" | "?";
+  readonly switchedOff: boolean;
+  readonly cardFailed: boolean;
+  readonly fault: { readonly number: number; readonly line: number | null; readonly text: Both } | null;
+  readonly cause: string;
+  readonly scanTimes: readonly [number, number, number];
+  readonly freeStack: number;
+  readonly supply: number;
+  readonly restarts: number;
+  readonly faults: number;
+  readonly kept: Stored;
+  readonly same: boolean | null;
+  readonly inputs: number;
+  readonly outputs: number;
+  /** Those that are forced, and to what. */
+  readonly forcedInputs: readonly [number, number];
+  readonly forcedOutputs: readonly [number, number];
+  readonly forcingEnds: number | null;
+  readonly markers: readonly number[];
+  readonly analogue: readonly number[];
+  readonly registers: readonly number[];
+  readonly timers: readonly (readonly [number, number])[];
+  readonly counters: readonly (readonly [number, number])[];
+  readonly live: Live | null;
+}
+
+export type News =
+  | { readonly news: "found"; readonly identity: string }
+  | { readonly news: "lost"; readonly why: Both }
+  | ({ readonly news: "seen" } & Seen)
+  | { readonly news: "sent"; readonly order: number; readonly bytes: number; readonly of: number }
+  | { readonly news: "storing"; readonly order: number }
+  | ({ readonly news: "stored" } & Stored)
+  | ({ readonly news: "settings" } & Settings)
+  | { readonly news: "done"; readonly order: number; readonly said: Both | null }
+  | { readonly news: "undone"; readonly order: number; readonly why: Both };
+
+export interface Settings {
+  readonly address: number;
+  readonly rate: number;
+  /** 0 none, 1 even, 2 odd. */
+  readonly parity: number;
+  readonly direction: boolean;
+  readonly lock: number | null;
+}
+
+export type Order =
+  | { readonly do: "run" | "stop" | "scan" | "restart" | "release" | "settings" }
+  | { readonly do: "force"; readonly output: boolean; readonly number: number; readonly to: boolean | null }
+  | { readonly do: "set"; readonly point: string; readonly value: number }
+  | ({ readonly do: "upload"; readonly stay?: boolean } & Text)
+  | ({ readonly do: "watch" } & Text)
+  | { readonly do: "settle"; readonly settings: Settings };
+
+export interface Step {
+  readonly send: readonly number[];
+  readonly until: number;
+  readonly news: readonly News[];
+}
+
+export type Speak = "en" | "pt";
+
+/** What may be asked, and what is answered. */
+export interface Asks {
+  check: { ask: Text; answer: Checked };
+  ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
+  list: { ask: Text & { as: "ladder" | "il" | "numeric" | "svg"; width: number; speak: Speak }; answer: string };
+  exercise: { ask: Text & { scenario: string; title: string }; answer: Outcome };
+  card: { ask: { program: string; state: boolean }; answer: CardImage };
+  /** A file of a card, from the blocks that are not empty. */
+  read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
+  open: { ask: { program: Text | null; reset: boolean; rate?: number; parity?: number; address?: number }; answer: number };
+  step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
+  order: { ask: { board: number; order: Order }; answer: number };
+  lose: { ask: { board: number; why: string }; answer: null };
+  close: { ask: { board: number }; answer: null };
+}

@@ -1,0 +1,22 @@
+// The modules of Rust: the one that a page begins with, and the one that has everything.
+
+/** Loads each once. */
+export class Modules {
+  private whole: Promise<WebAssembly.Module> | null = null;
+  private readonly small: Promise<WebAssembly.Module>;
+
+  constructor() {
+    this.small = WebAssembly.compileStreaming(fetch("unoclp.wasm"));
+  }
+
+  /** Numeric code, Instruction List, the ladder, and boards. */
+  first(): Promise<WebAssembly.Module> {
+    return this.small;
+  }
+
+  /** The typed languages, exercises and cards too. */
+  full(): Promise<WebAssembly.Module> {
+    this.whole ??= WebAssembly.compileStreaming(fetch("unoclp-full.wasm"));
+    return this.whole;
+  }
+}

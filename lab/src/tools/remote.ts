@@ -1,0 +1,52 @@
+// The same tools in a worker: asked now, answered later.
+
+import type { Asks } from "./answers";
+import type { Modules } from "./modules";
+import { Refusal } from "./tools";
+import type { Answered, Asked } from "./worker";
+
+export class RemoteTools {
+  private last = 0;
+  private readonly waiting = new Map<number, (answered: Answered) => void>();
+  private whole: Promise<void> | null = null;
+
+  constructor(
+    private readonly worker: Worker,
+    private readonly modules: Modules,
+    first: WebAssembly.Module,
+  ) {
+    worker.addEventListener("message", ({ data }: MessageEvent<Answered>) => {
+      this.waiting.get(data.id)?.(data);
+      this.waiting.delete(data.id);
+    });
+    this.post({ module: first });
+  }
+
+  /** Asks, or throws a `Refusal`. What takes more than the first module has waits for the one that has everything. */
+  async ask<K extends keyof Asks>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+    let answered = await this.once(what, request);
+    if (answered.more) {
+      await this.grow();
+      answered = await this.once(what, request);
+    }
+    if (answered.error) throw new Refusal(answered.error);
+    return answered.ok as Asks[K]["answer"];
+  }
+
+  private once(what: string, request: unknown): Promise<Answered> {
+    const id = ++this.last;
+    return new Promise((resolve) => {
+      this.waiting.set(id, resolve);
+      this.post({ id, what, request });
+    });
+  }
+
+  private grow(): Promise<void> {
+    this.whole ??= this.modules.full().then((module) => this.post({ module }));
+    return this.whole;
+  }
+
+  private post(asked: Asked): void {
+    this.worker.postMessage(asked);
+  }
+}
