@@ -3,9 +3,11 @@
 // A part is a folder in target/lab with bundles in it, made of the entry points named here.
 
 import { build } from "esbuild";
-import { existsSync, readdirSync, rmSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
+import { createHash } from "node:crypto";
+import { examples, lessons } from "./build/lessons.mjs";
 
 const lab = dirname(fileURLToPath(import.meta.url));
 const target = join(lab, "../target/lab");
@@ -18,11 +20,49 @@ function below(folder, end) {
 
 // avr8js as modules: behind the accessors of its other form it runs at half the speed.
 const node = { platform: "node", target: "node18", mainFields: ["module", "main"] };
+const browser = { platform: "browser", target: "es2022", minify: true, mainFields: ["module", "main"], outExtension: { ".js": ".js" } };
 const parts = {
+  page: {
+    ...browser,
+    entryPoints: [
+      { in: "src/page/main.ts", out: "page" },
+      { in: "src/tools/worker.ts", out: "tools" },
+      { in: "src/board/worker.ts", out: "board" },
+    ],
+    splitting: true,
+    chunkNames: "part-[hash]",
+    loader: { ".css": "text" },
+    around,
+  },
   engine: { ...node, entryPoints: ["src/engine/main.ts"] },
   bench: { ...node, entryPoints: ["test/bench/speed.ts"] },
   test: { ...node, entryPoints: below("test", ".test.ts"), outbase: "test" },
 };
+
+/** The file that was built, or the one that the repository has. */
+function found(...files) {
+  const file = files.map((file) => join(lab, "..", file)).find(existsSync);
+  if (!file) throw new Error(`none of ${files.join(", ")} is there; \`cargo xtask lab\` builds it`);
+  return file;
+}
+
+/** What the page loads besides its bundles, and the list by which it works without a network. */
+async function around(outdir) {
+  mkdirSync(outdir, { recursive: true });
+  cpSync(join(lab, "static"), outdir, { recursive: true });
+  const uplot = readFileSync(join(lab, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
+  writeFileSync(join(outdir, "page.css"), readFileSync(join(lab, "static/page.css"), "utf8") + uplot);
+  for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
+  cpSync(found("target/firmware/unoclp.hex", "firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
+  const root = join(lab, "..");
+  writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
+  writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));
+  const files = readdirSync(outdir).filter((name) => !name.endsWith(".map") && name !== "sw.js");
+  const sum = createHash("sha256");
+  for (const file of files) sum.update(file).update(readFileSync(join(outdir, file)));
+  const define = { FILES: JSON.stringify(["./", ...files]), VERSION: JSON.stringify(sum.digest("hex").slice(0, 12)) };
+  await build({ ...browser, absWorkingDir: lab, bundle: true, format: "iife", define, entryPoints: ["src/offline/sw.ts"], outfile: join(outdir, "sw.js") });
+}
 
 const asked = process.argv.slice(2);
 for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
@@ -33,7 +73,8 @@ for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
   }
   const outdir = join(target, name);
   rmSync(outdir, { recursive: true, force: true });
-  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry)));
+  const { around, ...options } = part;
+  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry.in ?? entry)));
   await build({
     absWorkingDir: lab,
     bundle: true,
@@ -42,8 +83,9 @@ for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
     logLevel: "warning",
     sourcemap: "linked",
     outdir,
-    ...part,
+    ...options,
     entryPoints,
   });
+  await around?.(outdir);
   console.log(`${relative(process.cwd(), outdir)}: ${entryPoints.length} bundles`);
 }

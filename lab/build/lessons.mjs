@@ -1,0 +1,80 @@
+// The tutorial and the examples as the page takes them, made from what the repository has of them anyway.
+
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { marked } from "marked";
+
+const PAGES = { en: "tutorial.md", pt: "tutorial.pt-BR.md" };
+
+/** The sections of a tutorial: number, title, what it says. */
+function sections(text) {
+  const parts = text.split(/^## (?=\d+\. )/m).slice(1);
+  return parts.map((part) => {
+    const end = part.search(/^## /m);
+    const [title, ...lines] = (end < 0 ? part : part.slice(0, end)).split("\n");
+    return { title, lines: lines.join("\n") };
+  });
+}
+
+/** A section without what the page shows by itself: the program, its ladder, its codes. */
+function shown(lines) {
+  const own = lines
+    .replace(/^```(?:ladder|numeric|il|text)?\n[\s\S]*?^```\n/gm, "")
+    .replace(/^\[`programs[^\n]*\n/gm, "")
+    .replace(/\]\((?!https?:)[^)]*\)/g, "]")
+    .replace(/\[([^\]\n]+)\]/g, "$1");
+  return marked.parse(own, { async: false });
+}
+
+/** Each step: its title and words in both languages, its program, the scenarios of step and exercise, a solution. */
+export function lessons(root) {
+  const folder = join(root, "programs/tutorial");
+  const read = (name) => readFileSync(join(folder, name), "utf8");
+  const names = (under) => readdirSync(join(folder, under)).filter((name) => name.endsWith(".il")).sort();
+  const told = Object.entries(PAGES).map(([language, page]) => [language, sections(readFileSync(join(root, "docs", page), "utf8"))]);
+  const both = (index, take) => Object.fromEntries(told.map(([language, all]) => [language, take(all[index])]));
+  const solutions = names("solutions");
+  return names(".").map((name, index) => {
+    const solution = solutions.find((one) => one.slice(0, 2) === name.slice(0, 2));
+    const beside = (file) => read(file.replace(/\.il$/, ".toml"));
+    return {
+      title: both(index, (section) => section.title),
+      words: both(index, (section) => shown(section.lines)),
+      name,
+      text: read(name),
+      step: beside(name),
+      exercise: beside(`solutions/${solution}`),
+      solution: read(`solutions/${solution}`),
+    };
+  });
+}
+
+/** The programs that stand in Structured Text beside numeric code. */
+const TYPED = {
+  "languages/forward": ["two directions with interlock, in Structured Text", "dois sentidos com intertravamento, em Texto Estruturado"],
+  "languages/tank": ["a pump between two levels, in Structured Text", "uma bomba entre dois níveis, em Texto Estruturado"],
+  "languages/average": ["the average of two sensors, in Structured Text", "a média de dois sensores, em Texto Estruturado"],
+};
+
+/** The programs of the table in programs/README.md, each in its own languages, with what it does. */
+export function examples(root) {
+  const folder = join(root, "programs");
+  const rows = readFileSync(join(folder, "README.md"), "utf8").matchAll(/^\| \[([\w/-]+)\]\(([\w/.-]+)\) \|(.*)\|$/gm);
+  const all = [];
+  for (const [, name, file, rest] of rows) {
+    const [en, pt] = rest.split(" | ").map((cell) => cell.trim()).slice(-2);
+    const stem = file.replace(/\.\w+$/, "");
+    for (const end of [".il", ".st", ".scl", ".iscl", ".lce", ".txt"]) {
+      try {
+        all.push({ name: `${stem.split("/").pop()}${end}`, about: { en, pt }, text: readFileSync(join(folder, stem + end), "utf8") });
+      } catch {
+        // Not every program is written in every language.
+      }
+    }
+    if (!all.some((one) => one.name.startsWith(name.split("/").pop()))) throw new Error(`programs/README.md names ${name}, which is not there`);
+  }
+  for (const [stem, [en, pt]] of Object.entries(TYPED)) {
+    all.push({ name: `${stem.split("/").pop()}.st`, about: { en, pt }, text: readFileSync(join(folder, `${stem}.st`), "utf8") });
+  }
+  return all;
+}

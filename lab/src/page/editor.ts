@@ -1,0 +1,146 @@
+// The program as text: problems underlined as one types, and what each line does while it runs.
+
+import { autocompletion, completeAnyWord } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { type Diagnostic, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { EditorState, RangeSetBuilder, StateEffect, StateField } from "@codemirror/state";
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  GutterMarker,
+  drawSelection,
+  gutter,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
+import type { Live, Problem } from "../tools/answers";
+import { say, speak, told } from "../words/words";
+import { colours } from "./colours";
+
+type Lines = Live["lines"];
+const setLines = StateEffect.define<Lines>();
+
+/** What each line does; an edit takes it away. */
+const lines = StateField.define<Lines>({
+  create: () => [],
+  update(lines, transaction) {
+    for (const effect of transaction.effects) if (effect.is(setLines)) return effect.value;
+    return transaction.docChanged ? [] : lines;
+  },
+  provide: (field) => EditorView.decorations.from(field, (lines) => (view) => powered(view, lines)),
+});
+
+function powered(view: EditorView, lines: Lines): DecorationSet {
+  const builder = new RangeSetBuilder<Decoration>();
+  const line = Decoration.line({ class: "cm-powered" });
+  lines.forEach((state, index) => {
+    if (state === true && index < view.state.doc.lines) builder.add(view.state.doc.line(index + 1).from, view.state.doc.line(index + 1).from, line);
+  });
+  return builder.finish();
+}
+
+class StateMarker extends GutterMarker {
+  constructor(private readonly state: boolean | number) {
+    super();
+  }
+
+  override eq(other: StateMarker): boolean {
+    return other.state === this.state;
+  }
+
+  override toDOM(): Node {
+    const mark = document.createElement("span");
+    mark.className = this.state === true ? "lit" : "";
+    mark.textContent = typeof this.state === "number" ? `= ${this.state}` : this.state ? "●" : "○";
+    return mark;
+  }
+}
+
+const states = gutter({
+  class: "cm-state",
+  lineMarker(view, block) {
+    const state = view.state.field(lines)[view.state.doc.lineAt(block.from).number - 1];
+    return state === undefined || state === null ? null : new StateMarker(state);
+  },
+  lineMarkerChange: (update) => update.startState.field(lines) !== update.state.field(lines),
+});
+
+export class Editor {
+  readonly view: EditorView;
+  private quiet = false;
+
+  constructor(parent: HTMLElement, text: string, changed: (text: string) => void) {
+    this.view = new EditorView({
+      parent,
+      state: EditorState.create({
+        doc: text,
+        extensions: [
+          lineNumbers(),
+          states,
+          lines,
+          history(),
+          drawSelection(),
+          highlightActiveLine(),
+          highlightActiveLineGutter(),
+          bracketMatching(),
+          highlightSelectionMatches(),
+          autocompletion({ override: [completeAnyWord], activateOnTyping: false }),
+          colours,
+          keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
+          EditorState.tabSize.of(4),
+          EditorView.updateListener.of((update) => {
+            if (update.docChanged && !this.quiet) changed(update.state.doc.toString());
+          }),
+        ],
+      }),
+    });
+    speak.follow(() => {
+      const content = this.view.contentDOM;
+      content.setAttribute("aria-label", `${say("programText")}. ${say("editorHelp")}`);
+    });
+  }
+
+  /** Shows another text; undo brings the one before back. */
+  show(text: string): void {
+    if (text === this.view.state.doc.toString()) return;
+    this.quiet = true;
+    this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: text }, selection: { anchor: 0 }, scrollIntoView: true });
+    this.quiet = false;
+  }
+
+  /** Underlines problems of this text. */
+  tell(text: string, problems: readonly Problem[]): void {
+    const { doc } = this.view.state;
+    // A newer text is on its way to be looked at.
+    if (doc.toString() !== text) return;
+    const within = (at: number): number => Math.min(at, doc.length);
+    const diagnostics = problems.map((problem): Diagnostic => ({
+      from: within(problem.from),
+      to: within(Math.max(problem.to, problem.from)),
+      severity: problem.severity,
+      source: problem.number,
+      message: [told(problem.message), told(problem.help)].filter(Boolean).join("\n"),
+    }));
+    this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
+  }
+
+  /** Shows what each line does; nothing without a running program. */
+  live(states: Lines): void {
+    const now = this.view.state.field(lines);
+    if (now.length === states.length && now.every((state, index) => state === states[index])) return;
+    this.view.dispatch({ effects: setLines.of(states) });
+  }
+
+  /** Goes to a line, counted from 1. */
+  go(line: number, column = 1): void {
+    const { doc } = this.view.state;
+    const there = doc.line(Math.min(Math.max(line, 1), doc.lines));
+    this.view.dispatch({ selection: { anchor: Math.min(there.from + column - 1, there.to) }, scrollIntoView: true });
+    this.view.focus();
+  }
+}

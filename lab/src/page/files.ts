@@ -1,0 +1,73 @@
+// Programs from the disk and back.
+
+import type { Text } from "../tools/answers";
+import { say } from "../words/words";
+import { h } from "./dom";
+import { note } from "./notes";
+
+const LONGEST = 1 << 20;
+
+/** The text of a file; null where it is none, which is told. */
+export async function read(file: File): Promise<Text | null> {
+  if (file.size > LONGEST) {
+    note(say("fileTooLarge"));
+    return null;
+  }
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const text = decode(bytes);
+  if (text === null) note(say("fileNoText"));
+  return text === null ? null : { name: file.name, text };
+}
+
+/** UTF-8, UTF-16 where its mark says so, else Latin-1; null for bytes that no text has. */
+function decode(bytes: Uint8Array): string | null {
+  const wide = bytes[0] === 0xff && bytes[1] === 0xfe ? "utf-16le" : bytes[0] === 0xfe && bytes[1] === 0xff ? "utf-16be" : null;
+  if (wide) return new TextDecoder(wide).decode(bytes);
+  if (bytes.includes(0)) return null;
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder("latin1").decode(bytes);
+  }
+}
+
+/** Lets a person pick a file. */
+export function pick(take: (file: File) => void): void {
+  const input = h("input", { type: "file", accept: ".il,.st,.scl,.iscl,.lce,.txt,text/plain" });
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    if (file) take(file);
+  });
+  input.click();
+}
+
+export function download(name: string, content: string | Uint8Array, type = "text/plain"): void {
+  const blob = new Blob([content as BlobPart], { type });
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Opens what is dropped anywhere on the page. */
+export function takeDrops(cover: HTMLElement, take: (file: File) => void): void {
+  let depth = 0;
+  const show = (by: number): void => {
+    depth = Math.max(0, depth + by);
+    cover.hidden = depth === 0;
+  };
+  addEventListener("dragenter", (event) => {
+    if (event.dataTransfer?.types.includes("Files")) show(1);
+  });
+  addEventListener("dragleave", () => show(-1));
+  addEventListener("dragover", (event) => {
+    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+  });
+  addEventListener("drop", (event) => {
+    const file = event.dataTransfer?.files[0];
+    depth = 0;
+    cover.hidden = true;
+    if (!file) return;
+    event.preventDefault();
+    take(file);
+  }, { capture: true });
+}

@@ -1,0 +1,90 @@
+// The tutorial: each step with its words, its program, and checks of what somebody has written.
+
+import type { Both, Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
+import { Refusal } from "../tools/tools";
+import { say, speak, told } from "../words/words";
+import { h } from "./dom";
+import { announce } from "./notes";
+
+interface Lesson {
+  readonly title: Both;
+  /** HTML that the build has made of docs/tutorial.md. */
+  readonly words: Both;
+  readonly name: string;
+  readonly text: string;
+  readonly step: string;
+  readonly exercise: string;
+  readonly solution: string;
+}
+
+export class Lessons {
+  private lessons: readonly Lesson[] = [];
+  private at = -1;
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly tools: RemoteTools,
+    private readonly program: () => Text,
+    private readonly open: (text: Text) => void,
+  ) {
+    speak.follow(() => this.show());
+  }
+
+  /** Opens the tutorial where it was left. */
+  async start(): Promise<void> {
+    if (this.lessons.length === 0) this.lessons = (await (await fetch("lessons.json")).json()) as Lesson[];
+    this.go(Number(localStorage.getItem("lesson") ?? "0"));
+  }
+
+  private go(at: number): void {
+    this.at = Math.min(Math.max(at, 0), this.lessons.length - 1);
+    localStorage.setItem("lesson", String(this.at));
+    this.show();
+    this.root.scrollTo(0, 0);
+  }
+
+  private show(): void {
+    const lesson = this.lessons[this.at];
+    this.root.hidden = !lesson;
+    if (!lesson) return;
+    const words = h("div", { class: "words" });
+    // Made at build time of a page of this repository.
+    words.innerHTML = told(lesson.words);
+    const verdict = h("p", { class: "verdict", id: "verdict", role: "status", hidden: true });
+    const button = (key: Parameters<typeof say>[0], click: () => void, kind = ""): HTMLElement => h("button", { type: "button", class: kind, click }, say(key));
+    const load = (text: string): void => this.open({ name: lesson.name, text });
+    const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => { this.at = -1; this.show(); } }, "×");
+    const before = this.at > 0 ? button("lessonBefore", () => this.go(this.at - 1)) : null;
+    const next = this.at + 1 < this.lessons.length ? button("lessonNext", () => this.go(this.at + 1)) : null;
+    this.root.replaceChildren(
+      h("div", { class: "row" }, h("span", { class: "chip" }, say("lessonOf", { n: this.at + 1, all: this.lessons.length })), h("span", { style: "flex:1" }), before, next, close),
+      h("h3", {}, told(lesson.title)), words,
+      h("div", { class: "row" }, button("lessonLoad", () => load(lesson.text), "primary"),
+        button("checkStep", () => void this.check(lesson.step, lesson.name, verdict)),
+        button("checkExercise", () => void this.check(lesson.exercise, lesson.name, verdict)),
+        button("lessonSolution", () => load(lesson.solution))),
+      verdict);
+  }
+
+  private async check(scenario: string, title: string, verdict: HTMLElement): Promise<void> {
+    let passed = false;
+    let text: string;
+    try {
+      const outcome = await this.tools.ask("exercise", { ...this.program(), scenario, title });
+      passed = outcome.passed;
+      const [first] = outcome.unmet;
+      if (passed) text = say("passed");
+      else if (first) text = say("failedAt", { time: first.from, place: first.place, came: first.came, expected: first.expected });
+      else text = say("failedAny");
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      text = told(error.both);
+    }
+    verdict.hidden = false;
+    verdict.textContent = text;
+    verdict.className = `verdict ${passed ? "good" : "bad"}`;
+    announce(text);
+    verdict.scrollIntoView({ block: "nearest" });
+  }
+}

@@ -1,0 +1,124 @@
+// The program as text and as ladder, and what of both is live.
+
+import type { RemoteTools } from "../tools/remote";
+import type { Key } from "../words/table";
+import { say, speak } from "../words/words";
+import type { Bench } from "./bench";
+import { type Looked, type ProgramDocument } from "./document";
+import { byId, h } from "./dom";
+import type { Editor } from "./editor";
+import { LadderView } from "./ladder";
+import { countOf, showProblems } from "./problems";
+import type { Tabs } from "./tabs";
+
+const VIEWS = ["text", "both", "ladder"] as const;
+const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder" } as const;
+const TONGUES: Readonly<Record<string, Key>> = {
+  il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce", numeric: "languageNumeric",
+};
+
+export class ProgramView {
+  private readonly ladder: LadderView;
+  private readonly count = h("button", { type: "button", class: "quiet problem-count", id: "problem-count" });
+  private readonly size = h("span", { class: "chip" });
+  /** What is drawn: of this text. */
+  private drawn: string | null = null;
+
+  constructor(
+    private readonly program: ProgramDocument,
+    private readonly editor: Editor,
+    private readonly tools: RemoteTools,
+    private readonly bench: Bench,
+    private readonly problems: HTMLElement,
+    tabs: Tabs,
+  ) {
+    this.ladder = new LadderView(byId("ladder"), {
+      line: (line) => this.editor.go(line),
+      point: (point) => this.force(point),
+    });
+    byId("drawing").append(this.ladder.zoomButtons());
+    this.count.addEventListener("click", () => tabs.open("problems"));
+    byId("program-bar").append(this.views(), this.count, h("span", { class: "grow" }), this.size);
+    const name = byId("name") as HTMLInputElement;
+    name.addEventListener("change", () => {
+      this.program.text.value = { ...this.program.text.value, name: name.value.trim() || "program.il" };
+    });
+    program.text.follow((text) => {
+      if (name.value !== text.name) name.value = text.name;
+      this.live();
+    });
+    program.looked.follow((looked) => this.show(looked));
+    speak.follow(() => {
+      this.drawn = null;
+      this.show(program.looked.value);
+    });
+    bench.seen.follow(() => this.live());
+  }
+
+  private views(): HTMLElement {
+    const root = byId("views");
+    const buttons = VIEWS.map((view) => {
+      const button = h("button", { type: "button", "data-say": TITLES[view], id: `view-${view}` });
+      button.addEventListener("click", () => show(view));
+      return button;
+    });
+    const show = (view: (typeof VIEWS)[number]): void => {
+      root.dataset["view"] = view;
+      localStorage.setItem("view", view);
+      buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
+    };
+    show(VIEWS.find((view) => view === localStorage.getItem("view")) ?? "both");
+    return h("div", { class: "group", role: "group", "data-say-label": "views" }, ...buttons);
+  }
+
+  private show(looked: Looked | null): void {
+    if (!looked) return;
+    const { text, checked } = looked;
+    this.editor.tell(text.text, checked.problems);
+    showProblems(this.problems, checked, (line, column) => this.editor.go(line, column));
+    this.count.textContent = countOf(checked);
+    this.count.classList.toggle("bad", checked.program === null);
+    this.count.classList.toggle("good", checked.problems.length === 0);
+    byId("tongue").textContent = say(TONGUES[checked.language] ?? "languageIl");
+    const { program } = checked;
+    this.size.textContent = program ? say("size", { stored: program.size.stored[0], all: program.size.stored[1] }) : "";
+    const ladderNote = byId("ladder-note");
+    ladderNote.hidden = program !== null;
+    ladderNote.textContent = say(this.drawn === null ? "noLadder" : "ladderOld");
+    if (program) void this.draw(looked);
+    this.live();
+  }
+
+  private async draw({ text }: Looked): Promise<void> {
+    const key = `${speak.value}\n${text.name}\n${text.text}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
+    const { svg } = await this.tools.ask("ladder", { ...text, width: 64, speak: speak.value });
+    // Another was asked for meanwhile.
+    if (key !== this.drawn) return;
+    this.ladder.show(svg);
+    this.live();
+  }
+
+  /** Shows what runs, as long as it is what is shown. */
+  private live(): void {
+    const { on, seen } = this.bench;
+    const text = this.program.text.value;
+    const is = on.value !== null && on.value.text === text.text && on.value.name === text.name;
+    const live = is && seen.value?.state !== "FAULT" ? (seen.value?.live ?? null) : null;
+    this.ladder.live(live);
+    this.ladder.forced(seen.value);
+    this.editor.live(live?.lines ?? []);
+  }
+
+  /** A click on a contact or coil: forced to 1, to 0, let go. */
+  private force(point: string): void {
+    const seen = this.bench.seen.value;
+    const output = point.startsWith("Q");
+    if (!seen || !/^[IQ]\d$/.test(point)) return;
+    const number = Number(point.slice(1));
+    const [points, to] = output ? seen.forcedOutputs : seen.forcedInputs;
+    const bit = (bits: number): boolean => ((bits >> (number - 1)) & 1) !== 0;
+    void this.bench.ask({ do: "force", output, number, to: !bit(points) ? true : bit(to) ? false : null });
+  }
+}

@@ -1,0 +1,116 @@
+// The bar at the top: files, examples, tutorial, sharing, language, light or dark.
+
+import type { Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
+import { say, setSpeak, speak, told } from "../words/words";
+import type { CardSlot } from "./cardslot";
+import type { ProgramDocument } from "./document";
+import { h } from "./dom";
+import { download, pick } from "./files";
+import { icon } from "./icons";
+import type { Lessons } from "./lessons";
+import { entry, menu } from "./menu";
+import { note } from "./notes";
+import { linkOf } from "./share";
+import type { ProgramView } from "./programview";
+
+interface Parts {
+  readonly program: ProgramDocument;
+  readonly open: (text: Text) => void;
+  readonly take: (file: File) => Promise<void>;
+  readonly view: ProgramView;
+  readonly slot: CardSlot;
+  readonly remote: RemoteTools;
+  readonly lessons: Lessons;
+}
+
+interface Example {
+  readonly name: string;
+  readonly about: { readonly en: string; readonly pt: string };
+  readonly text: string;
+}
+
+export function toolbar(root: HTMLElement, parts: Parts): void {
+  const { program, open } = parts;
+  let examples: readonly Example[] = [];
+  void fetch("examples.json").then(async (answer) => {
+    examples = (await answer.json()) as Example[];
+  });
+  const tongue = h("select", { id: "speak", "data-say-label": "language" }, h("option", { value: "en", lang: "en" }, "English"), h("option", { value: "pt", lang: "pt-BR" }, "Português"));
+  tongue.addEventListener("change", () => setSpeak(tongue.value === "pt" ? "pt" : "en"));
+  speak.follow((language) => {
+    tongue.value = language;
+  });
+  const lessons = h("button", { type: "button", id: "lessons", click: () => void parts.lessons.start() }, icon("book"), h("span", { "data-say": "lessons" }));
+  const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program.text.value) }, icon("share"));
+  root.append(
+    menu("fileMenu", "folder", () => files(parts)),
+    menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
+    lessons, share, theme(), tongue,
+  );
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey)) return;
+    if (event.key === "s") save(program.text.value);
+    else if (event.key === "o") pick((file) => void parts.take(file));
+    else return;
+    event.preventDefault();
+  });
+}
+
+function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
+  const text = program.text.value;
+  const code = program.looked.value?.checked.program?.code;
+  const stem = text.name.replace(/\.\w+$/, "");
+  const saved = code === undefined ? [] : [
+    entry(say("saveCode"), () => download("PROGRAM.TXT", code)),
+    entry(say("saveDrawing"), () => {
+      void remote.ask("list", { ...text, as: "svg", width: 80, speak: speak.value }).then((svg) => download(`${stem}.svg`, svg, "image/svg+xml"));
+    }),
+    entry(say("saveCard"), () => {
+      void slot.build(true).then((image) => {
+        if (image) download("card.img", image, "application/octet-stream");
+      });
+    }),
+  ];
+  return [
+    entry(say("newFile"), () => open({ name: "program.il", text: "" })),
+    entry(say("openFile"), () => pick((file) => void take(file))),
+    entry(say("saveFile"), () => save(text)),
+    ...saved,
+  ];
+}
+
+function save(text: Text): void {
+  download(text.name, text.text);
+}
+
+async function shareLink(text: Text): Promise<void> {
+  const link = await linkOf(text, location.href);
+  try {
+    await navigator.clipboard.writeText(link);
+    note(say("shared"));
+  } catch {
+    prompt(say("sharedShown"), link);
+  }
+}
+
+function theme(): HTMLElement {
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const kept = localStorage.getItem("theme");
+  const set = (is: boolean): void => {
+    document.documentElement.dataset["theme"] = is ? "dark" : "light";
+    document.documentElement.style.colorScheme = is ? "dark" : "light";
+  };
+  set(kept ? kept === "dark" : dark.matches);
+  dark.addEventListener("change", () => {
+    if (!localStorage.getItem("theme")) set(dark.matches);
+  });
+  return h("button", {
+    type: "button", id: "theme", "data-say-label": "theme",
+    click: () => {
+      const is = document.documentElement.dataset["theme"] !== "dark";
+      localStorage.setItem("theme", is ? "dark" : "light");
+      set(is);
+    },
+  }, icon("moon"));
+}
