@@ -1,0 +1,217 @@
+// The bench: one board at a time, simulated or on the desk, and what is known of it.
+
+import type { Event, Pins } from "../board/messages";
+import { USUAL_FORMAT } from "../board/messages";
+import type { Line } from "../line/line";
+import type { Both, News, Order, Seen, Text } from "../tools/answers";
+import type { Modules } from "../tools/modules";
+import { NeedsMore, Refusal, Tools } from "../tools/tools";
+import { type Clock, Conversation, WALL } from "./conversation";
+import { Signal } from "./signal";
+import { SimulatedBoard } from "./simulated";
+
+export type Where = "simulated" | "desk";
+
+/** How far an upload is: 0 to 1; storing. */
+export type Upload = { readonly share: number } | "storing" | null;
+
+export class Bench {
+  readonly where = new Signal<Where>("simulated");
+  readonly seen = new Signal<Seen | null>(null);
+  readonly identity = new Signal<string | null>(null);
+  /** Why there is no board. */
+  readonly lost = new Signal<Both | null>(null);
+  readonly pins = new Signal<Pins | null>(null);
+  readonly power = new Signal(false);
+  readonly upload = new Signal<Upload>(null);
+  /** The program that was put on the board from here. */
+  readonly on = new Signal<Text | null>(null);
+  /** What the board has sent, as far as it is text. */
+  readonly serial = new Signal("");
+  readonly pace = new Signal<{ factor: number; asked: number } | null>(null);
+  readonly paused = new Signal(false);
+  /** Events of the simulated board, for those who want more of them. */
+  readonly events = new Set<(event: Event) => void>();
+  readonly simulated: SimulatedBoard;
+  private line: Line | null = null;
+  private talk: Conversation | null = null;
+  private readonly orders = new Map<number, (told: { said: Both | null } | { why: Both }) => void>();
+
+  constructor(
+    private tools: Tools,
+    private readonly modules: Modules,
+    worker: Worker,
+    private readonly tell: (both: Both) => void,
+  ) {
+    this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
+  }
+
+  /** The clock of the board at hand. */
+  get clock(): Clock {
+    return this.where.value === "simulated" ? this.simulated : WALL;
+  }
+
+  /** Speaks to a board. */
+  async connect(where: Where, line: Line, reset: boolean): Promise<void> {
+    await this.disconnect();
+    this.line = line;
+    this.where.value = where;
+    const open = { program: this.on.value, reset };
+    this.talk = await Conversation.open(this.tools, open, line, USUAL_FORMAT, this.clock,
+      (news) => this.hear(news), (bytes) => this.listen(bytes), () => this.forget());
+  }
+
+  /** The same line, spoken to by other tools: they know no program yet. */
+  private async reconnect(): Promise<void> {
+    const { line, where } = this;
+    if (line) await this.connect(where.value, line, where.value === "desk");
+  }
+
+  async disconnect(): Promise<void> {
+    const { talk } = this;
+    this.talk = null;
+    this.forget();
+    await talk?.close();
+  }
+
+  /** Has something done; settled when it is done, or told to the person when it is not. */
+  async order(order: Order): Promise<Both | null> {
+    try {
+      return await this.once(order);
+    } catch (error) {
+      if (!(error instanceof NeedsMore)) throw error;
+      this.tools = await Tools.of(await this.modules.full());
+      await this.reconnect();
+      return this.once(order);
+    }
+  }
+
+  private once(order: Order): Promise<Both | null> {
+    return new Promise((resolve, reject) => {
+      if (!this.talk) return reject(new Refusal({ en: "there is no board", pt: "não há placa" }));
+      try {
+        const number = this.talk.order(order);
+        this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
+      } catch (error) {
+        reject(error);
+      }
+    });
+  }
+
+  /** The same, for those who have nothing to do behind it. */
+  async ask(order: Order): Promise<void> {
+    try {
+      await this.order(order);
+    } catch (error) {
+      if (error instanceof Refusal) this.tell(error.both);
+      else throw error;
+    }
+  }
+
+  /** Puts a program on the board and runs it. */
+  async put(text: Text): Promise<void> {
+    this.upload.value = { share: 0 };
+    try {
+      if (this.paused.value) this.goOn();
+      const said = await this.order({ do: "upload", ...text });
+      if (said) this.tell(said);
+    } finally {
+      this.upload.value = null;
+    }
+  }
+
+  pause(): void {
+    this.simulated.tell({ kind: "pause" });
+    this.paused.value = true;
+    this.talk?.wake();
+  }
+
+  goOn(): void {
+    this.simulated.tell({ kind: "run" });
+    this.paused.value = false;
+    this.talk?.wake();
+  }
+
+  speed(factor: number): void {
+    this.simulated.tell({ kind: "speed", factor });
+    this.talk?.wake();
+  }
+
+  private forget(): void {
+    this.seen.value = null;
+    this.identity.value = null;
+    this.upload.value = null;
+    const why = { en: "the line is closed", pt: "a linha está fechada" };
+    for (const settle of [...this.orders.values()]) settle({ why });
+    this.orders.clear();
+  }
+
+  private hearBoard(event: Event): void {
+    if (event.kind === "pins") this.pins.value = event.pins;
+    if (event.kind === "pace") this.pace.value = { factor: event.factor, asked: event.asked };
+    if (event.kind === "power") {
+      this.power.value = event.on;
+      if (this.where.value === "simulated") {
+        if (event.on) void this.connect("simulated", this.simulated.line, true);
+        else void this.disconnect();
+      }
+    }
+    for (const hear of this.events) hear(event);
+  }
+
+  private hear(news: News): void {
+    switch (news.news) {
+      case "found":
+        this.identity.value = news.identity;
+        this.lost.value = null;
+        break;
+      case "lost":
+        this.lost.value = news.why;
+        this.seen.value = null;
+        break;
+      case "seen":
+        this.seen.value = news;
+        break;
+      case "sent":
+        this.upload.value = { share: news.of > 0 ? news.bytes / news.of : 1 };
+        break;
+      case "storing":
+        this.upload.value = "storing";
+        break;
+      case "stored":
+      case "settings":
+        break;
+      case "done":
+      case "undone": {
+        const settle = this.orders.get(news.order);
+        this.orders.delete(news.order);
+        settle?.(news.news === "done" ? { said: news.said } : { why: news.why });
+        break;
+      }
+    }
+  }
+
+  /** Keeps the text among the bytes: what a board says at its start. */
+  private listen(bytes: Uint8Array): void {
+    const text = new TextDecoder("latin1").decode(bytes);
+    this.tail = (this.tail + text).slice(-4000);
+    const begins = this.tail.lastIndexOf("\r\nunoclp ");
+    if (begins < 0) return;
+    const said = /^[\r\n\t\x20-\x7e]*/.exec(this.tail.slice(begins))?.[0] ?? "";
+    const lines = said.split("\r\n");
+    const end = lines.findIndex((line, index) => index > 1 && /^(RUN|STOP|fault )/.test(line));
+    const shown = (end < 0 ? lines : lines.slice(0, end + 1)).join("\n").trim();
+    if (shown !== this.last) {
+      const before = shown.startsWith(this.last) && this.last ? this.serial.value.slice(0, -this.last.length) : this.serial.value && `${this.serial.value}\n\n`;
+      this.serial.value = (before + shown).slice(-8000);
+      this.last = shown;
+    }
+    if (end >= 0) {
+      this.tail = this.tail.slice(begins + said.length);
+      this.last = "";
+    }
+  }
+
+  private tail = "";
+  private last = "";
+}

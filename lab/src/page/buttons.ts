@@ -1,0 +1,121 @@
+// The buttons of the inputs: held by mouse, finger or key, latched with shift.
+
+import { say, speak } from "../words/words";
+import { h } from "./dom";
+
+/** What a button does: `closed` says how its contact stands. */
+export type Press = (input: number, closed: boolean) => void;
+
+export class Buttons {
+  readonly root = h("div", { class: "points" });
+  private readonly places: HTMLElement[] = [];
+  private readonly latched = new Set<number>();
+  private readonly held = new Set<number>();
+
+  constructor(private readonly press: Press) {
+    for (let input = 1; input <= 8; input++) this.places.push(this.place(input));
+    this.root.append(...this.places);
+    this.show(4);
+    // Keys work wherever nothing is typed.
+    const digit = (event: KeyboardEvent): number => {
+      const target = event.target as HTMLElement;
+      const types = target.closest("input:not([type=checkbox]):not([type=range]), textarea, select, .cm-editor");
+      const bare = !event.ctrlKey && !event.altKey && !event.metaKey;
+      const match = /^(?:Digit|Numpad)([1-8])$/.exec(event.code);
+      return !types && bare && match ? Number(match[1]) : 0;
+    };
+    document.addEventListener("keydown", (event) => {
+      const input = digit(event);
+      if (!input || event.repeat) return;
+      if (event.shiftKey) this.latch(input);
+      else this.hold(input, true);
+    });
+    document.addEventListener("keyup", (event) => {
+      const match = /^(?:Digit|Numpad)([1-8])$/.exec(event.code);
+      if (match) this.hold(Number(match[1]), false);
+    });
+    addEventListener("blur", () => {
+      for (const input of [...this.held]) this.hold(input, false);
+    });
+  }
+
+  /** Shows the first four, or all; none that is pressed is hidden. */
+  show(count: number): void {
+    this.places.forEach((place, index) => {
+      place.hidden = index >= count;
+    });
+  }
+
+  /** What the program calls its inputs. */
+  names(symbols: Readonly<Record<string, string>>): void {
+    this.places.forEach((place, index) => {
+      const name = place.querySelector(".name");
+      if (name) name.textContent = symbols[`I${index + 1}`] ?? "";
+    });
+  }
+
+  /** Marks what is forced: bit 0 is input 01. */
+  forced(points: number, to: number): void {
+    this.places.forEach((place, index) => {
+      const forced = ((points >> index) & 1) !== 0;
+      place.classList.toggle("is-forced", forced);
+      const mark = place.querySelector(".forced-mark");
+      if (mark) mark.textContent = forced ? `${say("forced")} ${(to >> index) & 1}` : "";
+    });
+  }
+
+  private place(input: number): HTMLElement {
+    const button = h("button", { type: "button", class: "press", "aria-pressed": "false", "data-input": input }, String(input));
+    button.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      if (event.shiftKey) return this.latch(input);
+      button.setPointerCapture(event.pointerId);
+      this.hold(input, true);
+    });
+    for (const kind of ["pointerup", "pointercancel", "lostpointercapture"]) button.addEventListener(kind, () => this.hold(input, false));
+    button.addEventListener("contextmenu", (event) => event.preventDefault());
+    const key = (down: boolean) => (event: KeyboardEvent): void => {
+      if (event.key !== " " && event.key !== "Enter") return;
+      event.preventDefault();
+      if (event.repeat) return;
+      if (down && event.shiftKey) this.latch(input);
+      else this.hold(input, down);
+    };
+    button.addEventListener("keydown", key(true));
+    button.addEventListener("keyup", key(false));
+    // A screen reader only clicks.
+    button.addEventListener("click", (event) => {
+      if (event.detail === 0 && event.isTrusted && !this.byKey) this.latch(input);
+    });
+    speak.follow(() => button.setAttribute("aria-label", say("buttonOf", { n: input })));
+    return h("div", { class: "place" }, button, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
+  }
+
+  private get byKey(): boolean {
+    return this.held.size > 0;
+  }
+
+  private hold(input: number, down: boolean): void {
+    if (down === this.held.has(input)) return;
+    if (down) this.held.add(input);
+    else this.held.delete(input);
+    if (down && this.latched.delete(input)) this.mark(input);
+    this.tell(input);
+  }
+
+  private latch(input: number): void {
+    if (!this.latched.delete(input)) this.latched.add(input);
+    this.tell(input);
+  }
+
+  private tell(input: number): void {
+    this.mark(input);
+    this.press(input, this.held.has(input) || this.latched.has(input));
+  }
+
+  private mark(input: number): void {
+    const button = this.places[input - 1]?.querySelector(".press");
+    button?.setAttribute("aria-pressed", String(this.held.has(input) || this.latched.has(input)));
+    button?.classList.toggle("latched", this.latched.has(input));
+  }
+}

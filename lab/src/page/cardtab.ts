@@ -1,0 +1,38 @@
+// What stands on the card: PROGRAM.TXT and STATE.TXT.
+
+import { say, speak } from "../words/words";
+import type { CardSlot } from "./cardslot";
+import { h } from "./dom";
+
+const NAMES = ["PROGRAM.TXT", "STATE.TXT"];
+
+export class CardTab {
+  readonly panel: HTMLElement;
+  private readonly files = h("div");
+  private image: Uint8Array | null | undefined;
+
+  constructor(private readonly slot: CardSlot) {
+    const state = h("input", { type: "checkbox", checked: true });
+    const make = h("button", { type: "button", id: "make-card", click: () => void slot.make(state.checked) }, h("span", { "data-say": "cardMake" }));
+    this.panel = h("div", {}, h("div", { class: "row" }, make, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
+    slot.image.follow(() => void this.show());
+    speak.follow(() => {
+      this.image = undefined;
+      void this.show();
+    });
+  }
+
+  /** It is on the screen: a board writes to its card each minute, so it is read only then. */
+  async show(): Promise<void> {
+    const image = this.slot.image.value;
+    if (this.panel.hidden || image === this.image) return;
+    this.image = image;
+    if (!image) return this.files.replaceChildren(h("p", { class: "empty" }, say("cardEmpty")));
+    const texts = await Promise.all(NAMES.map((name) => this.slot.read(image, name)));
+    if (this.image !== image) return;
+    this.files.replaceChildren(...NAMES.flatMap((name, index) => {
+      const text = texts[index];
+      return typeof text === "string" ? [h("h3", {}, name), h("pre", {}, text)] : [];
+    }));
+  }
+}

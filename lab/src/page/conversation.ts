@@ -1,0 +1,103 @@
+// A conversation with a board: Rust says what is sent and when; here are the line and the clock.
+
+import type { SerialFormat } from "../board/messages";
+import type { Line } from "../line/line";
+import type { Asks, News, Order } from "../tools/answers";
+import type { Tools } from "../tools/tools";
+
+/** The time by which a board lives: a simulated one may stand, or be slow. */
+export interface Clock {
+  /** ms since any moment, never less than before. */
+  now(): number;
+  /** How much of it passes in a unit of real time; 0: it stands. */
+  factor(): number;
+}
+
+export const WALL: Clock = { now: () => performance.now(), factor: () => 1 };
+
+export class Conversation {
+  private came: number[] = [];
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private until = 0;
+  private over = false;
+
+  private constructor(
+    private readonly tools: Tools,
+    private readonly board: number,
+    private readonly line: Line,
+    private readonly clock: Clock,
+    private readonly hear: (news: News) => void,
+  ) {}
+
+  /** Opens a line and begins to speak. `heard` gets all bytes that come, `lost` is called when the line closes by itself. */
+  static async open(
+    tools: Tools,
+    open: Asks["open"]["ask"],
+    line: Line,
+    format: SerialFormat,
+    clock: Clock,
+    hear: (news: News) => void,
+    heard: (bytes: Uint8Array) => void,
+    lost: () => void,
+  ): Promise<Conversation> {
+    const talk = new Conversation(tools, tools.ask("open", open), line, clock, hear);
+    await line.open(format, {
+      bytes: (bytes) => {
+        heard(bytes);
+        for (const byte of bytes) talk.came.push(byte);
+        talk.step();
+      },
+      closed: (why) => {
+        if (why === "asked") return;
+        talk.end();
+        lost();
+      },
+    });
+    talk.step();
+    return talk;
+  }
+
+  /** Has something done; gives the number by which the news speak of it. */
+  order(order: Order): number {
+    const number = this.tools.ask("order", { board: this.board, order });
+    this.step();
+    return number;
+  }
+
+  /** Goes on, if it is time: the clock may go at another speed now. */
+  wake(): void {
+    this.schedule();
+  }
+
+  async close(): Promise<void> {
+    this.end();
+    await this.line.close();
+  }
+
+  private end(): void {
+    if (this.over) return;
+    this.over = true;
+    clearTimeout(this.timer);
+    this.tools.ask("close", { board: this.board });
+  }
+
+  private step(): void {
+    if (this.over) return;
+    const came = this.came;
+    this.came = [];
+    const step = this.tools.ask("step", { board: this.board, now: this.clock.now(), came });
+    this.until = step.until;
+    // A line that is closed says so by itself.
+    if (step.send.length > 0) this.line.write(Uint8Array.from(step.send)).catch(() => undefined);
+    this.schedule();
+    for (const news of step.news) this.hear(news);
+  }
+
+  private schedule(): void {
+    clearTimeout(this.timer);
+    const factor = this.clock.factor();
+    if (this.over || factor <= 0) return;
+    const wait = (this.until - this.clock.now()) / factor;
+    this.timer = setTimeout(() => this.step(), Math.min(Math.max(wait, 0), 60_000));
+  }
+}

@@ -1,0 +1,111 @@
+// The page: what it is made of, and what leads to what.
+
+import type { Text } from "../tools/answers";
+import { Modules } from "../tools/modules";
+import { RemoteTools } from "../tools/remote";
+import { Tools } from "../tools/tools";
+import { say, speakIn, told, translate } from "../words/words";
+import { Bench } from "./bench";
+import { CardTab } from "./cardtab";
+import { CardSlot } from "./cardslot";
+import { desk } from "./desk";
+import { ProgramDocument } from "./document";
+import { byId, h } from "./dom";
+import { Editor } from "./editor";
+import { read, takeDrops } from "./files";
+import { Lessons } from "./lessons";
+import { note } from "./notes";
+import { Panel } from "./panel";
+import { pointsOf } from "./points";
+import { ProgramView } from "./programview";
+import { programOf } from "./share";
+import { startControl } from "./start";
+import { Tabs } from "./tabs";
+import { toolbar } from "./toolbar";
+import { tooLarge } from "./toolarge";
+import { Trend } from "./trend";
+import { Watch } from "./watch";
+
+async function load(): Promise<void> {
+  if (typeof WebAssembly === "undefined") {
+    byId("editor").append(h("p", { class: "empty" }, say("noWasm")));
+    return;
+  }
+  const firmware = fetch("unoclp.hex").then((answer) => answer.text());
+  const modules = new Modules();
+  const module = await modules.first();
+  const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
+  const program = new ProgramDocument(remote);
+  const board = new Worker("board.js", { type: "module" });
+  const bench = new Bench(await Tools.of(module), modules, board, (both) => note(told(both)));
+
+  const editor = new Editor(byId("editor"), program.text.value.text, (text) => {
+    program.text.value = { ...program.text.value, text };
+  });
+  /** Another program; what it replaces comes back on request. */
+  const open = (text: Text): void => {
+    const before = program.replace(text);
+    editor.show(text.text);
+    if (before.text !== text.text && before.text.trim() !== "") {
+      note(say("replaced"), { text: say("undo"), take: () => { program.replace(before); editor.show(before.text); } });
+    }
+  };
+  const take = async (file: File): Promise<void> => {
+    const text = await read(file);
+    if (text) open(text);
+  };
+
+  const trend = new Trend(bench);
+  const watch = new Watch(bench);
+  const problems = h("div");
+  const serial = h("pre", { "aria-label": "serial" });
+  bench.serial.follow((text) => {
+    serial.textContent = text || say("serialEmpty");
+  });
+  const slot = new CardSlot(bench, remote, () => program.looked.value?.checked.program?.code ?? null);
+  const card = new CardTab(slot);
+  const tabs = new Tabs(byId("below"), [
+    { id: "trend", title: "tabTrend", panel: trend.panel, shown: () => trend.shown() },
+    { id: "watch", title: "tabWatch", panel: watch.panel },
+    { id: "problems", title: "tabProblems", panel: problems },
+    { id: "serial", title: "tabSerial", panel: h("div", {}, serial) },
+    { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
+  ]);
+  const view = new ProgramView(program, editor, remote, bench, problems, tabs);
+  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), desk(bench));
+  const lessons = new Lessons(byId("lesson"), remote, () => program.text.value, open);
+  toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons });
+  takeDrops(byId("drop"), (file) => void take(file));
+  document.addEventListener("too-large", () => open(tooLarge()));
+
+  program.looked.follow((looked) => {
+    const made = looked?.checked.program;
+    if (!made) return;
+    panel.uses(made);
+    const points = pointsOf(made);
+    watch.watch(points);
+    trend.watch(points);
+  });
+  speakIn(document);
+  translate(document);
+  bench.simulated.start(await firmware);
+  await fromLink(open);
+  addEventListener("hashchange", () => void fromLink(open));
+  document.documentElement.dataset["ready"] = "yes";
+  if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
+    await navigator.serviceWorker.register("sw.js").catch(() => undefined);
+  }
+}
+
+async function fromLink(open: (text: Text) => void): Promise<void> {
+  const text = await programOf(location.hash);
+  if (text === undefined) return;
+  history.replaceState(null, "", location.pathname + location.search);
+  if (text) open(text);
+  note(say(text ? "linkOpened" : "linkBroken"));
+}
+
+load().catch((error: unknown) => {
+  console.error(error);
+  note(say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
+});

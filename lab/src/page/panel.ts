@@ -1,0 +1,209 @@
+// The board as one sees and touches it.
+
+import "@wokwi/elements/dist/esm/arduino-uno-element";
+import type { ArduinoUnoElement } from "@wokwi/elements/dist/esm/arduino-uno-element";
+import type { Made } from "../tools/answers";
+import { say, speak, told } from "../words/words";
+import type { Bench } from "./bench";
+import { Buttons } from "./buttons";
+import type { CardSlot } from "./cardslot";
+import { h } from "./dom";
+import { icon } from "./icons";
+import { Lamps } from "./lamps";
+import { announce } from "./notes";
+
+const SPEEDS = [1, 0.1, 0.01];
+
+export class Panel {
+  private readonly buttons: Buttons;
+  private readonly lamps = new Lamps();
+  private readonly status = h("div", { class: "status", id: "status" });
+  private readonly knobs = h("div", { class: "card", hidden: true });
+  private readonly uno = document.createElement("wokwi-arduino-uno") as ArduinoUnoElement;
+  private readonly readings = new Map<number, number>();
+  private shown = "";
+
+  constructor(
+    root: HTMLElement,
+    private readonly bench: Bench,
+    private readonly slot: CardSlot,
+    start: HTMLElement,
+    desk: HTMLElement,
+  ) {
+    this.buttons = new Buttons((input, closed) => this.press(input, closed));
+    this.uno.setAttribute("aria-hidden", "true");
+    root.append(
+      h("div", { class: "card" }, this.status, start, desk),
+      this.inputs(),
+      h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root),
+      this.knobs,
+      this.time(),
+      this.hardware(),
+      this.faults(),
+    );
+    bench.pins.follow((pins) => {
+      if (bench.where.value !== "simulated") return;
+      this.lamps.light(pins?.outputs ?? [0, 0, 0, 0]);
+      this.uno.led13 = (pins?.led ?? 0) > 0;
+    });
+    bench.seen.follow((seen) => {
+      this.state();
+      this.buttons.forced(seen?.forcedInputs[0] ?? 0, seen?.forcedInputs[1] ?? 0);
+      this.lamps.forced(seen?.forcedOutputs[0] ?? 0, seen?.forcedOutputs[1] ?? 0);
+      if (bench.where.value === "desk" && seen) this.lamps.light([0, 1, 2, 3].map((bit) => (seen.outputs >> bit) & 1));
+    });
+    for (const signal of [bench.lost, bench.power, bench.upload, bench.paused, speak]) (signal as typeof bench.lost).follow(() => this.state());
+    bench.power.follow((on) => {
+      this.uno.ledPower = on;
+    });
+  }
+
+  /** What the program in the editor uses: knobs for its analogue inputs, names for its points. */
+  uses(made: Made): void {
+    this.buttons.names(made.symbols);
+    this.lamps.names(made.symbols);
+    if (made.uses.inputs.some((input) => input > 4)) this.buttons.show(8);
+    const inputs = made.uses.analogue;
+    if (inputs.join() === [...this.readings.keys()].join()) return;
+    for (const input of this.readings.keys()) if (!inputs.includes(input)) this.simulated({ kind: "analogue", input, to: "open" });
+    this.readings.clear();
+    this.knobs.hidden = inputs.length === 0;
+    this.knobs.replaceChildren(h("h3", {}, say("knobs")), ...inputs.map((input) => this.knob(input)));
+  }
+
+  private knob(input: number): HTMLElement {
+    const output = h("output", {}, "512");
+    const turn = (reading: number): void => {
+      output.textContent = String(reading);
+      this.readings.set(input, reading);
+      this.simulated({ kind: "analogue", input, to: { reading } });
+    };
+    const range = h("input", {
+      type: "range", min: 0, max: 1023, value: 512, "aria-label": say("knobOf", { n: input }), "data-analogue": input,
+      input: (event) => turn(Number((event.target as HTMLInputElement).value)),
+    });
+    turn(512);
+    return h("div", { class: "knob" }, h("b", {}, `A${input}`), range, output);
+  }
+
+  private simulated(command: Parameters<Bench["simulated"]["tell"]>[0]): void {
+    this.bench.simulated.tell(command);
+  }
+
+  private press(input: number, closed: boolean): void {
+    if (this.bench.where.value === "simulated") this.simulated({ kind: "button", input, closed });
+    // The buttons of a board on the desk are on the desk; these force its inputs.
+    else void this.bench.ask({ do: "force", output: false, number: input, to: closed ? true : null });
+  }
+
+  private inputs(): HTMLElement {
+    const more = h("button", { type: "button", class: "quiet small", "data-say": "moreButtons", "aria-pressed": "false" });
+    more.addEventListener("click", () => {
+      const all = more.getAttribute("aria-pressed") !== "true";
+      more.setAttribute("aria-pressed", String(all));
+      this.buttons.show(all ? 8 : 4);
+    });
+    return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), more), this.buttons.root,
+      h("p", { class: "note", "data-say": "buttonsHint" }));
+  }
+
+  private time(): HTMLElement {
+    const { bench } = this;
+    const pause = h("button", { type: "button", id: "pause", click: () => (bench.paused.value ? bench.goOn() : bench.pause()) });
+    bench.paused.follow((paused) => {
+      pause.replaceChildren(icon(paused ? "play" : "pause"), h("span", { "data-say": paused ? "goOn" : "pause" }, say(paused ? "goOn" : "pause")));
+    });
+    const speed = h("select", { "data-say-label": "speed", id: "speed", change: () => bench.speed(Number(speed.value)) },
+      ...SPEEDS.map((factor) => h("option", { value: factor }, factor === 1 ? "1 ×" : `1/${1 / factor}`)));
+    const pace = h("p", { class: "pace", id: "pace" });
+    const show = (): void => {
+      const now = bench.pace.value;
+      const two = (factor: number): string => factor.toLocaleString(speak.value, { maximumSignificantDigits: 2 });
+      const slow = now !== null && now.factor < 0.9 * now.asked;
+      pace.textContent = bench.paused.value || !now ? (bench.paused.value ? say("paused") : "") : say(slow ? "paceSlow" : "paceOf", { factor: two(now.factor), asked: two(now.asked) });
+      pace.classList.toggle("warn", slow && !bench.paused.value);
+    };
+    bench.pace.follow(show);
+    bench.paused.follow(show);
+    speak.follow(show);
+    const scan = h("button", { type: "button", "data-say-label": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
+    const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
+      h("div", { class: "row" }, pause, speed, scan,
+        h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),
+        h("button", { type: "button", id: "command-stop", click: () => void bench.ask({ do: "stop" }) }, h("span", { "data-say": "commandStop" }))),
+      pace);
+    bench.where.follow((where) => {
+      for (const one of [pause, speed, pace]) one.hidden = where !== "simulated";
+    });
+    return card;
+  }
+
+  private async scan(): Promise<void> {
+    if (this.bench.paused.value) this.bench.goOn();
+    if (this.bench.seen.value?.state === "RUN") await this.bench.ask({ do: "stop" });
+    await this.bench.ask({ do: "scan" });
+  }
+
+  private hardware(): HTMLElement {
+    const { bench } = this;
+    const stop = h("input", { type: "checkbox", role: "switch", id: "stop-switch", change: () => this.simulated({ kind: "stop", closed: stop.checked }) });
+    const plug = h("input", { type: "checkbox", role: "switch", id: "plug", change: () => this.simulated({ kind: "plug", on: plug.checked }) });
+    bench.power.follow((on) => {
+      plug.checked = on;
+    });
+    const reset = h("button", { type: "button", id: "reset", click: () => this.simulated({ kind: "reset" }) }, icon("reset"), h("span", { "data-say": "reset" }));
+    const card = h("div", { class: "card", id: "hardware" }, h("h3", {}, h("span", { "data-say": "simulated" })),
+      h("div", { class: "uno" }, this.uno),
+      h("div", { class: "row" }, reset,
+        h("label", { class: "switch" }, stop, h("span", { "data-say": "stopSwitch" })),
+        h("label", { class: "switch" }, plug, h("span", { "data-say": "plug" })),
+        this.slot.control));
+    bench.where.follow((where) => {
+      card.hidden = where !== "simulated";
+    });
+    return card;
+  }
+
+  private faults(): HTMLElement {
+    const { bench } = this;
+    const bounce = h("input", { type: "checkbox", role: "switch", id: "bouncing", change: () => this.simulated({ kind: "bouncing", on: bounce.checked }) });
+    const armed = h("input", { type: "checkbox", role: "switch", id: "plug-at-write", change: () => this.simulated({ kind: "plug-at-write", armed: armed.checked }) });
+    bench.power.follow(() => {
+      armed.checked = false;
+    });
+    const card = h("details", { class: "card" }, h("summary", { "data-say": "faults" }),
+      h("div", { class: "row" }, h("label", { class: "switch" }, bounce, h("span", { "data-say": "faultBounce" }))),
+      h("div", { class: "row" }, h("label", { class: "switch" }, armed, h("span", { "data-say": "faultPlug" }))),
+      h("div", { class: "row" }, this.slot.pull, h("button", { type: "button", id: "too-large", click: () => document.dispatchEvent(new Event("too-large")) }, h("span", { "data-say": "faultLarge" }))));
+    bench.where.follow((where) => {
+      card.hidden = where !== "simulated";
+    });
+    return card;
+  }
+
+  /** What the board does, in words; a screen reader hears each change. */
+  private state(): void {
+    const { bench } = this;
+    const seen = bench.seen.value;
+    const upload = bench.upload.value;
+    const simulated = bench.where.value === "simulated";
+    let state = "";
+    let text: string;
+    if (simulated && !bench.power.value) text = say("stateOff");
+    else if (upload === "storing") text = say("storing");
+    else if (upload) text = say("sending", { percent: Math.round(upload.share * 100) });
+    else if (!seen) text = bench.lost.value ? told(bench.lost.value) : simulated ? say("stateStarting") : say("stateNone");
+    else {
+      state = seen.state;
+      if (seen.state === "RUN") text = say("stateRun");
+      else if (seen.state === "STOP") text = say("stateStop");
+      else text = seen.fault ? `${say("stateFault")} – ${told(seen.fault.text)}` : say("stateFault");
+    }
+    const now = `${state} ${text}`;
+    if (now === this.shown) return;
+    this.shown = now;
+    this.status.dataset["state"] = state;
+    this.status.textContent = text;
+    if (!upload || upload === "storing") announce(text);
+  }
+}

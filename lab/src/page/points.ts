@@ -1,0 +1,51 @@
+// The points that a program uses, and what a reading says of each.
+
+import type { Made, Seen } from "../tools/answers";
+
+export interface Point {
+  /** `I1`, `Q2`, `M5`, `D12`, `T1`, `C2`, `A0`. */
+  readonly name: string;
+  /** What the text calls it; empty where it gives the address. */
+  readonly called: string;
+  readonly kind: "bit" | "number" | "real" | "meter";
+  /** Whether it can be forced, set, or neither. */
+  readonly hand: "force" | "set" | "none";
+  /** Its value: a bit as 0 or 1. */
+  value(seen: Seen): number;
+  /** The preset of a timer or counter. */
+  preset?(seen: Seen): number;
+}
+
+const bit = (bits: number, number: number): number => (bits >> (number - 1)) & 1;
+
+/** A number of 32 bits as the REAL that they hold. */
+export function real(bits: number): number {
+  return new Float32Array(Int32Array.of(bits).buffer)[0] ?? 0;
+}
+
+export function pointsOf(made: Made): Point[] {
+  const { uses, symbols } = made;
+  const points: Point[] = [];
+  const add = (letter: string, numbers: readonly number[], rest: (number: number) => Omit<Point, "name" | "called">): void => {
+    for (const number of numbers) points.push({ name: letter + number, called: symbols[letter + number] ?? "", ...rest(number) });
+  };
+  const outputs = [...new Set([...uses.outputs, ...uses.pwm])].sort();
+  add("I", uses.inputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => bit(seen.inputs, n) }));
+  add("Q", outputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => bit(seen.outputs, n) }));
+  add("A", uses.analogue, (n) => ({ kind: "number", hand: "none", value: (seen) => seen.analogue[n] ?? 0 }));
+  const meter = (of: "timers" | "counters") => (n: number): Omit<Point, "name" | "called"> => ({
+    kind: "meter",
+    hand: "set",
+    value: (seen) => seen[of][n - 1]?.[0] ?? 0,
+    preset: (seen) => seen[of][n - 1]?.[1] ?? 0,
+  });
+  add("T", uses.timers.map((_, index) => index + 1), meter("timers"));
+  add("C", uses.counters, meter("counters"));
+  add("M", uses.markers, (n) => ({ kind: "bit", hand: "set", value: (seen) => Number(seen.markers.includes(n)) }));
+  add("D", uses.registers, (n) => {
+    const isReal = uses.reals.includes(n);
+    const value = (seen: Seen): number => seen.registers[n - 1] ?? 0;
+    return { kind: isReal ? "real" : "number", hand: "set", value: isReal ? (seen) => real(value(seen)) : value };
+  });
+  return points;
+}

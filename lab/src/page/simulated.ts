@@ -1,0 +1,94 @@
+// The simulated board: its worker, what it keeps in the browser, and its clock.
+
+import type { Command, Event } from "../board/messages";
+import { type BoardWorker, SimulatedLine } from "../line/simulated";
+import type { Clock } from "./conversation";
+
+const KEPT = "eeprom";
+
+export class SimulatedBoard implements Clock {
+  readonly line: SimulatedLine;
+  /** Simulated ms since the power came, and when that was known. */
+  private at = 0;
+  private known = performance.now();
+  private runs = false;
+  private pace = 1;
+  private latest = 0;
+  hasPower = false;
+
+  constructor(
+    private readonly worker: BoardWorker,
+    hear: (event: Event) => void,
+  ) {
+    this.line = new SimulatedLine(worker);
+    worker.addEventListener("message", ({ data }) => {
+      this.note(data);
+      hear(data);
+    });
+  }
+
+  tell(command: Command): void {
+    if (command.kind === "speed") {
+      this.settle(this.now());
+      this.pace = Math.min(command.factor, 1);
+    }
+    if (command.kind === "run") this.settle(this.now(), true);
+    if (command.kind === "pause") this.settle(this.now(), false);
+    this.worker.postMessage(command);
+  }
+
+  /** Gives it firmware, what its EEPROM was, and power. */
+  start(hex: string): void {
+    this.tell({ kind: "firmware", hex });
+    const eeprom = kept();
+    if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
+    this.tell({ kind: "plug", on: true });
+    this.tell({ kind: "run" });
+  }
+
+  now(): number {
+    const passed = this.runs ? (performance.now() - this.known) * this.pace : 0;
+    this.latest = Math.max(this.latest, this.at + passed);
+    return this.latest;
+  }
+
+  factor(): number {
+    return this.runs && this.hasPower ? this.pace : 0;
+  }
+
+  private settle(at: number, runs = this.runs): void {
+    this.at = at;
+    this.known = performance.now();
+    this.runs = runs;
+  }
+
+  private note(event: Event): void {
+    if (event.kind === "power") {
+      this.hasPower = event.on;
+      this.latest = 0;
+      this.settle(0);
+    }
+    if (event.kind === "pace") this.pace = event.factor > 0 ? event.factor : this.pace;
+    if (event.kind === "paused") this.settle(event.at, false);
+    else if ("at" in event) this.settle(event.at);
+    if (event.kind === "eeprom") keep(event.bytes);
+  }
+}
+
+function kept(): Uint8Array | null {
+  const text = localStorage.getItem(KEPT);
+  if (!text) return null;
+  try {
+    return Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
+  } catch {
+    return null;
+  }
+}
+
+function keep(bytes: Uint8Array): void {
+  try {
+    localStorage.setItem(KEPT, btoa(String.fromCharCode(...bytes)));
+  } catch {
+    // A browser that keeps nothing begins with an empty EEPROM.
+  }
+}

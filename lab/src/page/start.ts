@@ -1,0 +1,54 @@
+// The button that puts the program on the board and runs it.
+
+import { Refusal } from "../tools/tools";
+import { say, speak, told } from "../words/words";
+import type { Bench } from "./bench";
+import type { ProgramDocument } from "./document";
+import { h } from "./dom";
+import { icon } from "./icons";
+import { note } from "./notes";
+import type { Tabs } from "./tabs";
+
+export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs): HTMLElement {
+  const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"), h("span", { "data-say": "run" }));
+  const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
+  const about = h("p", { class: "note", id: "about-program" });
+  const run = async (): Promise<void> => {
+    const looked = program.looked.value;
+    if (!looked || looked.text !== program.text.value) return;
+    if (!looked.checked.program) {
+      tabs.open("problems");
+      return note(say("checkErrors"));
+    }
+    try {
+      await bench.put(looked.text);
+      bench.on.value = looked.text;
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      note(told(error.both));
+    }
+  };
+  button.addEventListener("click", () => void run());
+  document.addEventListener("keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key === "Enter") {
+      event.preventDefault();
+      void run();
+    }
+  });
+  const show = (): void => {
+    const there = bench.identity.value !== null;
+    button.disabled = !there || bench.upload.value !== null;
+    const on = bench.on.value;
+    const text = program.text.value;
+    const changed = on !== null && (on.text !== text.text || on.name !== text.name);
+    about.textContent = changed ? say("changed") : bench.seen.value?.same === false ? say("otherProgram") : "";
+  };
+  bench.upload.follow((upload) => {
+    bar.hidden = upload === null;
+    if (upload !== null && upload !== "storing") bar.value = upload.share;
+    else if (upload === "storing") bar.removeAttribute("value");
+    show();
+  });
+  for (const signal of [bench.identity, bench.on, bench.seen, program.text, speak]) (signal as typeof bench.identity).follow(show);
+  return h("div", { class: "row" }, button, bar, about);
+}

@@ -1,0 +1,211 @@
+// The timing diagram: a lane for each channel.
+
+import type uPlot from "uplot";
+import { say, speak } from "../words/words";
+import type { Bench } from "./bench";
+import { h } from "./dom";
+import { download } from "./files";
+import type { Point } from "./points";
+import { Recorder } from "./recorder";
+import { timingSvg } from "./timing";
+
+const SPANS = [2, 5, 10, 30, 120];
+/** Height of a lane, CSS pixels. */
+const LANE = 30;
+
+export class Trend {
+  readonly panel = h("div");
+  readonly recorder = new Recorder();
+  private readonly plot = h("div", { class: "trend", role: "img" });
+  private readonly channels = h("div", { class: "channels" });
+  private readonly hidden = new Set<string>();
+  private points: readonly Point[] = [];
+  private chart: uPlot | null = null;
+  private drawn: string[] = [];
+  private span = 10;
+  private follows = true;
+  private asked = false;
+
+  constructor(bench: Bench) {
+    bench.events.add((event) => {
+      const { recorder } = this;
+      if (event.kind === "power" && event.on) recorder.clear();
+      if (event.kind === "pins") {
+        for (let input = 1; input <= 8; input++) recorder.note(`I${input}`, event.at, (event.pins.closed >> (input - 1)) & 1);
+        for (const edge of event.edges) recorder.note(`Q${edge.output}`, edge.at, Number(edge.high));
+        event.pins.outputs.forEach((share, index) => {
+          if (!recorder.channels.has(`Q${index + 1}`)) recorder.note(`Q${index + 1}`, event.at, Number(share > 0));
+        });
+      }
+      if (event.kind === "pace" || event.kind === "pins") recorder.now = Math.max(recorder.now, event.at);
+      this.redraw();
+    });
+    bench.seen.follow((seen) => {
+      if (!seen) return;
+      const pins = bench.where.value === "simulated";
+      const now = pins ? bench.simulated.now() : seen.at;
+      for (const point of this.points) {
+        // The simulated board tells its pins by itself, to the microsecond.
+        if (pins && point.hand === "force") continue;
+        this.recorder.note(point.name, now, point.value(seen), point.kind === "bit");
+      }
+      this.recorder.now = Math.max(this.recorder.now, now);
+      this.redraw();
+    });
+    speak.follow(() => this.build());
+    new ResizeObserver(() => this.size()).observe(this.panel);
+  }
+
+  /** Shows these points from now on. */
+  watch(points: readonly Point[]): void {
+    this.points = points;
+    this.build();
+  }
+
+  /** It is on the screen. */
+  shown(): void {
+    this.drawn = [];
+    this.redraw();
+  }
+
+  private get names(): string[] {
+    return this.points.map((point) => point.name).filter((name) => !this.hidden.has(name));
+  }
+
+  private build(): void {
+    const span = h("select", { "aria-label": say("trendSpan"), change: () => { this.span = Number(span.value); this.follow(true); } },
+      ...SPANS.map((seconds) => h("option", { value: seconds, selected: seconds === this.span }, say("seconds", { n: seconds }))));
+    const follow = h("button", { type: "button", class: "small", id: "follow", "aria-pressed": String(this.follows), click: () => this.follow(!this.follows) }, say("trendFollow"));
+    const small = (key: "trendSvg" | "trendCsv" | "trendClear", click: () => void): HTMLElement => h("button", { type: "button", class: "small", click }, say(key));
+    const boxes = this.points.map((point) => {
+      const box = h("input", { type: "checkbox", checked: !this.hidden.has(point.name) });
+      box.addEventListener("change", () => {
+        if (box.checked) this.hidden.delete(point.name);
+        else this.hidden.add(point.name);
+        this.redraw();
+      });
+      return h("label", {}, box, point.called ? `${point.called} (${point.name})` : point.name);
+    });
+    this.channels.replaceChildren(...boxes);
+    this.channels.setAttribute("role", "group");
+    this.channels.setAttribute("aria-label", say("trendChannels"));
+    this.plot.setAttribute("aria-label", say("tabTrend"));
+    this.panel.replaceChildren(
+      h("div", { class: "trend-tools" }, span, follow,
+        small("trendSvg", () => download("timing.svg", this.svg(), "image/svg+xml")),
+        small("trendCsv", () => download("timing.csv", this.recorder.csv(this.names), "text/csv")),
+        small("trendClear", () => { this.recorder.clear(); this.drawn = []; this.redraw(); }),
+        this.channels),
+      this.points.length > 0 ? this.plot : h("p", { class: "empty" }, say("trendEmpty")));
+    this.drawn = [];
+    this.redraw();
+  }
+
+  /** The diagram as a picture for a report. */
+  svg(): string {
+    const [from, to] = this.window();
+    const labels = this.points.filter((point) => !this.hidden.has(point.name)).map((point) => ({ name: point.name, label: point.called || point.name }));
+    return timingSvg(this.recorder, labels, from, to);
+  }
+
+  private follow(follows: boolean): void {
+    this.follows = follows;
+    this.panel.querySelector("#follow")?.setAttribute("aria-pressed", String(follows));
+    this.redraw();
+  }
+
+  private window(): [number, number] {
+    const { chart, recorder } = this;
+    const scale = chart?.scales["x"];
+    if (!this.follows && scale?.min !== undefined && scale.max !== undefined) return [scale.min * 1000, scale.max * 1000];
+    const to = Math.max(recorder.now, this.span * 1000);
+    return [to - this.span * 1000, to];
+  }
+
+  private redraw(): void {
+    if (this.asked || this.panel.hidden || this.points.length === 0) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      void this.draw();
+    });
+  }
+
+  private async draw(): Promise<void> {
+    const { default: Plot } = await import("uplot");
+    const { names } = this;
+    if (names.join() !== this.drawn.join() || !this.chart) {
+      this.chart?.destroy();
+      this.chart = this.make(Plot, names);
+      this.drawn = names;
+    }
+    const [from, to] = this.window();
+    const { times, values } = this.recorder.table(names, this.follows ? from : 0, this.follows ? to : this.recorder.now);
+    this.chart.setData([times.map((time) => time / 1000), ...values.map((one, lane) => this.lane(one, names.length - 1 - lane))], false);
+    this.chart.setScale("x", { min: from / 1000, max: to / 1000 });
+  }
+
+  /** Values put into their lane: bits as they are, numbers from their least to their most. */
+  private lane(values: readonly number[], lane: number): (number | null)[] {
+    const seen = values.filter((value) => !Number.isNaN(value));
+    const least = Math.min(0, ...seen);
+    const most = Math.max(1, ...seen);
+    return values.map((value) => (Number.isNaN(value) ? null : lane + 0.12 + (0.7 * (value - least)) / (most - least)));
+  }
+
+  private make(Plot: typeof uPlot, names: readonly string[]): uPlot {
+    this.plot.replaceChildren();
+    const style = getComputedStyle(document.documentElement);
+    const colour = (name: string): string => style.getPropertyValue(name).trim();
+    const steps = Plot.paths.stepped?.({ align: 1 });
+    const called = (name: string): string => this.points.find((point) => point.name === name)?.called || name;
+    const series = names.map((name): uPlot.Series => {
+      const stroke = colour(name.startsWith("I") ? "--word" : name.startsWith("Q") ? "--power" : "--operand");
+      return { label: called(name), stroke, width: 2, points: { show: false }, ...(steps ? { paths: steps } : {}) };
+    });
+    const options: uPlot.Options = {
+      width: Math.max(this.plot.clientWidth, 280),
+      height: names.length * LANE + 34,
+      legend: { show: false },
+      cursor: { drag: { x: true, y: false } },
+      scales: { x: { time: false, auto: false }, y: { auto: false, range: [0, Math.max(names.length, 1)] } },
+      axes: [
+        { stroke: colour("--faint"), grid: { stroke: colour("--soft") }, ticks: { stroke: colour("--line") }, values: (_, ticks) => ticks.map((tick) => `${tick} s`), size: 32 },
+        {
+          stroke: colour("--ink"), size: 128, grid: { stroke: colour("--soft") }, ticks: { show: false },
+          splits: () => names.map((_, lane) => lane + 0.4),
+          values: () => names.map((_, lane) => this.labelOf(names[names.length - 1 - lane] ?? "")),
+        },
+      ],
+      series: [{}, ...series],
+      hooks: {
+        setSelect: [() => this.follow(false)],
+        setCursor: [() => this.read()],
+      },
+    };
+    const chart = new Plot(options, [[0], ...names.map(() => [null])], this.plot);
+    chart.over.addEventListener("dblclick", () => this.follow(true));
+    return chart;
+  }
+
+  /** A lane's name, and its value under the cursor. */
+  private labelOf(name: string): string {
+    const called = this.points.find((point) => point.name === name)?.called || name;
+    const at = this.chart?.cursor.idx;
+    if (at === null || at === undefined || !this.chart) return called;
+    const time = (this.chart.data[0][at] ?? 0) * 1000;
+    const value = this.recorder.table([name], time, time).values[0]?.[0];
+    return value === undefined || Number.isNaN(value) ? called : `${called} = ${Number(value.toPrecision(7))}`;
+  }
+
+  private read(): void {
+    this.chart?.redraw(false, true);
+  }
+
+  private size(): void {
+    const { chart } = this;
+    if (chart && this.plot.clientWidth > 0 && Math.abs(chart.width - this.plot.clientWidth) > 1) {
+      chart.setSize({ width: this.plot.clientWidth, height: chart.height });
+    }
+  }
+}
