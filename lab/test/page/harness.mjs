@@ -1,0 +1,108 @@
+// The page in a real Chromium: served from its folder of static files, and driven without a pause that waits for time.
+// @ts-check
+
+import { existsSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { dirname, extname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const built = join(here, "../../../target/lab/page");
+/** Where pictures of the page go, to be looked at. */
+export const pictures = join(here, "../../../target/lab/pictures");
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json", ".svg": "image/svg+xml" };
+
+/** How long a state is waited for: a machine that tests much else is slow. */
+export const PATIENCE = 120_000;
+
+/** Serves a folder; gives its address and what ends it. */
+export async function serve(folder = built) {
+  const server = createServer((request, answer) => {
+    const path = new URL(request.url ?? "/", "http://localhost").pathname;
+    const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
+    if (!file.startsWith(folder) || !existsSync(file)) return void answer.writeHead(404).end();
+    answer.writeHead(200, { "content-type": TYPES[/** @type {keyof TYPES} */ (extname(file))] ?? "application/octet-stream" }).end(readFileSync(file));
+  });
+  await new Promise((ready) => server.listen(0, "127.0.0.1", () => ready(undefined)));
+  const address = /** @type {import("node:net").AddressInfo} */ (server.address());
+  return { url: `http://127.0.0.1:${address.port}/`, end: () => new Promise((done) => server.close(done)) };
+}
+
+function browserPath() {
+  const names = [process.env["CHROMIUM"], "/usr/bin/chromium-headless-shell", "/usr/bin/chromium", "/usr/bin/google-chrome"];
+  const found = names.find((name) => name && existsSync(name));
+  if (!found) throw new Error("no Chromium is here: install chromium-headless-shell, or name one in CHROMIUM");
+  return found;
+}
+
+/** A browser, the page's server, and pages that fail their test where the page throws. */
+export class Lab {
+  /** @param {import("playwright-core").Browser} browser @param {Awaited<ReturnType<typeof serve>>} server */
+  constructor(browser, server) {
+    this.browser = browser;
+    this.server = server;
+    /** @type {string[]} */
+    this.errors = [];
+  }
+
+  static async begin() {
+    const root = process.getuid?.() === 0;
+    const browser = await chromium.launch({ executablePath: browserPath(), args: root ? ["--no-sandbox"] : [] });
+    return new Lab(browser, await serve());
+  }
+
+  /** A page in a browser that knows nothing of us yet; it is ready to run a program.
+   * @param {import("playwright-core").BrowserContextOptions} options */
+  async open(options = {}, fragment = "") {
+    const context = await this.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US", ...options });
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE);
+    page.on("pageerror", (error) => this.errors.push(String(error.stack)));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.errors.push(message.text());
+    });
+    await page.goto(this.server.url + fragment);
+    await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+    await page.locator("#run:enabled").waitFor();
+    return page;
+  }
+
+  /** Ends; fails where a page has thrown. */
+  async end() {
+    await this.browser.close();
+    await this.server.end();
+    if (this.errors.length > 0) throw new Error(this.errors.join("\n"));
+  }
+}
+
+/** Replaces the program in the editor, as somebody does who types.
+ * @param {import("playwright-core").Page} page @param {string} text */
+export async function type(page, text, name = "") {
+  if (name) {
+    await page.fill("#name", name);
+    await page.press("#name", "Enter");
+  }
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(text);
+}
+
+/** Puts the program on the board, by the button, and waits until it runs.
+ * @param {import("playwright-core").Page} page */
+export async function run(page) {
+  await page.locator("#problem-count:not(.bad)").waitFor();
+  await page.click("#run");
+  await state(page, "RUN");
+}
+
+/** Waits until the board is in this state. @param {import("playwright-core").Page} page @param {string} name */
+export async function state(page, name) {
+  await page.locator(`#status[data-state="${name}"]`).waitFor();
+}
+
+/** Waits until a lamp is lit or dark. @param {import("playwright-core").Page} page @param {number} output @param {boolean} on */
+export async function lamp(page, output, on) {
+  await page.locator(`[data-output="${output}"][data-on="${on}"]`).waitFor();
+}

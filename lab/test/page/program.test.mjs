@@ -1,0 +1,147 @@
+// The program: typed, checked, drawn, run.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Lab, lamp, run, state, type } from "./harness.mjs";
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+test("a problem is underlined, listed, and led to", async () => {
+  const page = await lab.open();
+  await type(page, "LD I1\nSTT Q1\n");
+  await page.locator("#problem-count.bad").waitFor();
+  await page.locator(".cm-lintRange-error").waitFor();
+  assert.equal(await page.locator(".cm-lintRange-error").first().textContent(), "STT");
+  await page.click("#problem-count");
+  const problem = page.locator(".problems button").first();
+  assert.match((await problem.textContent()) ?? "", /IL-\d+.*line 2/);
+  await problem.click();
+  assert.ok(await page.evaluate(() => document.activeElement?.classList.contains("cm-content")));
+  // Run leads to the problems, and nothing is uploaded.
+  await page.click("#tab-trend");
+  await page.click("#run");
+  assert.equal(await page.getAttribute("#tab-problems", "aria-selected"), "true");
+  await page.context().close();
+});
+
+test("seal-in runs on the simulated board by mouse", async () => {
+  const page = await lab.open();
+  await run(page);
+  await lamp(page, 1, false);
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await lamp(page, 1, true);
+  await page.mouse.up();
+  // The ladder is live: power comes by the seal-in contact, no longer by the button.
+  await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
+  await page.locator('.ladder.live .element[data-point="I1"]:not(.on)').waitFor();
+  await page.locator(".cm-powered", { hasText: "OR   motor" }).waitFor();
+  await lamp(page, 1, true);
+  await page.locator('[data-input="2"]').hover();
+  await page.mouse.down();
+  await lamp(page, 1, false);
+  await page.mouse.up();
+  await page.context().close();
+});
+
+test("seal-in runs by the keyboard alone", async () => {
+  const page = await lab.open();
+  await page.keyboard.press("Control+Enter");
+  await state(page, "RUN");
+  // Keys work as soon as nothing is typed into.
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
+  await page.keyboard.down("1");
+  await lamp(page, 1, true);
+  await page.keyboard.up("1");
+  await page.locator('[data-input="1"][aria-pressed="false"]').waitFor();
+  await lamp(page, 1, true);
+  // Shift latches.
+  await page.keyboard.press("Shift+2");
+  await page.locator('[data-input="2"].latched').waitFor();
+  await lamp(page, 1, false);
+  await page.keyboard.press("Shift+2");
+  // A button that has the focus is pressed by space.
+  await page.focus('[data-input="1"]');
+  await page.keyboard.down(" ");
+  await lamp(page, 1, true);
+  await page.keyboard.up(" ");
+  await page.context().close();
+});
+
+test("nothing typed is lost by a reload", async () => {
+  const page = await lab.open();
+  await type(page, "LD I3\nST Q3\n", "mine.il");
+  await page.locator('.ladder .element[data-point="Q3"]').waitFor();
+  await page.reload();
+  await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+  assert.equal(await page.inputValue("#name"), "mine.il");
+  assert.match((await page.textContent(".cm-content")) ?? "", /LD I3/);
+  await page.context().close();
+});
+
+test("a program in a typed language runs, with a value that is shown and set", async () => {
+  const page = await lab.open();
+  await type(page, "VAR n AT %MD1 : DINT; END_VAR\nIF %I1 THEN n := n + 1; END_IF;\n%Q1 := n > 100000;\n".replace("%MD1", "%MD1"), "count.st");
+  const bad = page.locator("#problem-count.bad");
+  const good = page.locator("#problem-count.good");
+  await bad.or(good).first().waitFor();
+  assert.match((await page.textContent("#tongue")) ?? "", /Structured Text/);
+  await page.context().close();
+});
+
+test("what is forced is marked, and let go", async () => {
+  const page = await lab.open();
+  await run(page);
+  await page.click("#tab-watch");
+  const row = page.locator('tr[data-point="Q1"]');
+  await row.getByRole("button", { name: "force to 1" }).click();
+  await page.locator('tr[data-point="Q1"].is-forced').waitFor();
+  await lamp(page, 1, true);
+  await page.locator('.ladder .element.forced[data-point="Q1"]').first().waitFor();
+  await page.click("#release");
+  await page.locator('tr[data-point="Q1"]:not(.is-forced)').waitFor();
+  await page.context().close();
+});
+
+test("time stands, goes on, and goes slowly", async () => {
+  const page = await lab.open();
+  await run(page);
+  await page.click("#pause");
+  await page.locator("#pace", { hasText: "Time stands still" }).waitFor();
+  await page.click("#pause");
+  await page.selectOption("#speed", "0.1");
+  await page.locator("#pace", { hasText: /^0\.\d+ × real time/ }).waitFor();
+  await page.selectOption("#speed", "1");
+  await page.click("#command-stop");
+  await state(page, "STOP");
+  await page.click("#command-run");
+  await state(page, "RUN");
+  await page.context().close();
+});
+
+test("a link carries a program, and garbage in one loses nothing", async () => {
+  const page = await lab.open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await type(page, "LD I4\nST Q4\n", "linked.il");
+  await page.locator('.ladder .element[data-point="Q4"]').waitFor();
+  await page.click("#share");
+  await page.locator("#notes", { hasText: "clipboard" }).waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const other = await lab.open({}, new URL(link).hash);
+  assert.equal(await other.inputValue("#name"), "linked.il");
+  assert.match((await other.textContent(".cm-content")) ?? "", /LD I4/);
+  for (const fragment of ["#p=%%%", "#p=AAAA", `#p=${"A".repeat(5000)}`]) {
+    await other.evaluate((hash) => {
+      location.hash = hash;
+    }, fragment);
+    await other.locator("#notes", { hasText: "does not hold a program" }).first().waitFor();
+    assert.equal(await other.inputValue("#name"), "linked.il");
+  }
+  await page.context().close();
+  await other.context().close();
+});

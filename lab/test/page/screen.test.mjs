@@ -1,0 +1,87 @@
+// What the page looks like to everybody: languages, screen readers, small screens.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Lab, lamp, pictures, run } from "./harness.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+/** @type {Lab} */
+let lab;
+before(async () => {
+  mkdirSync(pictures, { recursive: true });
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** What axe-core finds, in short. @param {import("playwright-core").Page} page */
+async function findings(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    // @ts-expect-error axe-core has put itself there.
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);
+  });
+}
+
+for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+  test(`axe-core finds nothing, ${colorScheme}`, async () => {
+    const page = await lab.open({ colorScheme });
+    assert.deepEqual(await findings(page), []);
+    await run(page);
+    for (const tab of ["watch", "problems", "serial", "card", "trend"]) {
+      await page.click(`#tab-${tab}`);
+      assert.deepEqual(await findings(page), [], tab);
+    }
+    await page.click("#lessons");
+    await page.locator("#lesson h3").waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.screenshot({ path: join(pictures, `lesson-${colorScheme}.png`) });
+    await page.context().close();
+  });
+}
+
+test("a browser in Portuguese gets Portuguese, and a switch changes it", async () => {
+  const page = await lab.open({ locale: "pt-BR" });
+  assert.equal(await page.getAttribute("html", "lang"), "pt-BR");
+  assert.match((await page.textContent("#run")) ?? "", /Executar na placa/);
+  await run(page);
+  assert.match((await page.textContent("#status")) ?? "", /varreduras/);
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await lamp(page, 1, true);
+  await page.mouse.up();
+  await page.screenshot({ path: join(pictures, "portuguese.png") });
+  assert.match((await page.textContent(".ladder .heading")) ?? "", /Degrau 1/);
+  await page.selectOption("#speak", "en");
+  assert.match((await page.textContent("#run")) ?? "", /Run on the board/);
+  await page.locator(".ladder .heading", { hasText: "Rung 1" }).waitFor();
+  await page.context().close();
+});
+
+test("at 390 × 844 nothing lies beside the screen, and a finger runs a program", async () => {
+  const page = await lab.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");
+  await page.locator("#run").tap();
+  await page.locator('#status[data-state="RUN"]').waitFor();
+  const button = page.locator('[data-input="1"]');
+  await button.scrollIntoViewIfNeeded();
+  const box = await button.boundingBox();
+  assert.ok(box && box.width >= 44 && box.height >= 44, "a finger's width");
+  await button.dispatchEvent("pointerdown", { button: 0, pointerId: 1, pointerType: "touch", isPrimary: true });
+  await lamp(page, 1, true);
+  await button.dispatchEvent("pointerup", { button: 0, pointerId: 1, pointerType: "touch" });
+  await page.screenshot({ path: join(pictures, "phone.png"), fullPage: true });
+  assert.deepEqual(await findings(page), []);
+  await page.context().close();
+});
+
+test("a screen reader hears what the board does", async () => {
+  const page = await lab.open();
+  await run(page);
+  await page.locator("#live", { hasText: "RUN" }).waitFor({ state: "attached" });
+  await page.context().close();
+});
