@@ -1,0 +1,251 @@
+//! What a page asks and is answered, without a browser.
+
+#![cfg(feature = "full")]
+
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+use unoclp_wasm::{Boards, answer};
+
+fn ask(request: Value) -> Value {
+    told(&request.to_string(), &mut Boards::default())
+}
+
+fn told(request: &str, boards: &mut Boards) -> Value {
+    serde_json::from_str(&answer(request.as_bytes(), boards)).unwrap()
+}
+
+fn ok(request: Value) -> Value {
+    let told = ask(request);
+    assert!(told["ok"] != Value::Null, "{told}");
+    told["ok"].clone()
+}
+
+fn file(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../programs");
+    fs::read_to_string(folder.join(name)).unwrap()
+}
+
+#[test]
+fn a_problem_is_told_with_its_place_and_in_both_languages() {
+    // Before the place stand characters of one, two and four bytes: 1, 1 and 2 units of UTF-16.
+    let text = "(* aé😀 *) STT Q1\n";
+    let checked = ok(json!({ "ask": "check", "name": "a.il", "text": text }));
+    let problem = &checked["problems"][0];
+    assert_eq!(problem["line"], 1);
+    let from = problem["from"].as_u64().unwrap() as usize;
+    let to = problem["to"].as_u64().unwrap() as usize;
+    let units: Vec<u16> = text.encode_utf16().collect();
+    assert_eq!(String::from_utf16(&units[from..to]).unwrap(), "STT");
+    assert_ne!(problem["message"]["en"], problem["message"]["pt"]);
+    assert_eq!(checked["program"], Value::Null);
+}
+
+#[test]
+fn a_fault_of_numeric_code_is_told_with_its_place() {
+    let text = "0\n787600\n  827401\n877901\n";
+    let checked = ok(json!({ "ask": "check", "name": "P.TXT", "text": text }));
+    assert_eq!(checked["language"], "numeric");
+    let problem = &checked["problems"][0];
+    let place = ["number", "line", "column", "from", "to"].map(|key| problem[key].to_string());
+    assert_eq!(place, ["\"24\"", "3", "3", "11", "17"]);
+    let help = problem["help"]["pt"].as_str().unwrap();
+    assert!(help.contains("827301"), "{help}");
+}
+
+#[test]
+fn a_program_comes_with_its_code_names_and_map() {
+    let text = file("motor.il");
+    let checked = ok(json!({ "ask": "check", "name": "motor.il", "text": text }));
+    let program = &checked["program"];
+    assert!(program["code"].as_str().unwrap().contains("787600"));
+    assert_eq!(checked["language"], "il");
+    assert!(program["symbols"].as_object().unwrap().contains_key("Q1"));
+    let lines = text.lines().count() as u64;
+    let steps = program["map"].as_array().unwrap().iter();
+    let mut places = steps.map(|step| step[0].as_u64().unwrap());
+    assert!(places.all(|line| (1..=lines).contains(&line)));
+}
+
+#[test]
+fn a_ladder_names_its_nets_and_steps() {
+    let text = "LD I1\nOR Q1\nANDN I2\nST Q1\n";
+    let request = json!({ "ask": "ladder", "name": "a.il", "text": text, "width": 64 });
+    let drawn = ok(request.clone());
+    let svg = drawn["svg"].as_str().unwrap();
+    for part in [
+        "class=\"ladder\"",
+        "data-point=\"I1\"",
+        "data-point=\"Q1\"",
+        "data-rung=\"1\"",
+        "data-lines=\"1-4\"",
+        "class=\"wire n",
+    ] {
+        assert!(svg.contains(part), "{part} in {svg}");
+    }
+    let has_colour = svg.contains("fill=") || svg.contains("stroke=\"");
+    assert!(!has_colour, "colours are the page's");
+    let mut portuguese = request;
+    portuguese["speak"] = "pt".into();
+    assert!(ok(portuguese)["svg"].as_str().unwrap().contains("Degrau 1"));
+}
+
+#[test]
+fn every_program_is_drawn_and_listed() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../programs");
+    let mut drawn = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if name == "STATE.TXT" || !name.ends_with(".il") && !name.ends_with(".txt") {
+            continue;
+        }
+        let text = file(&name);
+        ok(json!({ "ask": "ladder", "name": name, "text": text, "width": 64 }));
+        for form in ["ladder", "il", "numeric", "svg"] {
+            ok(json!({ "ask": "list", "name": name, "text": text, "as": form, "width": 80 }));
+        }
+        drawn += 1;
+    }
+    assert!(drawn > 15, "{drawn}");
+}
+
+#[test]
+fn steps_and_solutions_of_the_tutorial_pass_and_other_programs_do_not() {
+    let exercise = |program: &str, scenario: &str| {
+        let text = file(&format!("tutorial/{program}"));
+        let told = file(&format!("tutorial/{scenario}"));
+        ok(
+            json!({ "ask": "exercise", "name": program, "text": text, "title": scenario, "scenario": told }),
+        )
+    };
+    let passed = |outcome: &Value| outcome["passed"].as_bool().unwrap();
+    let step = exercise("01-lamp.il", "01-lamp.toml");
+    assert!(passed(&step), "{step}");
+    let solution = exercise("solutions/01-pair.il", "solutions/01-pair.toml");
+    assert!(passed(&solution), "{solution}");
+    let other = exercise("01-lamp.il", "solutions/01-pair.toml");
+    assert!(!passed(&other));
+    let first = &other["unmet"][0];
+    assert_ne!(first["expected"], first["came"], "{other}");
+    let wrong = json!({ "ask": "exercise", "name": "a.il", "text": "LD I1\nST Q1", "title": "x", "scenario": "until = 5" });
+    let wrong = ask(wrong);
+    assert!(wrong["error"]["pt"].is_string(), "{wrong}");
+}
+
+#[test]
+fn a_card_holds_the_program() {
+    let program = "0 / é\n787600\n827301\n877901\n";
+    let card = ok(json!({ "ask": "card", "program": program, "state": true }));
+    let blocks = &card["blocks"];
+    assert!(
+        blocks.as_array().unwrap().len() < 100,
+        "empty blocks are left out"
+    );
+    let read = |name: &str| {
+        let request = json!({ "ask": "read", "blocks": blocks, "name": name });
+        ask(request)["ok"].clone()
+    };
+    assert_eq!(read("PROGRAM.TXT"), program);
+    assert!(read("STATE.TXT").is_string());
+    assert_eq!(read("OTHER.TXT"), Value::Null);
+}
+
+#[test]
+fn a_conversation_asks_waits_and_tells_that_nobody_answers() {
+    let mut boards = Boards::default();
+    let mut ask = |request: Value| told(&request.to_string(), &mut boards)["ok"].clone();
+    let program = json!({ "name": "a.il", "text": "LD I1\nST Q1\n" });
+    let board = ask(json!({ "ask": "open", "program": program, "reset": false }));
+    let order = json!({ "ask": "order", "board": board, "order": { "do": "run" } });
+    let order = ask(order);
+    let (mut now, mut sent, mut news) = (0.0, Vec::new(), Vec::new());
+    while !news.iter().any(|one: &Value| one["news"] == "undone") {
+        let step = ask(json!({ "ask": "step", "board": board, "now": now, "came": [] }));
+        sent.extend(step["send"].as_array().unwrap().clone());
+        news.extend(step["news"].as_array().unwrap().clone());
+        now = step["until"].as_f64().unwrap().max(now + 0.1);
+        assert!(now < 60_000.0, "{news:?}");
+    }
+    assert_eq!(
+        sent[..5],
+        [1, 43, 14, 1, 0].map(Value::from),
+        "identification"
+    );
+    assert_eq!(news[0]["news"], "lost");
+    assert_eq!(news[1]["order"], order);
+    ask(json!({ "ask": "close", "board": board }));
+}
+
+#[test]
+fn nothing_that_is_asked_panics() {
+    let mut boards = Boards::default();
+    let mut told = |request: &str| told(request, &mut boards);
+    let deep = "(".repeat(10_000);
+    let long = "LD I1\n".repeat(300_000);
+    let texts = [
+        "",
+        "\u{FEFF}",
+        "\0",
+        "é",
+        "0\n99999999999",
+        "PROGRAM",
+        "BLOCO",
+        &deep,
+        &long,
+    ];
+    for name in [
+        "", "a", "a.il", "a.st", "a.scl", "a.iscl", "a.lce", "../..", "é.st",
+    ] {
+        for text in texts {
+            for (what, width) in [
+                ("check", 0),
+                ("ladder", 0),
+                ("ladder", usize::MAX),
+                ("list", 1),
+                ("exercise", 0),
+            ] {
+                if text.len() > 1000 && what != "check" {
+                    continue;
+                }
+                let request = json!({
+                    "ask": what, "name": name, "text": text, "width": width, "as": "ladder", "scenario": text,
+                    "title": name,
+                });
+                told(&request.to_string());
+            }
+        }
+    }
+    for request in [
+        "",
+        "{",
+        "[]",
+        "null",
+        "\u{FFFF}",
+        "{\"ask\":\"none\"}",
+        "{\"ask\":\"check\"}",
+        "{\"ask\":\"step\",\"board\":7,\"now\":-1e300,\"came\":[]}",
+        "{\"ask\":\"step\",\"board\":7,\"now\":0,\"came\":[300]}",
+        "{\"ask\":\"read\",\"blocks\":[[0,\"zz\"],[4294967295,\"é\"]],\"name\":\"éééééééé.é\"}",
+    ] {
+        let answer = told(request);
+        assert_eq!(answer["ok"], Value::Null, "{request}");
+    }
+    let open = told("{\"ask\":\"open\",\"reset\":true,\"rate\":0,\"parity\":9}");
+    let board = &open["ok"];
+    let noise: Vec<u8> = (0..=255).collect();
+    for now in ["0", "1e308", "-5", "1e-300"] {
+        told(&format!(
+            "{{\"ask\":\"step\",\"board\":{board},\"now\":{now},\"came\":{noise:?}}}"
+        ));
+    }
+    for order in [
+        json!({ "do": "force", "output": true, "number": 255, "to": true }),
+        json!({ "do": "set", "point": "é9", "value": 0 }),
+        json!({ "do": "upload", "name": "", "text": "" }),
+    ] {
+        told(&json!({ "ask": "order", "board": board, "order": order }).to_string());
+    }
+    told(&format!(
+        "{{\"ask\":\"step\",\"board\":{board},\"now\":9e9,\"came\":[]}}"
+    ));
+}
