@@ -58,6 +58,7 @@ pub use lacking::lacking;
 pub use languages::{CheckedText, TextLanguage, check};
 pub use operators::is_operator;
 pub use show::show;
+pub use st::has_types;
 
 use comments::Comments;
 use diagnostics::Found;
@@ -118,9 +119,14 @@ impl Compiled {
 
 /// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
 pub fn compile(text: &str, options: &Options) -> Compiled {
-    if st::has_types(text) {
-        return typed(text, options.board);
+    match has_types(text) {
+        true => typed(text, options.board),
+        false => compile_untyped(text, options),
     }
+}
+
+/// The same of a text that [has no types](has_types), without what the typed languages take.
+pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
     let mut found = Found::default();
     let parsed = parser::parse(text, &mut found);
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());

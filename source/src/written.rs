@@ -5,7 +5,7 @@
 use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
-use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile, compile_text};
+use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile_text, compile_untyped, has_types};
 
 /// A program file. Its language is known, if it has one, and nothing else.
 #[derive(Clone, Debug)]
@@ -46,6 +46,16 @@ pub enum Refused {
     },
 }
 
+/// How a program file becomes a program.
+enum Way {
+    /// Its codes are read as they are.
+    Numeric,
+    /// By the compiler of Instruction List.
+    List,
+    /// By way of the typed tree.
+    Typed(TextLanguage),
+}
+
 impl Written {
     /// A file of this name, whose language its name and its text tell.
     pub fn new(name: String, bytes: Vec<u8>) -> Written {
@@ -74,20 +84,31 @@ impl Written {
     /// # Errors
     /// All that is wrong with it.
     pub fn check(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
-        match self.language {
-            Ok(WrittenIn::Numeric) => self.numeric(),
-            Ok(WrittenIn::Il) => self.compiled(dialect),
-            Ok(WrittenIn::Typed(language)) => self.typed(language),
-            Err(why) => Err(Refused::NoProgram {
-                name: self.name,
-                why,
-            }),
+        match self.way() {
+            Ok(Way::Numeric) => self.numeric(),
+            Ok(Way::List) => self.compiled(dialect),
+            Ok(Way::Typed(language)) => self.typed(language),
+            Err(why) => Err(self.none(why)),
         }
     }
 
-    /// Whether it is a text in one of the typed languages.
+    /// Whether it goes by way of the typed tree: a text in a typed language, or Instruction List with types.
     pub fn is_typed(&self) -> bool {
-        self.is_text && typed(&self.name).is_some()
+        matches!(self.way(), Ok(Way::Typed(_)))
+    }
+
+    fn way(&self) -> Result<Way, NoProgram> {
+        Ok(match self.language? {
+            WrittenIn::Numeric => Way::Numeric,
+            WrittenIn::Il if has_types(&decode(&self.bytes)) => Way::Typed(TextLanguage::Il),
+            WrittenIn::Il => Way::List,
+            WrittenIn::Typed(language) => Way::Typed(language),
+        })
+    }
+
+    fn none(self, why: NoProgram) -> Refused {
+        let name = self.name;
+        Refused::NoProgram { name, why }
     }
 
     /// The same for numeric code and Instruction List alone, without what the typed languages take: none for a text in one
@@ -96,10 +117,11 @@ impl Written {
     /// # Errors
     /// All that is wrong with it.
     pub fn check_untyped(self) -> Option<Result<Source, Refused>> {
-        match self.is_text {
-            true if self.is_typed() => None,
-            true => Some(self.compiled(None)),
-            false => Some(self.numeric()),
+        match self.way() {
+            Ok(Way::Numeric) => Some(self.numeric()),
+            Ok(Way::List) => Some(self.compiled(None)),
+            Ok(Way::Typed(_)) => None,
+            Err(why) => Some(Err(self.none(why))),
         }
     }
 
@@ -152,7 +174,7 @@ impl Written {
     fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
         let board = BOARD;
-        let compiled = compile(&text, &Options { dialect, board });
+        let compiled = compile_untyped(&text, &Options { dialect, board });
         let code = compiled.file();
         let diagnostics = compiled.diagnostics;
         let (Some(code), Some((checked, map))) = (code, compiled.program) else {

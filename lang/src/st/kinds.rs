@@ -31,8 +31,8 @@ const TYPES: [&str; 15] = [
 ];
 
 /// Whether a text declares a type of its own or one that has parts or fractions, or has an operator that is a function of
-/// the norm alone.
-pub(crate) fn has_types(text: &str) -> bool {
+/// the norm alone: then it is compiled by way of the typed tree.
+pub fn has_types(text: &str) -> bool {
     let tokens = tokens(text, Dialect::Il, &mut Found::default());
     let word = |at: usize| -> &str {
         let token = tokens.get(at);

@@ -15,7 +15,7 @@ mod parser;
 mod token;
 mod words;
 
-pub(crate) use kinds::has_types;
+pub use kinds::has_types;
 pub(crate) use token::Dialect;
 
 use crate::diagnostics::{Code, Found};
