@@ -47,6 +47,17 @@ impl Variables {
             .collect()
     }
 
+    /// The others that are analogue inputs.
+    pub fn analogue(&self, read: impl Fn(Spot) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
+        let is_analogue =
+            |of: &&Variable| matches!(of.holding, Holding::One((Spot::Analogue(_), _)));
+        let others = self.0.iter().filter(|variable| !variable.is_watched);
+        others
+            .filter(is_analogue)
+            .filter_map(|variable| spans(variable, &read))
+            .collect()
+    }
+
     /// The others, as far as no lamp and no timer shows them.
     pub fn others(&self, read: impl Fn(Spot) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
         let in_memory = |variable: &&Variable| match variable.holding {

@@ -69,7 +69,8 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
             Some(program) if program.variables.any() => {
                 let watched = program.variables.watched(|spot| read(reading, spot));
                 panels.push(vec![(messages::watched(), lines(watched, width.into()))]);
-                let others = program.variables.others(|spot| read(reading, spot));
+                let mut others = program.variables.analogue(|spot| read(reading, spot));
+                others.extend(program.variables.others(|spot| read(reading, spot)));
                 (messages::variables(), lines(others, width.into()))
             }
             Some(program) => (messages::memory(), memory_of(program, reading, width)),

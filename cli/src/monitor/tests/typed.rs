@@ -28,13 +28,13 @@ fn showing_typed(name: &str, text: &str, registers: &[i32]) -> App {
 
 #[test]
 fn a_board_shows_variables_by_name_and_type() {
-    let text = "VAR go AT %IX1 : BOOL; lamp AT %QX1 : BOOL; level : REAL; wait : TIME; n : UDINT; pause : TON; END_VAR\nlevel := level + 0.5;\nwait := wait + T#1ms;\nn := n + 1;\npause(IN := go, PT := T#5s);\nlamp := pause.Q;\n";
+    let text = "VAR go AT %IX1 : BOOL; lamp AT %QX1 : BOOL; raw AT %IW0 : INT; level : REAL; wait : TIME; n : UDINT; pause : TON; END_VAR\nlevel := level + 0.5;\nIF raw > 9 THEN lamp := TRUE; END_IF;\nwait := wait + T#1ms;\nn := n + 1;\npause(IN := go, PT := T#5s);\nlamp := pause.Q;\n";
     let registers = [2.5_f32.to_bits().cast_signed(), 90_000, -1];
     let shown = screen(&mut showing_typed("tank.st", text, &registers), 80, 24);
     for part in [
         "I1● go",
         "Q1○ lamp",
-        "\n level 2.5   wait T#1m30s   n 4294967295\n",
+        "\n raw 7   level 2.5   wait T#1m30s   n 4294967295\n",
         " pause TON ",
         "level := level + 0.5;  = 2.5",
         "wait := wait + T#1ms;  = T#1m30s",
