@@ -94,7 +94,7 @@ export interface Live {
   readonly boxes: readonly (readonly [number, string])[];
   readonly values: readonly (readonly [number, number])[];
   /** For each line of the text: whether it has power, a number, or nothing. */
-  readonly lines: readonly (boolean | number | null)[];
+  readonly lines: readonly (boolean | number | string | null)[];
 }
 
 export interface Seen {
