@@ -6,6 +6,9 @@ use super::flat::{Does, Flat, Step, each, expr, own_expressions, own_expressions
 use super::uses::Uses;
 use crate::typed::{Base, Convert, Expr, ExprKind, Place, Store};
 
+/// A larger expression, in operands and operations, stays where it is: so no chain of them becomes one of any depth.
+const MOST: usize = 200;
+
 /// Rewrites a program; `own` is how many cells are not those of calls.
 pub(super) fn merge(flat: &mut Flat, own: u32) {
     let uses = Uses::of(flat);
@@ -55,12 +58,14 @@ fn merged(steps: Vec<Step>, uses: &Uses, own: u32) -> Vec<Step> {
 
 /// The cell that this step stores to, if that is stored once and read once.
 fn once(step: &Step, uses: &Uses, own: u32) -> Option<u32> {
-    let Does::Assign(to, _, Store::Narrow(_)) = &step.does else {
+    let Does::Assign(to, value, Store::Narrow(_)) = &step.does else {
         return None;
     };
     let of = uses.get(to.offset)?;
+    let mut size = 0;
+    each(value, &mut |_| size += 1);
     let single = to.indices.is_empty() && to.offset >= own && of.reads == 1 && of.stores == 1;
-    (single && uses.row_of(to.offset).is_none()).then_some(to.offset)
+    (single && size <= MOST && uses.row_of(to.offset).is_none()).then_some(to.offset)
 }
 
 fn is_read_of(place: &Place, cell: u32) -> bool {
