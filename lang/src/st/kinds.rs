@@ -33,6 +33,9 @@ const TYPES: [&str; 15] = [
 /// Whether a text declares a type of its own or one that has parts or fractions, or has an operator that is a function of
 /// the norm alone: then it is compiled by way of the typed tree.
 pub fn has_types(text: &str) -> bool {
+    if !may_have_types(text) {
+        return false;
+    }
     let tokens = tokens(text, Dialect::Il, &mut Found::default());
     let word = |at: usize| -> &str {
         let token = tokens.get(at);
@@ -86,6 +89,27 @@ pub fn has_types(text: &str) -> bool {
         }
         _ => false,
     })
+}
+
+/// Whether some word of the text may be one of those, wherever it stands; found without keeping anything of the text.
+fn may_have_types(text: &str) -> bool {
+    let behind_colon = |part: &str| part.trim_start().starts_with(['(', '/']);
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    text.contains("..")
+        || text.split(':').skip(1).any(behind_colon)
+        || text.split(|c| !is_word(c)).any(may_be_of_types)
+}
+
+fn may_be_of_types(word: &str) -> bool {
+    // `DATE_AND_TIME_TO_DATE_AND_TIME` has 30; no word that matters is longer.
+    let mut upper = [0; 32];
+    let Some(upper) = upper.get_mut(..word.len()) else {
+        return false;
+    };
+    upper.copy_from_slice(word.as_bytes());
+    upper.make_ascii_uppercase();
+    let key = str::from_utf8(upper).unwrap_or_default();
+    TYPES.contains(&key) || ["TYPE", "D"].contains(&key) || !is_operator(key) && is_function(key)
 }
 
 fn is_operator(key: &str) -> bool {
