@@ -37,6 +37,9 @@ const NAMES: &[&str] = &[
     "time ms",
     "D{from}-{} to D{to}-{}",
     "{}..{} to {}..{}",
+    // Classes of a drawing.
+    "element n{}",
+    "wire n{net}",
 ];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {

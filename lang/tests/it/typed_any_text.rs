@@ -120,20 +120,18 @@ fn what_is_read_runs_on_a_stack_of_a_megabyte() {
     }
 }
 
-/// The texts of the cases, those of the mistakes or the others.
-fn texts_of_st(wrong: bool) -> Vec<String> {
+/// The texts of the cases, those with mistakes and the others.
+fn texts_of_st() -> (Vec<String>, Vec<String>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typed");
     let mut all = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        if path.ends_with("mistakes.toml") != wrong {
-            continue;
-        }
         let text = fs::read_to_string(path).unwrap();
         let parts = text.split("\nst = '''\n").skip(1);
         all.extend(parts.filter_map(|part| part.split("'''").next().map(str::to_owned)));
     }
-    all
+    all.into_iter()
+        .partition(|text| check(text, TextLanguage::St).tree.is_none())
 }
 
 /// The texts of the cases in this language.
@@ -196,7 +194,8 @@ fn runs(text: &str, language: TextLanguage) -> bool {
 
 #[test]
 fn mutated_texts_are_read_and_run() {
-    let kinds = [texts_of_st(true), texts_of_st(false)];
+    let (wrong, right) = texts_of_st();
+    let kinds = [wrong, right];
     let words: Vec<&str> = words(kinds.iter().flatten());
     let mut random = Random(7);
     let ran = (0..20_000).filter(|turn| {
