@@ -2,6 +2,7 @@
 ; result and error, writes how many and the operation's number, and lets this run from `done` to `done`.
 
         .equ    ENGINE_ERROR, error
+        .equ    REAL, 1
         .global main, done, rows, count, operation, engine_start, engine_back
 
         .section .bss
