@@ -86,7 +86,19 @@ pub fn firmware_elf() -> Result<PathBuf, Error> {
 /// # Errors
 /// [`Error::NoFirmware`] where there is no such file.
 pub fn unshortened_elf() -> Result<PathBuf, Error> {
-    let path = firmware_elf()?.with_file_name("unoclp-unshortened.elf");
+    beside("unoclp-unshortened.elf")
+}
+
+/// The firmware of Nanos: it stands beside [`firmware_elf`].
+///
+/// # Errors
+/// [`Error::NoFirmware`] where there is no such file.
+pub fn nano_elf() -> Result<PathBuf, Error> {
+    beside("unoclp-nano.elf")
+}
+
+fn beside(name: &str) -> Result<PathBuf, Error> {
+    let path = firmware_elf()?.with_file_name(name);
     if path.is_file() {
         Ok(path)
     } else {

@@ -59,7 +59,7 @@ mod wiring;
 pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
 pub use elf::{
     EEPROM_LEN, ENLARGED_FLASH_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol,
-    firmware_elf, unshortened_elf,
+    firmware_elf, nano_elf, unshortened_elf,
 };
 pub use error::Error;
 pub use halt::Halt;

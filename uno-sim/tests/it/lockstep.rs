@@ -1,8 +1,9 @@
 //! Random programs on the core and on the firmware, compared after every scan.
 
 use crate::common;
+use unoclp_checked::numeric;
 use unoclp_core::isa::{MARKERS, REGISTERS};
-use unoclp_core::{Image, Inputs};
+use unoclp_core::{Image, Inputs, Profile};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::{Cell, Engine};
@@ -10,6 +11,7 @@ use unoclp_testing::rounds;
 use unoclp_uno_sim::Uno;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
+use unoclp_uno_sim::{Program, nano_elf};
 
 const PROGRAMS: u32 = 600;
 /// As many as a quick run takes too: of fewer, chance decides how much they do.
@@ -20,19 +22,27 @@ const SEED: u64 = 0x0C19;
 
 #[test]
 fn random_programs_behave_alike() {
-    compare::<Uno>();
+    compare::<Uno>(common::firmware(), Profile::UNO, 20);
 }
 
 /// The same programs on avr8js, which the lab's page runs the firmware on.
 #[test]
 fn random_programs_behave_alike_on_avr8js() {
-    compare::<Avr8js>();
+    compare::<Avr8js>(common::firmware(), Profile::UNO, 20);
 }
 
-fn compare<S: Simulated>() {
+/// Of the programs that it takes; the others it refuses. Those are the longest, and the rest do less.
+#[test]
+fn random_programs_behave_alike_on_a_nano() {
+    let firmware = Program::read(&nano_elf().unwrap()).unwrap();
+    compare::<Uno>(firmware, Profile::NANO, 50);
+}
+
+/// In one of `few` scans at least something must change.
+fn compare<S: Simulated>(firmware: Program, board: Profile, few: u64) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
-    let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
-    let (mut scans, mut changes, mut faults) = (0u64, 0u64, 0u64);
+    let mut uno = FirmwareEngine::<S>::new(firmware, Clock::Lockstep).unwrap();
+    let (mut scans, mut changes, mut faults, mut refused) = (0u64, 0u64, 0u64, 0u32);
     let programs = rounds(PROGRAMS).max(LEAST_PROGRAMS);
     for n in 0..programs {
         let seed = seed.wrapping_add(n.into());
@@ -44,6 +54,12 @@ fn compare<S: Simulated>() {
         let accepted = uno
             .load(program.as_bytes())
             .unwrap_or_else(|e| panic!("seed {seed}: {e}"));
+        if let Err(fault) = numeric(program.as_bytes(), board) {
+            let first = fault.first().map(|first| Err(first.fault.into()));
+            assert_eq!(Some(accepted), first, "seed {seed}:\n{program}");
+            refused += 1;
+            continue;
+        }
         assert_eq!(accepted, Ok(()), "seed {seed} on the firmware:\n{program}");
 
         let needs = host.machine().map(|machine| machine.plc().needs()).unwrap();
@@ -100,10 +116,14 @@ fn compare<S: Simulated>() {
         }
     }
     println!(
-        "{programs} random programs, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
+        "{programs} random programs, {refused} refused, {scans} scans alike, {changes} changes of outputs or of memory, {faults} faults; seeds from {seed}"
     );
     assert!(
-        changes > scans / 20,
+        refused < programs / 2,
+        "{refused} of {programs} were refused"
+    );
+    assert!(
+        changes > scans / few,
         "the programs do too little to be compared: {changes}"
     );
 }

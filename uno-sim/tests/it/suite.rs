@@ -1,11 +1,11 @@
 //! Every scenario of the project on the firmware.
 
 use crate::common;
-use unoclp_core::Millis;
-use unoclp_host_sim::scenario::{Scenario, check};
+use unoclp_core::{Fault, Loader, Millis, Profile};
+use unoclp_host_sim::scenario::{Engine, Refusal, Scenario, check};
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
-use unoclp_uno_sim::{Program, Uno, unshortened_elf};
+use unoclp_uno_sim::{Program, Uno, nano_elf, unshortened_elf};
 
 fn run_all<S: Simulated>(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
     let mut engine = FirmwareEngine::<S>::new(firmware, clock).unwrap();
@@ -69,6 +69,53 @@ fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
         &["programs", "suite"],
         Millis::MAX,
     );
+}
+
+/// The same on the firmware of Nanos: what it has runs as on the UNO, and what it does not have it refuses in the line in
+/// which a PC does.
+#[test]
+fn every_scenario_in_lockstep_on_a_nano() {
+    let firmware = Program::read(&nano_elf().unwrap()).unwrap();
+    let mut engine = FirmwareEngine::<Uno>::new(firmware, Clock::Lockstep).unwrap();
+    let (mut passed, mut refused, mut failed) = (0, 0, Vec::new());
+    for path in common::scenarios(&["programs", "suite"]) {
+        let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        let program = &scenario.program().bytes;
+        match (
+            first_fault(program, Profile::UNO),
+            first_fault(program, Profile::NANO),
+        ) {
+            (uno, nano) if uno == nano => {
+                let report = check(&scenario, &mut engine);
+                match report.passed() {
+                    true => passed += 1,
+                    false => failed.push(report.to_string()),
+                }
+            }
+            (_, nano) => {
+                let told = engine.load(program).unwrap().err();
+                assert_eq!(told, nano.map(Refusal::from), "{}", path.display());
+                refused += 1;
+            }
+        }
+    }
+    println!(
+        "{passed} scenarios passed, {refused} need REAL, {} failed",
+        failed.len()
+    );
+    assert!(failed.is_empty(), "{}", failed.join("\n\n"));
+    assert!(passed > 10 * refused && refused > 5);
+}
+
+/// The first fault of a program on a board.
+fn first_fault(file: &[u8], board: Profile) -> Option<Fault> {
+    let mut memory = vec![0; board.linked_bytes.into()];
+    let mut loader = Loader::new(&mut memory, board);
+    for &byte in file {
+        // The loader keeps the first.
+        let _ = loader.push(byte);
+    }
+    loader.finish().err()
 }
 
 /// The samples and the timers with the board's own clock, which the timer interrupt drives: exact
