@@ -282,6 +282,15 @@ pub(crate) fn check(
                 let point = text.get(span.range()).unwrap_or_default();
                 found.tell(Code::PinTwice, span, [point.into()]);
             }
+            cause @ Cause::UnknownCode if !board.real => {
+                let letters = lines.get(index).map_or("", |line| &line.letters);
+                let both = (
+                    format!("{letters}: the firmware of Nanos has no REAL numbers"),
+                    format!("{letters}: o firmware dos Nanos não tem números REAL"),
+                );
+                let words = [cause.number().to_string().into(), both.into()];
+                found.tell(Code::Refused, span, words);
+            }
             cause => {
                 let words = [cause.number().to_string().into(), cause.text().into()];
                 found.tell(Code::Refused, span, words);

@@ -27,11 +27,11 @@ crate::messages! {
     markers(count) "{count} markers" "{count} memórias";
     more_faults(count) "… and {count} more" "… e mais {count}";
     one_fault(name)
-        "{name}: 1 fault; the UNO will not run any of it"
-        "{name}: 1 falha; o UNO não executa nada dele";
+        "{name}: 1 fault; the board will not run any of it"
+        "{name}: 1 falha; a placa não executa nada dele";
     faults(name, count)
-        "{name}: {count} faults; the UNO will not run any of it"
-        "{name}: {count} falhas; o UNO não executa nada dele";
+        "{name}: {count} faults; the board will not run any of it"
+        "{name}: {count} falhas; a placa não executa nada dele";
 }
 
 #[cfg(test)]

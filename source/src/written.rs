@@ -5,6 +5,7 @@
 use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
+use unoclp_core::Profile;
 use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile_text, compile_untyped, has_types};
 
 /// A program file. Its language is known, if it has one, and nothing else.
@@ -16,6 +17,8 @@ pub struct Written {
     pub bytes: Vec<u8>,
     /// What it is written in.
     pub language: Result<WrittenIn, NoProgram>,
+    /// The board that it is checked for.
+    pub board: Profile,
 }
 
 /// Why a file is no program.
@@ -57,13 +60,20 @@ enum Way {
 }
 
 impl Written {
-    /// A file of this name, whose language its name and its text tell.
+    /// A file of this name, whose language its name and its text tell, for the UNO.
     pub fn new(name: String, bytes: Vec<u8>) -> Written {
         Written {
             language: WrittenIn::of(Path::new(&name), &bytes),
             name,
             bytes,
+            board: BOARD,
         }
+    }
+
+    /// The same for another board.
+    pub fn on(mut self, board: Profile) -> Written {
+        self.board = board;
+        self
     }
 
     /// The same in the language that somebody says it is in, if anybody does.
@@ -126,7 +136,7 @@ impl Written {
     }
 
     fn numeric(self) -> Result<Source, Refused> {
-        let (checked, map) = match numeric(&self.bytes, BOARD) {
+        let (checked, map) = match numeric(&self.bytes, self.board) {
             Ok(read) => read,
             Err(faults) => {
                 let written = self;
@@ -147,7 +157,7 @@ impl Written {
 
     fn typed(self, language: TextLanguage) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
-        let made = compile_text(&text, language, BOARD);
+        let made = compile_text(&text, language, self.board);
         let code = made.file();
         let (Some(code), Some((checked, map))) = (code, made.program) else {
             return Err(Refused::Text {
@@ -173,7 +183,7 @@ impl Written {
 
     fn compiled(self, dialect: Option<Dialect>) -> Result<Source, Refused> {
         let text = decode(&self.bytes);
-        let board = BOARD;
+        let board = self.board;
         let compiled = compile_untyped(&text, &Options { dialect, board });
         let code = compiled.file();
         let diagnostics = compiled.diagnostics;

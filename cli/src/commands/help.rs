@@ -110,6 +110,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ),
     (
         "",
+        "board",
+        "A placa para a qual ele é: uno, nano ou nano-old; um Nano não tem números REAL [padrão: uno]",
+    ),
+    (
+        "",
         "dialect",
         "De que fabricante é a Lista de Instruções; sem isto, o que as palavras indicam",
     ),

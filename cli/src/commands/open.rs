@@ -126,11 +126,22 @@ pub fn faulty(source: &Source, fault: Fault) -> String {
 
 /// A fault of a program that runs, where it stands in its text: `lamp.il:12: fault 75: …`, and that line below.
 pub fn running(source: &Source, fault: Fault) -> String {
-    let cause = messages::fault(fault.cause);
+    let mut cause = messages::fault(fault.cause);
+    if let Some(help) = fault.line.and_then(|line| no_real(source, line)) {
+        cause = format!("{cause}: {help}");
+    }
     match fault.line.and_then(|line| source.line_of(line)) {
         Some((line, text)) => format!("{}:{line}: {cause}\n  {text}", source.name),
         None => format!("{}: {cause}", source.name),
     }
+}
+
+/// What stands in this line of numeric code, where a board without REAL numbers refuses it.
+fn no_real(source: &Source, line: u32) -> Option<String> {
+    let code = String::from_utf8_lossy(&source.code);
+    let text = code.lines().nth((line as usize).checked_sub(1)?)?;
+    let text = text.split('/').next()?.trim();
+    diagnosis::no_real(text.parse().ok()?, messages::spoken())
 }
 
 /// `unoclp check`.

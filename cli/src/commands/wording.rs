@@ -1,8 +1,11 @@
 //! The options that say in what a program is written.
 
+use super::words::models;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use unoclp_boot::Model;
 use unoclp_cli::messages;
+use unoclp_core::Profile;
 use unoclp_lang::{Dialect, Lang, TextLanguage};
 use unoclp_source::{Language, Written, WrittenIn};
 
@@ -15,6 +18,9 @@ pub struct Wording {
     /// The language of the program; else what its name and its words tell
     #[arg(long, value_parser = languages())]
     pub(super) language: Option<WrittenIn>,
+    /// The board that it is for: a Nano has no REAL numbers
+    #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = models())]
+    board: Model,
 }
 
 fn languages() -> impl TypedValueParser<Value = WrittenIn> {
@@ -30,7 +36,11 @@ fn dialects() -> impl TypedValueParser<Value = Dialect> {
 impl Wording {
     /// A file of this name, in the language that it is said to be in or else shows.
     pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
-        Written::new(name, bytes).or_in(self.language)
+        let board = match self.board.firmware() {
+            Model::Uno => Profile::UNO,
+            _ => Profile::NANO,
+        };
+        Written::new(name, bytes).or_in(self.language).on(board)
     }
 
     /// What a text was taken to be; nothing of numeric code.

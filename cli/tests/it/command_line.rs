@@ -42,7 +42,7 @@ fn faults_are_exit_code_1_in_every_command() {
             "{out}"
         );
         assert!(
-            out.ends_with(": 1 fault; the UNO will not run any of it\n"),
+            out.ends_with(": 1 fault; the board will not run any of it\n"),
             "{out}"
         );
     }

@@ -15,6 +15,7 @@ mod languages;
 mod list;
 #[cfg(unix)]
 mod monitor;
+mod nano;
 mod outputs;
 mod portuguese;
 #[cfg(unix)]

@@ -285,9 +285,9 @@ macro_rules! il_rows {
         "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo{2}. Temporizadores e contadores ocupam mais; o que é retido precisa de lugar para duas gravações";
     72 Refused Error
         "a code that comes of this cannot stand here: fault {0}, {1}"
-        "mend the codes behind CODE; docs/faults.md explains the fault"
+        "mend the codes behind CODE, or leave REAL out for a Nano; docs/faults.md explains the fault"
         "um código que resulta disto não pode ficar aqui: falha {0}, {1}"
-        "corrija os códigos depois de CODE; docs/faults.pt-BR.md explica a falha";
+        "corrija os códigos depois de CODE, ou tire REAL se for para um Nano; docs/faults.pt-BR.md explica a falha";
     73 PinTwice Error
         "the pin of `{0}` is used in another way too"
         "I5 to I8 are the pins of IW0 to IW3, Q1 and Q4 those of QW1 and QW4: use each pin in one way"

@@ -3,7 +3,7 @@
 use crate::BOARD;
 use crate::effect::effect;
 use unoclp_core::Cause;
-use unoclp_core::isa::{Opcode, Row, TABLE};
+use unoclp_core::isa::{Opcode, Row, TABLE, is_real};
 use unoclp_lang::Lang;
 
 /// Help for a fault at this text of the file, if there is any.
@@ -86,8 +86,29 @@ fn full(lacking: [usize; 2], lang: Lang) -> String {
     }
 }
 
+/// What a code is that a board without REAL numbers refuses; none of another code.
+pub fn no_real(code: i32, lang: Lang) -> Option<String> {
+    let is_it = |opcode: &&Opcode| {
+        let row = opcode.row();
+        is_real(row.stored) && pattern(row, code) == row.code
+    };
+    let opcode = Opcode::ALL.iter().find(is_it)?;
+    let letters = opcode.row().letters;
+    Some(match lang {
+        Lang::En => format!(
+            "{code} is {letters}, of REAL numbers, which the firmware of Nanos does not have; take whole numbers, or an UNO"
+        ),
+        Lang::Pt => format!(
+            "{code} é {letters}, de números REAL, que o firmware dos Nanos não tem; use números inteiros ou um UNO"
+        ),
+    })
+}
+
 /// The instruction that was probably meant.
 fn unknown_code(code: i32, lang: Lang) -> Option<String> {
+    if let Some(told) = no_real(code, lang) {
+        return Some(told);
+    }
     let forgotten_point = |row: &&Row| row.kind.has_number() && row.code / 100 == code;
     if let Some(row) = TABLE.iter().find(forgotten_point) {
         let (example, letters) = (example(row), row.letters);

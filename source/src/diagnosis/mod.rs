@@ -4,5 +4,6 @@ mod help;
 mod portuguese;
 mod show;
 
+pub use help::no_real;
 pub use portuguese::portuguese;
 pub use show::{Problem, cause, show, tell};
