@@ -189,6 +189,20 @@ test("commands that make no sense are told as trouble, and change nothing", () =
   assert.deepEqual(desk.of("trouble"), [{ kind: "trouble", trouble: "bad-eeprom" }]);
 });
 
+test("a program that does what is not simulated ends with the plug pulled, and with words", () => {
+  const desk = new Desk();
+  // ldi r16, 1; sts TCCR0A, r16 (a mode that counts up and down); sts TCCR0B, r16; rjmp to itself.
+  const words = "01E0" + "0093" + "4400" + "0093" + "4500" + "FFCF";
+  const bytes = words.match(/../g)?.map((byte) => parseInt(byte, 16)) ?? [];
+  const sum = bytes.reduce((sum, byte) => sum - byte, -bytes.length) & 0xff;
+  const hex = `:0C000000${words}${sum.toString(16).padStart(2, "0")}\n:00000001FF\n`;
+  desk.obey({ kind: "firmware", hex }, { kind: "plug", on: true }, { kind: "run" });
+  desk.pass(100);
+  assert.deepEqual(desk.of("trouble"), [{ kind: "trouble", trouble: "broken" }]);
+  assert.deepEqual(desk.of("power").map(({ on }) => on), [true, false]);
+  assert.equal(desk.session.turn(), null);
+});
+
 test("a line to the board carries bytes both ways, and a closed one none", async () => {
   const desk = running("motor");
   let hear: (message: { readonly data: Event }) => void = () => {};
