@@ -8,7 +8,6 @@ import {
   AVRSPI,
   AVRWatchdog,
   CPU,
-  avrInstruction,
   portBConfig,
   portCConfig,
   portDConfig,
@@ -23,6 +22,7 @@ import type { Setting } from "../serial";
 import { converter } from "./converter";
 import { type Eeprom, eepromRegisters } from "./eeprom";
 import { CLOCK_HZ, MCUSR, RAM, RAM_LEN, SPCR, WDCE, WDE, WDTCSR, WORKING_REGISTERS } from "./registers";
+import { step } from "./step";
 import { Timer } from "./timer";
 import { Usart } from "./usart";
 
@@ -55,6 +55,8 @@ export class Chip {
   /** The watchdog has bitten: this life is over. */
   bitten = false;
   private until = 0;
+  /** No event of avr8js is due before this cycle. */
+  private due = 0;
 
   /** A chip at its first instruction, at this cycle; `before` is the one whose RAM it takes over. */
   constructor(flash: Uint16Array, around: Around, cause: ResetCause, cycle: number, before: Chip | null) {
@@ -83,6 +85,7 @@ export class Chip {
     this.usart = new Usart(cpu, around.sent.bind(around));
     converter(cpu, around.millivolts.bind(around));
     new AVREEPROM(cpu, around.eeprom, eepromRegisters(around.eeprom.writeCycles));
+    this.watchEvents();
     this.connectBus(around);
     this.connectWatchdog(cause);
   }
@@ -92,8 +95,8 @@ export class Chip {
     const { cpu } = this;
     this.until = until;
     while (cpu.cycles < this.until) {
-      avrInstruction(cpu);
-      cpu.tick();
+      step(cpu);
+      if (cpu.cycles >= this.due || cpu.nextInterrupt >= 0) this.tick();
     }
   }
 
@@ -103,11 +106,28 @@ export class Chip {
     const pc = address >> 1;
     this.until = until;
     while (cpu.cycles < this.until) {
-      avrInstruction(cpu);
-      cpu.tick();
+      step(cpu);
+      if (cpu.cycles >= this.due || cpu.nextInterrupt >= 0) this.tick();
       if (cpu.pc === pc) return true;
     }
     return false;
+  }
+
+  /** What is due behind an instruction: an event, an interrupt. */
+  private tick(): void {
+    this.cpu.tick();
+    // Of an event that is added earlier, `watchEvents` knows.
+    const { nextClockEvent } = this.cpu as unknown as { nextClockEvent: { cycles: number } | null };
+    this.due = nextClockEvent?.cycles ?? Infinity;
+  }
+
+  private watchEvents(): void {
+    const { cpu } = this;
+    const add = cpu.addClockEvent.bind(cpu);
+    cpu.addClockEvent = (callback, cycles) => {
+      this.due = Math.min(this.due, cpu.cycles + Math.max(1, cycles));
+      return add(callback, cycles);
+    };
   }
 
   /** From within a run: it goes no further than to this cycle. */
