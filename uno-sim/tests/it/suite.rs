@@ -1,11 +1,12 @@
 //! Every scenario of the project on the firmware.
 
 use crate::common;
+use unoclp_boot::{Image, Model};
 use unoclp_core::{Fault, Loader, Millis, Profile};
 use unoclp_host_sim::scenario::{Engine, Refusal, Scenario, check};
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
-use unoclp_uno_sim::{Program, Uno, nano_elf, unshortened_elf};
+use unoclp_uno_sim::{Program, Slot, Uno, firmware_elf, nano_elf, unshortened_elf};
 
 fn run_all<S: Simulated>(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
     let mut engine = FirmwareEngine::<S>::new(firmware, clock).unwrap();
@@ -55,6 +56,17 @@ fn every_scenario_in_lockstep_on_avr8js() {
         &["programs", "suite"],
         Millis::MAX,
     );
+}
+
+/// What is flashed, and what the lab's page runs, is what the suite ran on.
+#[test]
+fn the_hex_holds_the_firmware_of_the_suite() {
+    let elf = firmware_elf().unwrap();
+    let hex = std::fs::read(elf.with_file_name("unoclp.hex")).unwrap();
+    let hex = Image::read(&hex, Model::Uno).unwrap();
+    let uno = Uno::with_program(common::firmware(), Slot::Empty).unwrap();
+    let length = common::firmware().flash_bytes();
+    assert_eq!(hex.bytes(), uno.read_flash(0, length).unwrap());
 }
 
 /// The same on the firmware before its assembly is shortened: a scenario that fails in the other test alone
