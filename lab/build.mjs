@@ -53,7 +53,7 @@ async function around(outdir) {
   const uplot = readFileSync(join(lab, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
   writeFileSync(join(outdir, "page.css"), readFileSync(join(lab, "static/page.css"), "utf8") + uplot);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
-  cpSync(found("target/firmware/unoclp.hex", "firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
+  cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
   const root = join(lab, "..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
   writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));

@@ -10,6 +10,7 @@ pub mod demo;
 pub mod firmware;
 pub mod flash;
 pub mod fuzz;
+pub mod lab;
 pub mod link;
 pub mod modules;
 pub mod mulcheck;

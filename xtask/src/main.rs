@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{bench, card, demo, firmware, flash, fuzz, modules, setup, test};
+use xtask::{bench, card, demo, firmware, flash, fuzz, lab, modules, setup, test};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -25,6 +25,8 @@ enum Task {
     Card(card::Args),
     /// Write the firmware to a board
     Flash(flash::Args),
+    /// Build the page with the UNO in it, and serve it
+    Lab(lab::Args),
     /// Show circles of modules in each crate
     Modules,
     /// Install what demo, test and firmware need, or say what is missing
@@ -53,6 +55,7 @@ fn main() -> ExitCode {
         Task::Bench => bench::run(),
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
+        Task::Lab(args) => lab::run(&args),
         Task::Modules => modules::run(),
         Task::Setup => setup::run(),
     };

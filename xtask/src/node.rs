@@ -70,12 +70,16 @@ fn npm() -> Command {
     npm
 }
 
-fn folder() -> PathBuf {
+/// Where the lab stands.
+pub fn folder() -> PathBuf {
     shell::root().join("lab")
 }
 
 /// The files below a folder whose names end so, in order.
-fn files(folder: &Path, end: &str) -> Result<Vec<PathBuf>> {
+///
+/// # Errors
+/// If a folder cannot be read.
+pub fn files(folder: &Path, end: &str) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     let entries =
         fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;

@@ -103,6 +103,11 @@ const LAB: &[Need] = &[
 /// Where Debian's Arduino core has its boot loaders; `uno-sim/tests/it/boot_loaders.rs` reads two of them.
 const BOOT_LOADERS: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders";
 
+/// What the tests of the page drive.
+const BROWSER: &[Need] = &[need("chromium-headless-shell", "trying the page", |_| {
+    has_chromium()
+})];
+
 /// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
 const PYTHON: [&str; 2] = ["pymodbus==3.16.1", "pyserial==3.5"];
 
@@ -127,8 +132,18 @@ pub fn for_simulator() -> Result<Toolchain> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn for_tests() -> Result<Toolchain> {
-    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS, LAB])?;
+    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS, LAB, BROWSER])?;
     provide_python()?;
+    node::install()?;
+    Ok(toolchain)
+}
+
+/// Sees to it that the page can be built: the firmware in it is the one of the repository.
+///
+/// # Errors
+/// As [`for_firmware`].
+pub fn for_lab() -> Result<Toolchain> {
+    let toolchain = provide(&[RUST, LAB])?;
     node::install()?;
     Ok(toolchain)
 }
@@ -278,6 +293,13 @@ fn has_apt() -> bool {
 
 fn is_root() -> bool {
     output(Command::new("id").arg("-u")).as_deref() == Some("0")
+}
+
+/// The tests of the page look in the same places.
+fn has_chromium() -> bool {
+    let names = ["chromium-headless-shell", "chromium", "google-chrome"];
+    let is_there = |name: &&str| Path::new("/usr/bin").join(name).exists();
+    std::env::var_os("CHROMIUM").is_some() || names.iter().any(is_there)
 }
 
 fn has_rust() -> bool {

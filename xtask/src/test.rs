@@ -8,7 +8,7 @@ use crate::count::{self, Count};
 use crate::programs::{self, Tally};
 use crate::shell::{self, cargo, say};
 use crate::steps::{Steps, both};
-use crate::{firmware, node, setup, wasm};
+use crate::{firmware, lab, node, setup, wasm};
 
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
@@ -79,13 +79,16 @@ pub fn run(args: &TestArgs) -> Result<()> {
             build_firmware(&steps)?;
             build_lab(&steps)?;
             let mut wasm = wasm::check(&toolchain);
-            steps.run_aside("libraries for WebAssembly", &mut wasm)
+            steps.run_aside("libraries for WebAssembly", &mut wasm)?;
+            let xtask = std::env::current_exe().context("cannot find xtask itself")?;
+            steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))
         },
     )?;
     let tally = steps.take("tests on the PC and on the simulated UNO", || {
         programs.run(100, |_| true)
     })?;
     others += test_lab(&steps)?;
+    others += steps.take("tests of the page in Chromium", lab::test)?;
     report(&steps, &tally, others)
 }
 

@@ -19,6 +19,9 @@ pub enum Toolchain {
     Folder(PathBuf),
 }
 
+/// What runs in a browser.
+const TARGET: &str = "wasm32-unknown-unknown";
+
 /// They would replace the flags that `.cargo/config.toml` has for AVR.
 const FLAGS: &[&str] = &["CARGO_ENCODED_RUSTFLAGS", "RUSTFLAGS"];
 
@@ -83,13 +86,17 @@ impl Toolchain {
         command
     }
 
+    /// Whether rustup has installed the target for WebAssembly.
+    pub fn has_wasm() -> bool {
+        let sysroot = shell::output(Toolchain::Active.rustc().args(["--print", "sysroot"]));
+        let installed = |sysroot: String| Path::new(&sysroot).join("lib/rustlib").join(TARGET);
+        sysroot.map(installed).is_some_and(|folder| folder.is_dir())
+    }
+
     /// A cargo command for `wasm32-unknown-unknown`: of the active toolchain where rustup has the target, else of
     /// this one, with `std` built from source.
     pub fn cargo_for_wasm(&self, subcommand: &str) -> Command {
-        const TARGET: &str = "wasm32-unknown-unknown";
-        let sysroot = shell::output(Toolchain::Active.rustc().args(["--print", "sysroot"]));
-        let installed = |sysroot: String| Path::new(&sysroot).join("lib/rustlib").join(TARGET);
-        let is_installed = sysroot.map(installed).is_some_and(|folder| folder.is_dir());
+        let is_installed = Toolchain::has_wasm();
         let mut command = match is_installed {
             true => Toolchain::Active.bare_cargo(subcommand),
             false => self.bare_cargo(subcommand),
@@ -110,6 +117,14 @@ impl Toolchain {
             Toolchain::Folder(folder) => foreign_cargo(folder, subcommand),
         }
     }
+}
+
+/// The linker that comes with the active toolchain: Debian's comes without one for WebAssembly.
+pub fn own_linker() -> Option<PathBuf> {
+    let mut print = Toolchain::Active.rustc();
+    let libraries = shell::output(print.args(["--print", "target-libdir"]))?;
+    let linker = Path::new(&libraries).parent()?.join("bin/rust-lld");
+    linker.is_file().then_some(linker)
 }
 
 fn foreign_cargo(folder: &Path, subcommand: &str) -> Command {

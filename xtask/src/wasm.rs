@@ -1,11 +1,17 @@
-//! Checks that what a page in a browser is made of compiles for WebAssembly.
+//! WebAssembly: checks that the libraries of a page compile for it, and builds the page's own module.
 //!
 //! Where rustup has installed the target, with the active toolchain; else with Debian's, which builds the
-//! standard library from source. Nothing is linked, and no code is made: that takes an eighth of the time.
+//! standard library from source. For the check nothing is linked, and no code is made: that takes an eighth of the
+//! time.
 
+use std::fs;
+use std::path::Path;
 use std::process::Command;
 
-use crate::toolchain::Toolchain;
+use anyhow::{Context, Result};
+
+use crate::shell;
+use crate::toolchain::{Toolchain, own_linker};
 
 /// What a page needs: none of it knows a port, a thread or a terminal.
 const CRATES: &[&str] = &[
@@ -29,4 +35,42 @@ pub fn check(toolchain: &Toolchain) -> Command {
     }
     check.args(["--target-dir", "target/wasm"]);
     check
+}
+
+/// How small the standard library becomes where it is built anyway: a panic, which nothing reaches, stops the module
+/// without a word.
+const SMALL: &str =
+    "-Clinker-flavor=wasm-ld -Zunstable-options -Cpanic=immediate-abort -Zlocation-detail=none";
+
+/// The modules of the page: what cargo is told, and the file that a page loads. The second takes the place of the first
+/// as soon as somebody needs what only it has.
+const MODULES: [(&[&str], &str); 2] = [
+    (&["--no-default-features"], "unoclp.wasm"),
+    (&[], "unoclp-full.wasm"),
+];
+
+/// Builds the modules of the page, in this folder.
+///
+/// # Errors
+/// If one does not compile.
+pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
+    for (features, file) in MODULES {
+        let mut build = toolchain.cargo_for_wasm("build");
+        build.args(["--package", "unoclp-wasm", "--lib", "--profile", "page"]);
+        build.args(["--target-dir", "target/wasm"]).args(features);
+        if !Toolchain::has_wasm() {
+            build.arg("-Zbuild-std-features=optimize_for_size");
+            build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", SMALL);
+            if let Some(linker) = own_linker() {
+                build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker);
+            }
+        }
+        shell::run(&mut build)?;
+        let built = "target/wasm/wasm32-unknown-unknown/page/unoclp_wasm.wasm";
+        let to = folder.join(file);
+        shell::make_folder_of(&to)?;
+        fs::copy(shell::root().join(built), &to)
+            .with_context(|| format!("cannot write {}", to.display()))?;
+    }
+    Ok(())
 }

@@ -1,34 +1,18 @@
 // The page in a real Chromium: served from its folder of static files, and driven without a pause that waits for time.
 // @ts-check
 
-import { existsSync, readFileSync } from "node:fs";
-import { createServer } from "node:http";
-import { dirname, extname, join } from "node:path";
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { serve } from "../../serve.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const built = join(here, "../../../target/lab/page");
 /** Where pictures of the page go, to be looked at. */
 export const pictures = join(here, "../../../target/lab/pictures");
 
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".json": "application/json", ".svg": "image/svg+xml" };
-
 /** How long a state is waited for: a machine that tests much else is slow. */
 export const PATIENCE = 120_000;
-
-/** Serves a folder; gives its address and what ends it. */
-export async function serve(folder = built) {
-  const server = createServer((request, answer) => {
-    const path = new URL(request.url ?? "/", "http://localhost").pathname;
-    const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
-    if (!file.startsWith(folder) || !existsSync(file)) return void answer.writeHead(404).end();
-    answer.writeHead(200, { "content-type": TYPES[/** @type {keyof TYPES} */ (extname(file))] ?? "application/octet-stream" }).end(readFileSync(file));
-  });
-  await new Promise((ready) => server.listen(0, "127.0.0.1", () => ready(undefined)));
-  const address = /** @type {import("node:net").AddressInfo} */ (server.address());
-  return { url: `http://127.0.0.1:${address.port}/`, end: () => new Promise((done) => server.close(done)) };
-}
 
 function browserPath() {
   const names = [process.env["CHROMIUM"], "/usr/bin/chromium-headless-shell", "/usr/bin/chromium", "/usr/bin/google-chrome"];

@@ -1,0 +1,58 @@
+//! `cargo xtask lab`: the page, built into `target/lab/page` and served; and its tests in a real Chromium.
+
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::count::{self, Count};
+use crate::node::{self, files};
+use crate::shell::{self, say};
+use crate::{setup, wasm};
+
+/// Where the tests of the page are.
+const TESTS: &str = "lab/test/page";
+
+/// The words behind `cargo xtask lab`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Where to serve it, on this computer alone; 0 takes a free port
+    #[arg(long, default_value_t = 8420)]
+    port: u16,
+    /// Build it and no more
+    #[arg(long)]
+    build: bool,
+}
+
+/// Sets up, builds the page, and serves it until it is stopped.
+///
+/// # Errors
+/// If a step fails.
+pub fn run(args: &Args) -> Result<()> {
+    let toolchain = setup::for_lab()?;
+    say("the tools for WebAssembly");
+    wasm::build(&toolchain, &shell::root().join("target/lab"))?;
+    say("the page");
+    node(&["build.mjs", "page"])?;
+    if args.build {
+        return Ok(());
+    }
+    say("serving the page until Ctrl-C");
+    node(&["serve.mjs", &args.port.to_string()])
+}
+
+/// Runs the tests of the page that was built.
+///
+/// # Errors
+/// If one fails.
+pub fn test() -> Result<Count> {
+    let tests = files(&shell::root().join(TESTS), ".test.mjs")?;
+    let mut node = Command::new("node");
+    // One browser at a time: each of them runs a whole UNO.
+    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"]);
+    count::tests(node.args(tests), count::by_node)
+}
+
+fn node(arguments: &[&str]) -> Result<()> {
+    let mut node = Command::new("node");
+    shell::run(node.current_dir(node::folder()).args(arguments))
+}
