@@ -30,13 +30,13 @@ function shown(lines) {
 export function lessons(root) {
   const folder = join(root, "programs/tutorial");
   const read = (name) => readFileSync(join(folder, name), "utf8");
-  const names = (under) => readdirSync(join(folder, under)).filter((name) => name.endsWith(".il")).sort();
+  const names = (under) => readdirSync(join(folder, under)).filter((name) => /\.(?:il|st)$/.test(name)).sort();
   const told = Object.entries(PAGES).map(([language, page]) => [language, sections(readFileSync(join(root, "docs", page), "utf8"))]);
   const both = (index, take) => Object.fromEntries(told.map(([language, all]) => [language, take(all[index])]));
   const solutions = names("solutions");
   return names(".").map((name, index) => {
     const solution = solutions.find((one) => one.slice(0, 2) === name.slice(0, 2));
-    const beside = (file) => read(file.replace(/\.il$/, ".toml"));
+    const beside = (file) => read(file.replace(/\.\w+$/, ".toml"));
     return {
       title: both(index, (section) => section.title),
       words: both(index, (section) => shown(section.lines)),
@@ -49,14 +49,7 @@ export function lessons(root) {
   });
 }
 
-/** The programs that stand in Structured Text beside numeric code. */
-const TYPED = {
-  "languages/forward": ["two directions with interlock, in Structured Text", "dois sentidos com intertravamento, em Texto Estruturado"],
-  "languages/tank": ["a pump between two levels, in Structured Text", "uma bomba entre dois níveis, em Texto Estruturado"],
-  "languages/average": ["the average of two sensors, in Structured Text", "a média de dois sensores, em Texto Estruturado"],
-};
-
-/** The programs of the table in programs/README.md, each in its own languages, with what it does. */
+/** The programs of the tables in programs/README.md, each with what it does. */
 export function examples(root) {
   const folder = join(root, "programs");
   const rows = readFileSync(join(folder, "README.md"), "utf8").matchAll(/^\| \[([\w/-]+)\]\(([\w/.-]+)\) \|(.*)\|$/gm);
@@ -64,7 +57,8 @@ export function examples(root) {
   for (const [, name, file, rest] of rows) {
     const [en, pt] = rest.split(" | ").map((cell) => cell.trim()).slice(-2);
     const stem = file.replace(/\.\w+$/, "");
-    for (const end of [".il", ".st", ".scl", ".iscl", ".lce", ".txt"]) {
+    // A program in all languages is shown in those that are typed.
+    for (const end of file.endsWith(".txt") ? [".il", ".txt"] : [".st", ".scl", ".iscl", ".lce"]) {
       try {
         all.push({ name: `${stem.split("/").pop()}${end}`, about: { en, pt }, text: readFileSync(join(folder, stem + end), "utf8") });
       } catch {
@@ -72,9 +66,6 @@ export function examples(root) {
       }
     }
     if (!all.some((one) => one.name.startsWith(name.split("/").pop()))) throw new Error(`programs/README.md names ${name}, which is not there`);
-  }
-  for (const [stem, [en, pt]] of Object.entries(TYPED)) {
-    all.push({ name: `${stem.split("/").pop()}.st`, about: { en, pt }, text: readFileSync(join(folder, `${stem}.st`), "utf8") });
   }
   return all;
 }

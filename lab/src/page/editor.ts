@@ -93,6 +93,7 @@ export class Editor {
           colours,
           keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
           EditorState.tabSize.of(4),
+          EditorView.contentAttributes.of({ tabindex: "0" }),
           EditorView.updateListener.of((update) => {
             if (update.docChanged && !this.quiet) changed(update.state.doc.toString());
           }),

@@ -26,9 +26,10 @@ export class Lamps {
 
   /** How bright each is, 0 to 1. */
   light(shares: readonly number[]): void {
-    shares.forEach((share, index) => {
+    shares.forEach((exact, index) => {
       const place = this.places[index];
-      if (!place || Math.abs(place.share - share) < 0.01) return;
+      const share = Math.round(exact * 100) / 100;
+      if (!place || place.share === share) return;
       place.share = share;
       place.led.value = share > 0;
       place.led.brightness = share;

@@ -31,7 +31,6 @@ export class Panel {
     desk: HTMLElement,
   ) {
     this.buttons = new Buttons((input, closed) => this.press(input, closed));
-    this.uno.setAttribute("aria-hidden", "true");
     root.append(
       h("div", { class: "card" }, this.status, start, desk),
       this.inputs(),
@@ -126,7 +125,7 @@ export class Panel {
     bench.pace.follow(show);
     bench.paused.follow(show);
     speak.follow(show);
-    const scan = h("button", { type: "button", "data-say-label": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
+    const scan = h("button", { type: "button", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
     const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
       h("div", { class: "row" }, pause, speed, scan,
         h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),
@@ -153,7 +152,7 @@ export class Panel {
     });
     const reset = h("button", { type: "button", id: "reset", click: () => this.simulated({ kind: "reset" }) }, icon("reset"), h("span", { "data-say": "reset" }));
     const card = h("div", { class: "card", id: "hardware" }, h("h3", {}, h("span", { "data-say": "simulated" })),
-      h("div", { class: "uno" }, this.uno),
+      h("div", { class: "uno", inert: true }, this.uno),
       h("div", { class: "row" }, reset,
         h("label", { class: "switch" }, stop, h("span", { "data-say": "stopSwitch" })),
         h("label", { class: "switch" }, plug, h("span", { "data-say": "plug" })),

@@ -128,7 +128,7 @@ export const TABLE = {
   watchPoint: ["Point", "Ponto"],
   watchName: ["Name", "Nome"],
   watchValue: ["Value", "Valor"],
-  watchPreset: ["Preset", "Valor de ajuste"],
+  watchPreset: ["Preset", "Pré-seleção"],
   watchForce: ["Force", "Forçar"],
   watchSet: ["Set", "Definir"],
   watchEmpty: ["Run a program to see its values.", "Execute um programa para ver os valores."],

@@ -29,7 +29,8 @@ export function told(both: Both): string {
   return both[speak.value];
 }
 
-/** Keeps a part of the page in the language that is spoken: `data-say` for its text, `data-say-label` for its name. */
+/** Keeps a part of the page in the language that is spoken: `data-say` for its text, `data-say-label` for its name,
+ * `data-say-title` for its hint. */
 export function speakIn(root: ParentNode): void {
   speak.follow((language) => {
     document.documentElement.lang = language === "pt" ? "pt-BR" : "en";
@@ -42,6 +43,7 @@ export function translate(root: ParentNode): void {
   for (const element of root.querySelectorAll<HTMLElement>("[data-say]")) {
     element.textContent = say(element.dataset["say"] as Key);
   }
+  for (const element of root.querySelectorAll<HTMLElement>("[data-say-title]")) element.title = say(element.dataset["sayTitle"] as Key);
   for (const element of root.querySelectorAll<HTMLElement>("[data-say-label]")) {
     const label = say(element.dataset["sayLabel"] as Key);
     element.setAttribute("aria-label", label);
