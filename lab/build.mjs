@@ -54,6 +54,7 @@ async function around(outdir) {
   writeFileSync(join(outdir, "page.css"), readFileSync(join(lab, "static/page.css"), "utf8") + uplot);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
+  cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
   const root = join(lab, "..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
   writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));

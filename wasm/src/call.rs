@@ -63,6 +63,12 @@ pub enum Request {
     Order { board: u32, order: Order },
     /// The line is gone, and why.
     Lose { board: u32, why: String },
+    /// Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
+    Flash { hex: String, model: String },
+    /// A step of that.
+    FlashStep { now: f64, came: Vec<u8> },
+    /// The line is gone meanwhile, and why.
+    FlashLose { why: String },
     /// The end of a conversation.
     Close { board: u32 },
 }
@@ -91,8 +97,22 @@ pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, No> {
         Request::Card { program, state } => Ok(value(card::card(&program, state)?)),
         #[cfg(feature = "full")]
         Request::Read { blocks, name } => Ok(value(card::read(blocks, &name))),
+        #[cfg(feature = "full")]
+        Request::Flash { hex, model } => Ok(value(boards.flash.begin(&hex, &model)?)),
+        #[cfg(feature = "full")]
+        Request::FlashStep { now, came } => Ok(value(boards.flash.step(now, &came)?)),
+        #[cfg(feature = "full")]
+        Request::FlashLose { why } => {
+            boards.flash.lose(why);
+            Ok(Value::Null)
+        }
         #[cfg(not(feature = "full"))]
-        Request::Exercise { .. } | Request::Card { .. } | Request::Read { .. } => Err(No::More),
+        Request::Exercise { .. }
+        | Request::Card { .. }
+        | Request::Read { .. }
+        | Request::Flash { .. }
+        | Request::FlashStep { .. }
+        | Request::FlashLose { .. } => Err(No::More),
         Request::Open(open) => boards.open(open).map(value),
         Request::Step { board, now, came } => Ok(value(boards.step(board, now, &came)?)),
         Request::Order { board, order } => Ok(value(boards.order(board, order)?)),

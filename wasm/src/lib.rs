@@ -9,6 +9,7 @@
 //! - `draw`: ladders and lists
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
+//! - `flash`: firmware on its way to a board
 //! - `board`: conversations with a board, simulated or real
 //!
 //! It owns the form of requests and answers. It must not know how they are carried, nor what a page looks like.
@@ -23,6 +24,8 @@ mod card;
 mod draw;
 #[cfg(feature = "full")]
 mod exercise;
+#[cfg(feature = "full")]
+mod flash;
 mod program;
 mod tell;
 mod words;

@@ -48,6 +48,8 @@ unoclp_source::messages! {
     no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
     no_point(name) "{name} is no point that can be set" "{name} não é um ponto que se possa alterar";
+    no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
+    no_flash() "no firmware is on its way" "nenhum firmware está a caminho";
     silent() "the board does not answer" "a placa não responde";
     garbled() "what the board answers cannot be read; look at rate and parity" "não dá para ler o que a placa responde; verifique a taxa e a paridade";
     lost(why) "the line is gone: {why}" "a linha caiu: {why}";

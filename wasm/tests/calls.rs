@@ -249,3 +249,34 @@ fn nothing_that_is_asked_panics() {
         "{{\"ask\":\"step\",\"board\":{board},\"now\":9e9,\"came\":[]}}"
     ));
 }
+
+#[test]
+fn firmware_that_is_none_is_refused_and_a_board_that_is_silent_is_told() {
+    let mut boards = Boards::default();
+    let mut told = |request: Value| told(&request.to_string(), &mut boards);
+    let hex = fs::read_to_string(
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware/unoclp-uno.hex"),
+    );
+    let hex = hex.unwrap();
+    let none = told(json!({ "ask": "flash", "hex": "what", "model": "uno" }));
+    assert!(none["error"]["pt"].is_string(), "{none}");
+    let none = told(json!({ "ask": "flash", "hex": hex, "model": "mega" }));
+    assert!(none["error"]["en"].as_str().unwrap().contains("mega"));
+    assert!(told(json!({ "ask": "flashStep", "now": 0, "came": [] }))["error"].is_object());
+    assert_eq!(
+        told(json!({ "ask": "flash", "hex": hex, "model": "uno" }))["ok"],
+        115_200
+    );
+    let (mut now, mut resets) = (0.0, 0);
+    let failure = loop {
+        let step = told(json!({ "ask": "flashStep", "now": now, "came": [] }))["ok"].clone();
+        resets += u32::from(step["reset"] == true);
+        if step["over"] == true {
+            break step["failure"].clone();
+        }
+        now = step["until"].as_f64().unwrap().max(now + 0.1);
+        assert!(now < 120_000.0);
+    };
+    assert!(resets > 0);
+    assert_ne!(failure["en"], failure["pt"]);
+}

@@ -52,13 +52,16 @@ export class Bench {
   }
 
   /** Speaks to a board. */
-  async connect(where: Where, line: Line, reset: boolean): Promise<void> {
+  async connect(where: Where, line: Line, reset: boolean, lost = (): void => undefined): Promise<void> {
     await this.disconnect();
     this.line = line;
     this.where.value = where;
     const open = { program: this.on.value, reset };
     this.talk = await Conversation.open(this.tools, open, line, USUAL_FORMAT, this.clock,
-      (news) => this.hear(news), (bytes) => this.listen(bytes), () => this.forget());
+      (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
+        this.forget();
+        lost();
+      });
   }
 
   /** The same line, spoken to by other tools: they know no program yet. */

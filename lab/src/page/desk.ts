@@ -1,53 +1,103 @@
-// The UNO on the desk: which board the page speaks to.
+// The UNO on the desk: which board the page speaks to, and firmware for it.
 
 import { PortLine } from "../line/port";
-import { say } from "../words/words";
+import type { Modules } from "../tools/modules";
+import { Refusal, Tools } from "../tools/tools";
+import { say, told } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
+import { flash } from "./flash";
 import { icon } from "./icons";
-import { note } from "./notes";
+import { announce, note } from "./notes";
 
-/** The control that changes from the simulated board to one on the desk and back. */
-export function desk(bench: Bench): HTMLElement {
-  const text = h("span");
-  const connect = h("button", { type: "button", id: "connect" }, icon("usb"), text);
-  const about = h("p", { class: "note" });
-  const show = (): void => {
-    const there = bench.where.value === "desk";
-    text.textContent = say(there ? "disconnect" : "connect");
-    text.dataset["say"] = there ? "disconnect" : "connect";
-    const identity = bench.identity.value;
-    about.textContent = there && identity ? say("connected", { identity }) : "";
-  };
-  bench.where.follow(show);
-  bench.identity.follow(show);
-  const join = async (): Promise<void> => {
+/** The boards that firmware is for: as Rust names them, and the file of each. */
+const MODELS = [
+  { name: "uno", title: "Arduino UNO", file: "unoclp.hex" },
+  { name: "nano", title: "Arduino Nano", file: "unoclp-nano.hex" },
+  { name: "nano-old", title: "Arduino Nano (old boot loader)", file: "unoclp-nano.hex" },
+] as const;
+
+export class Desk {
+  readonly control: HTMLElement;
+  private readonly text = h("span");
+  private readonly about = h("p", { class: "note", id: "desk-about" });
+  private readonly model = h("select", { id: "model", "data-say-label": "boardKind" }, ...MODELS.map(({ name, title }) => h("option", { value: name }, title)));
+  private readonly put = h("button", { type: "button", id: "put-firmware", click: () => void this.flash() }, icon("bolt"), h("span", { "data-say": "putFirmware" }));
+  private port: SerialPort | null = null;
+
+  constructor(
+    private readonly bench: Bench,
+    private readonly modules: Modules,
+  ) {
+    const connect = h("button", { type: "button", id: "connect", click: () => void (bench.where.value === "desk" ? this.leave() : this.join()) }, icon("usb"), this.text);
+    this.control = h("div", { class: "row" }, connect, this.model, this.put, this.about);
+    bench.where.follow(() => this.show());
+    bench.identity.follow(() => this.show());
+  }
+
+  private show(): void {
+    const there = this.bench.where.value === "desk";
+    const key = there ? "disconnect" : "connect";
+    this.text.textContent = say(key);
+    this.text.dataset["say"] = key;
+    this.model.hidden = this.put.hidden = !there;
+    const identity = this.bench.identity.value;
+    this.about.textContent = there && identity ? say("connected", { identity }) : "";
+  }
+
+  /** Lets a person choose a port, and speaks to what is there. */
+  private async join(): Promise<void> {
     const { serial } = navigator as { serial?: Serial };
     if (!serial) return note(say("noSerial"));
-    let port: SerialPort;
     try {
-      port = await serial.requestPort();
+      this.port = await serial.requestPort();
     } catch {
-      // Nobody was chosen.
+      // Nothing was chosen.
       return;
     }
-    port.addEventListener("disconnect", () => {
-      if (bench.where.value === "desk") note(say("portLost"));
-    });
+    await this.speak();
+  }
+
+  private async speak(): Promise<void> {
+    if (!this.port) return;
     try {
-      await bench.connect("desk", new PortLine(port), true);
+      await this.bench.connect("desk", new PortLine(this.port), true, () => note(say("portLost")));
     } catch (error) {
       note(say("portBusy", { why: error instanceof Error ? error.message : String(error) }));
-      await leave();
+      await this.leave();
     }
-  };
-  const leave = async (): Promise<void> => {
+  }
+
+  private async leave(): Promise<void> {
+    const { bench } = this;
+    this.port = null;
     if (bench.power.value) await bench.connect("simulated", bench.simulated.line, false);
     else {
       await bench.disconnect();
       bench.where.value = "simulated";
     }
-  };
-  connect.addEventListener("click", () => void (bench.where.value === "desk" ? leave() : join()));
-  return h("div", { class: "row" }, connect, about);
+  }
+
+  /** Puts the firmware on the board at the port, and speaks to it then. */
+  private async flash(): Promise<void> {
+    const model = MODELS.find(({ name }) => name === this.model.value) ?? MODELS[0];
+    if (!this.port) return;
+    this.put.disabled = true;
+    try {
+      const hex = await (await fetch(model.file)).text();
+      const tools = await Tools.of(await this.modules.full());
+      await this.bench.disconnect();
+      const failure = await flash(tools, new PortLine(this.port), hex, model.name, (share) => {
+        this.about.textContent = say("flashing", { percent: Math.round(share * 100) });
+      });
+      const said = failure ? told(failure) : say("flashed");
+      note(said);
+      announce(said);
+    } catch (error) {
+      note(error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) }));
+    } finally {
+      this.put.disabled = false;
+      await this.speak();
+    }
+  }
 }

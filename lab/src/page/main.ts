@@ -8,7 +8,7 @@ import { say, speakIn, told, translate } from "../words/words";
 import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
-import { desk } from "./desk";
+import { Desk } from "./desk";
 import { ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
@@ -72,7 +72,7 @@ async function load(): Promise<void> {
     { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
-  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), desk(bench));
+  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
   const lessons = new Lessons(byId("lesson"), remote, () => program.text.value, open);
   toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons });
   takeDrops(byId("drop"), (file) => void take(file));

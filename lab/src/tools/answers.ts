@@ -159,6 +159,17 @@ export interface Step {
   readonly news: readonly News[];
 }
 
+/** A step of firmware on its way to a board. */
+export interface FlashStep {
+  readonly reset: boolean;
+  readonly send: readonly number[];
+  readonly until: number;
+  readonly stage: "meeting" | "writing" | "comparing" | "finishing";
+  readonly progress: readonly [number, number];
+  readonly over: boolean;
+  readonly failure: Both | null;
+}
+
 export type Speak = "en" | "pt";
 
 /** What may be asked, and what is answered. */
@@ -173,6 +184,9 @@ export interface Asks {
   open: { ask: { program: Text | null; reset: boolean; rate?: number; parity?: number; address?: number }; answer: number };
   step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
   order: { ask: { board: number; order: Order }; answer: number };
+  flash: { ask: { hex: string; model: string }; answer: number };
+  flashStep: { ask: { now: number; came: readonly number[] }; answer: FlashStep };
+  flashLose: { ask: { why: string }; answer: null };
   lose: { ask: { board: number; why: string }; answer: null };
   close: { ask: { board: number }; answer: null };
 }

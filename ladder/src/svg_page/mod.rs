@@ -9,7 +9,7 @@ use crate::{Drawing, Element, Names, Net, Picture, Symbol};
 use svg::Document;
 use svg::node::element::{Group, Path, Rectangle, Text};
 use unoclp_checked::SourceMap;
-use wires::{Wires, arms, horizontal, is_rail, is_text, vertical};
+use wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
 
 pub use screen::to_screen;
 
@@ -175,7 +175,10 @@ impl Page<'_> {
             return self.line(data, 1.4);
         }
         let wire = Path::new().set("d", data);
-        self.add(wire.set("class", format!("wire n{net}")));
+        self.add(match net {
+            NO_NET => wire.set("class", "wire"),
+            net => wire.set("class", format!("wire n{net}")),
+        });
     }
 
     /// The wires on both sides of a symbol, each from one place to another.
@@ -191,7 +194,7 @@ impl Page<'_> {
         if !self.screen {
             return self.line(left + &right, 1.4);
         }
-        self.wire(left, before.map_or(0, Net::number));
+        self.wire(left, before.map_or(NO_NET, Net::number));
         self.wire(right, behind.number());
     }
 

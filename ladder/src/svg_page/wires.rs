@@ -4,6 +4,9 @@ use super::{HALF, x};
 use crate::{Cell, Net};
 use std::collections::BTreeMap;
 
+/// The key of wires of no net: the right rail.
+pub(super) const NO_NET: u32 = u32::MAX;
+
 /// The wires of a rung: one path for all, or one for each net.
 pub(super) struct Wires {
     by_net: bool,
@@ -22,7 +25,7 @@ impl Wires {
     /// The path that wires of a net belong to.
     fn key(&self, net: Option<Net>) -> u32 {
         match self.by_net {
-            true => net.map_or(0, Net::number),
+            true => net.map_or(NO_NET, Net::number),
             false => 0,
         }
     }
@@ -68,7 +71,11 @@ pub(super) fn horizontal(row: &[Cell], y: f32, wires: &mut Wires) {
     for (column, &cell) in row.iter().enumerate() {
         let [left, right, ..] = arms(cell);
         let (edge, middle) = (x(column as f32), x(column as f32 + 0.5));
-        let key = wires.key(cell.net);
+        let key = match (cell.net, begun) {
+            // The right rail: what comes to it is the wire's.
+            (None, Some((_, before))) => before,
+            (net, _) => wires.key(net),
+        };
         let mut end = |at: f32, begun: &mut Option<(f32, u32)>| {
             if let Some((from, key)) = begun.take() {
                 wires.add(key, &format!("M{from} {y}H{at}"));

@@ -77,6 +77,8 @@ pub struct Boards {
     sessions: BTreeMap<u32, Session>,
     /// Conversations and orders are numbered by this.
     last: u32,
+    #[cfg(feature = "full")]
+    pub(crate) flash: crate::flash::Flash,
 }
 
 /// Conversations that may go on at one time: a page has one.

@@ -1,0 +1,99 @@
+// The UNO on the desk: WebSerial, with the port replaced by a second simulated board. The chooser and DTR of a real port
+// are not proven by it.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Lab, run } from "./harness.mjs";
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** Runs in the page, before all else: a port with a board behind it. */
+function plugIn() {
+  class Port extends EventTarget {
+    worker = new Worker("board.js", { type: "module" });
+    /** @type {ReadableStreamDefaultController<Uint8Array> | null} */
+    out = null;
+    /** @type {ReadableStream<Uint8Array> | null} */
+    readable = null;
+    /** @type {WritableStream<Uint8Array> | null} */
+    writable = null;
+
+    constructor() {
+      super();
+      this.worker.addEventListener("message", ({ data }) => {
+        if (data.kind === "serial") this.out?.enqueue(data.bytes);
+      });
+      void fetch("unoclp.hex").then(async (answer) => {
+        this.worker.postMessage({ kind: "firmware", hex: await answer.text() });
+        this.worker.postMessage({ kind: "plug", on: true });
+        this.worker.postMessage({ kind: "run" });
+      });
+    }
+
+    /** @param {{ baudRate: number }} options */
+    async open({ baudRate }) {
+      this.worker.postMessage({ kind: "line", format: { baud: baudRate, parity: "none" } });
+      this.worker.postMessage({ kind: "reset" });
+      this.readable = new ReadableStream({ start: (out) => void (this.out = out), cancel: () => void (this.out = null) });
+      this.writable = new WritableStream({ write: (bytes) => this.worker.postMessage({ kind: "serial", bytes }) });
+    }
+
+    async setSignals() {
+      this.worker.postMessage({ kind: "reset" });
+    }
+
+    async close() {
+      this.readable = this.writable = this.out = null;
+    }
+
+    /** Somebody pulls the plug. */
+    pull() {
+      this.worker.terminate();
+      const { out } = this;
+      this.readable = null;
+      out?.error(new DOMException("The device has been lost.", "NetworkError"));
+    }
+  }
+  const port = new Port();
+  Object.assign(window, { port });
+  Object.defineProperty(navigator, "serial", { value: { requestPort: async () => port }, configurable: true });
+}
+
+test("a board at a port is found, takes a program, is live, and is lost", async () => {
+  const page = await lab.open();
+  await page.context().addInitScript(plugIn);
+  await page.reload();
+  await page.locator("#run:enabled").waitFor();
+  await page.click("#connect");
+  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  await run(page);
+  // A button of the page forces the input of the board, and says so.
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await page.locator('.place.is-forced [data-input="1"]').waitFor();
+  await page.locator('[data-output="1"][data-on="true"]').waitFor();
+  await page.mouse.up();
+  await page.locator('.place:not(.is-forced) [data-input="1"]').waitFor();
+  await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
+  await page.evaluate("port.pull()");
+  await page.locator("#notes", { hasText: "The line to the board is gone" }).waitFor();
+  // The way back is the simulated board.
+  await page.click("#connect");
+  await page.locator("#hardware").waitFor();
+  await page.context().close();
+});
+
+test("a browser without WebSerial says which have it", async () => {
+  const page = await lab.open();
+  await page.evaluate(() => Object.defineProperty(navigator, "serial", { value: undefined, configurable: true }));
+  await page.click("#connect");
+  await page.locator("#notes", { hasText: "Chrome, Edge and Opera" }).waitFor();
+  assert.ok(await page.isVisible("#hardware"));
+  await page.context().close();
+});
