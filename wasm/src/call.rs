@@ -81,6 +81,8 @@ pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, No> {
     match request {
         Request::Check { text } => program::check(text).map(value),
         Request::Ladder { text, width, speak } => draw::ladder(text, width, speak).map(value),
+        // Instruction List that is made is compiled again, by all that there is.
+        #[cfg(feature = "full")]
         Request::List {
             text,
             form,
@@ -107,7 +109,8 @@ pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, No> {
             Ok(Value::Null)
         }
         #[cfg(not(feature = "full"))]
-        Request::Exercise { .. }
+        Request::List { .. }
+        | Request::Exercise { .. }
         | Request::Card { .. }
         | Request::Read { .. }
         | Request::Flash { .. }

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Boxes, Flow};
 use unoclp_ladder::{Ladder, Style, to_screen};
-use unoclp_source::list::{Form, list, svg, title};
+use unoclp_source::list::title;
+#[cfg(feature = "full")]
+use unoclp_source::list::{Form, list, svg};
 use unoclp_source::{Lang, Source, names};
 
 /// The language of what is drawn.
@@ -82,6 +84,7 @@ const WIDEST: usize = 400;
 ///
 /// # Errors
 /// Where there is no program.
+#[cfg(feature = "full")]
 pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, No> {
     let source = text.program()?;
     let width = width.min(WIDEST);
