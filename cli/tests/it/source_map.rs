@@ -122,8 +122,8 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
             // The name of its point stands in it; of a block that is called, that of the block.
             if let Some(point) = &place.name {
                 let block = point.split('.').next().unwrap_or_default();
-                let names = if at.starts_with("CAL") { block } else { point };
-                assert!(at.contains(names), "{name}: {place:?}: {at}");
+                let own = if at.starts_with("CAL") { block } else { point };
+                assert!(at.contains(own), "{name}: {place:?}: {at}");
                 names += 1;
             }
             // The comment behind a code tells its words and its line.
