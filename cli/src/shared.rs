@@ -13,7 +13,7 @@ use unoclp_serve::{Board, Line, NoAnswer, Pages, Server, Sharing, Tokens};
 
 /// What `cargo xtask lab --build` has built.
 #[derive(RustEmbed)]
-#[folder = "../target/lab"]
+#[folder = "../target/lab/page"]
 struct Files;
 
 /// A file of the page.
@@ -29,7 +29,13 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
     let wrong = |error| anyhow!(messages::not_served(http, messages::io(&error)));
     let server = Server::bind(http).map_err(wrong)?;
     let page = format!("http://{}/", server.address());
-    println!("{page}");
+    // By the fragment the page knows that there is a board behind it.
+    let board = if place.is_some() && server.is_local() {
+        "#board"
+    } else {
+        ""
+    };
+    println!("{page}{board}");
     let sharing = match place {
         None => None,
         Some(place) => {
@@ -40,7 +46,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
             match &tokens {
                 None => println!("{}", messages::shared(&place.port)),
                 Some(Tokens { watch, control }) => {
-                    let with = |token| format!("{page}#token={token}");
+                    let with = |token| format!("{page}#board={token}");
                     println!("{}", messages::watch_at(with(watch)));
                     println!("{}", messages::control_at(with(control)));
                     println!("{}", messages::open_to_network());

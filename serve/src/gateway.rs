@@ -1,7 +1,7 @@
 //! One visitor's way to the board: a WebSocket, on which each binary message is a Modbus request or its answer, whole.
 //!
 //! The first message of the visitor is a text, the token, empty where none is asked for. The gateway's texts are JSON:
-//! `{"role": "watch", "address": 1}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
+//! `{"role": "watch", "address": 1, "name": "COM3"}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
 //! whenever that changes. A visitor has one request under way at a time.
 
 use crate::control::{Control, Visitor};
@@ -27,6 +27,8 @@ pub(crate) const LONGEST: usize = 256;
 #[derive(Debug)]
 pub(crate) struct Gateway {
     pub line: Line,
+    /// What the board is called.
+    pub name: String,
     pub control: Mutex<Control>,
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
@@ -82,7 +84,7 @@ async fn visit(
         Err(_) => return Err(Left::Slow),
     };
     let address = gateway.line.address();
-    say(socket, json!({ "role": role.name(), "address": address })).await?;
+    say(socket, json!({ "role": role.name(), "address": address, "name": gateway.name })).await?;
     let mut presence = gateway.line.presence();
     let mut signs = 0;
     loop {

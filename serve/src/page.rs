@@ -14,39 +14,15 @@ pub type Pages = fn(&str) -> Option<Cow<'static, [u8]>>;
 const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
      img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self' data: blob:; frame-ancestors 'none'; base-uri 'none'";
 
-/// The file at this path of an address; `board` is told to the page itself.
-pub(crate) fn file(pages: Pages, path: &str, board: Option<&str>) -> Response<Body> {
+/// The file at this path of an address.
+pub(crate) fn file(pages: Pages, path: &str) -> Response<Body> {
     let path = path.trim_start_matches('/');
     let path = if path.is_empty() { "index.html" } else { path };
     let Some(content) = pages(path) else {
-        return answer(
-            StatusCode::NOT_FOUND,
-            "text/plain",
-            Cow::from("404\n").into_owned(),
-        );
+        return answer(StatusCode::NOT_FOUND, "text/plain", "404\n");
     };
     let kind = mime_guess::from_path(path).first_or_octet_stream();
-    let content = match board {
-        Some(board) if path == "index.html" => with_board(&content, board),
-        _ => content.into_owned(),
-    };
-    answer(StatusCode::OK, kind.essence_str(), content)
-}
-
-/// The page, which is told in its head that there is a board behind it: so it asks nobody where there is none.
-fn with_board(page: &[u8], board: &str) -> Vec<u8> {
-    let text = String::from_utf8_lossy(page);
-    let meta = format!(
-        "<head><meta name=\"unoclp-board\" content=\"{}\">",
-        escaped(board)
-    );
-    text.replacen("<head>", &meta, 1).into_bytes()
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('"', "&quot;")
-        .replace('<', "&lt;")
+    answer(StatusCode::OK, kind.essence_str(), content.into_owned())
 }
 
 fn answer(status: StatusCode, kind: &str, content: impl Into<Body>) -> Response<Body> {

@@ -54,7 +54,6 @@ struct Shared {
     pages: Pages,
     is_local: bool,
     gateway: Option<Arc<Gateway>>,
-    name: Option<Arc<str>>,
     /// The number of the next visitor.
     next: Arc<AtomicU64>,
     /// For how many more there is room.
@@ -89,11 +88,11 @@ impl Server {
     /// Where the system takes the address away.
     pub fn run(self, pages: Pages, sharing: Option<Sharing>) -> io::Result<()> {
         let is_local = self.is_local();
-        let name = sharing.as_ref().map(|sharing| sharing.name.as_str().into());
-        let gateway = sharing.map(|Sharing { line, tokens, .. }| {
+        let gateway = sharing.map(|Sharing { line, name, tokens }| {
             let control = Mutex::new(Control::default());
             Arc::new(Gateway {
                 line,
+                name,
                 control,
                 tokens,
             })
@@ -102,7 +101,6 @@ impl Server {
             pages,
             is_local,
             gateway,
-            name,
             next: Arc::default(),
             room: Arc::new(Semaphore::new(VISITORS)),
         };
@@ -153,7 +151,7 @@ async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Res
     if !doors::lets_in(&headers, shared.is_local) {
         return StatusCode::FORBIDDEN.into_response();
     }
-    page::file(shared.pages, uri.path(), shared.name.as_deref())
+    page::file(shared.pages, uri.path())
 }
 
 async fn line(

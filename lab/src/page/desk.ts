@@ -1,5 +1,7 @@
 // The UNO on the desk: which board the page speaks to, and firmware for it.
 
+import { GatewayLine, type Shared } from "../line/gateway";
+import type { Line } from "../line/line";
 import { PortLine } from "../line/port";
 import type { Modules } from "../tools/modules";
 import { Refusal, Tools } from "../tools/tools";
@@ -9,6 +11,7 @@ import { h } from "./dom";
 import { flash } from "./flash";
 import { icon } from "./icons";
 import { announce, note } from "./notes";
+import { gateway, sharedToken } from "./shared";
 
 /** The boards that firmware is for: as Rust names them, and the file of each. */
 const MODELS = [
@@ -24,6 +27,9 @@ export class Desk {
   private readonly model = h("select", { id: "model", "data-say-label": "boardKind" }, ...MODELS.map(({ name, title }) => h("option", { value: name }, title)));
   private readonly put = h("button", { type: "button", id: "put-firmware", click: () => void this.flash() }, icon("bolt"), h("span", { "data-say": "putFirmware" }));
   private port: SerialPort | null = null;
+  /** The board behind this page, where there is one: then it is the one that is joined. */
+  private readonly token = sharedToken();
+  private shared: Shared | null = null;
 
   constructor(
     private readonly bench: Bench,
@@ -33,6 +39,7 @@ export class Desk {
     this.control = h("div", { class: "row" }, connect, this.model, this.put, this.about);
     bench.where.follow(() => this.show());
     bench.identity.follow(() => this.show());
+    if (this.token !== null) void this.join();
   }
 
   private show(): void {
@@ -40,13 +47,17 @@ export class Desk {
     const key = there ? "disconnect" : "connect";
     this.text.textContent = say(key);
     this.text.dataset["say"] = key;
-    this.model.hidden = this.put.hidden = !there;
+    // Firmware goes through the port alone.
+    this.model.hidden = this.put.hidden = !there || this.token !== null;
     const identity = this.bench.identity.value;
-    this.about.textContent = there && identity ? say("connected", { identity }) : "";
+    const what = this.shared ? `${identity ?? ""} (${this.shared.name})` : identity;
+    const said = this.shared?.role === "watch" ? "watching" : "connected";
+    this.about.textContent = there && identity ? say(said, { identity: what ?? "" }) : "";
   }
 
   /** Lets a person choose a port, and speaks to what is there. */
   private async join(): Promise<void> {
+    if (this.token !== null) return this.speak(new GatewayLine(gateway(), this.token, (shared) => (this.shared = shared)));
     const { serial } = navigator as { serial?: Serial };
     if (!serial) return note(say("noSerial"));
     try {
@@ -55,15 +66,15 @@ export class Desk {
       // Nothing was chosen.
       return;
     }
-    await this.speak();
+    await this.speak(new PortLine(this.port));
   }
 
-  private async speak(): Promise<void> {
-    if (!this.port) return;
+  private async speak(line: Line): Promise<void> {
+    const lost = (): void => note(say(this.token === null ? "portLost" : "sharedLost"));
     try {
-      await this.bench.connect("desk", new PortLine(this.port), true, () => note(say("portLost")));
+      await this.bench.connect("desk", line, this.token === null, lost);
     } catch (error) {
-      note(say("portBusy", { why: error instanceof Error ? error.message : String(error) }));
+      note(say(this.token === null ? "portBusy" : "sharedClosed", { why: error instanceof Error ? error.message : String(error) }));
       await this.leave();
     }
   }
@@ -97,7 +108,7 @@ export class Desk {
       note(error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) }));
     } finally {
       this.put.disabled = false;
-      await this.speak();
+      await this.speak(new PortLine(this.port));
     }
   }
 }

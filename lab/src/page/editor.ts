@@ -45,7 +45,7 @@ function powered(view: EditorView, lines: Lines): DecorationSet {
 }
 
 class StateMarker extends GutterMarker {
-  constructor(private readonly state: boolean | number) {
+  constructor(private readonly state: boolean | number | string) {
     super();
   }
 
@@ -56,7 +56,7 @@ class StateMarker extends GutterMarker {
   override toDOM(): Node {
     const mark = document.createElement("span");
     mark.className = this.state === true ? "lit" : "";
-    mark.textContent = typeof this.state === "number" ? `= ${this.state}` : this.state ? "●" : "○";
+    mark.textContent = typeof this.state === "boolean" ? (this.state ? "●" : "○") : `= ${this.state}`;
     return mark;
   }
 }

@@ -38,8 +38,8 @@ export class Lab {
   }
 
   /** A page in a browser that knows nothing of us yet; it is ready to run a program.
-   * @param {import("playwright-core").BrowserContextOptions} options */
-  async open(options = {}, fragment = "") {
+   * @param {import("playwright-core").BrowserContextOptions} options @param {string} address of another server */
+  async open(options = {}, fragment = "", address = this.server.url) {
     const context = await this.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US", ...options });
     const page = await context.newPage();
     page.setDefaultTimeout(PATIENCE);
@@ -47,7 +47,7 @@ export class Lab {
     page.on("console", (message) => {
       if (message.type() === "error") this.errors.push(message.text());
     });
-    await page.goto(this.server.url + fragment);
+    await page.goto(address + fragment);
     await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
     await page.locator("#run:enabled").waitFor();
     return page;

@@ -82,7 +82,7 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
     let address = server.address();
     let sharing = board.map(|board| Sharing {
         line: Line::begin(board, 1),
-        name: "tty\"0".into(),
+        name: "tty0".into(),
         tokens,
     });
     thread::spawn(move || server.run(pages, sharing).unwrap());

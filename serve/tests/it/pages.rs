@@ -55,14 +55,6 @@ fn files_come_with_their_kind_and_nothing_else_does() {
 }
 
 #[test]
-fn the_page_knows_whether_there_is_a_board_behind_it() {
-    let head = |address| http(address, "/", &format!("Host: {address}\r\n"));
-    assert!(!head(serve(None, None)).contains("unoclp-board"));
-    let with_board = head(serve(Some(Memory::new()), None));
-    assert!(with_board.contains(r#"<head><meta name="unoclp-board" content="tty&quot;0"><title>"#));
-}
-
-#[test]
 fn a_foreign_page_gets_nothing() {
     let address = serve(Some(Memory::new()), None);
     for head in [

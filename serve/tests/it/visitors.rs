@@ -16,7 +16,7 @@ fn tokens() -> Tokens {
 fn on_this_pc_everybody_may_do_all() {
     let address = serve(Some(Memory::new()), None);
     let (mut visitor, told) = Visitor::new(address, "");
-    assert_eq!(told, r#"{"address":1,"role":"control"}"#);
+    assert_eq!(told, r#"{"address":1,"name":"tty0","role":"control"}"#);
     while visitor.text() != r#"{"board":true}"# {}
     assert_eq!(
         visitor.ask(&Request::write_word(1, 2, 0x1234)),
@@ -36,7 +36,7 @@ fn whoever_watches_changes_nothing() {
     let board = Memory::new();
     let address = serve(Some(board.clone()), Some(tokens()));
     let (mut watcher, told) = Visitor::new(address, &tokens().watch);
-    assert_eq!(told, r#"{"address":1,"role":"watch"}"#);
+    assert_eq!(told, r#"{"address":1,"name":"tty0","role":"watch"}"#);
     while watcher.text() != r#"{"board":true}"# {}
     assert_eq!(watcher.ask(&read(1)), [1, 3, 2, 0, 7]);
     assert_eq!(watcher.ask(&Request::write_word(1, 0, 1)), [1, 0x86, 1]);
