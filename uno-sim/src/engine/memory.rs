@@ -1,6 +1,6 @@
 //! Where the firmware keeps what scenarios look at and set.
 
-use super::EngineError;
+use super::error::EngineError;
 use crate::{Program, Space};
 
 /// Where the firmware keeps what scenarios look at and set: in `PAGE`, from there so many bytes on

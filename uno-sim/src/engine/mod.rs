@@ -1,12 +1,13 @@
 //! The firmware as an engine for scenarios, on whatever simulates the board.
 
+mod error;
 mod kept;
 mod memory;
 mod simulated;
 mod told;
 
-use crate::avr8js::Avr8js;
-use crate::{CYCLES_PER_MS, Error, Halt, Program, Slot, Space, Uno};
+use crate::{CYCLES_PER_MS, Halt, Program, Slot, Space, Uno};
+pub use error::EngineError;
 use memory::{Memory, ON};
 pub use simulated::Simulated;
 use told::{fault, served_fault};
@@ -40,10 +41,8 @@ pub enum Clock {
 
 /// On simavr.
 pub type UnoEngine = FirmwareEngine<Uno>;
-/// On avr8js, as in the lab's page.
-pub type Avr8jsEngine = FirmwareEngine<Avr8js>;
 
-/// The firmware's ELF file on a simulated board, with a card for each program.
+/// The firmware's ELF file on a simulated board ([`Uno`], [`crate::avr8js::Avr8js`]), with a card for each program.
 pub struct FirmwareEngine<S> {
     program: Program,
     clock: Clock,
@@ -59,32 +58,6 @@ pub struct FirmwareEngine<S> {
     uno: Option<S>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
-}
-
-/// Why the board did not do its work.
-#[derive(Debug, thiserror::Error)]
-pub enum EngineError {
-    /// The simulation could not be set up.
-    #[error(transparent)]
-    Setup(#[from] Error),
-    /// The firmware went no further.
-    #[error("{0}; the serial port said {1:?}")]
-    Halt(Halt, String),
-    /// The firmware lacks a symbol that a simulation stops at or writes to.
-    #[error("the firmware has no symbol `{0}`; is it an unoclp firmware?")]
-    NoSymbol(&'static str),
-    /// The card image could not be made.
-    #[error("no card image: {0}")]
-    Image(#[from] std::io::Error),
-    /// An output moved before the first scan or at a fault (NC-7).
-    #[error("output {} moved though no program ran", .0 + 1)]
-    OutputMoved(u8),
-    /// The serial port did not say what it must.
-    #[error("the serial port said {0:?}")]
-    Serial(String),
-    /// A scan was asked for without a program.
-    #[error("no program has been loaded")]
-    NoProgram,
 }
 
 impl<S: Simulated> FirmwareEngine<S> {

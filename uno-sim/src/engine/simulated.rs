@@ -1,6 +1,6 @@
 //! What an engine needs of a simulated board, whoever simulates it.
 
-use super::EngineError;
+use super::error::EngineError;
 use crate::sd::{Kind, SdCard};
 use crate::{Analogue, Error, Halt, Pin, Program, Pwm, Slot, Uno};
 

@@ -1,6 +1,7 @@
 //! What a board tells of a fault: over Modbus, and as a text at its start.
 
-use super::{EngineError, Simulated};
+use super::error::EngineError;
+use super::simulated::Simulated;
 use crate::{CYCLES_PER_MS, Halt};
 use unoclp_host_sim::scenario::Refusal;
 use unoclp_modbus::Crc;
