@@ -154,15 +154,40 @@ pub fn keep(compiler: &Compiler) -> Result<()> {
 pub fn verdict(compiler: &Compiler) -> Result<String> {
     let (tested, kept) = kept()?;
     let built = text(&tested, |board| Firmware::of(board).hex)?;
-    Ok(match (built == kept, *compiler == tested) {
+    Ok(sentence(built == kept, compiler, &tested))
+}
+
+fn sentence(is_same: bool, here: &Compiler, tested: &Compiler) -> String {
+    match (is_same, here == tested) {
         (true, _) => "this is the tested firmware, byte for byte".to_owned(),
-        (false, true) => "this is not the tested firmware: the source has changed. Once `cargo xtask test` has passed \
-             otherwise, `cargo xtask firmware --keep` makes it the tested one"
-            .to_owned(),
+        (false, true) => {
+            "this is not the tested firmware: the source has changed. Once `cargo xtask test` has \
+             passed otherwise, `cargo xtask firmware --keep` makes it the tested one"
+                .to_owned()
+        }
         (false, false) => format!(
             "warning: this compiler is not the tested one, so the suite has not run on what it makes.\n  \
-             tested: {tested}\n  here:   {compiler}\n\
+             tested: {tested}\n  here:   {here}\n\
              `cargo xtask flash` writes the tested firmware; `cargo xtask test` runs the suite on this one"
         ),
-    })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Compiler, sentence};
+
+    #[test]
+    fn another_compiler_is_told_where_it_makes_another_firmware() {
+        let compiler = |name: &str| Compiler(name.to_owned());
+        let (tested, other) = (compiler("rustc 1.96.0"), compiler("rustc 1.97.0"));
+        let told = sentence(false, &other, &tested);
+        assert!(told.contains("tested: rustc 1.96.0"), "{told}");
+        assert!(told.contains("here:   rustc 1.97.0"), "{told}");
+        assert!(sentence(false, &tested, &tested).contains("--keep"));
+        for compiler in [&tested, &other] {
+            let told = sentence(true, compiler, &tested);
+            assert_eq!(told, "this is the tested firmware, byte for byte");
+        }
+    }
 }
