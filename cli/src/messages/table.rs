@@ -111,8 +111,8 @@ unoclp_source::messages! {
         "what comes from {port} is no Modbus at {rate} baud, {parity}; is that the board's rate (--rate, --parity)?"
         "o que vem de {port} não é Modbus a {rate} baud, {parity}; é essa a taxa da placa (--rate, --parity)?";
     no_unoclp(port, foreign)
-        "what answers at {port} is no unoclp{foreign}"
-        "o que responde em {port} não é um unoclp{foreign}";
+        "what answers at {port} is no unoclp{foreign}; `unoclp flash` puts its firmware on an UNO or a Nano"
+        "o que responde em {port} não é um unoclp{foreign}; `unoclp flash` grava o firmware em um UNO ou Nano";
     no_port(port, others) "there is no port {port}; {others}" "não existe a porta {port}; {others}";
     no_ports()
         "this PC has none, so the board is not plugged in, or its cable only charges"
@@ -229,9 +229,9 @@ unoclp_source::messages! {
         "os envios estão bloqueados na placa; {to_lift}";
     firmware_too_old(board, needs)
         "the board keeps programs in form {board}, and this one needs form {needs}: its firmware is older than some instructions \
-         of the program. The board keeps the program that it had; bring its firmware up to date"
+         of the program. The board keeps the program that it had; bring its firmware up to date by `unoclp flash`"
         "a placa guarda programas na forma {board}, e este precisa da forma {needs}: o firmware dela é mais antigo que algumas \
-         instruções do programa. A placa mantém o programa que tinha; atualize o firmware";
+         instruções do programa. A placa mantém o programa que tinha; atualize o firmware com `unoclp flash`";
     upload_ended()
         "the upload was ended from elsewhere; the board keeps the program that it had"
         "o envio foi encerrado por outro cliente; a placa mantém o programa que tinha";

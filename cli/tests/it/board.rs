@@ -87,16 +87,20 @@ fn what_is_no_board_is_told_apart() {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     }));
+    let way_on = "; `unoclp flash` puts its firmware on an UNO or a Nano";
     assert_eq!(
         error,
-        format!("what answers at {path} is no unoclp but \"ACME Meter 3\"")
+        format!("what answers at {path} is no unoclp but \"ACME Meter 3\"{way_on}")
     );
 
     let (error, path) = message(Fake::new(Board {
         identifies: false,
         ..Board::default()
     }));
-    assert_eq!(error, format!("what answers at {path} is no unoclp"));
+    assert_eq!(
+        error,
+        format!("what answers at {path} is no unoclp{way_on}")
+    );
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Unplugged));
     assert!(
