@@ -17,10 +17,11 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
 /// What a quick run leaves out: each takes ten seconds or more, and none is made of rounds or cases.
-const SLOW: [&str; 9] = [
+const SLOW: [&str; 10] = [
     "boot_loaders::the_firmware_goes_through_each_boot_loader_and_runs_a_program",
     "boot_loaders::the_firmware_goes_through_a_pseudo_terminal",
     "suite::programs_and_timers_on_the_running_clock",
+    "suite::every_scenario_in_lockstep_on_a_nano",
     "suite::every_scenario_in_lockstep_before_the_firmware_is_shortened",
     "start_up::a_dead_card_is_given_up_within_2_s",
     "modbus_line::settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones",
