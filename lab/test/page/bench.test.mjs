@@ -61,7 +61,7 @@ test("the STOP switch stops, and a program too large is refused by name", async 
 
 test("a knob turns an analogue input, and a register is set", async () => {
   const page = await lab.open();
-  await type(page, "LD A0\nGT 600\nST Q1\nLD D1\nGT 5\nST Q2\n", "level.il");
+  await type(page, "LD IW0\nGT 600\nST Q1\nLD MW1\nGT 5\nST Q2\n", "level.il");
   await run(page);
   await lamp(page, 1, false);
   await page.fill('[data-analogue="0"]', "900");
