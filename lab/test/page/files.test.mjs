@@ -1,0 +1,84 @@
+// Files in and out: whatever is opened, nothing that was there is lost.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { Lab, lamp, run } from "./harness.mjs";
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** Opens a file by the menu. @param {import("playwright-core").Page} page @param {string} name @param {Buffer} buffer */
+async function choose(page, name, buffer) {
+  const chooser = page.waitForEvent("filechooser");
+  await page.click("#menu-fileMenu");
+  await page.getByRole("button", { name: "Open…" }).click();
+  await (await chooser).setFiles({ name, mimeType: "text/plain", buffer });
+}
+
+/** What a click downloads. @param {import("playwright-core").Page} page @param {() => Promise<void>} click */
+async function downloaded(page, click) {
+  const download = page.waitForEvent("download");
+  await click();
+  const file = await download;
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
+}
+
+test("a file is opened in its language and encoding, and one that is none changes nothing", async () => {
+  const page = await lab.open();
+  await choose(page, "latin.il", Buffer.from("(* memória *)\nLD I1\nST Q3\n", "latin1"));
+  await page.locator('.ladder .element[data-point="Q3"]').waitFor();
+  assert.match((await page.textContent(".cm-content")) ?? "", /memória/);
+  assert.equal(await page.inputValue("#name"), "latin.il");
+  await choose(page, "large.il", Buffer.alloc(5 << 20, "LD I1\n"));
+  await page.locator("#notes", { hasText: "more than 1 MB" }).waitFor();
+  await choose(page, "binary.il", Buffer.from([0x7f, 0x45, 0x4c, 0x46, 0, 0, 0]));
+  await page.locator("#notes", { hasText: "no text" }).waitFor();
+  assert.equal(await page.inputValue("#name"), "latin.il");
+  assert.match((await page.textContent(".cm-content")) ?? "", /memória/);
+  await page.context().close();
+});
+
+test("a file that is dropped on the page is opened", async () => {
+  const page = await lab.open();
+  const data = await page.evaluateHandle(() => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(["LD I2\nST Q4\n"], "dropped.il"));
+    return transfer;
+  });
+  await page.dispatchEvent(".cm-content", "drop", { dataTransfer: data });
+  await page.locator('.ladder .element[data-point="Q4"]').waitFor();
+  assert.equal(await page.inputValue("#name"), "dropped.il");
+  await page.context().close();
+});
+
+test("the program, its code, its ladder and the timing diagram are saved", async () => {
+  const page = await lab.open();
+  const save = async (/** @type {string} */ entry) =>
+    downloaded(page, async () => {
+      await page.click("#menu-fileMenu");
+      await page.getByRole("button", { name: entry, exact: true }).click();
+    });
+  const program = await save("Save");
+  assert.equal(program.name, "seal-in.il");
+  assert.match(program.text, /ANDN stop/);
+  assert.match((await save("Save PROGRAM.TXT")).text, /877901/);
+  assert.match((await save("Save the ladder as SVG")).text, /^<svg[^]*start/);
+  assert.equal((await save("Save a card image")).name, "card.img");
+  await run(page);
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await lamp(page, 1, true);
+  await page.mouse.up();
+  await lamp(page, 1, true);
+  const csv = await downloaded(page, () => page.getByRole("button", { name: "Export CSV" }).click());
+  assert.match(csv.text, /^ms,I1,I2,Q1\n[^]*,1,0,1\n/);
+  const svg = await downloaded(page, () => page.getByRole("button", { name: "Export SVG" }).click());
+  assert.match(svg.text, /^<svg[^]*motor/);
+  await page.context().close();
+});
