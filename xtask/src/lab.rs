@@ -28,16 +28,24 @@ pub struct Args {
 /// # Errors
 /// If a step fails.
 pub fn run(args: &Args) -> Result<()> {
-    let toolchain = setup::for_lab()?;
-    say("the tools for WebAssembly");
-    wasm::build(&toolchain, &shell::root().join("target/lab"))?;
-    say("the page");
-    node(&["build.mjs", "page"])?;
+    build()?;
     if args.build {
         return Ok(());
     }
     say("serving the page until Ctrl-C");
     node(&["serve.mjs", &args.port.to_string()])
+}
+
+/// Sets up, and builds the page in `target/lab/page`.
+///
+/// # Errors
+/// If a step fails.
+pub fn build() -> Result<()> {
+    let toolchain = setup::for_lab()?;
+    say("the tools for WebAssembly");
+    wasm::build(&toolchain, &shell::root().join("target/lab"))?;
+    say("the page");
+    node(&["build.mjs", "page"])
 }
 
 /// Runs the tests of the page that was built.

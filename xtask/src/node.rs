@@ -17,6 +17,9 @@ const CARDS: &str = "target/lab/cards";
 /// The bundles of the tests.
 const TESTS: &str = "target/lab/test";
 
+/// The command npm, which is a script on Windows.
+pub const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
+
 /// Installs the packages that `lab/package-lock.json` names, unless they are there.
 ///
 /// # Errors
@@ -30,7 +33,7 @@ pub fn install() -> Result<()> {
     say("setup: installing the packages of the lab, with npm");
     // Nobody else's script runs for it.
     let arguments = ["ci", "--ignore-scripts", "--no-audit", "--no-fund"];
-    shell::run(Command::new("npm").current_dir(folder()).args(arguments))?;
+    shell::run(Command::new(NPM).current_dir(folder()).args(arguments))?;
     fs::write(&mark, lock).with_context(|| format!("cannot write {}", mark.display()))
 }
 
@@ -65,7 +68,7 @@ pub fn test() -> Result<Count> {
 }
 
 fn npm() -> Command {
-    let mut npm = Command::new("npm");
+    let mut npm = Command::new(NPM);
     npm.current_dir(folder()).arg("--silent");
     npm
 }

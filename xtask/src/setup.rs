@@ -97,7 +97,7 @@ const TESTS: &[Need] = &[
 /// What the lab is built with, and what runs its simulated board.
 const LAB: &[Need] = &[
     need("nodejs", "building and testing the lab", |_| exists("node")),
-    need("npm", "the packages of the lab", |_| exists("npm")),
+    need("npm", "the packages of the lab", |_| exists(node::NPM)),
 ];
 
 /// Where Debian's Arduino core has its boot loaders; `uno-sim/tests/it/boot_loaders.rs` reads two of them.
