@@ -1,4 +1,5 @@
-// Bundles what the lab is made of into target/lab: `node build.mjs [part…]`, all parts without a word.
+// Bundles what the lab is made of into target/lab: `node build.mjs [part…]`, all parts without a word. `node build.mjs
+// --packages` writes no bundle, and says of which npm packages the page consists.
 //
 // A part is a folder in target/lab with bundles in it, made of the entry points named here.
 
@@ -8,6 +9,7 @@ import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { createHash } from "node:crypto";
 import { examples, lessons } from "./build/lessons.mjs";
+import { packages } from "./build/packages.mjs";
 
 const lab = dirname(fileURLToPath(import.meta.url));
 const target = join(lab, "../target/lab");
@@ -65,18 +67,10 @@ async function around(outdir) {
   await build({ ...browser, absWorkingDir: lab, bundle: true, format: "iife", define, entryPoints: ["src/offline/sw.ts"], outfile: join(outdir, "sw.js") });
 }
 
-const asked = process.argv.slice(2);
-for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
-  const part = parts[name];
-  if (!part) {
-    console.error(`no part ${name}; there are ${Object.keys(parts).join(", ")}`);
-    process.exit(2);
-  }
-  const outdir = join(target, name);
-  rmSync(outdir, { recursive: true, force: true });
+/** Bundles a part; `more` are further options of esbuild. */
+function bundle(part, outdir, more) {
   const { around, ...options } = part;
-  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry.in ?? entry)));
-  await build({
+  return build({
     absWorkingDir: lab,
     bundle: true,
     format: "esm",
@@ -85,8 +79,26 @@ for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
     sourcemap: "linked",
     outdir,
     ...options,
-    entryPoints,
+    ...more,
   });
-  await around?.(outdir);
+}
+
+const asked = process.argv.slice(2);
+if (asked[0] === "--packages") {
+  const { metafile } = await bundle(parts.page, join(target, "page"), { metafile: true, write: false });
+  console.log(JSON.stringify(packages(metafile, lab)));
+  process.exit();
+}
+for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
+  const part = parts[name];
+  if (!part) {
+    console.error(`no part ${name}; there are ${Object.keys(parts).join(", ")}`);
+    process.exit(2);
+  }
+  const outdir = join(target, name);
+  rmSync(outdir, { recursive: true, force: true });
+  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry.in ?? entry)));
+  await bundle(part, outdir, { entryPoints });
+  await part.around?.(outdir);
   console.log(`${relative(process.cwd(), outdir)}: ${entryPoints.length} bundles`);
 }

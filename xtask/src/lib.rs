@@ -15,6 +15,7 @@ pub mod link;
 pub mod modules;
 pub mod mulcheck;
 pub mod node;
+pub mod notice;
 pub mod parts;
 pub mod programs;
 pub mod setup;
