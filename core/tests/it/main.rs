@@ -3,6 +3,7 @@
 mod documents;
 mod fuzzed;
 mod isa;
+mod links;
 mod loader;
 mod stored;
 mod timers;
