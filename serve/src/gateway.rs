@@ -84,7 +84,11 @@ async fn visit(
         Err(_) => return Err(Left::Slow),
     };
     let address = gateway.line.address();
-    say(socket, json!({ "role": role.name(), "address": address, "name": gateway.name })).await?;
+    say(
+        socket,
+        json!({ "role": role.name(), "address": address, "name": gateway.name }),
+    )
+    .await?;
     let mut presence = gateway.line.presence();
     let mut signs = 0;
     loop {

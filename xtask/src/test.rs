@@ -90,6 +90,11 @@ pub fn run(args: &TestArgs) -> Result<()> {
     })?;
     others += test_lab(&steps)?;
     others += steps.take("tests of the page in Chromium", lab::test)?;
+    others += steps.take("tests of the page inside unoclp", || {
+        let mut serve = cargo();
+        serve.args(["test", "-p", "unoclp-cli", "--features", "page"]);
+        count::tests(serve.args(["--test", "serve"]), count::by_cargo)
+    })?;
     report(&steps, &tally, others)
 }
 
