@@ -44,6 +44,24 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   });
 }
 
+for (const [locale, name] of [
+  ["en-US", "lab"],
+  ["pt-BR", "lab.pt-BR"],
+]) {
+  test(`the picture that the READMEs begin with: ${name}.png`, async () => {
+    const page = await lab.open({ locale, viewport: { width: 1280, height: 800 } });
+    await run(page);
+    await page.locator('[data-input="1"]').hover();
+    await page.mouse.down();
+    await lamp(page, 1, true);
+    await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
+    await page.locator("#notes button").last().click();
+    const picture = await page.screenshot({ path: join(pictures, `${name}.png`) });
+    assert.ok(picture.length <= 200_000, `${picture.length} bytes`);
+    await page.context().close();
+  });
+}
+
 test("a browser in Portuguese gets Portuguese, and a switch changes it", async () => {
   const page = await lab.open({ locale: "pt-BR" });
   assert.equal(await page.getAttribute("html", "lang"), "pt-BR");
