@@ -2,10 +2,14 @@
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
 //! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
+//! - `order`, `fulfil`: what may be ordered, and how it is done
 //! - `news`: what a page is told
+//! - `desk`: what lies between a conversation and its page
 //!
 //! A conversation goes on until it is closed: a board that is lost is sought again.
 
+mod desk;
+mod fulfil;
 mod news;
 mod order;
 mod talk;
@@ -15,10 +19,10 @@ pub use order::Order;
 
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
+use desk::Desk;
 use news::News;
 use serde::{Deserialize, Serialize};
-use std::cell::RefCell;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::time::Duration;
 use unoclp_board::{Conversation, Line, Next, Parity, Patience};
@@ -50,20 +54,6 @@ pub struct Step {
     /// The next step comes at this time, in ms, or as soon as bytes have come or something is ordered.
     until: f64,
     news: Vec<News>,
-}
-
-/// What lies between a conversation and its page.
-#[derive(Default)]
-struct Desk {
-    orders: RefCell<VecDeque<(u32, Order)>>,
-    news: RefCell<Vec<News>>,
-    watched: RefCell<Option<Watched>>,
-}
-
-impl Desk {
-    fn tell(&self, news: News) {
-        self.news.borrow_mut().push(news);
-    }
 }
 
 struct Session {

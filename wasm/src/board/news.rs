@@ -1,11 +1,11 @@
 //! What a page is told of a board.
 
-use super::order::Line;
 use super::watched::Live;
 use crate::words::{self, Both, both};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::map::{State, cause, flag};
+use unoclp_board::settings::Settings;
 use unoclp_board::watch::{Forces, Meter, Reading};
 
 pub(super) use crate::program::Stored as Kept;
@@ -134,6 +134,29 @@ impl Seen {
             timers: meters(&reading.timers),
             counters: meters(&reading.counters),
             live,
+        }
+    }
+}
+
+/// The settings as a page has them.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Line {
+    pub address: u8,
+    pub rate: u32,
+    /// 0 none, 1 even, 2 odd.
+    pub parity: u16,
+    pub direction: bool,
+    pub lock: Option<u8>,
+}
+
+impl From<Settings> for Line {
+    fn from(settings: Settings) -> Line {
+        Line {
+            address: settings.address,
+            rate: settings.rate,
+            parity: settings.parity as u16,
+            direction: settings.direction,
+            lock: settings.lock,
         }
     }
 }

@@ -1,8 +1,10 @@
 //! What is said to a board.
 
+use super::desk::Desk;
+use super::fulfil::{Undone, fulfil};
 use super::news::{News, Seen};
-use super::order::{Undone, fulfil};
-use super::{Desk, watched::Watched};
+use super::order::Order;
+use super::watched::Watched;
 use crate::words::{self, both};
 use std::time::Duration;
 use unoclp_board::start::find;
@@ -84,7 +86,7 @@ async fn watch(client: &mut Client, desk: &Desk) -> Failure {
     }
 }
 
-fn next(desk: &Desk) -> Option<(u32, super::Order)> {
+fn next(desk: &Desk) -> Option<(u32, Order)> {
     desk.orders.borrow_mut().pop_front()
 }
 

@@ -1,0 +1,155 @@
+//! How what is ordered of a board is done.
+
+use super::desk::Desk;
+use super::news::{Kept, News};
+use super::order::Order;
+use super::watched::Watched;
+use crate::program::Text;
+use crate::words::{self, Both, No, both};
+use unoclp_board::diagnostics;
+use unoclp_board::map::{Command, Parity, State, holding};
+use unoclp_board::point::Point;
+use unoclp_board::settings::Settings;
+use unoclp_board::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
+use unoclp_board::watch::{Side, Wish};
+use unoclp_board::{Client, Failure};
+use unoclp_modbus::Exception;
+
+/// Why something was not done.
+pub(super) enum Undone {
+    /// It is told; the board is still there.
+    Told(Both),
+    /// The board is lost.
+    Lost(Failure),
+}
+
+impl From<Failure> for Undone {
+    fn from(failure: Failure) -> Undone {
+        match failure {
+            Failure::Refused(_) => Undone::Told(both(|lang| words::failure(lang, &failure))),
+            failure => Undone::Lost(failure),
+        }
+    }
+}
+
+impl From<Both> for Undone {
+    fn from(told: Both) -> Undone {
+        Undone::Told(told)
+    }
+}
+
+impl From<No> for Undone {
+    fn from(no: No) -> Undone {
+        match no {
+            No::Told(told) => Undone::Told(told),
+            // It was asked for before.
+            No::More => Undone::Told(both(words::faulty)),
+        }
+    }
+}
+
+/// Does what is ordered; gives what there is to say behind it.
+pub(super) async fn fulfil(
+    client: &mut Client,
+    desk: &Desk,
+    number: u32,
+    order: Order,
+) -> Result<Option<Both>, Undone> {
+    match order {
+        Order::Run => wish(client, Wish::Command(Command::Run)).await,
+        Order::Stop => wish(client, Wish::Command(Command::Stop)).await,
+        Order::Scan => wish(client, Wish::Command(Command::SingleScan)).await,
+        Order::Restart => wish(client, Wish::Command(Command::Restart)).await,
+        Order::Release => wish(client, Wish::Release).await,
+        Order::Force { output, number, to } => {
+            let side = if output { Side::Outputs } else { Side::Inputs };
+            if to.is_some() {
+                end_forcing(client).await?;
+            }
+            wish(client, Wish::Force(side, number.saturating_sub(1), to)).await
+        }
+        Order::Set { point, value } => {
+            let place = Point::named(&point);
+            let place = place.ok_or_else(|| both(|lang| words::no_point(lang, &point)))?;
+            place.set(client, value).await?;
+            Ok(None)
+        }
+        Order::Upload { text, stay } => put(client, desk, number, text, stay).await.map(Some),
+        Order::Watch { text } => {
+            let watched = Watched::new(text.program()?);
+            desk.watched.replace(Some(watched));
+            Ok(None)
+        }
+        Order::Settings => {
+            let settings = Settings::read(client).await?;
+            desk.tell(News::Settings(settings.into()));
+            Ok(None)
+        }
+        Order::Settle { settings } => {
+            let old = Settings::read(client).await?;
+            let parity = Parity::of(settings.parity).ok_or_else(|| both(words::refused_value))?;
+            let new = Settings {
+                address: settings.address,
+                rate: settings.rate,
+                parity,
+                direction: settings.direction,
+                lock: settings.lock,
+            };
+            new.write(old, client).await?;
+            desk.tell(News::Settings(Settings::read(client).await?.into()));
+            Ok(None)
+        }
+    }
+}
+
+async fn wish(client: &mut Client, wish: Wish) -> Result<Option<Both>, Undone> {
+    wish.fulfil(client).await?;
+    Ok(None)
+}
+
+/// What is forced ends at the board behind so many seconds without a request: a page may be closed at any moment.
+const END_FORCING: u16 = 30;
+
+async fn end_forcing(client: &mut Client) -> Result<(), Undone> {
+    match client.set_word(holding::FORCING_ENDS, END_FORCING).await {
+        // Older firmware has no end of forcing.
+        Err(Failure::Refused(Exception::IllegalDataAddress)) => Ok(()),
+        other => Ok(other?),
+    }
+}
+
+async fn put(
+    client: &mut Client,
+    desk: &Desk,
+    number: u32,
+    text: Text,
+    stay: bool,
+) -> Result<Both, Undone> {
+    let source = text.program()?;
+    let sent = diagnostics::Kept::of(source.program());
+    let needs = needs(source.program());
+    let before = stop(client).await?;
+    if before.program.version < needs {
+        let board = before.program.version;
+        let old = Broken::TooOld { board, needs };
+        return Err(Undone::Told(both(|lang| words::broken(lang, &old))));
+    }
+    let mut show = |progress| {
+        desk.tell(match progress {
+            Progress::Sent { pass, bytes, of } => News::Sent {
+                order: number,
+                bytes: bytes + if pass == Pass::Store { of } else { 0 },
+                of: 2 * of,
+            },
+            Progress::Storing => News::Storing { order: number },
+        });
+    };
+    let kept = upload(client, &source.code, sent, &mut show).await;
+    let kept = kept.map_err(|broken| both(|lang| words::broken(lang, &broken)))?;
+    desk.tell(News::Stored(Kept::from(kept)));
+    desk.watched.replace(Some(Watched::new(source)));
+    // A board in no state of this version goes on as one in STOP.
+    let state = before.state.unwrap_or(State::Stop);
+    let behind = go_on(client, state, kept, stay).await?;
+    Ok(both(|lang| words::behind(lang, behind)))
+}
