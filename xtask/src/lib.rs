@@ -7,6 +7,7 @@ pub mod budget;
 pub mod card;
 pub mod count;
 pub mod demo;
+pub mod dist;
 pub mod firmware;
 pub mod flash;
 pub mod fuzz;

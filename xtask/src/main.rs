@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{bench, card, demo, firmware, flash, fuzz, lab, modules, notice, setup, test};
+use xtask::{bench, card, demo, dist, firmware, flash, fuzz, lab, modules, notice, setup, test};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -27,6 +27,8 @@ enum Task {
     Flash(flash::Args),
     /// Build the page with the UNO in it, and serve it
     Lab(lab::Args),
+    /// Build what is handed out into target/dist: `unoclp` with the page inside, and the page itself
+    Dist,
     /// Name in NOTICE what the page and the programs contain of others
     Notice,
     /// Show circles of modules in each crate
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
         Task::Card(args) => card::run(&args),
         Task::Flash(args) => flash::run(&args),
         Task::Lab(args) => lab::run(&args),
+        Task::Dist => dist::run(),
         Task::Notice => notice::run(),
         Task::Modules => modules::run(),
         Task::Setup => setup::run(),

@@ -1,0 +1,191 @@
+//! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
+//! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
+//! as a folder.
+
+use std::env::consts::{ARCH, EXE_SUFFIX, OS};
+use std::fs::{self, File};
+use std::io::{Seek, Write};
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+use crate::notice::Parts;
+use crate::shell::{self, cargo, root, say};
+use crate::{lab, node};
+
+/// Where all of it lies.
+const FOLDER: &str = "target/dist";
+/// The page, as `cargo xtask lab` builds it.
+const PAGE: &str = "target/lab/page";
+/// What goes with each copy.
+const PAPERS: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "NOTICE"];
+
+/// A file of an archive.
+#[derive(Clone)]
+struct Entry {
+    name: String,
+    bytes: Vec<u8>,
+    runs: bool,
+}
+
+/// Builds all of it anew, and says how large it is.
+///
+/// # Errors
+/// If a step fails.
+pub fn run() -> Result<()> {
+    lab::build()?;
+    let page = page()?;
+    say("unoclp with the page inside");
+    let built = program()?;
+    let folder = root().join(FOLDER);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).with_context(|| format!("cannot empty {FOLDER}"))?;
+    }
+    fs::create_dir_all(&folder).with_context(|| format!("cannot create {FOLDER}"))?;
+    let name = format!("unoclp{EXE_SUFFIX}");
+    let program = folder.join(&name);
+    fs::copy(&built, &program).with_context(|| format!("cannot write {}", program.display()))?;
+
+    let papers = papers()?;
+    let for_this_machine = folder.join(format!("unoclp-{OS}-{ARCH}.zip"));
+    let mut entries = papers.clone();
+    entries.push(entry(name, &program, true)?);
+    write(&for_this_machine, entries)?;
+    let page = [papers, page].concat();
+    lay_out(&folder.join("page"), &page)?;
+    let for_a_server = folder.join("unoclp-page.zip");
+    write(&for_a_server, page)?;
+    for file in [program, for_this_machine, for_a_server] {
+        let size = fs::metadata(&file).map_or(0, |file| file.len());
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        say(&format!("{FOLDER}/{name}: {} KB", size.div_ceil(1000)));
+    }
+    Ok(())
+}
+
+/// The files of the page. What only helps to look for errors in it is taken away.
+fn page() -> Result<Vec<Entry>> {
+    let folder = root().join(PAGE);
+    for map in node::files(&folder, ".map")? {
+        fs::remove_file(&map).with_context(|| format!("cannot remove {}", map.display()))?;
+    }
+    let files = node::files(&folder, "")?;
+    let named = |file: PathBuf| {
+        let name = file.strip_prefix(&folder).unwrap_or(&file);
+        let name = name.to_string_lossy().replace('\\', "/");
+        entry(name, &file, false)
+    };
+    files.into_iter().map(named).collect()
+}
+
+/// Builds `unoclp`, and says where cargo has put it.
+fn program() -> Result<PathBuf> {
+    let mut build = cargo();
+    build.args(["build", "--release", "--locked", "--package", "unoclp-cli"]);
+    build.args([
+        "--features",
+        "page",
+        "--message-format=json-render-diagnostics",
+    ]);
+    build.env("CARGO_PROFILE_RELEASE_STRIP", "symbols");
+    let output = build
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| shell::not_started(&build, error))?;
+    ensure!(output.status.success(), "unoclp does not compile");
+    let text = String::from_utf8_lossy(&output.stdout);
+    for line in text.lines().rev() {
+        let message: Value = serde_json::from_str(line).unwrap_or_default();
+        if let Some(path) = message["executable"].as_str() {
+            return Ok(path.into());
+        }
+    }
+    bail!("cargo names no program")
+}
+
+fn papers() -> Result<Vec<Entry>> {
+    let mut papers = vec![Entry {
+        name: "LICENCES-OF-OTHERS.txt".into(),
+        bytes: Parts::find()?.texts()?.into_bytes(),
+        runs: false,
+    }];
+    for name in PAPERS {
+        papers.push(entry(name.into(), &root().join(name), false)?);
+    }
+    Ok(papers)
+}
+
+fn entry(name: String, file: &Path, runs: bool) -> Result<Entry> {
+    let bytes = fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+    Ok(Entry { name, bytes, runs })
+}
+
+/// The entries as files, for who publishes them as they are.
+fn lay_out(folder: &Path, entries: &[Entry]) -> Result<()> {
+    for Entry { name, bytes, .. } in entries {
+        let file = folder.join(name);
+        shell::make_folder_of(&file)?;
+        fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    Ok(())
+}
+
+fn write(file: &Path, entries: Vec<Entry>) -> Result<()> {
+    let cannot = || format!("cannot write {}", file.display());
+    archive(entries, File::create(file).with_context(cannot)?).with_context(cannot)
+}
+
+/// The same entries make the same bytes: they are sorted, and none has a time.
+fn archive(mut entries: Vec<Entry>, to: impl Write + Seek) -> Result<()> {
+    entries.sort_by(|one, other| one.name.cmp(&other.name));
+    let mut zip = ZipWriter::new(to);
+    for Entry { name, bytes, runs } in entries {
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .last_modified_time(DateTime::default())
+            .unix_permissions(if runs { 0o755 } else { 0o644 });
+        zip.start_file(name, options)?;
+        zip.write_all(&bytes)?;
+    }
+    zip.finish()?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Cursor, Read};
+    use zip::ZipArchive;
+
+    fn made(names: &[&str]) -> Vec<u8> {
+        let entry = |name: &&str| Entry {
+            name: (*name).into(),
+            bytes: name.repeat(100).into_bytes(),
+            runs: *name == "unoclp",
+        };
+        let mut to = Cursor::new(Vec::new());
+        archive(names.iter().map(entry).collect(), &mut to).unwrap();
+        to.into_inner()
+    }
+
+    #[test]
+    fn an_archive_has_its_files_in_order_and_no_times() {
+        let bytes = made(&["unoclp", "NOTICE"]);
+        assert_eq!(bytes, made(&["NOTICE", "unoclp"]));
+        let mut zip = ZipArchive::new(Cursor::new(bytes)).unwrap();
+        assert_eq!(
+            zip.file_names().map(Result::unwrap).collect::<Vec<_>>(),
+            ["NOTICE", "unoclp"]
+        );
+        let mut file = zip.by_name("unoclp").unwrap();
+        assert_eq!(file.unix_mode().map(|mode| mode & 0o777), Some(0o755));
+        assert_eq!(file.last_modified(), Some(DateTime::default()));
+        let mut text = String::new();
+        file.read_to_string(&mut text).unwrap();
+        assert_eq!(text, "unoclp".repeat(100));
+    }
+}
