@@ -16,6 +16,8 @@ const PROGRAMS: &str = "lab/test/board/programs";
 const CARDS: &str = "target/lab/cards";
 /// The bundles of the tests.
 const TESTS: &str = "target/lab/test";
+/// Tests of files of the repository, which are run as they are.
+const FILES: &str = "lab/test/files";
 
 /// The command npm, which is a script on Windows.
 pub const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
@@ -61,7 +63,8 @@ pub fn test() -> Result<Count> {
             .join(name.file_name().unwrap_or_default());
         card::write(&program, &image, Kind::Fat16, false, true)?;
     }
-    let tests = files(&shell::root().join(TESTS), ".test.mjs")?;
+    let mut tests = files(&shell::root().join(TESTS), ".test.mjs")?;
+    tests.extend(files(&shell::root().join(FILES), ".test.mjs")?);
     let mut node = Command::new("node");
     node.args(["--test", "--test-reporter=spec"]).args(tests);
     count::tests(&mut node, count::by_node)
