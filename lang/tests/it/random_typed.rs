@@ -19,7 +19,6 @@ fn compared(seed: u64) -> Result<bool, String> {
     let made = compiled(&text, TextLanguage::St);
     // Constants that do not fit are told, and so is what the board lacks.
     if let Some(errors) = errors(&made) {
-        println!("ERR {errors}");
         return match errors.contains("IL-") {
             true => Err(format!("seed {seed} does not compile: {errors}\n{text}")),
             false => Ok(false),
