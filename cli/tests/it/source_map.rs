@@ -130,10 +130,8 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
                 assert_eq!(line.parse(), Ok(place.line), "{name}: {comment}");
             }
             if let Some(symbol) = comment.split_once('/').and_then(|(_, said)| symbol(said)) {
-                let stands = match at.strip_prefix("CAL") {
-                    Some(called) => called.trim_start().starts_with(own(symbol, at)),
-                    None => at.starts_with(symbol),
-                };
+                let called = at.strip_prefix("CAL").unwrap_or_default().trim_start();
+                let stands = at.starts_with(symbol) || called.starts_with(own(symbol, at));
                 assert!(stands, "{name}: {comment}: {at}");
                 symbols += 1;
             }
