@@ -1,5 +1,6 @@
 //! `cargo xtask test`: everything that must pass; `cargo xtask soak`: more of the random tests.
 
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
@@ -52,6 +53,7 @@ pub struct SoakArgs {
 /// # Errors
 /// If a step fails; the text names it.
 pub fn run(args: &TestArgs) -> Result<()> {
+    let xtask = itself()?;
     let toolchain = setup::for_tests()?;
     let steps = Steps::default();
     if args.quick {
@@ -60,7 +62,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
         );
         let programs = both(
             || steps.take("compiling the tests", programs::compile),
-            || build_firmware(&steps).and_then(|()| build_lab(&steps)),
+            || build_firmware(&steps, &xtask).and_then(|()| build_lab(&steps)),
         )?;
         say(&format!("quick: without {}", SLOW.join(", ")));
         let is_quick = |name: &str| !SLOW.iter().any(|slow| name.ends_with(slow));
@@ -77,12 +79,11 @@ pub fn run(args: &TestArgs) -> Result<()> {
                 let step = format!("clippy on the firmware, {}", board.name());
                 steps.run_aside(&step, clippy.args(DENY))?;
             }
-            build_firmware(&steps)?;
+            build_firmware(&steps, &xtask)?;
             build_lab(&steps)?;
             let mut wasm = wasm::check(&toolchain);
             steps.run_aside("libraries for WebAssembly", &mut wasm)?;
-            let xtask = std::env::current_exe().context("cannot find xtask itself")?;
-            steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))
+            steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))
         },
     )?;
     let tally = steps.take("tests on the PC and on the simulated UNO", || {
@@ -103,11 +104,12 @@ pub fn run(args: &TestArgs) -> Result<()> {
 /// # Errors
 /// If a step or a test fails.
 pub fn soak(args: &SoakArgs) -> Result<()> {
+    let xtask = itself()?;
     setup::for_tests()?;
     let steps = Steps::default();
     let programs = both(
         || steps.take("compiling the tests", programs::compile),
-        || build_firmware(&steps).and_then(|()| build_lab(&steps)),
+        || build_firmware(&steps, &xtask).and_then(|()| build_lab(&steps)),
     )?;
     let rounds = 100 * args.times;
     let tests = || programs.run(rounds, is_random);
@@ -149,9 +151,14 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
     Ok((programs, examples))
 }
 
+/// Where xtask stands, asked before anything is compiled: behind that another program may stand in its place, and the
+/// system calls the one that runs deleted.
+fn itself() -> Result<PathBuf> {
+    std::env::current_exe().context("cannot find xtask itself")
+}
+
 /// A process of its own, whose output does not mix with that of what is done meanwhile.
-fn build_firmware(steps: &Steps) -> Result<()> {
-    let xtask = std::env::current_exe().context("cannot find xtask itself")?;
+fn build_firmware(steps: &Steps, xtask: &Path) -> Result<()> {
     steps.run_aside("firmware", Command::new(xtask).arg("firmware"))
 }
 
