@@ -55,8 +55,10 @@ const MODULES: [(&[&str], &str); 2] = [
 /// If one does not compile.
 pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
     for (features, file) in MODULES {
-        let mut build = toolchain.cargo_for_wasm("build");
+        let mut build = toolchain.cargo_for_wasm("rustc");
         build.args(["--package", "unoclp-wasm", "--lib", "--profile", "page"]);
+        // Beside an rlib cargo would optimize nothing across crates.
+        build.args(["--crate-type", "cdylib"]);
         build.args(["--target-dir", "target/wasm"]).args(features);
         if !Toolchain::has_wasm() {
             build.arg("-Zbuild-std-features=optimize_for_size");
