@@ -1,133 +1,107 @@
 //! The requests of a page.
 
 use crate::board::{Boards, Open, Order};
-use crate::draw::{As, Speak};
-use crate::program::Text;
+use crate::draw;
+#[cfg(feature = "full")]
+use crate::draw::As;
+use crate::draw::Speak;
+use crate::given::{Given, wrong};
+use crate::program::{self, Text};
 use crate::words::No;
 #[cfg(feature = "full")]
 use crate::{card, exercise};
-use crate::{draw, program};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::Serialize;
 
-/// What a page may ask.
-#[derive(Debug, Deserialize)]
-#[serde(tag = "ask", rename_all = "camelCase")]
-#[cfg_attr(
-    not(feature = "full"),
-    expect(dead_code, reason = "what it asks takes the other module")
-)]
-pub enum Request {
-    /// What there is to say of a text: its problems, or its program.
-    Check {
-        #[serde(flatten)]
-        text: Text,
-    },
-    /// Its ladder, for a page that shows it live, in so many columns where that is enough.
-    Ladder {
-        #[serde(flatten)]
-        text: Text,
-        width: usize,
-        #[serde(default)]
-        speak: Speak,
-    },
-    /// Its program in another form.
-    List {
-        #[serde(flatten)]
-        text: Text,
-        #[serde(rename = "as")]
-        form: As,
-        width: usize,
-        #[serde(default)]
-        speak: Speak,
-    },
-    /// Whether its program does what a scenario expects.
-    Exercise {
-        #[serde(flatten)]
-        text: Text,
-        scenario: String,
-        title: String,
-    },
-    /// The image of a card with this PROGRAM.TXT.
-    Card { program: String, state: bool },
-    /// A file of a card, by its name, from the blocks that are not empty.
-    Read {
-        blocks: Vec<(u32, String)>,
-        name: String,
-    },
-    /// A conversation with a board.
-    Open(Open),
-    /// A step of it: what has come since the last one, at this time in ms since any moment.
-    Step { board: u32, now: f64, came: Vec<u8> },
-    /// Something to be done by the board.
-    Order { board: u32, order: Order },
-    /// The line is gone, and why.
-    Lose { board: u32, why: String },
-    /// Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
-    Flash { hex: String, model: String },
-    /// A step of that.
-    FlashStep { now: f64, came: Vec<u8> },
-    /// The line is gone meanwhile, and why.
-    FlashLose { why: String },
-    /// The end of a conversation.
-    Close { board: u32 },
-}
-
-/// Answers a request.
+/// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `lab/src/tools/answers.ts`
+/// has the types of both.
 ///
 /// # Errors
 /// Why there is no answer.
-pub fn answer(request: Request, boards: &mut Boards) -> Result<Value, No> {
-    match request {
-        Request::Check { text } => program::check(text).map(value),
-        Request::Ladder { text, width, speak } => draw::ladder(text, width, speak).map(value),
-        // Instruction List that is made is compiled again, by all that there is.
-        #[cfg(feature = "full")]
-        Request::List {
-            text,
-            form,
-            width,
-            speak,
-        } => draw::listed(text, form, width, speak).map(value),
-        #[cfg(feature = "full")]
-        Request::Exercise {
-            text,
-            scenario,
-            title,
-        } => exercise::exercise(text, &title, &scenario).map(value),
-        #[cfg(feature = "full")]
-        Request::Card { program, state } => Ok(value(card::card(&program, state)?)),
-        #[cfg(feature = "full")]
-        Request::Read { blocks, name } => Ok(value(card::read(blocks, &name))),
-        #[cfg(feature = "full")]
-        Request::Flash { hex, model } => Ok(value(boards.flash.begin(&hex, &model)?)),
-        #[cfg(feature = "full")]
-        Request::FlashStep { now, came } => Ok(value(boards.flash.step(now, &came)?)),
-        #[cfg(feature = "full")]
-        Request::FlashLose { why } => {
-            boards.flash.lose(why);
-            Ok(Value::Null)
+pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
+    let ask = given.text("ask")?;
+    Ok(match ask.as_str() {
+        // What there is to say of a text: its problems, or its program.
+        "check" => json(program::check(Text::of(&mut given)?)?),
+        // Its ladder, for a page that shows it live, in so many columns where that is enough.
+        "ladder" => {
+            let text = Text::of(&mut given)?;
+            let speak = Speak::of(&mut given)?;
+            json(draw::ladder(text, given.columns("width")?, speak)?)
         }
-        #[cfg(not(feature = "full"))]
-        Request::List { .. }
-        | Request::Exercise { .. }
-        | Request::Card { .. }
-        | Request::Read { .. }
-        | Request::Flash { .. }
-        | Request::FlashStep { .. }
-        | Request::FlashLose { .. } => Err(No::More),
-        Request::Open(open) => boards.open(open).map(value),
-        Request::Step { board, now, came } => Ok(value(boards.step(board, now, &came)?)),
-        Request::Order { board, order } => Ok(value(boards.order(board, order)?)),
-        Request::Lose { board, why } => Ok(value(boards.lose(board, why)?)),
-        Request::Close { board } => {
-            boards.close(board);
-            Ok(Value::Null)
+        // A conversation with a board.
+        "open" => json(boards.open(Open::of(&mut given)?)?),
+        // A step of it: what has come since the last one, at this time in ms since any moment.
+        "step" => {
+            let (board, now) = (given.number("board")?, given.time("now")?);
+            json(boards.step(board, now, &given.bytes("came")?)?)
         }
+        // Something to be done by the board.
+        "order" => {
+            let order = Order::of(given.below("order")?)?;
+            json(boards.order(given.number("board")?, order)?)
+        }
+        // The line is gone, and why.
+        "lose" => json(boards.lose(given.number("board")?, given.text("why")?)?),
+        // The end of a conversation.
+        "close" => {
+            boards.close(given.number("board")?);
+            json(())
+        }
+        other => more(other, given, boards)?,
+    })
+}
+
+/// What takes the module that has everything.
+#[cfg(feature = "full")]
+fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> {
+    Ok(match ask {
+        // Its program in another form. Instruction List that is made is compiled again, by all that there is.
+        "list" => {
+            let text = Text::of(&mut given)?;
+            let (form, speak) = (As::of(&mut given)?, Speak::of(&mut given)?);
+            json(draw::listed(text, form, given.columns("width")?, speak)?)
+        }
+        // Whether its program does what a scenario expects.
+        "exercise" => {
+            let text = Text::of(&mut given)?;
+            let (title, scenario) = (given.text("title")?, given.text("scenario")?);
+            json(exercise::exercise(text, &title, &scenario)?)
+        }
+        // The image of a card with this PROGRAM.TXT.
+        "card" => json(card::card(&given.text("program")?, given.truth("state")?)?),
+        // A file of a card, by its name, from the blocks that are not empty.
+        "read" => json(card::read(card::blocks(&mut given)?, &given.text("name")?)),
+        // Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
+        "flash" => {
+            let hex = given.text("hex")?;
+            json(boards.flash.begin(&hex, &given.text("model")?)?)
+        }
+        // A step of that.
+        "flashStep" => {
+            let now = given.time("now")?;
+            json(boards.flash.step(now, &given.bytes("came")?)?)
+        }
+        // The line is gone meanwhile, and why.
+        "flashLose" => {
+            boards.flash.lose(given.text("why")?);
+            json(())
+        }
+        other => return Err(wrong(other).into()),
+    })
+}
+
+/// What takes the module that has everything.
+#[cfg(not(feature = "full"))]
+fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
+    match ask {
+        "list" | "exercise" | "card" | "read" | "flash" | "flashStep" | "flashLose" => {
+            Err(No::More)
+        }
+        other => Err(wrong(other).into()),
     }
 }
 
 /// As JSON. What is answered has no keys but texts, and so always is.
-fn value(answer: impl Serialize) -> Value {
-    serde_json::to_value(answer).unwrap_or_default()
+fn json(answer: impl Serialize) -> String {
+    serde_json::to_string(&answer).unwrap_or_default()
 }

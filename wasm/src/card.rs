@@ -1,7 +1,9 @@
 //! Images of cards, as the blocks that are not empty.
 
+use crate::given::{Given, wrong};
 use crate::words::{self, Both, both};
 use serde::Serialize;
+use serde_json::Value;
 use std::collections::BTreeMap;
 use unoclp_card::image::{Fat, Image};
 use unoclp_card::{Block, Device, File};
@@ -59,6 +61,19 @@ impl Device for Told {
     fn block(&self) -> &Block {
         &self.last
     }
+}
+
+/// The blocks of a card as a request gives them.
+///
+/// # Errors
+/// Where it gives none.
+pub fn blocks(given: &mut Given) -> Result<Vec<(u32, String)>, Both> {
+    let block = |block: &Value| {
+        let number = u32::try_from(block.get(0)?.as_u64()?).ok()?;
+        Some((number, block.get(1)?.as_str()?.to_owned()))
+    };
+    let blocks: Option<Vec<_>> = given.list("blocks")?.iter().map(block).collect();
+    blocks.ok_or_else(|| wrong("blocks"))
 }
 
 /// The text of a file in the root folder, by its name in capital letters: `STATE.TXT`; none where there is no such file.

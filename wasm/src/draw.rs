@@ -1,8 +1,11 @@
 //! Ladders and lists of programs.
 
+use crate::given::Given;
+#[cfg(feature = "full")]
+use crate::given::wrong;
 use crate::program::Text;
-use crate::words::No;
-use serde::{Deserialize, Serialize};
+use crate::words::{Both, No};
+use serde::Serialize;
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Boxes, Flow};
 use unoclp_ladder::{Ladder, Style, to_screen};
@@ -12,14 +15,25 @@ use unoclp_source::list::{Form, list, svg};
 use unoclp_source::{Lang, Source, names};
 
 /// The language of what is drawn.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug)]
 pub enum Speak {
     /// English.
-    #[default]
     En,
     /// Brazilian Portuguese.
     Pt,
+}
+
+impl Speak {
+    /// As a request says; English where it does not.
+    ///
+    /// # Errors
+    /// Where it is no text.
+    pub fn of(given: &mut Given) -> Result<Speak, Both> {
+        Ok(match given.text_if("speak")?.as_deref() {
+            Some("pt") => Speak::Pt,
+            _ => Speak::En,
+        })
+    }
 }
 
 impl From<Speak> for Lang {
@@ -32,8 +46,8 @@ impl From<Speak> for Lang {
 }
 
 /// What a program is listed as.
-#[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[cfg(feature = "full")]
+#[derive(Clone, Copy, Debug)]
 pub enum As {
     /// A ladder diagram in characters.
     Ladder,
@@ -43,6 +57,23 @@ pub enum As {
     Numeric,
     /// A ladder diagram as an SVG file, for a report.
     Svg,
+}
+
+#[cfg(feature = "full")]
+impl As {
+    /// As a request says.
+    ///
+    /// # Errors
+    /// Where it says nothing of that.
+    pub fn of(given: &mut Given) -> Result<As, Both> {
+        Ok(match given.text("as")?.as_str() {
+            "ladder" => As::Ladder,
+            "il" => As::Il,
+            "numeric" => As::Numeric,
+            "svg" => As::Svg,
+            _ => return Err(wrong("as")),
+        })
+    }
 }
 
 /// A drawing of a page.

@@ -1,8 +1,8 @@
 //! Firmware on its way to a board, through its boot loader.
 
+use crate::clock::{NEVER, time, whole_ms};
 use crate::words::{self, Both, both};
 use serde::Serialize;
-use std::time::Duration;
 use unoclp_boot::{Image, Model, Next, Stage, Writer};
 
 /// The one that is written now; a page has one line.
@@ -16,8 +16,8 @@ pub struct Step {
     reset: bool,
     /// Then send this.
     send: Vec<u8>,
-    /// The next step comes at this time, in ms, or as soon as bytes have come.
-    until: f64,
+    /// The next step comes at this time, in whole ms, or as soon as bytes have come.
+    until: u64,
     stage: &'static str,
     /// So many requests of so many have been answered.
     progress: [usize; 2],
@@ -46,13 +46,12 @@ impl Flash {
     /// Where nothing has begun.
     pub fn step(&mut self, now: f64, came: &[u8]) -> Result<Step, Both> {
         let writer = self.0.as_mut().ok_or_else(|| both(words::no_flash))?;
-        let now = Duration::try_from_secs_f64(now / 1000.0).unwrap_or_default();
-        let step = writer.step(now, came);
+        let step = writer.step(time(now), came);
         let progress = writer.progress();
         let (until, over, failure) = match step.next {
-            Next::Wait(until) => (until.as_secs_f64() * 1000.0, false, None),
-            Next::Done(Ok(())) => (f64::MAX, true, None),
-            Next::Done(Err(failure)) => (f64::MAX, true, Some(both(|lang| failure.text(lang)))),
+            Next::Wait(until) => (whole_ms(until), false, None),
+            Next::Done(Ok(())) => (NEVER, true, None),
+            Next::Done(Err(failure)) => (NEVER, true, Some(both(|lang| failure.text(lang)))),
         };
         Ok(Step {
             reset: step.reset,

@@ -3,7 +3,7 @@
 //! The page writes a request where [`unoclp_room`] says, calls [`unoclp_call`], and finds the answer at
 //! [`unoclp_answer`]. Everything else is [`answer`], which tests call without a browser.
 //!
-//! - `call`: which requests there are
+//! - `call`: which requests there are; `given`: what each of them gives
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `tell`: problems, with their places
 //! - `draw`: ladders and lists
@@ -11,6 +11,7 @@
 //! - `card`: images of cards
 //! - `flash`: firmware on its way to a board
 //! - `board`: conversations with a board, simulated or real
+//! - `clock`: the times of a page
 //!
 //! It owns the form of requests and answers. It must not know how they are carried, nor what a page looks like.
 //! Nothing in a request makes it panic: what is wrong is an answer.
@@ -21,15 +22,18 @@ mod board;
 mod call;
 #[cfg(feature = "full")]
 mod card;
+mod clock;
 mod draw;
 #[cfg(feature = "full")]
 mod exercise;
 #[cfg(feature = "full")]
 mod flash;
+mod given;
 mod program;
 mod tell;
 mod words;
 
+use given::Given;
 use std::cell::RefCell;
 use words::No;
 
@@ -78,14 +82,13 @@ pub use board::Boards;
 /// The answer to a request: `{"ok": …}`, `{"error": {"en": …, "pt": …}}`, or `{"more": true}` from a module without the
 /// feature `full` for what takes it.
 pub fn answer(request: &[u8], boards: &mut Boards) -> String {
-    let told = match serde_json::from_slice::<call::Request>(request) {
-        Ok(request) => call::answer(request, boards),
-        Err(error) => Err(words::both(|lang| words::no_request(lang, &error)).into()),
-    };
-    let told = match told {
-        Ok(ok) => serde_json::json!({ "ok": ok }),
-        Err(No::Told(error)) => serde_json::json!({ "error": error }),
-        Err(No::More) => serde_json::json!({ "more": true }),
-    };
-    told.to_string()
+    let told = Given::read(request).map_err(No::Told);
+    match told.and_then(|given| call::answer(given, boards)) {
+        Ok(ok) => format!("{{\"ok\":{ok}}}"),
+        Err(No::Told(both)) => {
+            let both = serde_json::to_string(&both).unwrap_or_default();
+            format!("{{\"error\":{both}}}")
+        }
+        Err(No::More) => "{\"more\":true}".to_owned(),
+    }
 }

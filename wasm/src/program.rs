@@ -2,9 +2,10 @@
 //!
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
+use crate::given::Given;
 use crate::tell::{Problem, problems, warnings};
 use crate::words::{self, Both, No, both};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
@@ -15,7 +16,7 @@ use unoclp_source::{BOARD, Language, Refused, Source, Written, WrittenIn, point_
 pub const LONGEST: usize = 1 << 20;
 
 /// A text, and what it is called.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug)]
 pub struct Text {
     /// The name of its file, whose end says its language.
     pub name: String,
@@ -126,6 +127,17 @@ impl Uses {
 }
 
 impl Text {
+    /// As a request gives it.
+    ///
+    /// # Errors
+    /// Where it gives none.
+    pub fn of(given: &mut Given) -> Result<Text, Both> {
+        Ok(Text {
+            name: given.text("name")?,
+            text: given.text("text")?,
+        })
+    }
+
     /// Compiles and checks it.
     ///
     /// # Errors

@@ -17,33 +17,46 @@ mod watched;
 
 pub use order::Order;
 
+use crate::clock::{NEVER, time, whole_ms};
+use crate::given::Given;
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use desk::Desk;
 use news::News;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use std::time::Duration;
 use unoclp_board::{Conversation, Line, Next, Parity, Patience};
 use watched::Watched;
 
 /// A conversation that is to begin.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Debug)]
 pub struct Open {
     /// The program that the board is said to run; none: any.
-    #[serde(default)]
     program: Option<Text>,
     /// Whether opening the line has probably reset the board.
     reset: bool,
-    #[serde(default)]
     address: Option<u8>,
-    #[serde(default)]
     rate: Option<u32>,
     /// 0 none, 1 even, 2 odd.
-    #[serde(default)]
     parity: Option<u16>,
+}
+
+impl Open {
+    /// As a request gives it.
+    ///
+    /// # Errors
+    /// Where something in it is something else.
+    pub fn of(given: &mut Given) -> Result<Open, Both> {
+        let program = given.below_if("program")?;
+        Ok(Open {
+            program: program.map(|mut text| Text::of(&mut text)).transpose()?,
+            reset: given.truth("reset")?,
+            address: given.number_if("address")?,
+            rate: given.number_if("rate")?,
+            parity: given.number_if("parity")?,
+        })
+    }
 }
 
 /// A step of a conversation.
@@ -51,8 +64,8 @@ pub struct Open {
 pub struct Step {
     /// To be sent now.
     send: Vec<u8>,
-    /// The next step comes at this time, in ms, or as soon as bytes have come or something is ordered.
-    until: f64,
+    /// The next step comes at this time, in whole ms, or as soon as bytes have come or something is ordered.
+    until: u64,
     news: Vec<News>,
 }
 
@@ -117,12 +130,11 @@ impl Boards {
     /// Where there is none.
     pub fn step(&mut self, board: u32, now: f64, came: &[u8]) -> Result<Step, Both> {
         let session = self.session(board)?;
-        // A page's clock that stands before zero, or nowhere, stands at zero.
-        let now = Duration::try_from_secs_f64(now / 1000.0).unwrap_or_default();
+        let now = time(now);
         let step = session.conversation.step(now, came);
         let until = match step.next {
-            Next::Wait(until) => until.as_secs_f64() * 1000.0,
-            Next::Done(()) => f64::MAX,
+            Next::Wait(until) => whole_ms(until),
+            Next::Done(()) => NEVER,
         };
         Ok(Step {
             send: step.send,

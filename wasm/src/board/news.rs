@@ -1,8 +1,9 @@
 //! What a page is told of a board.
 
 use super::watched::Live;
+use crate::given::Given;
 use crate::words::{self, Both, both};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use unoclp_board::diagnostics::Diagnostics;
 use unoclp_board::map::{State, cause, flag};
 use unoclp_board::settings::Settings;
@@ -139,7 +140,7 @@ impl Seen {
 }
 
 /// The settings as a page has them.
-#[derive(Clone, Debug, Deserialize, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Line {
     pub address: u8,
     pub rate: u32,
@@ -147,6 +148,22 @@ pub struct Line {
     pub parity: u16,
     pub direction: bool,
     pub lock: Option<u8>,
+}
+
+impl Line {
+    /// As a request gives them.
+    ///
+    /// # Errors
+    /// Where one is missing.
+    pub fn of(given: &mut Given) -> Result<Line, Both> {
+        Ok(Line {
+            address: given.number("address")?,
+            rate: given.number("rate")?,
+            parity: given.number("parity")?,
+            direction: given.truth("direction")?,
+            lock: given.number_if("lock")?,
+        })
+    }
 }
 
 impl From<Settings> for Line {

@@ -1,13 +1,12 @@
 //! What may be ordered of a board.
 
 use super::news::Line;
+use crate::given::{Given, wrong};
 use crate::program::Text;
-use crate::words::No;
-use serde::Deserialize;
+use crate::words::{Both, No};
 
 /// What may be ordered of a board.
-#[derive(Debug, Deserialize)]
-#[serde(tag = "do", rename_all = "camelCase")]
+#[derive(Debug)]
 pub enum Order {
     /// RUN, from the beginning.
     Run,
@@ -28,17 +27,9 @@ pub enum Order {
     /// Set an output, a marker, a register or a preset once.
     Set { point: String, value: i32 },
     /// Put this program on the board, and watch it from then on. It runs then, unless it stays in STOP.
-    Upload {
-        #[serde(flatten)]
-        text: Text,
-        #[serde(default)]
-        stay: bool,
-    },
+    Upload { text: Text, stay: bool },
     /// Watch this program from now on; it is said to be on the board.
-    Watch {
-        #[serde(flatten)]
-        text: Text,
-    },
+    Watch { text: Text },
     /// Read the settings.
     Settings,
     /// Change the settings: the lock holds at once, all else from the next start on.
@@ -46,6 +37,42 @@ pub enum Order {
 }
 
 impl Order {
+    /// As a request gives it.
+    ///
+    /// # Errors
+    /// Where there is no such order, or it lacks something.
+    pub fn of(mut given: Given) -> Result<Order, Both> {
+        let what = given.text("do")?;
+        Ok(match what.as_str() {
+            "run" => Order::Run,
+            "stop" => Order::Stop,
+            "scan" => Order::Scan,
+            "restart" => Order::Restart,
+            "release" => Order::Release,
+            "settings" => Order::Settings,
+            "force" => Order::Force {
+                output: given.truth("output")?,
+                number: given.number("number")?,
+                to: given.truth_if("to")?,
+            },
+            "set" => Order::Set {
+                point: given.text("point")?,
+                value: given.number("value")?,
+            },
+            "upload" => Order::Upload {
+                text: Text::of(&mut given)?,
+                stay: given.truth_if("stay")?.unwrap_or_default(),
+            },
+            "watch" => Order::Watch {
+                text: Text::of(&mut given)?,
+            },
+            "settle" => Order::Settle {
+                settings: Line::of(&mut given.below("settings")?)?,
+            },
+            _ => return Err(wrong(&what)),
+        })
+    }
+
     /// Whether this module can do it: a program in a typed language takes the one that has everything.
     ///
     /// # Errors
