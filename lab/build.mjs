@@ -48,6 +48,17 @@ function found(...files) {
   return file;
 }
 
+/** The bytes of a hex file, as the flash holds them: compressed they are two thirds of the text. */
+async function binary(file) {
+  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["src/board/hex.ts"] };
+  const { outputFiles } = await build(read);
+  const { readHex } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+  const words = readHex(readFileSync(file, "utf8"));
+  if (!words) throw new Error(`${file} is no Intel hex for this chip`);
+  const bytes = new Uint8Array(words.buffer);
+  return bytes.subarray(0, bytes.findLastIndex((byte) => byte !== 0xff) + 1);
+}
+
 /** What the page loads besides its bundles, and the list by which it works without a network. */
 async function around(outdir) {
   mkdirSync(outdir, { recursive: true });
@@ -56,6 +67,7 @@ async function around(outdir) {
   writeFileSync(join(outdir, "page.css"), readFileSync(join(lab, "static/page.css"), "utf8") + uplot);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
+  writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex")));
   cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
   const root = join(lab, "..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));

@@ -1,8 +1,16 @@
-// Intel hex, as far as a firmware for this chip needs it: data, end, and segments of 0.
+// The firmware as the flash holds it, and as Intel hex has it. Of that, as far as a firmware for this chip needs it: data, end, and segments of 0.
 
 /** Bytes of the flash. */
 export const FLASH_LEN = 32 * 1024;
 const ERASED = 0xff;
+
+/** The words of a flash that begins with these bytes; `null` where they do not fit, or there are none. */
+export function flashOf(bytes: Uint8Array): Uint16Array | null {
+  if (bytes.length === 0 || bytes.length > FLASH_LEN) return null;
+  const flash = new Uint8Array(FLASH_LEN).fill(ERASED);
+  flash.set(bytes);
+  return new Uint16Array(flash.buffer);
+}
 
 /** The words of the flash; `null` where the text is no Intel hex, a check sum is wrong, or something does not fit. */
 export function readHex(text: string): Uint16Array | null {

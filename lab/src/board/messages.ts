@@ -30,8 +30,8 @@ export type Analogue =
 
 /** What the page asks of the worker. */
 export type Command =
-  /** The firmware, as Intel hex. The board stays without power until `plug`. Comes first. */
-  | { readonly kind: "firmware"; readonly hex: string }
+  /** The firmware, as the flash holds it from 0 on. The board stays without power until `plug`. Comes first. */
+  | { readonly kind: "firmware"; readonly bytes: Uint8Array }
   /** The whole EEPROM, of `EEPROM_LEN` bytes, as a browser has kept it; only while there is no power. */
   | { readonly kind: "eeprom"; readonly bytes: Uint8Array }
   /** The plug goes in, or is pulled: what stood in RAM is lost, what stands in the EEPROM and on the card stays. */

@@ -3,7 +3,7 @@
 
 import { Board, type Witness } from "./board";
 import { CYCLES_PER_MS } from "./chip/registers";
-import { readHex } from "./hex";
+import { flashOf } from "./hex";
 import {
   ANALOGUE_INPUTS,
   type Analogue,
@@ -105,7 +105,7 @@ export class Session implements Witness {
     const { board } = this;
     switch (command.kind) {
       case "firmware":
-        return this.load(command.hex);
+        return this.load(command.bytes);
       case "eeprom":
         if (command.bytes.length !== EEPROM_LEN || !board || board.hasPower) return "bad-eeprom";
         board.eeprom.bytes.set(command.bytes);
@@ -167,8 +167,8 @@ export class Session implements Witness {
   }
 
   /** A board with this firmware, in place of the one before, whose EEPROM, card and line it keeps. */
-  private load(hex: string): Trouble | null {
-    const flash = readHex(hex);
+  private load(bytes: Uint8Array): Trouble | null {
+    const flash = flashOf(bytes);
     if (!flash) return "bad-firmware";
     const before = this.board;
     before?.plug(false);

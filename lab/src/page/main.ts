@@ -31,7 +31,7 @@ async function load(): Promise<void> {
     byId("editor").append(h("p", { class: "empty" }, say("noWasm")));
     return;
   }
-  const firmware = fetch("unoclp.hex").then((answer) => answer.text());
+  const firmware = fetch("unoclp.bin").then((answer) => answer.arrayBuffer());
   const modules = new Modules();
   const module = await modules.first();
   const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
@@ -88,7 +88,7 @@ async function load(): Promise<void> {
   });
   speakIn(document);
   translate(document);
-  bench.simulated.start(await firmware);
+  bench.simulated.start(new Uint8Array(await firmware));
   await fromLink(open);
   addEventListener("hashchange", () => void fromLink(open));
   document.documentElement.dataset["ready"] = "yes";

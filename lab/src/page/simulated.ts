@@ -38,8 +38,8 @@ export class SimulatedBoard implements Clock {
   }
 
   /** Gives it firmware, what its EEPROM was, and power. */
-  start(hex: string): void {
-    this.tell({ kind: "firmware", hex });
+  start(bytes: Uint8Array): void {
+    this.tell({ kind: "firmware", bytes });
     const eeprom = kept();
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });

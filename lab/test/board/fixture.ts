@@ -16,6 +16,11 @@ export function firmwareHex(): string {
   return readFileSync(fileURLToPath(hex), "utf8");
 }
 
+/** Its bytes, as the page has them. */
+export function firmwareBytes(): Uint8Array {
+  return new Uint8Array(firmware().buffer);
+}
+
 export function firmware(): Uint16Array {
   const flash = readHex(firmwareHex());
   if (!flash) throw new Error("target/firmware/unoclp.hex is no Intel hex");

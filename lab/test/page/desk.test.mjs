@@ -29,8 +29,8 @@ function plugIn() {
       this.worker.addEventListener("message", ({ data }) => {
         if (data.kind === "serial") this.out?.enqueue(data.bytes);
       });
-      void fetch("unoclp.hex").then(async (answer) => {
-        this.worker.postMessage({ kind: "firmware", hex: await answer.text() });
+      void fetch("unoclp.bin").then(async (answer) => {
+        this.worker.postMessage({ kind: "firmware", bytes: new Uint8Array(await answer.arrayBuffer()) });
         this.worker.postMessage({ kind: "plug", on: true });
         this.worker.postMessage({ kind: "run" });
       });
