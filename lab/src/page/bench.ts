@@ -33,7 +33,7 @@ export class Bench {
   /** Events of the simulated board, for those who want more of them. */
   readonly events = new Set<(event: Event) => void>();
   readonly simulated: SimulatedBoard;
-  private line: Line | null = null;
+  private readonly pending = new Set<Promise<unknown>>();
   private talk: Conversation | null = null;
   private readonly orders = new Map<number, (told: { said: Both | null } | { why: Both }) => void>();
 
@@ -54,7 +54,6 @@ export class Bench {
   /** Speaks to a board. */
   async connect(where: Where, line: Line, reset: boolean, lost = (): void => undefined): Promise<void> {
     await this.disconnect();
-    this.line = line;
     this.where.value = where;
     const open = { program: this.on.value, reset };
     this.talk = await Conversation.open(this.tools, open, line, USUAL_FORMAT, this.clock,
@@ -64,10 +63,13 @@ export class Bench {
       });
   }
 
-  /** The same line, spoken to by other tools: they know no program yet. */
-  private async reconnect(): Promise<void> {
-    const { line, where } = this;
-    if (line) await this.connect(where.value, line, where.value === "desk");
+  /** The tools that have everything speak from now on, behind what was ordered before. The line stays open: a board at
+   * a port would be reset, and its program would begin anew. */
+  private async grow(): Promise<void> {
+    const whole = await Tools.of(await this.modules.full());
+    while (this.pending.size > 0) await Promise.allSettled(this.pending);
+    this.tools = whole;
+    this.talk?.move(this.tools, { program: this.on.value, reset: false });
   }
 
   async disconnect(): Promise<void> {
@@ -83,14 +85,13 @@ export class Bench {
       return await this.once(order);
     } catch (error) {
       if (!(error instanceof NeedsMore)) throw error;
-      this.tools = await Tools.of(await this.modules.full());
-      await this.reconnect();
+      await this.grow();
       return this.once(order);
     }
   }
 
   private once(order: Order): Promise<Both | null> {
-    return new Promise((resolve, reject) => {
+    const done = new Promise<Both | null>((resolve, reject) => {
       if (!this.talk) return reject(new Refusal({ en: "there is no board", pt: "não há placa" }));
       try {
         const number = this.talk.order(order);
@@ -99,6 +100,10 @@ export class Bench {
         reject(error);
       }
     });
+    const over = (): void => void this.pending.delete(done);
+    this.pending.add(done);
+    done.then(over, over);
+    return done;
   }
 
   /** The same, for those who have nothing to do behind it. */

@@ -22,8 +22,8 @@ export class Conversation {
   private over = false;
 
   private constructor(
-    private readonly tools: Tools,
-    private readonly board: number,
+    private tools: Tools,
+    private board: number,
     private readonly line: Line,
     private readonly clock: Clock,
     private readonly hear: (news: News) => void,
@@ -62,6 +62,15 @@ export class Conversation {
     const number = this.tools.ask("order", { board: this.board, order });
     this.step();
     return number;
+  }
+
+  /** Goes on by other tools, on the same line, which stays open: the board does not notice. */
+  move(tools: Tools, open: Asks["open"]["ask"]): void {
+    if (this.over) return;
+    const board = tools.ask("open", open);
+    this.tools.ask("close", { board: this.board });
+    [this.tools, this.board, this.came] = [tools, board, []];
+    this.step();
   }
 
   /** Goes on, if it is time: the clock may go at another speed now. */

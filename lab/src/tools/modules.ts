@@ -16,7 +16,11 @@ export class Modules {
 
   /** The typed languages, exercises and cards too. */
   full(): Promise<WebAssembly.Module> {
-    this.whole ??= WebAssembly.compileStreaming(fetch("unoclp-full.wasm"));
+    this.whole ??= WebAssembly.compileStreaming(fetch("unoclp-full.wasm")).catch((error: unknown) => {
+      // The next time it may come.
+      this.whole = null;
+      throw error;
+    });
     return this.whole;
   }
 }

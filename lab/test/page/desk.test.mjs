@@ -4,7 +4,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, run } from "./harness.mjs";
+import { Lab, run, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -24,6 +24,9 @@ function plugIn() {
     /** @type {WritableStream<Uint8Array> | null} */
     writable = null;
 
+    /** What was asked of it, in order. @type {string[]} */
+    did = [];
+
     constructor() {
       super();
       this.worker.addEventListener("message", ({ data }) => {
@@ -38,6 +41,7 @@ function plugIn() {
 
     /** @param {{ baudRate: number }} options */
     async open({ baudRate }) {
+      this.did.push("open");
       this.worker.postMessage({ kind: "line", format: { baud: baudRate, parity: "none" } });
       this.worker.postMessage({ kind: "reset" });
       this.readable = new ReadableStream({ start: (out) => void (this.out = out), cancel: () => void (this.out = null) });
@@ -45,10 +49,12 @@ function plugIn() {
     }
 
     async setSignals() {
+      this.did.push("reset");
       this.worker.postMessage({ kind: "reset" });
     }
 
     async close() {
+      this.did.push("close");
       this.readable = this.writable = this.out = null;
     }
 
@@ -86,6 +92,34 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
   // The way back is the simulated board.
   await page.click("#connect");
   await page.locator("#hardware").waitFor();
+  await page.context().close();
+});
+
+test("a program in a typed language goes to a board at a port without a reset, and the line stays open", async () => {
+  const page = await lab.open();
+  await page.context().addInitScript(plugIn);
+  await page.reload();
+  await page.locator("#run:enabled").waitFor();
+  await page.click("#connect");
+  const about = page.locator("#desk-about", { hasText: "Connected: unoclp UNO" });
+  await about.waitFor();
+  await type(page, "PROGRAM p\nVAR on AT %IX1 : BOOL; lamp AT %QX2 : BOOL; END_VAR\nlamp := on;\nEND_PROGRAM\n", "lamp.st");
+  await page.locator(".ladder .element[data-point=Q2]").waitFor();
+  // The name of the board would vanish with the conversation, and come back with the next.
+  await page.evaluate(() => {
+    const about = document.querySelector("#desk-about");
+    const names = Object.assign(window, { names: [about?.textContent] }).names;
+    new MutationObserver(() => names.push(about?.textContent)).observe(about ?? document, { childList: true, characterData: true, subtree: true });
+  });
+  await run(page);
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await page.locator('[data-output="2"][data-on="true"]').waitFor();
+  await page.mouse.up();
+  await page.locator(".ladder.live").waitFor();
+  assert.deepEqual(await page.evaluate("port.did"), ["open"]);
+  const names = new Set(/** @type {string[]} */ (await page.evaluate("names")));
+  assert.equal(names.size, 1, [...names].join(" | "));
   await page.context().close();
 });
 
