@@ -1,11 +1,9 @@
 // The program as text: problems underlined as one types, and what each line does while it runs.
 
-import { autocompletion, completeAnyWord } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
 import { type Diagnostic, lintKeymap, setDiagnostics } from "@codemirror/lint";
-import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { EditorState, RangeSetBuilder, StateEffect, StateField } from "@codemirror/state";
+import { Compartment, EditorState, RangeSetBuilder, StateEffect, StateField } from "@codemirror/state";
 import {
   Decoration,
   type DecorationSet,
@@ -73,6 +71,7 @@ const states = gutter({
 export class Editor {
   readonly view: EditorView;
   private quiet = false;
+  private readonly comforts = new Compartment();
 
   constructor(parent: HTMLElement, text: string, changed: (text: string) => void) {
     this.view = new EditorView({
@@ -88,10 +87,9 @@ export class Editor {
           highlightActiveLine(),
           highlightActiveLineGutter(),
           bracketMatching(),
-          highlightSelectionMatches(),
-          autocompletion({ override: [completeAnyWord], activateOnTyping: false }),
+          this.comforts.of([]),
           colours,
-          keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
+          keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
           EditorState.tabSize.of(4),
           EditorView.contentAttributes.of({ tabindex: "0" }),
           EditorView.updateListener.of((update) => {
@@ -104,6 +102,14 @@ export class Editor {
       const content = this.view.contentDOM;
       content.setAttribute("aria-label", `${say("programText")}. ${say("editorHelp")}`);
     });
+  }
+
+  /** Loads what nobody needs for the first line. Without it one still writes. */
+  furnish(): void {
+    import("./comforts").then(
+      ({ comforts }) => this.view.dispatch({ effects: this.comforts.reconfigure(comforts) }),
+      () => undefined,
+    );
   }
 
   /** Shows another text; undo brings the one before back. */

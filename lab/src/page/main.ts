@@ -92,6 +92,7 @@ async function load(): Promise<void> {
   await fromLink(open);
   addEventListener("hashchange", () => void fromLink(open));
   document.documentElement.dataset["ready"] = "yes";
+  editor.furnish();
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);
   }
