@@ -18,6 +18,8 @@ mod address;
 mod ast;
 mod back;
 mod code;
+mod colour;
+mod colours;
 mod comments;
 mod diagnostics;
 mod dialect;
@@ -50,6 +52,8 @@ mod words;
 
 pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Spot, Variable, compile_text};
+pub use colour::Colour;
+pub use colours::{colours, colours_of_list};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;

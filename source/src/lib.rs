@@ -12,6 +12,7 @@
 
 #![forbid(unsafe_code)]
 
+mod colours;
 pub mod diagnosis;
 mod effect;
 mod first;

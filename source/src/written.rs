@@ -6,7 +6,10 @@ use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
 use unoclp_core::Profile;
-use unoclp_lang::{Dialect, Options, TextLanguage, Told, compile_text, compile_untyped, has_types};
+use unoclp_lang::{
+    Colour, Dialect, Options, Span, TextLanguage, Told, colours, colours_of_list, compile_text,
+    compile_untyped, has_types,
+};
 
 /// A program file. Its language is known, if it has one, and nothing else.
 #[derive(Clone, Debug)]
@@ -132,6 +135,24 @@ impl Written {
             Ok(Way::List) => Some(self.compiled(None)),
             Ok(Way::Typed(_)) => None,
             Err(why) => Some(Err(self.none(why))),
+        }
+    }
+
+    /// The coloured parts of its text, in the order of their places.
+    pub fn colours(&self) -> Vec<(Span, Colour)> {
+        match self.way() {
+            Ok(Way::Typed(language)) => colours(&decode(&self.bytes), language),
+            _ => self.colours_untyped(),
+        }
+    }
+
+    /// The same for numeric code and Instruction List alone: none for a text in another language.
+    pub fn colours_untyped(&self) -> Vec<(Span, Colour)> {
+        let text = decode(&self.bytes);
+        match self.way() {
+            Ok(Way::Numeric) => crate::colours::numeric(&text),
+            Ok(Way::List) => colours_of_list(&text),
+            Ok(Way::Typed(_)) | Err(_) => Vec::new(),
         }
     }
 

@@ -3,7 +3,7 @@
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
 use crate::given::Given;
-use crate::tell::{Problem, problems, warnings};
+use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,6 +33,9 @@ pub struct Checked {
     problems: Vec<Problem>,
     /// How many more there are.
     more: usize,
+    /// The coloured parts of the text, each by three numbers: units of UTF-16 since the end of the one before, its own
+    /// units, and what it is (`tell::colours`).
+    colours: Vec<u32>,
     /// None where the text has errors.
     program: Option<Made>,
 }
@@ -153,6 +156,19 @@ impl Text {
         return written.check_untyped().ok_or(No::More);
     }
 
+    /// Its coloured parts, as [`Checked`] has them.
+    fn colours(&self) -> Vec<u32> {
+        if self.text.len() > LONGEST {
+            return Vec::new();
+        }
+        let written = Written::new(self.name.clone(), self.text.clone().into_bytes());
+        #[cfg(feature = "full")]
+        let parts = written.colours();
+        #[cfg(not(feature = "full"))]
+        let parts = written.colours_untyped();
+        colours(&self.text, &parts)
+    }
+
     /// Whether this module compiles its language.
     ///
     /// # Errors
@@ -182,6 +198,7 @@ impl Text {
 pub fn check(text: Text) -> Result<Checked, No> {
     let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
+    let colours = text.colours();
     Ok(match text.open()? {
         Ok(source) => {
             let (problems, more) = warnings(&source);
@@ -189,6 +206,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 language: language(&source.language),
                 problems,
                 more,
+                colours,
                 program: Some(made(source)),
             }
         }
@@ -198,6 +216,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 language: guessed.map_or("", WrittenIn::name),
                 problems,
                 more,
+                colours,
                 program: None,
             }
         }

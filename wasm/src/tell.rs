@@ -2,7 +2,7 @@
 
 use crate::words::{self, Both, both};
 use serde::Serialize;
-use unoclp_lang::{Diagnostic, Lines, Severity, Told};
+use unoclp_lang::{Colour, Diagnostic, Lines, Severity, Span, Told};
 use unoclp_source::diagnosis::tell;
 use unoclp_source::{Lang, Refused, Source};
 
@@ -77,6 +77,31 @@ pub fn warnings(source: &Source) -> (Vec<Problem>, usize) {
         Some(warnings) => told(&source.text, warnings),
         None => (Vec::new(), 0),
     }
+}
+
+/// Parts of a text, each by three numbers: the units since the end of the one before, its own units, and what it is: 0 a
+/// comment, 1 a text, 2 a point, 3 a number, 4 a word of the language.
+pub fn colours(text: &str, parts: &[(Span, Colour)]) -> Vec<u32> {
+    let mut units = Units {
+        text,
+        byte: 0,
+        unit: 0,
+    };
+    let mut behind = 0;
+    let mut numbers = Vec::with_capacity(3 * parts.len());
+    for (span, colour) in parts {
+        let [start, end] = [span.start, span.end].map(|byte| units.of(byte as usize));
+        numbers.extend([start - behind, end - start].map(|units| units as u32));
+        numbers.push(match colour {
+            Colour::Comment => 0,
+            Colour::Text => 1,
+            Colour::Point => 2,
+            Colour::Number => 3,
+            Colour::Word => 4,
+        });
+        behind = end;
+    }
+    numbers
 }
 
 /// More faults than this are only counted.

@@ -67,6 +67,84 @@ fn a_program_comes_with_its_code_names_and_map() {
     assert!(places.all(|line| (1..=lines).contains(&line)));
 }
 
+/// What is coloured, and as what: 0 a comment, 1 a text, 2 a point, 3 a number, 4 a word.
+fn coloured(name: &str, text: &str) -> Vec<(String, u64)> {
+    let checked = ok(json!({ "ask": "check", "name": name, "text": text }));
+    let numbers = checked["colours"].as_array().unwrap();
+    let numbers: Vec<u64> = numbers.iter().map(|n| n.as_u64().unwrap()).collect();
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let mut at = 0;
+    let part = |part: &[u64]| {
+        let from = at + part[0] as usize;
+        at = from + part[1] as usize;
+        (String::from_utf16(&units[from..at]).unwrap(), part[2])
+    };
+    numbers.chunks(3).map(part).collect()
+}
+
+#[test]
+fn words_are_coloured_as_the_lexer_of_their_language_reads_them() {
+    let cases: [(&str, &str, &[(&str, u64)]); 7] = [
+        (
+            "a.il",
+            "(* é😀 *) VAR on AT %IX1 : BOOL; END_VAR // x\nL1: LD on\nST Q1 ; LD\nLD T#2s\n",
+            &[
+                ("(* é😀 *)", 0),
+                ("VAR", 4),
+                ("AT", 4),
+                ("%IX1", 2),
+                ("BOOL", 4),
+                ("END_VAR", 4),
+                ("// x", 0),
+                ("LD", 4),
+                ("ST", 4),
+                ("Q1", 2),
+                ("; LD", 0),
+                ("LD", 4),
+                ("T#2s", 3),
+            ],
+        ),
+        (
+            "a.st",
+            "VAR t : TON; END_VAR t(IN := %IX1, PT := T#1s); (* a (* b *) *)",
+            &[
+                ("VAR", 4),
+                ("TON", 4),
+                ("END_VAR", 4),
+                ("%IX1", 2),
+                ("T#1s", 3),
+                ("(* a (* b *) *)", 0),
+            ],
+        ),
+        (
+            "a.scl",
+            "#x := 'it' ; // y",
+            &[("'it'", 1), ("// y", 0)],
+        ),
+        (
+            "a.iscl",
+            "BLOCO INT x; x := 16#F; // n\nEND_BLOCK",
+            &[("BLOCO", 4), ("INT", 4), ("16#F", 3), ("// n", 0), ("END_BLOCK", 4)],
+        ),
+        (
+            "a.lce",
+            "clp x rede um dois\naciona Q0.0, I0.1; fim",
+            &[("clp", 4), ("rede", 4), ("um dois", 1), ("aciona", 4), ("Q0.0", 2), ("I0.1", 2), ("fim", 4)],
+        ),
+        (
+            "P.TXT",
+            "0 / é\n -787600\n/ all",
+            &[("0", 3), ("/ é", 0), ("-787600", 3), ("/ all", 0)],
+        ),
+        ("a.il", "(* open", &[("(* open", 0)]),
+    ];
+    for (name, text, expected) in cases {
+        let told = coloured(name, text);
+        let told: Vec<(&str, u64)> = told.iter().map(|(part, of)| (part.as_str(), *of)).collect();
+        assert_eq!(told, expected, "{name}");
+    }
+}
+
 #[test]
 fn a_ladder_names_its_nets_and_steps() {
     let text = "LD I1\nOR Q1\nANDN I2\nST Q1\n";

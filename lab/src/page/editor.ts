@@ -16,9 +16,9 @@ import {
   keymap,
   lineNumbers,
 } from "@codemirror/view";
-import type { Live, Problem } from "../tools/answers";
+import type { Checked, Live } from "../tools/answers";
 import { say, speak, told } from "../words/words";
-import { colours } from "./colours";
+import { colours, paint } from "./colours";
 
 type Lines = Live["lines"];
 const setLines = StateEffect.define<Lines>();
@@ -120,8 +120,8 @@ export class Editor {
     this.quiet = false;
   }
 
-  /** Underlines problems of this text. */
-  tell(text: string, problems: readonly Problem[]): void {
+  /** Colours this text and underlines its problems. */
+  tell(text: string, { problems, colours }: Checked): void {
     const { doc } = this.view.state;
     // A newer text is on its way to be looked at.
     if (doc.toString() !== text) return;
@@ -133,6 +133,7 @@ export class Editor {
       source: problem.number,
       message: [told(problem.message), told(problem.help)].filter(Boolean).join("\n"),
     }));
+    this.view.dispatch({ effects: paint(doc, colours) });
     this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
   }
 

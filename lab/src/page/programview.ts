@@ -74,7 +74,7 @@ export class ProgramView {
   private show(looked: Looked | null): void {
     if (!looked) return;
     const { text, checked } = looked;
-    this.editor.tell(text.text, checked.problems);
+    this.editor.tell(text.text, checked);
     showProblems(this.problems, checked, (line, column) => this.editor.go(line, column));
     this.count.textContent = countOf(checked);
     this.count.classList.toggle("bad", checked.program === null);

@@ -65,6 +65,9 @@ export interface Checked {
   readonly language: LanguageName;
   readonly problems: readonly Problem[];
   readonly more: number;
+  /** The coloured parts of the text, three numbers each: units of UTF-16 since the end of the one before, its own units, and
+   * 0 for a comment, 1 a text, 2 a point, 3 a number, 4 a word of the language. */
+  readonly colours: readonly number[];
   readonly program: Made | null;
 }
 

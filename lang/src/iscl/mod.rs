@@ -12,8 +12,16 @@ mod recovery;
 mod statement;
 mod words;
 
-use crate::diagnostics::{Code, Found};
+use crate::colour::Colour;
+use crate::diagnostics::{Code, Found, Span};
+use crate::small;
 use crate::typed::Tree;
+use words::{RULES, Word};
+
+/// The words of a text, and what each is.
+pub(crate) fn colours(text: &str) -> Vec<(Span, Option<Colour>)> {
+    small::colours::<Word>(text, &RULES)
+}
 
 /// The tree of a text; none where something is wrong, which is told.
 pub(crate) fn check(text: &str, found: &mut Found) -> Option<Tree> {

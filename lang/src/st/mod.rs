@@ -18,8 +18,38 @@ mod words;
 pub use kinds::has_types;
 pub(crate) use token::Dialect;
 
-use crate::diagnostics::{Code, Found};
-use crate::typed::Tree;
+use crate::colour::Colour;
+
+use crate::diagnostics::{Code, Found, Span};
+use crate::typed::{Base, Standard, Tree};
+use token::{Kind, Token};
+use words::Keyword;
+
+/// The words of a text, and what each is.
+pub(crate) fn colours(text: &str, dialect: Dialect) -> Vec<(Span, Option<Colour>)> {
+    let tokens = lexer::tokens(text, dialect, &mut Found::default());
+    let colour = |token: &Token| match token.kind {
+        Kind::Address => Some(Colour::Point),
+        Kind::Number | Kind::Typed => Some(Colour::Number),
+        Kind::Text | Kind::Wide => Some(Colour::Text),
+        Kind::Word => {
+            let word = text.get(token.span.range()).unwrap_or_default();
+            is_word(&word.to_ascii_uppercase()).then_some(Colour::Word)
+        }
+        _ => None,
+    };
+    tokens
+        .iter()
+        .map(|token| (token.span, colour(token)))
+        .collect()
+}
+
+/// Whether this is a keyword, or a type of the norm, in upper case.
+pub(crate) fn is_word(word: &str) -> bool {
+    Keyword::of(word) != Keyword::None
+        || Base::named(word).is_some()
+        || Standard::named(word).is_some()
+}
 
 /// The tree of a text; none where something is wrong, which is told.
 pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<Tree> {

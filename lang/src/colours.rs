@@ -1,0 +1,50 @@
+//! The colours of a text, as the lexer of its own language reads it.
+//!
+//! Owns which lexer reads which language, and where Instruction List has its operators. Must not know colours.
+
+use crate::TextLanguage;
+use crate::colour::{Colour, is_point, painted};
+use crate::diagnostics::{Found, Span};
+use crate::lexer::{self, Kind, SECTIONS};
+use crate::operators;
+use crate::{iscl, lce, st};
+
+/// The coloured parts of a text in this language, in the order of their places; the rest is names and signs.
+pub fn colours(text: &str, language: TextLanguage) -> Vec<(Span, Colour)> {
+    match language {
+        TextLanguage::St => painted(text, st::colours(text, st::Dialect::Iec)),
+        TextLanguage::Scl => painted(text, st::colours(text, st::Dialect::Scl)),
+        TextLanguage::Iscl => painted(text, iscl::colours(text)),
+        TextLanguage::Lce => painted(text, lce::colours(text)),
+        TextLanguage::Il => colours_of_list(text),
+    }
+}
+
+/// The same for Instruction List, with types or without, and without what the other languages take.
+pub fn colours_of_list(text: &str) -> Vec<(Span, Colour)> {
+    let words = lexer::words(text, &mut Found::default());
+    let mut declares = false;
+    let mut begins = true;
+    let tokens = words.tokens.iter().map(|token| {
+        let written = text.get(token.span.range()).unwrap_or_default();
+        let word = written.to_ascii_uppercase();
+        let first = begins;
+        begins = matches!(token.kind, Kind::NewLine | Kind::Colon);
+        if SECTIONS.contains(&word.as_str()) {
+            declares = true;
+        } else if word == "END_VAR" {
+            declares = false;
+        }
+        let colour = match token.kind {
+            Kind::Number | Kind::Literal => Some(Colour::Number),
+            Kind::Name if first && !declares && operators::find(&word).is_some() => {
+                Some(Colour::Word)
+            }
+            Kind::Name if st::is_word(&word) => Some(Colour::Word),
+            Kind::Name => is_point(&word).then_some(Colour::Point),
+            _ => None,
+        };
+        (token.span, colour)
+    });
+    painted(text, tokens)
+}
