@@ -1,0 +1,115 @@
+// The very modules that the page loads, called as the page calls them, without a browser: what they answer, and that no
+// request traps.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { built } from "../../serve.mjs";
+
+/** A module, and how it is asked: bytes in, text out.
+ * @param {string} file */
+async function load(file) {
+  const { instance } = await WebAssembly.instantiate(readFileSync(join(built, file)), {});
+  const rust = /** @type {any} */ (instance.exports);
+  return (/** @type {Uint8Array} */ request) => {
+    const room = rust.unoclp_room(request.length);
+    new Uint8Array(rust.memory.buffer, room, request.length).set(request);
+    const length = rust.unoclp_call();
+    return new TextDecoder("utf-8", { fatal: true }).decode(new Uint8Array(rust.memory.buffer, rust.unoclp_answer(), length));
+  };
+}
+
+/** @typedef {Awaited<ReturnType<typeof load>>} Call */
+/** @param {Call} call @param {unknown} request */
+function ask(call, request) {
+  return JSON.parse(call(new TextEncoder().encode(JSON.stringify(request))));
+}
+
+/** Numbers below a limit, always the same ones (mulberry32). @param {number} seed */
+function random(seed) {
+  return (/** @type {number} */ limit) => {
+    seed = (seed + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return Math.floor((((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32) * limit);
+  };
+}
+
+const IL = { name: "a.il", text: "LD I1\nTON T1, 20\nST Q1\n" };
+const ST = { name: "a.st", text: "PROGRAM p VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM" };
+const GOOD = [
+  { ask: "check", ...IL },
+  { ask: "check", ...ST },
+  { ask: "check", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
+  { ask: "ladder", ...IL, width: 64, speak: "pt" },
+  { ask: "list", ...IL, width: 64, speak: "en", as: "numeric" },
+  { ask: "exercise", ...IL, title: "x", scenario: "until = 5" },
+  { ask: "card", program: "0\n787600\n", state: true },
+  { ask: "read", blocks: [[0, "00ff"]], name: "STATE.TXT" },
+  { ask: "open", program: IL, reset: false, rate: 9600 },
+  { ask: "step", board: 1, now: 12.5, came: [1, 43, 14] },
+  { ask: "order", board: 1, order: { do: "upload", ...IL, stay: true } },
+  { ask: "order", board: 1, order: { do: "watch", ...ST } },
+  { ask: "order", board: 1, order: { do: "set", point: "D1", value: -7 } },
+  { ask: "flash", hex: ":00000001FF", model: "uno" },
+  { ask: "flashStep", now: 1, came: [20, 16] },
+  { ask: "lose", board: 1, why: "gone" },
+  { ask: "close", board: 1 },
+];
+const ODD = [null, true, -1, 0.5, 1e300, 2 ** 53, "", "é😀", [], {}, [[0, "zz"], 7], "(".repeat(500)];
+
+/** Something odd in the place of a part, wherever that is. @param {any} value @param {(limit: number) => number} below @returns {any} */
+function changed(value, below) {
+  const keys = value && typeof value === "object" ? Object.keys(value) : [];
+  const key = keys[below(keys.length)];
+  if (key === undefined || below(8) === 0) return ODD[below(ODD.length)];
+  const copy = Array.isArray(value) ? [...value] : { ...value };
+  if (below(5) === 0) delete copy[key];
+  else copy[key] = changed(copy[key], below);
+  return copy;
+}
+
+for (const file of ["unoclp.wasm", "unoclp-full.wasm"]) {
+  const isFull = file === "unoclp-full.wasm";
+
+  test(`${file} checks, draws and speaks to a board`, async () => {
+    const call = await load(file);
+    const { ok } = ask(call, { ask: "check", ...IL });
+    assert.equal(ok.language, "il");
+    assert.match(ok.program.code, /847978/);
+    assert.deepEqual(ok.colours.slice(0, 6), [0, 2, 4, 1, 2, 2]);
+    assert.match(ask(call, { ask: "ladder", ...IL, width: 64, speak: "pt" }).ok.svg, /Degrau 1/);
+    const wrong = ask(call, { ask: "check", name: "a.il", text: "LDD I1" }).ok;
+    assert.notEqual(wrong.problems[0].message.en, wrong.problems[0].message.pt);
+    const board = ask(call, { ask: "open", program: null, reset: false }).ok;
+    // It asks who is there (Modbus, read device identification).
+    assert.deepEqual(ask(call, { ask: "step", board, now: 0, came: [] }).ok.send.slice(0, 4), [1, 43, 14, 1]);
+    // A typed language takes the module that has everything, and the smaller one says so.
+    const typed = ask(call, { ask: "check", ...ST });
+    assert.deepEqual(isFull ? typed.ok.language : typed, isFull ? "st" : { more: true });
+    assert.ok(ask(call, { ask: "none" }).error.pt);
+  });
+
+  test(`${file} answers whatever is asked`, async () => {
+    const call = await load(file);
+    const below = random(17);
+    /** @param {Uint8Array} request */
+    const isAnswered = (request) => {
+      const [key, ...more] = Object.keys(JSON.parse(call(request)));
+      assert.ok(key === "ok" || key === "error" || key === "more");
+      assert.deepEqual(more, []);
+    };
+    const encoder = new TextEncoder();
+    for (const good of GOOD) isAnswered(encoder.encode(JSON.stringify(good)));
+    for (let round = 0; round < 3000; round++) {
+      let request = /** @type {unknown} */ (GOOD[below(GOOD.length)]);
+      for (let changes = below(4); changes > 0; changes--) request = changed(request, below);
+      const bytes = encoder.encode(JSON.stringify(request) ?? "");
+      if (below(3) === 0 && bytes.length > 0) bytes[below(bytes.length)] = below(256);
+      isAnswered(below(6) === 0 ? bytes.subarray(0, below(bytes.length)) : bytes);
+      isAnswered(Uint8Array.from({ length: below(40) }, () => below(256)));
+    }
+  });
+}
