@@ -74,7 +74,7 @@ async function load(): Promise<void> {
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
   const lessons = new Lessons(byId("lesson"), remote, () => program.text.value, open);
-  toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons });
+  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge()));
 
@@ -92,7 +92,11 @@ async function load(): Promise<void> {
   await fromLink(open);
   addEventListener("hashchange", () => void fromLink(open));
   document.documentElement.dataset["ready"] = "yes";
-  editor.furnish();
+  performance.mark("ready");
+  setTimeout(() => {
+    editor.furnish();
+    loadExamples();
+  });
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);
   }

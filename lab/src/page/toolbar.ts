@@ -30,12 +30,10 @@ interface Example {
   readonly text: string;
 }
 
-export function toolbar(root: HTMLElement, parts: Parts): void {
+/** Puts the bar together; what it gives loads the examples, which nobody sees before the menu is opened. */
+export function toolbar(root: HTMLElement, parts: Parts): () => void {
   const { program, open } = parts;
   let examples: readonly Example[] = [];
-  void fetch("examples.json").then(async (answer) => {
-    examples = (await answer.json()) as Example[];
-  });
   const tongue = h("select", { id: "speak", "data-say-label": "language" }, h("option", { value: "en", lang: "en" }, "English"), h("option", { value: "pt", lang: "pt-BR" }, "Português"));
   tongue.addEventListener("change", () => setSpeak(tongue.value === "pt" ? "pt" : "en"));
   speak.follow((language) => {
@@ -55,6 +53,11 @@ export function toolbar(root: HTMLElement, parts: Parts): void {
     else return;
     event.preventDefault();
   });
+  return () => {
+    void fetch("examples.json").then(async (answer) => {
+      examples = (await answer.json()) as Example[];
+    });
+  };
 }
 
 function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
