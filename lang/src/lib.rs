@@ -21,6 +21,7 @@ mod code;
 mod colour;
 mod colours;
 mod comments;
+mod decimal;
 mod diagnostics;
 mod dialect;
 mod emit;

@@ -1,5 +1,6 @@
 //! Numbers and times as they are written.
 
+use crate::decimal;
 use crate::diagnostics::Code;
 
 /// The number or time, in ms, that a literal says: `20`, `2#1010`, `16#FF`, `T#1h2m3s4ms`, `TIME#2.5s`.
@@ -30,8 +31,10 @@ pub(crate) fn real(text: &str) -> Option<i32> {
     let digits: String = text.chars().filter(|&c| c != '_').collect();
     let digit = |c: char| c.is_ascii_digit();
     let number = digits.strip_prefix('-').unwrap_or(&digits);
-    let number: f32 = number.starts_with(digit).then(|| digits.parse().ok())??;
-    number.is_finite().then(|| number.to_bits().cast_signed())
+    let number = number
+        .starts_with(digit)
+        .then(|| decimal::real(&digits))??;
+    Some(number.to_bits().cast_signed())
 }
 
 /// What is wrong with a literal that has no value, and how it may have been meant.
@@ -58,7 +61,7 @@ pub(crate) fn fault(text: &str) -> (Code, String) {
 pub(crate) fn is_fraction(text: &str) -> bool {
     let number = text.strip_prefix('-').unwrap_or(text).replace(',', ".");
     let begins = number.starts_with(|c: char| c.is_ascii_digit());
-    begins && number.contains(['.', 'e', 'E']) && number.parse::<f64>().is_ok()
+    begins && number.contains(['.', 'e', 'E']) && decimal::is_decimal(&number)
 }
 
 fn whole(digits: &str, radix: u32) -> Option<i32> {
