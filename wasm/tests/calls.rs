@@ -116,20 +116,30 @@ fn words_are_coloured_as_the_lexer_of_their_language_reads_them() {
                 ("(* a (* b *) *)", 0),
             ],
         ),
-        (
-            "a.scl",
-            "#x := 'it' ; // y",
-            &[("'it'", 1), ("// y", 0)],
-        ),
+        ("a.scl", "#x := 'it' ; // y", &[("'it'", 1), ("// y", 0)]),
         (
             "a.iscl",
             "BLOCO INT x; x := 16#F; // n\nEND_BLOCK",
-            &[("BLOCO", 4), ("INT", 4), ("16#F", 3), ("// n", 0), ("END_BLOCK", 4)],
+            &[
+                ("BLOCO", 4),
+                ("INT", 4),
+                ("16#F", 3),
+                ("// n", 0),
+                ("END_BLOCK", 4),
+            ],
         ),
         (
             "a.lce",
             "clp x rede um dois\naciona Q0.0, I0.1; fim",
-            &[("clp", 4), ("rede", 4), ("um dois", 1), ("aciona", 4), ("Q0.0", 2), ("I0.1", 2), ("fim", 4)],
+            &[
+                ("clp", 4),
+                ("rede", 4),
+                ("um dois", 1),
+                ("aciona", 4),
+                ("Q0.0", 2),
+                ("I0.1", 2),
+                ("fim", 4),
+            ],
         ),
         (
             "P.TXT",
