@@ -32,7 +32,7 @@ pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
         "open" => json(boards.open(Open::of(&mut given)?)?),
         // A step of it: what has come since the last one, at this time in ms since any moment.
         "step" => {
-            let (board, now) = (given.number("board")?, given.time("now")?);
+            let (board, now) = (given.number("board")?, given.real("now")?);
             json(boards.step(board, now, &given.bytes("came")?)?)
         }
         // Something to be done by the board.
@@ -78,7 +78,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
         }
         // A step of that.
         "flashStep" => {
-            let now = given.time("now")?;
+            let now = given.real("now")?;
             json(boards.flash.step(now, &given.bytes("came")?)?)
         }
         // The line is gone meanwhile, and why.

@@ -78,11 +78,11 @@ impl Given {
         Ok(usize::try_from(columns).unwrap_or(usize::MAX))
     }
 
-    /// A time in ms.
+    /// A number, which may have a fraction.
     ///
     /// # Errors
     /// Where there is none.
-    pub fn time(&mut self, key: &str) -> Result<f64, Both> {
+    pub fn real(&mut self, key: &str) -> Result<f64, Both> {
         needed(key, self.find(key, |value| value.as_f64()))
     }
 

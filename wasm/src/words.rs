@@ -58,6 +58,14 @@ unoclp_source::messages! {
     refused_value() "the board does not take that value" "a placa não aceita esse valor";
     refused_now() "the board cannot do that now; see its state" "a placa não pode fazer isso agora; veja o estado dela";
     refused_busy() "the board is busy" "a placa está ocupada";
+    no_address(address, least, most) "address {address}: a board has one from {least} to {most}" "endereço {address}: uma placa tem um de {least} a {most}";
+    no_rate(rate, rates) "a board has no rate of {rate} baud; it has {rates}" "uma placa não tem a taxa de {rate} baud; ela tem {rates}";
+    lock_grows() "over the line a lock can only grow; A5 and the inputs 01 to 04 to ground at a reset lift it" "pela linha um bloqueio só pode crescer; A5 e as entradas 01 a 04 no GND em um reset o retiram";
+    settings_locked() "the settings of the board are locked; A5 and the inputs 01 to 04 to ground at a reset unlock them" "os ajustes da placa estão bloqueados; A5 e as entradas 01 a 04 no GND em um reset os desbloqueiam";
+    settings_not_kept() "the board does not keep the settings: its EEPROM fails" "a placa não guarda os ajustes: a sua EEPROM falha";
+    settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
+    settings_next() "the board keeps these settings, and uses them from its next start on" "a placa guarda esses ajustes, e os usa a partir do próximo início";
+    but_stop(said) "{said}; it is in STOP now" "{said}; agora ela está em STOP";
     refused_way() "the gateway shares no board of this address" "o gateway não compartilha nenhuma placa com esse endereço";
     refused_silent() "the gateway gets no answer from the board" "o gateway não recebe resposta da placa";
     program_empty() "there is no program yet" "ainda não há programa";

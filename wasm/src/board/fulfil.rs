@@ -3,11 +3,12 @@
 use super::desk::Desk;
 use super::news::{Kept, News};
 use super::order::Order;
+use super::settle::settle;
 use super::watched::Watched;
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use unoclp_board::diagnostics;
-use unoclp_board::map::{Command, Parity, State, holding};
+use unoclp_board::map::{Command, State, holding};
 use unoclp_board::point::Point;
 use unoclp_board::settings::Settings;
 use unoclp_board::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
@@ -85,20 +86,7 @@ pub(super) async fn fulfil(
             desk.tell(News::Settings(settings.into()));
             Ok(None)
         }
-        Order::Settle { settings } => {
-            let old = Settings::read(client).await?;
-            let parity = Parity::of(settings.parity).ok_or_else(|| both(words::refused_value))?;
-            let new = Settings {
-                address: settings.address,
-                rate: settings.rate,
-                parity,
-                direction: settings.direction,
-                lock: settings.lock,
-            };
-            new.write(old, client).await?;
-            desk.tell(News::Settings(Settings::read(client).await?.into()));
-            Ok(None)
-        }
+        Order::Settle { settings } => settle(client, desk, settings).await,
     }
 }
 

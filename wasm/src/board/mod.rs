@@ -2,7 +2,7 @@
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
 //! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
-//! - `order`, `fulfil`: what may be ordered, and how it is done
+//! - `order`, `fulfil`, `settle`: what may be ordered, and how it is done
 //! - `news`: what a page is told
 //! - `desk`: what lies between a conversation and its page
 //!
@@ -12,6 +12,7 @@ mod desk;
 mod fulfil;
 mod news;
 mod order;
+mod settle;
 mod talk;
 mod watched;
 

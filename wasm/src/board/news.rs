@@ -1,7 +1,6 @@
 //! What a page is told of a board.
 
 use super::watched::Live;
-use crate::given::Given;
 use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_board::diagnostics::Diagnostics;
@@ -148,22 +147,6 @@ pub struct Line {
     pub parity: u16,
     pub direction: bool,
     pub lock: Option<u8>,
-}
-
-impl Line {
-    /// As a request gives them.
-    ///
-    /// # Errors
-    /// Where one is missing.
-    pub fn of(given: &mut Given) -> Result<Line, Both> {
-        Ok(Line {
-            address: given.number("address")?,
-            rate: given.number("rate")?,
-            parity: given.number("parity")?,
-            direction: given.truth("direction")?,
-            lock: given.number_if("lock")?,
-        })
-    }
 }
 
 impl From<Settings> for Line {

@@ -1,6 +1,6 @@
 //! What may be ordered of a board.
 
-use super::news::Line;
+use super::settle::Wanted;
 use crate::given::{Given, wrong};
 use crate::program::Text;
 use crate::words::{Both, No};
@@ -33,7 +33,7 @@ pub enum Order {
     /// Read the settings.
     Settings,
     /// Change the settings: the lock holds at once, all else from the next start on.
-    Settle { settings: Line },
+    Settle { settings: Wanted },
 }
 
 impl Order {
@@ -67,7 +67,7 @@ impl Order {
                 text: Text::of(&mut given)?,
             },
             "settle" => Order::Settle {
-                settings: Line::of(&mut given.below("settings")?)?,
+                settings: Wanted::of(&mut given.below("settings")?)?,
             },
             _ => return Err(wrong(&what)),
         })
