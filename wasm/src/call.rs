@@ -71,6 +71,8 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
         "card" => json(card::card(&given.text("program")?, given.truth("state")?)?),
         // A file of a card, by its name, from the blocks that are not empty.
         "read" => json(card::read(card::blocks(&mut given)?, &given.text("name")?)),
+        // Bytes that are free on a card, from the blocks that are not empty.
+        "free" => json(card::free(card::blocks(&mut given)?)),
         // Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
         "flash" => {
             let hex = given.text("hex")?;
@@ -94,7 +96,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "exercise" | "card" | "read" | "flash" | "flashStep" | "flashLose" => {
+        "list" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => {
             Err(No::More)
         }
         other => Err(wrong(other).into()),

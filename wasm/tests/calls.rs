@@ -239,6 +239,31 @@ fn a_card_holds_the_program() {
 }
 
 #[test]
+fn the_room_on_a_card_is_counted_whatever_stands_on_it() {
+    let free = |blocks: &Value| ask(json!({ "ask": "free", "blocks": blocks }))["ok"].clone();
+    let card = ok(json!({ "ask": "card", "program": "0\n", "state": false }));
+    let more = ok(json!({ "ask": "card", "program": "0\n".repeat(512), "state": false }));
+    let room = free(&card["blocks"]).as_u64().unwrap();
+    assert!(room > 1 << 20, "{room}");
+    let fresh = room - free(&more["blocks"]).as_u64().unwrap();
+    assert_eq!(fresh, 512, "one block more");
+
+    // Every entry of its FAT, behind the boot sector and what is reserved, stands for a cluster in use.
+    let mut full = card["blocks"].clone();
+    let blocks = full.as_array_mut().unwrap();
+    blocks.retain(|block| block[0] == 0 || block[0] == 2048);
+    blocks.extend((2049..2100).map(|number| json!([number, "ff".repeat(512)])));
+    assert_eq!(free(&full), 0);
+
+    let zeros = [(0, "00".repeat(512))];
+    let garbage = [(0, "ff".repeat(512))];
+    let boot = format!("{}55aa", "ff".repeat(510));
+    for none in [json!([]), json!(zeros), json!(garbage), json!([[0, boot]])] {
+        assert_eq!(free(&none), Value::Null);
+    }
+}
+
+#[test]
 fn a_conversation_asks_waits_and_tells_that_nobody_answers() {
     let mut boards = Boards::default();
     let mut ask = |request: Value| told(&request.to_string(), &mut boards)["ok"].clone();

@@ -184,6 +184,8 @@ export interface Asks {
   card: { ask: { program: string; state: boolean }; answer: CardImage };
   /** A file of a card, from the blocks that are not empty. */
   read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
+  /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
+  free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
   open: { ask: { program: Text | null; reset: boolean; rate?: number; parity?: number; address?: number }; answer: number };
   step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
   order: { ask: { board: number; order: Order }; answer: number };

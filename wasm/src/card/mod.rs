@@ -1,5 +1,7 @@
 //! Images of cards, as the blocks that are not empty.
 
+mod room;
+
 use crate::given::{Given, wrong};
 use crate::words::{self, Both, both};
 use serde::Serialize;
@@ -9,7 +11,10 @@ use unoclp_card::image::{Fat, Image};
 use unoclp_card::{Block, Device, File};
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
-const STATE: &[u8] = include_bytes!("../../programs/STATE.TXT");
+const STATE: &[u8] = include_bytes!("../../../programs/STATE.TXT");
+
+/// Bytes of a block.
+const BLOCK: usize = 512;
 
 /// A card.
 #[derive(Debug, Serialize)]
@@ -32,7 +37,7 @@ pub fn card(program: &str, state: bool) -> Result<Card, Both> {
     let image = image
         .build()
         .map_err(|error| both(|lang| words::no_card(lang, &error)))?;
-    let blocks = image.chunks(512).enumerate();
+    let blocks = image.chunks(BLOCK).enumerate();
     let full = blocks.filter(|(_, block)| block.iter().any(|&byte| byte != 0));
     let digits = |block: &[u8]| block.iter().map(|byte| format!("{byte:02x}")).collect();
     Ok(Card {
@@ -50,11 +55,23 @@ struct Told {
     last: Block,
 }
 
+impl Told {
+    fn of(blocks: Vec<(u32, String)>) -> Told {
+        let blocks = blocks.into_iter();
+        Told {
+            blocks: blocks
+                .map(|(number, digits)| (number, block(&digits)))
+                .collect(),
+            last: [0; BLOCK],
+        }
+    }
+}
+
 impl Device for Told {
     type Error = std::convert::Infallible;
 
     fn read(&mut self, number: u32) -> Result<(), Self::Error> {
-        self.last = self.blocks.get(&number).copied().unwrap_or([0; 512]);
+        self.last = self.blocks.get(&number).copied().unwrap_or([0; BLOCK]);
         Ok(())
     }
 
@@ -76,15 +93,14 @@ pub fn blocks(given: &mut Given) -> Result<Vec<(u32, String)>, Both> {
     blocks.ok_or_else(|| wrong("blocks"))
 }
 
+/// Bytes that are free on a card; none where it has no FAT16 or FAT32.
+pub fn free(blocks: Vec<(u32, String)>) -> Option<u64> {
+    room::free(&mut Told::of(blocks))
+}
+
 /// The text of a file in the root folder, by its name in capital letters: `STATE.TXT`; none where there is no such file.
 pub fn read(blocks: Vec<(u32, String)>, name: &str) -> Option<String> {
-    let blocks = blocks
-        .into_iter()
-        .map(|(number, digits)| (number, block(&digits)));
-    let mut card = Told {
-        blocks: blocks.collect(),
-        last: [0; 512],
-    };
+    let mut card = Told::of(blocks);
     let (stem, end) = name.split_once('.').unwrap_or((name, ""));
     let short = format!("{stem:<8}{end:<3}").into_bytes();
     let mut file = File::default();
@@ -98,7 +114,7 @@ pub fn read(blocks: Vec<(u32, String)>, name: &str) -> Option<String> {
 
 /// The block of these hexadecimal digits; 0 where they are none.
 fn block(digits: &str) -> Block {
-    let mut block = [0; 512];
+    let mut block = [0; BLOCK];
     for (byte, pair) in block.iter_mut().zip(digits.as_bytes().chunks(2)) {
         let pair = std::str::from_utf8(pair).unwrap_or_default();
         *byte = u8::from_str_radix(pair, 16).unwrap_or_default();
