@@ -5,6 +5,7 @@ import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import { h } from "./dom";
+import { keep, kept } from "./kept";
 import { announce } from "./notes";
 
 interface Lesson {
@@ -34,12 +35,12 @@ export class Lessons {
   /** Opens the tutorial where it was left. */
   async start(): Promise<void> {
     if (this.lessons.length === 0) this.lessons = (await (await fetch("lessons.json")).json()) as Lesson[];
-    this.go(Number(localStorage.getItem("lesson") ?? "0"));
+    this.go(Number(kept("lesson") ?? "0"));
   }
 
   private go(at: number): void {
     this.at = Math.min(Math.max(at, 0), this.lessons.length - 1);
-    localStorage.setItem("lesson", String(this.at));
+    keep("lesson", String(this.at));
     this.show();
     this.root.scrollTo(0, 0);
   }

@@ -7,6 +7,7 @@ import type { Bench } from "./bench";
 import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import type { Editor } from "./editor";
+import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
 import { countOf, showProblems } from "./problems";
 import type { Tabs } from "./tabs";
@@ -64,10 +65,10 @@ export class ProgramView {
     });
     const show = (view: (typeof VIEWS)[number]): void => {
       root.dataset["view"] = view;
-      localStorage.setItem("view", view);
+      keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
     };
-    show(VIEWS.find((view) => view === localStorage.getItem("view")) ?? "both");
+    show(VIEWS.find((view) => view === kept("view")) ?? "both");
     return h("div", { class: "group", role: "group", "data-say-label": "views" }, ...buttons);
   }
 

@@ -3,6 +3,7 @@
 import type { Command, Event } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
+import { keep, kept } from "./kept";
 
 const KEPT = "eeprom";
 
@@ -40,7 +41,7 @@ export class SimulatedBoard implements Clock {
   /** Gives it firmware, what its EEPROM was, and power. */
   start(bytes: Uint8Array): void {
     this.tell({ kind: "firmware", bytes });
-    const eeprom = kept();
+    const eeprom = bytesOf(kept(KEPT));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
     this.tell({ kind: "run" });
@@ -71,24 +72,16 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "pace") this.pace = event.factor > 0 ? event.factor : this.pace;
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);
-    if (event.kind === "eeprom") keep(event.bytes);
+    // A browser that keeps nothing begins with an empty EEPROM.
+    if (event.kind === "eeprom") keep(KEPT, btoa(String.fromCharCode(...event.bytes)));
   }
 }
 
-function kept(): Uint8Array | null {
-  const text = localStorage.getItem(KEPT);
+function bytesOf(text: string | null): Uint8Array | null {
   if (!text) return null;
   try {
     return Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
   } catch {
     return null;
-  }
-}
-
-function keep(bytes: Uint8Array): void {
-  try {
-    localStorage.setItem(KEPT, btoa(String.fromCharCode(...bytes)));
-  } catch {
-    // A browser that keeps nothing begins with an empty EEPROM.
   }
 }

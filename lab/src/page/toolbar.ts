@@ -8,6 +8,7 @@ import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { download, pick } from "./files";
 import { icon } from "./icons";
+import { keep, kept } from "./kept";
 import type { Lessons } from "./lessons";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
@@ -99,20 +100,20 @@ async function shareLink(text: Text): Promise<void> {
 
 function theme(): HTMLElement {
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const kept = localStorage.getItem("theme");
+  const chosen = kept("theme");
   const set = (is: boolean): void => {
     document.documentElement.dataset["theme"] = is ? "dark" : "light";
     document.documentElement.style.colorScheme = is ? "dark" : "light";
   };
-  set(kept ? kept === "dark" : dark.matches);
+  set(chosen ? chosen === "dark" : dark.matches);
   dark.addEventListener("change", () => {
-    if (!localStorage.getItem("theme")) set(dark.matches);
+    if (!kept("theme")) set(dark.matches);
   });
   return h("button", {
     type: "button", id: "theme", "data-say-label": "theme",
     click: () => {
       const is = document.documentElement.dataset["theme"] !== "dark";
-      localStorage.setItem("theme", is ? "dark" : "light");
+      keep("theme", is ? "dark" : "light");
       set(is);
     },
   }, icon("moon"));

@@ -1,6 +1,7 @@
 // The language of the page, and its texts.
 
 import type { Both, Speak } from "../tools/answers";
+import { keep, kept } from "../page/kept";
 import { Signal } from "../page/signal";
 import { type Key, TABLE } from "./table";
 
@@ -8,13 +9,13 @@ import { type Key, TABLE } from "./table";
 export const speak = new Signal<Speak>(begin());
 
 function begin(): Speak {
-  const kept = localStorage.getItem("speak");
-  if (kept === "en" || kept === "pt") return kept;
+  const chosen = kept("speak");
+  if (chosen === "en" || chosen === "pt") return chosen;
   return navigator.language.toLowerCase().startsWith("pt") ? "pt" : "en";
 }
 
 export function setSpeak(language: Speak): void {
-  localStorage.setItem("speak", language);
+  keep("speak", language);
   speak.value = language;
 }
 
