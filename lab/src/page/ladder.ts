@@ -2,7 +2,12 @@
 
 import type { Live, Seen } from "../tools/answers";
 import { dress, h } from "./dom";
+import { keep, kept } from "./kept";
 
+/** CSS pixels beside the drawing. */
+const MARGIN = 14;
+/** Between these the drawing is made to fit, until somebody chooses. */
+const FITS = [0.6, 0.9] as const;
 const ZOOMS = [0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.8];
 
 /** Who hears of clicks on the drawing. */
@@ -20,12 +25,14 @@ export class LadderView {
   private readonly points = new Map<string, Element[]>();
   private lit = new Set<number>();
   private svg: SVGSVGElement | null = null;
-  private zoom = Number(localStorage.getItem("zoom") ?? "0.9");
+  private zoom = Number(kept("zoom") ?? "0") || FITS[1];
+  private fits = kept("zoom") === null;
 
   constructor(
     private readonly paper: HTMLElement,
     touched: Touched,
   ) {
+    new ResizeObserver(() => this.size()).observe(paper);
     paper.addEventListener("click", (event) => {
       const target = event.target as Element;
       const rung = target.closest<SVGElement>(".rung");
@@ -40,7 +47,8 @@ export class LadderView {
     const turn = (by: number) => (): void => {
       const at = ZOOMS.findIndex((zoom) => zoom >= this.zoom - 0.01);
       this.zoom = ZOOMS[Math.min(Math.max(at + by, 0), ZOOMS.length - 1)] ?? 1;
-      localStorage.setItem("zoom", String(this.zoom));
+      this.fits = false;
+      keep("zoom", String(this.zoom));
       this.size();
     };
     return h("div", { class: "zoom" },
@@ -81,6 +89,7 @@ export class LadderView {
   private size(): void {
     const box = this.svg?.viewBox.baseVal;
     if (!this.svg || !box) return;
+    if (this.fits && this.paper.clientWidth > 0) this.zoom = Math.min(Math.max((this.paper.clientWidth - MARGIN) / box.width, FITS[0]), FITS[1]);
     dress(this.svg, { width: Math.round(box.width * this.zoom), height: Math.round(box.height * this.zoom) });
   }
 
