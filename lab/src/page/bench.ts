@@ -1,14 +1,14 @@
 // The bench: one board at a time, simulated or on the desk, and what is known of it.
 
 import type { Event, Pins } from "../board/messages";
-import { USUAL_FORMAT } from "../board/messages";
 import type { Line } from "../line/line";
-import type { Both, News, Order, Seen, Text } from "../tools/answers";
+import type { Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { NeedsMore, Refusal, Tools } from "../tools/tools";
 import { type Clock, Conversation, WALL } from "./conversation";
 import { Signal } from "./signal";
 import { SimulatedBoard } from "./simulated";
+import { type Way, Ways, formatOf } from "./ways";
 
 export type Where = "simulated" | "desk";
 
@@ -34,6 +34,11 @@ export class Bench {
   readonly events = new Set<(event: Event) => void>();
   readonly simulated: SimulatedBoard;
   private readonly pending = new Set<Promise<unknown>>();
+  /** What the board keeps for its next start; null until it was asked. */
+  readonly settings = new Signal<Settings | null>(null);
+  private readonly ways = { simulated: new Ways("ways"), desk: new Ways("ways-desk") };
+  private whenLost = (): void => undefined;
+  private line: Line | null = null;
   private talk: Conversation | null = null;
   private readonly orders = new Map<number, (told: { said: Both | null } | { why: Both }) => void>();
 
@@ -54,9 +59,12 @@ export class Bench {
   /** Speaks to a board. */
   async connect(where: Where, line: Line, reset: boolean, lost = (): void => undefined): Promise<void> {
     await this.disconnect();
+    this.line = line;
     this.where.value = where;
-    const open = { program: this.on.value, reset };
-    this.talk = await Conversation.open(this.tools, open, line, USUAL_FORMAT, this.clock,
+    this.whenLost = lost;
+    const { way } = this;
+    const open = { program: this.on.value, reset, ...way };
+    this.talk = await Conversation.open(this.tools, open, line, formatOf(way), this.clock,
       (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
         this.forget();
         lost();
@@ -69,7 +77,30 @@ export class Bench {
     const whole = await Tools.of(await this.modules.full());
     while (this.pending.size > 0) await Promise.allSettled(this.pending);
     this.tools = whole;
-    this.talk?.move(this.tools, { program: this.on.value, reset: false });
+    this.talk?.move(this.tools, { program: this.on.value, reset: false, ...this.way });
+  }
+
+  /** The same line, spoken to from the beginning. */
+  private async reconnect(): Promise<void> {
+    const { line, where } = this;
+    if (line) await this.connect(where.value, line, where.value === "desk", this.whenLost);
+  }
+
+  /** How the board is spoken to. */
+  get way(): Way {
+    return this.ways[this.where.value].now;
+  }
+
+  /** Speaks to the board otherwise from now on. */
+  async speak(way: Way): Promise<void> {
+    this.ways[this.where.value].choose(way);
+    await this.reconnect();
+  }
+
+  /** The board begins anew: it speaks as it has kept it. */
+  begun(): void {
+    this.settings.value = null;
+    if (this.ways[this.where.value].begun()) void this.reconnect();
   }
 
   async disconnect(): Promise<void> {
@@ -148,6 +179,7 @@ export class Bench {
   private forget(): void {
     this.seen.value = null;
     this.identity.value = null;
+    this.settings.value = null;
     this.upload.value = null;
     const why = { en: "the line is closed", pt: "a linha está fechada" };
     for (const settle of [...this.orders.values()]) settle({ why });
@@ -160,10 +192,13 @@ export class Bench {
     if (event.kind === "power") {
       this.power.value = event.on;
       if (this.where.value === "simulated") {
+        this.ways.simulated.begun();
         if (event.on) void this.connect("simulated", this.simulated.line, true);
         else void this.disconnect();
       }
     }
+    // One by power is known already.
+    if (event.kind === "reset" && event.cause !== "power" && this.where.value === "simulated") this.begun();
     for (const hear of this.events) hear(event);
   }
 
@@ -176,8 +211,13 @@ export class Bench {
       case "lost":
         this.lost.value = news.why;
         this.seen.value = null;
+        this.settings.value = null;
+        // It may be set otherwise than is known.
+        if (this.ways[this.where.value].turn()) void this.reconnect();
         break;
       case "seen":
+        // Its clock begins with it.
+        if (news.at < (this.seen.value?.at ?? 0)) this.begun();
         this.seen.value = news;
         break;
       case "sent":
@@ -186,8 +226,11 @@ export class Bench {
       case "storing":
         this.upload.value = "storing";
         break;
-      case "stored":
       case "settings":
+        this.ways[this.where.value].expect(news);
+        this.settings.value = news;
+        break;
+      case "stored":
         break;
       case "done":
       case "undone": {

@@ -18,6 +18,7 @@ import { note } from "./notes";
 import { Panel } from "./panel";
 import { pointsOf } from "./points";
 import { ProgramView } from "./programview";
+import { SettingsTab } from "./settings";
 import { programOf } from "./share";
 import { startControl } from "./start";
 import { Tabs } from "./tabs";
@@ -58,18 +59,20 @@ async function load(): Promise<void> {
   const trend = new Trend(bench);
   const watch = new Watch(bench);
   const problems = h("div");
-  const serial = h("pre", { "aria-label": "serial" });
+  const serial = h("pre", { id: "serial-text" });
   bench.serial.follow((text) => {
     serial.textContent = text || say("serialEmpty");
   });
   const slot = new CardSlot(bench, remote, () => program.looked.value?.checked.program?.code ?? null);
   const card = new CardTab(slot);
+  const settings = new SettingsTab(bench);
   const tabs = new Tabs(byId("below"), [
     { id: "trend", title: "tabTrend", panel: trend.panel, shown: () => trend.shown() },
     { id: "watch", title: "tabWatch", panel: watch.panel },
     { id: "problems", title: "tabProblems", panel: problems },
     { id: "serial", title: "tabSerial", panel: h("div", {}, serial) },
     { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
+    { id: "settings", title: "tabSettings", panel: settings.panel, shown: () => void settings.read() },
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);

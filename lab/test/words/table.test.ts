@@ -28,6 +28,15 @@ test("what the page names is there", () => {
   for (const key of named) assert.ok(key in TABLE, key);
 });
 
+test("the rates that the page offers are those of Rust", () => {
+  const rates = (file: string): number[] => {
+    const list = /RATES(?:: \[u32; \d+\])? = \[([^\]]+)\]/.exec(readFileSync(join(lab, file), "utf8"))?.[1] ?? "";
+    return list.replaceAll("_", "").split(",").map(Number).filter(Boolean);
+  };
+  assert.ok(rates("src/page/settings.ts").length > 5);
+  assert.deepEqual(rates("src/page/settings.ts"), rates("../board/src/settings.rs"));
+});
+
 test("no text is without a use", () => {
   const folders = ["src/page", "src/words", "static"].map((folder) => join(lab, folder));
   const files = folders.flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)));
