@@ -1,4 +1,4 @@
-// The buttons of the inputs: held by mouse, finger or key, latched with shift.
+// The buttons of the inputs: held by mouse, finger or key; latched with shift, or while the switch says so.
 
 import { say, speak } from "../words/words";
 import { h } from "./dom";
@@ -8,6 +8,8 @@ export type Press = (input: number, closed: boolean) => void;
 
 export class Buttons {
   readonly root = h("div", { class: "points" });
+  /** Makes each press latch, or let go: a finger has no shift. */
+  readonly latching = h("button", { type: "button", class: "quiet small", id: "latch", "data-say": "latch", "aria-pressed": "false" });
   private readonly places: HTMLElement[] = [];
   private readonly latched = new Set<number>();
   private readonly held = new Set<number>();
@@ -16,6 +18,7 @@ export class Buttons {
     for (let input = 1; input <= 8; input++) this.places.push(this.place(input));
     this.root.append(...this.places);
     this.show(4);
+    this.latching.addEventListener("click", () => this.latching.setAttribute("aria-pressed", String(!this.latches)));
     // Keys work wherever nothing is typed.
     const digit = (event: KeyboardEvent): number => {
       const target = event.target as HTMLElement;
@@ -27,7 +30,7 @@ export class Buttons {
     document.addEventListener("keydown", (event) => {
       const input = digit(event);
       if (!input || event.repeat) return;
-      if (event.shiftKey) this.latch(input);
+      if (event.shiftKey || this.latches) this.latch(input);
       else this.hold(input, true);
     });
     document.addEventListener("keyup", (event) => {
@@ -68,7 +71,7 @@ export class Buttons {
     const button = h("button", { type: "button", class: "press", "aria-pressed": "false", "data-input": input }, String(input));
     button.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      if (event.shiftKey) return this.latch(input);
+      if (event.shiftKey || this.latches) return this.latch(input);
       button.setPointerCapture(event.pointerId);
       this.hold(input, true);
     });
@@ -78,7 +81,7 @@ export class Buttons {
       if (event.key !== " " && event.key !== "Enter") return;
       event.preventDefault();
       if (event.repeat) return;
-      if (down && event.shiftKey) this.latch(input);
+      if (down && (event.shiftKey || this.latches)) this.latch(input);
       else this.hold(input, down);
     };
     button.addEventListener("keydown", key(true));
@@ -93,6 +96,10 @@ export class Buttons {
 
   private get byKey(): boolean {
     return this.held.size > 0;
+  }
+
+  private get latches(): boolean {
+    return this.latching.getAttribute("aria-pressed") === "true";
   }
 
   private hold(input: number, down: boolean): void {

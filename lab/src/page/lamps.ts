@@ -4,12 +4,15 @@ import "@wokwi/elements/dist/esm/led-element";
 import type { LEDElement } from "@wokwi/elements/dist/esm/led-element";
 import { say, speak } from "../words/words";
 import { h } from "./dom";
+import { announce } from "./notes";
 
+/** How often a screen reader hears of a lamp behind each press of a button: one that blinks falls silent. */
+const HEARD = 3;
 const COLOURS = ["red", "yellow", "green", "blue"];
 
 export class Lamps {
   readonly root = h("div", { class: "points" });
-  private readonly places: { root: HTMLElement; led: LEDElement; said: HTMLElement; share: number }[] = [];
+  private readonly places: { root: HTMLElement; led: LEDElement; said: HTMLElement; share: number; heard: number }[] = [];
 
   constructor() {
     for (let output = 1; output <= 4; output++) {
@@ -18,10 +21,15 @@ export class Lamps {
       led.setAttribute("aria-hidden", "true");
       const said = h("span", { class: "said", "data-output": output });
       const root = h("div", { class: "place" }, h("div", { class: "lamp" }, led), said, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
-      this.places.push({ root, led, said, share: 0 });
+      this.places.push({ root, led, said, share: 0, heard: 0 });
       this.root.append(root);
     }
     speak.follow(() => this.places.forEach((_, index) => this.say(index)));
+  }
+
+  /** Somebody has pressed a button: what comes of it is heard. */
+  listen(): void {
+    for (const place of this.places) place.heard = 0;
   }
 
   /** How bright each is, 0 to 1. */
@@ -34,6 +42,7 @@ export class Lamps {
       place.led.value = share > 0;
       place.led.brightness = share;
       this.say(index);
+      if (place.heard++ < HEARD) announce(place.said.textContent ?? "");
     });
   }
 

@@ -90,6 +90,7 @@ export class Panel {
   }
 
   private press(input: number, closed: boolean): void {
+    this.lamps.listen();
     if (this.bench.where.value === "simulated") this.simulated({ kind: "button", input, closed });
     // The buttons of a board on the desk are on the desk; these force its inputs.
     else void this.bench.ask({ do: "force", output: false, number: input, to: closed ? true : null });
@@ -102,7 +103,7 @@ export class Panel {
       more.setAttribute("aria-pressed", String(all));
       this.buttons.show(all ? 8 : 4);
     });
-    return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), more), this.buttons.root,
+    return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
       h("p", { class: "note", "data-say": "buttonsHint" }));
   }
 
@@ -123,9 +124,14 @@ export class Panel {
       pace.classList.toggle("warn", slow && !bench.paused.value);
     };
     bench.pace.follow(show);
-    bench.paused.follow(show);
+    let stood = false;
+    bench.paused.follow((paused) => {
+      show();
+      if (paused !== stood) announce(say(paused ? "paused" : "goesOn"));
+      stood = paused;
+    });
     speak.follow(show);
-    const scan = h("button", { type: "button", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
+    const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
     const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
       h("div", { class: "row" }, pause, speed, scan,
         h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),

@@ -14,8 +14,7 @@ export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs)
   const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
   const about = h("p", { class: "note", id: "about-program" });
   const run = async (): Promise<void> => {
-    const looked = program.looked.value;
-    if (!looked || looked.text !== program.text.value) return;
+    const looked = await program.now();
     if (!looked.checked.program) {
       tabs.open("problems");
       return note(say("checkErrors"));

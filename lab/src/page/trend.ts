@@ -5,11 +5,14 @@ import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { download } from "./files";
+import { announce } from "./notes";
 import type { Point } from "./points";
 import { Recorder } from "./recorder";
 import { timingSvg } from "./timing";
 
 const SPANS = [2, 5, 10, 30, 120];
+/** What is shown at least, ms. */
+const LEAST = 1;
 /** Height of a lane, CSS pixels. */
 const LANE = 30;
 
@@ -18,6 +21,8 @@ export class Trend {
   readonly recorder = new Recorder();
   private readonly plot = h("div", { class: "trend", role: "img" });
   private readonly channels = h("div", { class: "channels" });
+  /** The time of the cursor, and what each channel is there. */
+  private readonly reading = h("span", { class: "note", id: "trend-reading" });
   private readonly hidden = new Set<string>();
   private points: readonly Point[] = [];
   private chart: uPlot | null = null;
@@ -77,6 +82,8 @@ export class Trend {
       ...SPANS.map((seconds) => h("option", { value: seconds, selected: seconds === this.span }, say("seconds", { n: seconds }))));
     const follow = h("button", { type: "button", class: "small", id: "follow", "aria-pressed": String(this.follows), click: () => this.follow(!this.follows) }, say("trendFollow"));
     const small = (key: "trendSvg" | "trendCsv" | "trendClear", click: () => void): HTMLElement => h("button", { type: "button", class: "small", click }, say(key));
+    const hand = (key: "zoomOut" | "zoomIn" | "trendBefore" | "trendAfter", sign: string, click: () => void): HTMLElement =>
+      h("button", { type: "button", class: "small", id: key, title: say(key), "aria-label": `${say("tabTrend")}: ${say(key)}`, click }, sign);
     const boxes = this.points.map((point) => {
       const box = h("input", { type: "checkbox", checked: !this.hidden.has(point.name) });
       box.addEventListener("change", () => {
@@ -92,10 +99,12 @@ export class Trend {
     this.plot.setAttribute("aria-label", say("tabTrend"));
     this.panel.replaceChildren(
       h("div", { class: "trend-tools" }, span, follow,
+        h("span", { class: "group" }, hand("zoomOut", "−", () => this.zoom(2)), hand("zoomIn", "+", () => this.zoom(1 / 2))),
+        h("span", { class: "group" }, hand("trendBefore", "◂", () => this.step(-1)), hand("trendAfter", "▸", () => this.step(1))),
         small("trendSvg", () => download("timing.svg", this.svg(), "image/svg+xml")),
         small("trendCsv", () => download("timing.csv", this.recorder.csv(this.names), "text/csv")),
         small("trendClear", () => { this.recorder.clear(); this.drawn = []; this.redraw(); }),
-        this.channels),
+        this.channels, this.reading),
       this.points.length > 0 ? this.plot : h("p", { class: "empty" }, say("trendEmpty")));
     this.drawn = [];
     this.redraw();
@@ -122,6 +131,49 @@ export class Trend {
     return [to - this.span * 1000, to];
   }
 
+  /** Where the cursor is, ms; null: nowhere. */
+  private get cursor(): number | null {
+    const at = this.chart?.cursor.idx;
+    return at === null || at === undefined ? null : (this.chart?.data[0][at] ?? 0) * 1000;
+  }
+
+  /** Shows so many times as much, about the cursor. */
+  private zoom(by: number): void {
+    const [from, to] = this.window();
+    const { cursor } = this;
+    const about = cursor !== null && cursor > from && cursor < to ? cursor : (from + to) / 2;
+    this.show(Math.max(about - (about - from) * by, 0), Math.max(about + (to - about) * by, LEAST));
+    this.point(cursor);
+  }
+
+  /** Goes to the next change, or to the one before. */
+  private step(by: 1 | -1): void {
+    const [from, to] = this.window();
+    const { times } = this.recorder.table(this.names, 0, this.recorder.now);
+    const changes = times.slice(1, -1);
+    const at = this.cursor ?? (by > 0 ? from : to);
+    const next = by > 0 ? changes.find((time) => time > at + 0.0005) : changes.findLast((time) => time < at - 0.0005);
+    if (next === undefined) return;
+    const half = (to - from) / 2;
+    this.show(...(next < from || next > to ? [Math.max(next - half, 0), next + half] as const : [from, to] as const));
+    this.point(next);
+    announce(this.reading.textContent ?? "");
+  }
+
+  private show(from: number, to: number): void {
+    if (to - from < LEAST) return;
+    this.follow(false);
+    this.chart?.setScale("x", { min: from / 1000, max: to / 1000 });
+  }
+
+  private point(at: number | null): void {
+    const { chart } = this;
+    if (!chart || at === null) return;
+    // It points at what is drawn, which may be a frame old.
+    chart.setData(this.data(0, this.recorder.now), false);
+    chart.setCursor({ left: chart.valToPos(at / 1000, "x"), top: 1 });
+  }
+
   private redraw(): void {
     if (this.asked || this.panel.hidden || this.points.length === 0) return;
     this.asked = true;
@@ -133,16 +185,24 @@ export class Trend {
 
   private async draw(): Promise<void> {
     const { default: Plot } = await import("uplot");
-    const { names } = this;
-    if (names.join() !== this.drawn.join() || !this.chart) {
+    const { names, cursor } = this;
+    const [from, to] = this.window();
+    const isNew = names.join() !== this.drawn.join() || !this.chart;
+    if (isNew || !this.chart) {
       this.chart?.destroy();
       this.chart = this.make(Plot, names);
       this.drawn = names;
     }
-    const [from, to] = this.window();
-    const { times, values } = this.recorder.table(names, this.follows ? from : 0, this.follows ? to : this.recorder.now);
-    this.chart.setData([times.map((time) => time / 1000), ...values.map((one, lane) => this.lane(one, names.length - 1 - lane))], false);
+    this.chart.setData(this.data(this.follows ? from : 0, this.follows ? to : this.recorder.now), false);
     this.chart.setScale("x", { min: from / 1000, max: to / 1000 });
+    if (isNew) this.point(cursor);
+  }
+
+  /** What is drawn: times in s, and a lane for each channel. */
+  private data(from: number, to: number): uPlot.AlignedData {
+    const { names } = this;
+    const { times, values } = this.recorder.table(names, from, to);
+    return [times.map((time) => time / 1000), ...values.map((one, lane) => this.lane(one, names.length - 1 - lane))];
   }
 
   /** Values put into their lane: bits as they are, numbers from their least to their most. */
@@ -191,14 +251,13 @@ export class Trend {
   /** A lane's name, and its value under the cursor. */
   private labelOf(name: string): string {
     const called = this.points.find((point) => point.name === name)?.called || name;
-    const at = this.chart?.cursor.idx;
-    if (at === null || at === undefined || !this.chart) return called;
-    const time = (this.chart.data[0][at] ?? 0) * 1000;
-    const value = this.recorder.table([name], time, time).values[0]?.[0];
+    const value = this.cursor === null ? undefined : this.recorder.table([name], this.cursor, this.cursor).values[0]?.[0];
     return value === undefined || Number.isNaN(value) ? called : `${called} = ${Number(value.toPrecision(7))}`;
   }
 
   private read(): void {
+    const { cursor } = this;
+    this.reading.textContent = cursor === null ? "" : [say("seconds", { n: (cursor / 1000).toLocaleString(speak.value, { minimumFractionDigits: 3, maximumFractionDigits: 3, useGrouping: false }) }), ...this.names.map((name) => this.labelOf(name))].join(", ");
     this.chart?.redraw(false, true);
   }
 

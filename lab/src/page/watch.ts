@@ -4,6 +4,7 @@ import type { Seen } from "../tools/answers";
 import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
+import { announce } from "./notes";
 import type { Point } from "./points";
 
 interface Row {
@@ -17,9 +18,14 @@ export class Watch {
   readonly panel = h("div");
   private rows: Row[] = [];
   private points: readonly Point[] = [];
+  /** What a screen reader was told last. */
+  private forced = "";
 
   constructor(private readonly bench: Bench) {
-    bench.seen.follow((seen) => this.show(seen));
+    bench.seen.follow((seen) => {
+      this.show(seen);
+      this.tell(seen);
+    });
     speak.follow(() => this.build());
   }
 
@@ -74,6 +80,15 @@ export class Watch {
       if (event.key === "Enter") set();
     });
     return [h("span", { class: "row" }, input, small(say("watchSet"), set))];
+  }
+
+  private tell(seen: Seen | null): void {
+    if (!seen) return;
+    const names = (letter: string, points: number): string[] => [1, 2, 3, 4, 5, 6, 7, 8].filter((n) => (points >> (n - 1)) & 1).map((n) => letter + n);
+    const forced = [...names("I", seen.forcedInputs[0]), ...names("Q", seen.forcedOutputs[0])].join(", ");
+    if (forced === this.forced) return;
+    this.forced = forced;
+    announce(forced ? `${say("forced")}: ${forced}` : say("allLetGo"));
   }
 
   private show(seen: Seen | null): void {

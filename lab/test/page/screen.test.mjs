@@ -2,13 +2,11 @@
 // @ts-check
 
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, lamp, pictures, run } from "./harness.mjs";
+import { Lab, findings, lamp, pictures, run } from "./harness.mjs";
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 /** @type {Lab} */
 let lab;
 before(async () => {
@@ -17,22 +15,12 @@ before(async () => {
 });
 after(() => lab.end());
 
-/** What axe-core finds, in short. @param {import("playwright-core").Page} page */
-async function findings(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    // @ts-expect-error axe-core has put itself there.
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);
-  });
-}
-
 for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`axe-core finds nothing, ${colorScheme}`, async () => {
     const page = await lab.open({ colorScheme });
     assert.deepEqual(await findings(page), []);
     await run(page);
-    for (const tab of ["watch", "problems", "serial", "card", "trend"]) {
+    for (const tab of ["watch", "problems", "serial", "card", "settings", "trend"]) {
       await page.click(`#tab-${tab}`);
       assert.deepEqual(await findings(page), [], tab);
     }
@@ -97,9 +85,35 @@ test("at 390 × 844 nothing lies beside the screen, and a finger runs a program"
   await page.context().close();
 });
 
-test("a screen reader hears what the board does", async () => {
-  const page = await lab.open();
-  await run(page);
-  await page.locator("#live", { hasText: "RUN" }).waitFor({ state: "attached" });
-  await page.context().close();
-});
+/** What is done, and what a screen reader hears of it.
+ * @type {[(page: import("playwright-core").Page) => Promise<void>, en: RegExp, pt: RegExp][]} */
+const HEARD = [
+  [(page) => page.click("#run"), /RUN: the board scans/, /RUN: a placa executa/],
+  [(page) => page.keyboard.press("Shift+1"), /Q1 on/, /Q1 ligada/],
+  [(page) => page.keyboard.press("Shift+2"), /Q1 off/, /Q1 desligada/],
+  [(page) => page.click('tr[data-point="Q1"] button'), /forced: Q1/, /forçado: Q1/],
+  [(page) => page.click("#release"), /nothing is forced/, /nada está forçado/],
+  [(page) => page.click("#pause"), /Time stands still/, /O tempo está parado/],
+  [(page) => page.click("#pause"), /Time goes on/, /O tempo anda/],
+  [(page) => page.click("#command-stop"), /STOP: the board stands/, /STOP: a placa está parada/],
+  [(page) => page.click("#plug"), /No power/, /Sem energia/],
+  [(page) => page.click("#plug"), /RUN: the board scans/, /RUN: a placa executa/],
+];
+
+for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
+  test(`a screen reader hears what the board does, ${locale}`, async () => {
+    const page = await lab.open({ locale });
+    await page.locator("#problem-count.good").waitFor();
+    await page.click("#tab-watch");
+    for (const [act, ...words] of HEARD) {
+      await page.evaluate(() => document.getElementById("live")?.replaceChildren());
+      await act(page);
+      await page.locator("#live[aria-live=polite]", { hasText: words[index] ?? /never/ }).waitFor({ state: "attached" });
+    }
+    // What the corner says is heard too.
+    await page.click("#tab-card");
+    await page.click("#make-card");
+    await page.locator("#notes[aria-live=polite]", { hasText: /Reset|Reiniciar/ }).waitFor();
+    await page.context().close();
+  });
+}
