@@ -9,6 +9,9 @@ import { note } from "./notes";
 import { Signal } from "./signal";
 
 const BLOCK = 512;
+/** Bytes of a card that is put in from a file: it lives in memory. */
+const LARGEST = 8 << 20;
+const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).padStart(2, "0"));
 
 export class CardSlot {
   /** The image that is in the slot; null: it is empty. */
@@ -76,6 +79,16 @@ export class CardSlot {
     return image;
   }
 
+  /** Puts in a card that somebody has read with a tool of their own; says how much room is left on it. */
+  async load(file: File): Promise<void> {
+    if (file.size > LARGEST) return note(say("cardTooLarge"));
+    const image = new Uint8Array(await file.arrayBuffer());
+    const free = image.length > 0 && image.length % BLOCK === 0 ? await this.tools.ask("free", { blocks: blocksOf(image) }) : null;
+    if (free === null) return note(say("cardNone"));
+    this.put(image);
+    note(say(free === 0 ? "cardFull" : "cardReset"));
+  }
+
   remove(): void {
     this.aside = this.image.value;
     this.image.value = null;
@@ -90,11 +103,16 @@ export class CardSlot {
 
   /** A file of the root folder, by its name in capitals: `PROGRAM.TXT`. */
   async read(image: Uint8Array, name: string): Promise<string | null> {
-    const blocks: [number, string][] = [];
-    for (let at = 0; at < image.length; at += BLOCK) {
-      const bytes = image.subarray(at, at + BLOCK);
-      if (bytes.some((byte) => byte !== 0)) blocks.push([at / BLOCK, Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("")]);
-    }
-    return this.tools.ask("read", { blocks, name });
+    return this.tools.ask("read", { blocks: blocksOf(image), name });
   }
+}
+
+/** The blocks that are not empty, as Rust takes them. */
+function blocksOf(image: Uint8Array): [number, string][] {
+  const blocks: [number, string][] = [];
+  for (let at = 0; at < image.length; at += BLOCK) {
+    const bytes = image.subarray(at, at + BLOCK);
+    if (bytes.some((byte) => byte !== 0)) blocks.push([at / BLOCK, Array.from(bytes, (byte) => DIGITS[byte]).join("")]);
+  }
+  return blocks;
 }

@@ -3,8 +3,11 @@
 import { say, speak } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import { h } from "./dom";
+import { pick } from "./files";
 
 const NAMES = ["PROGRAM.TXT", "STATE.TXT"];
+/** What it means that one of them is not there. */
+const LACKING = ["cardNoProgram", "cardNoState"] as const;
 
 export class CardTab {
   readonly panel: HTMLElement;
@@ -14,7 +17,8 @@ export class CardTab {
   constructor(private readonly slot: CardSlot) {
     const state = h("input", { type: "checkbox", checked: true });
     const make = h("button", { type: "button", id: "make-card", click: () => void slot.make(state.checked) }, h("span", { "data-say": "cardMake" }));
-    this.panel = h("div", {}, h("div", { class: "row" }, make, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
+    const open = h("button", { type: "button", id: "open-card", click: () => pick((file) => void slot.load(file), ".img,.bin,.dd") }, h("span", { "data-say": "cardOpen" }));
+    this.panel = h("div", {}, h("div", { class: "row" }, make, open, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
     slot.image.follow(() => void this.show());
     speak.follow(() => {
       this.image = undefined;
@@ -32,7 +36,7 @@ export class CardTab {
     if (this.image !== image) return;
     this.files.replaceChildren(...NAMES.flatMap((name, index) => {
       const text = texts[index];
-      return typeof text === "string" ? [h("h3", {}, name), h("pre", {}, text)] : [];
+      return typeof text === "string" ? [h("h3", {}, name), h("pre", {}, text)] : [h("h3", {}, name), h("p", { class: "note" }, say(LACKING[index] ?? "cardNoProgram"))];
     }));
   }
 }

@@ -102,5 +102,5 @@ export function lastText(): Text | null {
 /** What is shown of a text that Rust does not look at. */
 function unseen(why: Both): Checked {
   const problem = { number: "", severity: "error", line: 1, column: 1, from: 0, to: 0, message: why, help: { en: "", pt: "" } } as const;
-  return { language: "il", problems: [problem], more: 0, program: null };
+  return { language: "il", problems: [problem], more: 0, colours: [], program: null };
 }

@@ -68,12 +68,22 @@ const states = gutter({
   lineMarkerChange: (update) => update.startState.field(lines) !== update.state.field(lines),
 });
 
+/** Characters that a text may have: no program is that long, and a browser keeps no more. */
+const LONGEST = 1 << 20;
+
+/** Who hears of edits. */
+export interface Edited {
+  changed(text: string): void;
+  /** What was to be put in is too long: nothing has changed. */
+  tooLong(): void;
+}
+
 export class Editor {
   readonly view: EditorView;
   private quiet = false;
   private readonly comforts = new Compartment();
 
-  constructor(parent: HTMLElement, text: string, changed: (text: string) => void) {
+  constructor(parent: HTMLElement, text: string, edited: Edited) {
     this.view = new EditorView({
       parent,
       state: EditorState.create({
@@ -91,9 +101,14 @@ export class Editor {
           colours,
           keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
           EditorState.tabSize.of(4),
+          EditorState.changeFilter.of(({ newDoc, startState }) => {
+            const fits = newDoc.length <= Math.max(LONGEST, startState.doc.length);
+            if (!fits) edited.tooLong();
+            return fits;
+          }),
           EditorView.contentAttributes.of({ tabindex: "0" }),
           EditorView.updateListener.of((update) => {
-            if (update.docChanged && !this.quiet) changed(update.state.doc.toString());
+            if (update.docChanged && !this.quiet) edited.changed(update.state.doc.toString());
           }),
         ],
       }),

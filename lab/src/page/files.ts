@@ -32,8 +32,8 @@ function decode(bytes: Uint8Array): string | null {
 }
 
 /** Lets a person pick a file. */
-export function pick(take: (file: File) => void): void {
-  const input = h("input", { type: "file", accept: ".il,.st,.scl,.iscl,.lce,.txt,text/plain" });
+export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.txt,text/plain"): void {
+  const input = h("input", { type: "file", accept });
   input.addEventListener("change", () => {
     const file = input.files?.[0];
     if (file) take(file);

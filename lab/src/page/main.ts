@@ -9,10 +9,10 @@ import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
-import { ProgramDocument } from "./document";
+import { ProgramDocument, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { read, takeDrops } from "./files";
+import { download, read, takeDrops } from "./files";
 import { Lessons } from "./lessons";
 import { note } from "./notes";
 import { Panel } from "./panel";
@@ -28,10 +28,7 @@ import { Trend } from "./trend";
 import { Watch } from "./watch";
 
 async function load(): Promise<void> {
-  if (typeof WebAssembly === "undefined") {
-    byId("editor").append(h("p", { class: "empty" }, say("noWasm")));
-    return;
-  }
+  if (typeof WebAssembly === "undefined") return stuck();
   const firmware = fetch("unoclp.bin").then((answer) => answer.arrayBuffer());
   const modules = new Modules();
   const module = await modules.first();
@@ -40,9 +37,14 @@ async function load(): Promise<void> {
   const board = new Worker("board.js", { type: "module" });
   const bench = new Bench(await Tools.of(module), modules, board, (both) => note(told(both)));
 
-  const editor = new Editor(byId("editor"), program.text.value.text, (text) => {
-    program.text.value = { ...program.text.value, text };
+  byId("stuck").remove();
+  const editor = new Editor(byId("editor"), program.text.value.text, {
+    changed: (text) => {
+      program.text.value = { ...program.text.value, text };
+    },
+    tooLong: () => note(say("textTooLong")),
   });
+  holdFast(program);
   /** Another program; what it replaces comes back on request. */
   const open = (text: Text): void => {
     const before = program.replace(text);
@@ -113,7 +115,26 @@ async function fromLink(open: (text: Text) => void): Promise<void> {
   note(say(text ? "linkOpened" : "linkBroken"));
 }
 
+/** The page cannot run here: its HTML says why. What was written is given back as a file. */
+function stuck(): void {
+  speakIn(document);
+  document.body.classList.add("stuck");
+  const text = lastText();
+  if (text) byId("stuck").append(h("button", { type: "button", id: "save-kept", click: () => download(text.name, text.text) }, say("saveFile")));
+}
+
+/** Tells of a program that the browser does not keep, and asks before it would be lost. */
+function holdFast(program: ProgramDocument): void {
+  program.isKept.follow((is) => {
+    if (!is) note(say("notKept"), { text: say("saveFile"), take: () => download(program.text.value.name, program.text.value.text) });
+  });
+  addEventListener("beforeunload", (event) => {
+    if (!program.isKept.value) event.preventDefault();
+  });
+}
+
 load().catch((error: unknown) => {
   console.error(error);
-  note(say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
+  const why = error instanceof Error ? error.message : String(error);
+  note(say("loadFailed", { why }), { text: say("reload"), take: () => location.reload() });
 });
