@@ -105,9 +105,29 @@ impl Diagnostics {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client) -> Result<Diagnostics, Failure> {
+        let words = read_to(client, input::FAULTS).await?;
+        Ok(Diagnostics::of(&words))
+    }
+
+    /// Reads anew what may change from one scan to the next: state, fault, the cause of the start and the time since.
+    /// One slice of the board's time is enough for it.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub async fn renew(&mut self, client: &mut Client) -> Result<(), Failure> {
+        let now = Diagnostics::of(&read_to(client, input::UPTIME).await?);
+        self.state = now.state;
+        self.flags = now.flags;
+        self.trouble = now.trouble;
+        self.cause = now.cause;
+        self.uptime = now.uptime;
+        self.program.version = now.program.version;
+        Ok(())
+    }
+
+    /// From the words that begin with the state; 0 stands for what is missing.
+    fn of(words: &[u16]) -> Diagnostics {
         let first = input::STATE.first;
-        let count = input::FAULTS.end() - first;
-        let words = client.words(input::STATE.table, first, count).await?;
         let at = |address: u16| {
             let word = words.get(usize::from(address - first));
             word.copied().unwrap_or_default()
@@ -115,7 +135,7 @@ impl Diagnostics {
         let word = |span: Span| at(span.first);
         let long = |span: Span| long(at(span.first), at(span.first + 1));
         let flags = word(input::FLAGS);
-        Ok(Diagnostics {
+        Diagnostics {
             state: State::of(word(input::STATE)),
             flags,
             trouble: match word(input::FAULT) {
@@ -139,7 +159,7 @@ impl Diagnostics {
                 .unwrap_or_default(),
             restarts: word(input::RESTARTS),
             faults: word(input::FAULTS),
-        })
+        }
     }
 
     /// Whether a flag is set.
@@ -151,6 +171,13 @@ impl Diagnostics {
     pub const fn is_switched_off(&self) -> bool {
         self.has(flag::STOP_SWITCH)
     }
+}
+
+/// The words from the state to the end of this span.
+async fn read_to(client: &mut Client, last: Span) -> Result<Vec<u16>, Failure> {
+    let first = input::STATE.first;
+    let count = last.end() - first;
+    client.words(input::STATE.table, first, count).await
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 //! - [`start`]: finding the board at the other end
 //! - [`upload`]: a program over the line in place of the card
 //! - [`watch`]: one reading of all that a screen shows, and what may be asked of the board
+//! - [`live`]: the same many times a second, of what a program uses
 //! - [`point`]: writing of single points
 //! - [`settings`]: address, rate, parity, direction pin and lock
 //!
@@ -20,6 +21,7 @@ mod conversation;
 pub mod diagnostics;
 pub mod identity;
 mod link;
+pub mod live;
 pub mod point;
 pub mod settings;
 pub mod start;

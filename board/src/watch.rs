@@ -182,96 +182,31 @@ impl Reading {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
-        // Firmware of version 1 has four.
-        let four = Span {
-            values: 4,
-            ..discrete::INPUTS
-        };
-        let inputs = match if_there(client.bits(discrete::INPUTS).await)? {
-            Some(inputs) => inputs,
-            None => client.bits(four).await?,
-        };
-        let outputs = client.bits(coil::OUTPUTS).await?;
-        let markers = if_there(client.bits(coil::MARKERS).await)?;
-        let diagnostics = Diagnostics::read(client).await?;
-        let Span {
-            table,
-            first,
-            values,
-            ..
-        } = input::ANALOGUE;
-        let analogue = if_there(client.words(table, first, values).await)?;
-        let count = scope.registers.max(NEAR_REGISTERS.into());
-        // Older firmware has only the first.
-        let registers = match count <= holding::FIRST_REGISTERS.values {
-            true => holding::FIRST_REGISTERS,
-            false => holding::REGISTERS,
-        };
-        let forced = Forced::read(client).await?;
-        Ok(Reading {
-            diagnostics,
-            inputs: pack(&inputs) as u16,
-            outputs: pack(&outputs) as u16,
-            forced_inputs: forced.inputs,
-            forced_outputs: forced.outputs,
-            forcing_ends: forced.ends,
-            markers: markers.map(|markers| pack(&markers)),
-            analogue: analogue.unwrap_or_default(),
-            registers: longs(client, registers, count).await?,
+        let near = scope.registers.max(NEAR_REGISTERS.into());
+        let mut reading = Reading {
+            inputs: inputs(client).await?,
+            outputs: outputs(client).await?,
+            markers: markers(client).await?,
+            diagnostics: Diagnostics::read(client).await?,
+            analogue: analogue(client).await?,
+            registers: registers(client, near).await?,
             timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers).await?,
             counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters).await?,
-        })
+            ..Reading::default()
+        };
+        reading.take_forced(Forced::read(client).await?);
+        Ok(reading)
     }
-}
 
-/// What a program uses of what is read of a board: the rest need not be read often.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Parts {
-    /// Markers.
-    pub markers: bool,
-    /// Analogue inputs.
-    pub analogue: bool,
-    /// Registers.
-    pub registers: bool,
+    /// Takes over what is forced.
+    pub(crate) const fn take_forced(&mut self, forced: Forced) {
+        self.forced_inputs = forced.inputs;
+        self.forced_outputs = forced.outputs;
+        self.forcing_ends = forced.ends;
+    }
 }
 
 impl Reading {
-    /// Reads anew what changes from scan to scan and is used, and leaves the rest as it was read before: presets and
-    /// what is forced.
-    ///
-    /// # Errors
-    /// [`Failure`]; the reading is then of two moments.
-    pub async fn renew(
-        &mut self,
-        client: &mut Client,
-        scope: Scope,
-        parts: Parts,
-    ) -> Result<(), Failure> {
-        self.inputs = pack(&client.bits(discrete::INPUTS).await?) as u16;
-        self.outputs = pack(&client.bits(coil::OUTPUTS).await?) as u16;
-        self.diagnostics = Diagnostics::read(client).await?;
-        if parts.markers {
-            self.markers = Some(pack(&client.bits(coil::MARKERS).await?));
-        }
-        if parts.analogue {
-            let span = input::ANALOGUE;
-            self.analogue = client.words(span.table, span.first, span.values).await?;
-        }
-        if parts.registers {
-            self.registers = longs(client, holding::REGISTERS, scope.registers).await?;
-        }
-        for (span, count, meters) in [
-            (input::TIMERS, scope.timers, &mut self.timers),
-            (input::COUNTERS, scope.counters, &mut self.counters),
-        ] {
-            let values = longs(client, span, count).await?;
-            for (meter, value) in meters.iter_mut().zip(values) {
-                meter.value = value;
-            }
-        }
-        Ok(())
-    }
-
     /// What a twin of the board's program takes over, the inputs of its next scan, and the board's time in ms.
     pub fn with_snapshot<T>(&self, see: impl FnOnce(&Snapshot<'_>, Inputs, Millis) -> T) -> T {
         let pair = |meter: &Meter| (meter.value.cast_unsigned(), meter.preset.cast_unsigned());
@@ -422,8 +357,54 @@ async fn forces(client: &mut Client, side: Side) -> Result<Forces, Failure> {
     }
 }
 
+/// The inputs, bit 0 input 01.
+pub(crate) async fn inputs(client: &mut Client) -> Result<u16, Failure> {
+    // Firmware of version 1 has four.
+    let four = Span {
+        values: 4,
+        ..discrete::INPUTS
+    };
+    let inputs = match if_there(client.bits(discrete::INPUTS).await)? {
+        Some(inputs) => inputs,
+        None => client.bits(four).await?,
+    };
+    Ok(pack(&inputs) as u16)
+}
+
+/// The image of the outputs, bit 0 output 01.
+pub(crate) async fn outputs(client: &mut Client) -> Result<u16, Failure> {
+    Ok(pack(&client.bits(coil::OUTPUTS).await?) as u16)
+}
+
+/// The markers, bit 0 M 01; none if the board does not have them.
+pub(crate) async fn markers(client: &mut Client) -> Result<Option<u64>, Failure> {
+    let markers = if_there(client.bits(coil::MARKERS).await)?;
+    Ok(markers.map(|markers| pack(&markers)))
+}
+
+/// The analogue inputs; none if the board does not have them.
+pub(crate) async fn analogue(client: &mut Client) -> Result<Vec<u16>, Failure> {
+    let span = input::ANALOGUE;
+    let words = client.words(span.table, span.first, span.values).await;
+    Ok(if_there(words)?.unwrap_or_default())
+}
+
+/// The first `count` registers.
+pub(crate) async fn registers(client: &mut Client, count: u16) -> Result<Vec<i32>, Failure> {
+    // Older firmware has only the first.
+    let span = match count <= holding::FIRST_REGISTERS.values {
+        true => holding::FIRST_REGISTERS,
+        false => holding::REGISTERS,
+    };
+    longs(client, span, count).await
+}
+
 /// The first `count` values of 32 bits of a span; none if the board does not have them.
-async fn longs(client: &mut Client, span: Span, count: u16) -> Result<Vec<i32>, Failure> {
+pub(crate) async fn longs(
+    client: &mut Client,
+    span: Span,
+    count: u16,
+) -> Result<Vec<i32>, Failure> {
     // As many as one request may ask for.
     const MOST: u16 = 62;
     let mut longs = Vec::new();

@@ -4,6 +4,7 @@
 mod fake;
 mod find;
 mod line;
+mod live;
 mod read;
 mod requests;
 mod upload;

@@ -11,6 +11,7 @@ mod diagnosis;
 mod fault_matrix;
 mod kept;
 mod languages;
+mod live;
 mod lockstep;
 mod modbus;
 mod modbus_boundaries;

@@ -7,16 +7,13 @@ use super::order::Order;
 use super::watched::Watched;
 use crate::words::{self, both};
 use std::time::Duration;
+use unoclp_board::live::{Live, Parts};
 use unoclp_board::start::find;
-use unoclp_board::watch::{Parts, Reading, Scope};
+use unoclp_board::watch::{Reading, Scope};
 use unoclp_board::{Client, Failure};
 
-/// Time from reading to reading: the line is for orders too.
-const PAUSE: Duration = Duration::from_millis(20);
 /// Time until a board that is lost is sought again.
 const AGAIN: Duration = Duration::from_secs(1);
-/// Of so many readings one is of everything.
-const WHOLE: u32 = 16;
 
 /// Finds the board, watches it, and does what is ordered, until the line is gone.
 pub async fn talk(client: &mut Client, desk: &Desk, mut reset: bool) {
@@ -46,33 +43,29 @@ pub async fn talk(client: &mut Client, desk: &Desk, mut reset: bool) {
 
 /// Reads the board again and again, and does what is ordered in between; says how it was lost.
 async fn watch(client: &mut Client, desk: &Desk) -> Failure {
-    let mut reading = Reading::default();
-    let mut round = 0_u32;
+    let mut live = Live::default();
     loop {
         let (scope, parts) = match &*desk.watched.borrow() {
             Some(watched) => watched.scope(),
             None => (Scope::default(), Parts::default()),
         };
-        let read = match round % WHOLE {
-            0 => Reading::read(client, scope).await,
-            _ => reading
-                .renew(client, scope, parts)
-                .await
-                .map(|()| std::mem::take(&mut reading)),
-        };
-        reading = match read {
+        let reading = match live.round(client, scope, parts).await {
             Ok(reading) => reading,
             Err(failure) => return failure,
         };
-        round = round.wrapping_add(1);
-        desk.tell(see(&reading, &mut desk.watched.borrow_mut()));
+        desk.tell(see(reading, &mut desk.watched.borrow_mut()));
         let are_there = || !desk.orders.borrow().is_empty();
-        if let Err(failure) = client.pause(PAUSE, are_there).await {
+        if let Err(failure) = live.pause(client, are_there).await {
             return failure;
         }
         while let Some((order, what)) = next(desk) {
-            // What they have brought about is shown at once.
-            round = 0;
+            // What they bring about is shown at once.
+            match what {
+                Order::Force { .. } | Order::Release | Order::Set { .. } => {
+                    live.points_have_changed();
+                }
+                _ => live.all_has_changed(),
+            }
             match fulfil(client, desk, order, what).await {
                 Ok(said) => desk.tell(News::Done { order, said }),
                 Err(Undone::Told(why)) => desk.tell(News::Undone { order, why }),

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 use unoclp_board::diagnostics::{Kept, Trouble};
+use unoclp_board::live::Parts;
 use unoclp_board::map::State;
-use unoclp_board::watch::{Parts, Reading, Scope};
+use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
 use unoclp_core::isa::Class;
 use unoclp_host_sim::engine::Machine;
