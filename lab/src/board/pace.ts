@@ -18,6 +18,8 @@ export class Pace {
   /** The window: since when, and how much was simulated in it. */
   private since = 0;
   private simulated = 0;
+  /** How far simulated time was ahead of real time as the window began. */
+  private lead = 0;
 
   /** Time begins to go on, at this factor of real time. */
   start(now: number, asked: number): void {
@@ -25,9 +27,10 @@ export class Pace {
     this.paid = now;
     this.since = now;
     this.simulated = 0;
+    this.lead = 0;
   }
 
-  /** How much is to be simulated now. */
+  /** How much is to be simulated now; less than nothing where it is ahead. */
   due(now: number): number {
     if (this.asked === Infinity) return Infinity;
     this.paid = Math.max(this.paid, now - PATIENCE);
@@ -44,9 +47,11 @@ export class Pace {
   measure(now: number): Measured | null {
     const passed = now - this.since;
     if (passed < WINDOW) return null;
-    const factor = this.simulated / passed;
+    const lead = this.asked === Infinity ? 0 : Math.max(0, this.paid - now) * this.asked;
+    const factor = (this.simulated - (lead - this.lead)) / passed;
     this.since = now;
     this.simulated = 0;
+    this.lead = lead;
     return { factor, asked: this.asked };
   }
 }

@@ -25,6 +25,11 @@ const WORK = 12;
 const TURN = 16;
 /** Simulated ms between two looks at the clock. */
 const CHUNK = 0.5;
+/** Whoever asks the board something is not kept waiting for the next turn: the time until its answer is simulated at once,
+ * up to so many ms of real time ahead, and passes then. */
+const AHEAD = 12;
+/** Chunks without a byte behind an answer: it is over. */
+const QUIET = 2;
 /** Edges that one event tells; of more, the first are left out. */
 const EDGES = 1000;
 const RATES = { least: 300, most: 1_000_000 };
@@ -38,6 +43,8 @@ export class Session implements Witness {
   /** Simulated ms that time may still go on; `Infinity` while it runs, 0 while it stands. */
   private left = 0;
   private poweredAt = 0;
+  /** Something was sent to the board since the last turn. */
+  private isAsked = false;
   // What is told at the end of a turn.
   private sent: number[] = [];
   private edges: Edge[] = [];
@@ -68,7 +75,9 @@ export class Session implements Witness {
     if (this.stands) return null;
     const began = this.clock();
     const due = Math.min(this.left, this.left === Infinity ? this.pace.due(began) : Infinity);
-    const behind = this.work(due, began + WORK);
+    const ahead = this.isAsked && this.left === Infinity ? AHEAD * Math.min(this.factor, 1) : 0;
+    const behind = this.work(due, ahead, began + WORK);
+    this.isAsked = false;
     this.report();
     const now = this.clock();
     const measured = this.left === Infinity ? this.pace.measure(now) : null;
@@ -77,20 +86,24 @@ export class Session implements Witness {
     return behind ? 0 : Math.max(0, TURN - (now - began));
   }
 
-  /** Simulates so many ms, unless the clock comes to `end`; says whether some of them are left. */
-  private work(due: number, end: number): boolean {
+  /** Simulates so many ms, and up to so many `ahead` until the board has answered, unless the clock comes to `end`; says
+   * whether some of those that are due are left. */
+  private work(due: number, ahead: number, end: number): boolean {
     const { board } = this;
     if (!board) return false;
-    let left = due;
+    let left = due + ahead;
+    let quiet = 0;
     try {
-      while (left > 0 && !this.stands && this.clock() < end) {
+      while ((left > ahead || (left > 0 && quiet < QUIET)) && !this.stands && this.clock() < end) {
         const before = board.now;
+        const sent = this.sent.length;
         // A whole number: of less than a cycle, time would not go on.
         board.run(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS));
         const passed = (board.now - before) / CYCLES_PER_MS;
         left -= passed;
         if (this.left === Infinity) this.pace.pay(passed);
         else this.left = Math.max(0, this.left - passed);
+        quiet = sent > 0 && this.sent.length === sent ? quiet + 1 : 0;
       }
     } catch {
       this.tell({ kind: "trouble", trouble: "broken" });
@@ -98,7 +111,7 @@ export class Session implements Witness {
       this.left = 0;
     }
     if (this.stands) this.pauses();
-    return left > 0;
+    return left > ahead;
   }
 
   private attempt(command: Command): Trouble | null {
@@ -162,6 +175,7 @@ export class Session implements Witness {
         return null;
       case "serial":
         board?.send(command.bytes);
+        this.isAsked = true;
         return null;
     }
   }

@@ -14,19 +14,23 @@ const session = new Session((event) => scope.postMessage(event), () => performan
 
 // A timer waits for 4 ms at least; a message to oneself lets commands in between, and does not wait.
 const again = new MessageChannel();
-let awake = false;
+let called = false;
+let timer: ReturnType<typeof setTimeout> | undefined;
 
-function turn(): void {
-  const wait = session.turn();
-  awake = wait !== null;
-  if (wait === 0) again.port2.postMessage(null);
-  else if (wait !== null) setTimeout(turn, wait);
+function call(): void {
+  clearTimeout(timer);
+  if (called) return;
+  called = true;
+  again.port2.postMessage(null);
 }
 
-again.port1.onmessage = turn;
+again.port1.onmessage = () => {
+  called = false;
+  const wait = session.turn();
+  if (wait === 0) call();
+  else if (wait !== null) timer = setTimeout(call, wait);
+};
 scope.addEventListener("message", ({ data }) => {
   session.obey(data);
-  if (awake) return;
-  awake = true;
-  again.port2.postMessage(null);
+  call();
 });

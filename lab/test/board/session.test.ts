@@ -94,6 +94,37 @@ test("a machine that is too slow is told so", () => {
   for (const { factor, asked } of paces) assert.ok(asked === 1 && factor > 0.2 && factor < 0.6, `${factor}`);
 });
 
+test("whoever asks the board is answered in the same turn, and time goes no faster by it", () => {
+  const desk = running("motor");
+  desk.pass(250);
+  desk.events = [];
+  const began = desk.now;
+  const first = request(2, 0, 0, 0, 8);
+  let last = 0;
+  for (let asked = 0; asked < 100; asked += 1) {
+    desk.events = desk.of("pace");
+    desk.obey({ kind: "serial", bytes: first });
+    desk.session.turn();
+    const [told] = desk.of("serial");
+    assert.ok(told && answer([...told.bytes]), `request ${asked}`);
+    // Every 10 ms, which is more than an exchange takes; so nobody is ever ahead by more than one.
+    desk.now += 10;
+    assert.ok(told.at > last);
+    last = told.at;
+  }
+  const real = desk.now - began;
+  assert.ok(Math.abs(real - 1000) < 1);
+  const paces = desk.of("pace");
+  assert.ok(paces.length >= 3);
+  for (const { factor } of paces) assert.ok(Math.abs(factor - 1) < 0.02, `${factor}`);
+  // Who asks on and on without a pause waits for real time.
+  for (let asked = 0; asked < 20; asked += 1) {
+    desk.obey({ kind: "serial", bytes: first });
+    desk.session.turn();
+  }
+  assert.ok(desk.of("serial").every(({ at }) => at < last + 30));
+});
+
 test("time stands while it is paused, and goes on by steps", () => {
   const desk = running("motor");
   desk.obey({ kind: "pause" });
