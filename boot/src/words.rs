@@ -22,32 +22,32 @@ unoclp_source::messages! {
         "the file fills {bytes} bytes of flash, and the board {model} has room for {room}; take the firmware for that board"
         "o arquivo ocupa {bytes} bytes de flash, e na placa {model} cabem {room}; use o firmware para essa placa";
     silent()
-        "no boot loader answers; is this the board's port, and is --board right (uno, nano, nano-old)? If the board has no \
-         automatic reset, press its reset button just as the command begins"
-        "nenhum bootloader responde; a porta é a da placa, e --board está certo (uno, nano, nano-old)? Se a placa não tem reset \
-         automático, aperte o botão de reset assim que o comando começar";
+        "no boot loader answers; is this the board's port, and is the kind of board right (uno, nano, nano-old)? If the board has no \
+         automatic reset, press its reset button just as the writing begins"
+        "nenhum bootloader responde; a porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old)? Se a placa não tem \
+         reset automático, aperte o botão de reset assim que a gravação começar";
     foreign()
-        "something answers that is no boot loader; is this the board's port, and is --board right (uno, nano, nano-old)? \
-         Pull out whatever else uses D0 and D1"
-        "o que responde não é um bootloader; a porta é a da placa, e --board está certo (uno, nano, nano-old)? Desligue o que mais \
-         usa D0 e D1";
+        "something answers that is no boot loader; is this the board's port, and is the kind of board right (uno, nano, \
+         nano-old)? Pull out whatever else uses D0 and D1"
+        "o que responde não é um bootloader; a porta é a da placa, e o tipo de placa está certo (uno, nano, nano-old)? Desligue o que \
+         mais usa D0 e D1";
     says_other_chip(signature)
         "the chip says that it is {signature}, and an ATmega328P says 1E 95 0F; this firmware does not run on that board"
         "o chip diz ser {signature}, e um ATmega328P diz 1E 95 0F; este firmware não roda nessa placa";
     broken_off()
-        "the boot loader answers no more; check the cable, and run the same command again"
-        "o bootloader parou de responder; verifique o cabo e execute de novo o mesmo comando";
+        "the boot loader answers no more; check the cable, and try again"
+        "o bootloader parou de responder; verifique o cabo e tente de novo";
     garbled()
-        "the boot loader answered nonsense; check the cable and what is wired to D0 and D1, and run the same command again"
-        "o bootloader respondeu algo sem sentido; verifique o cabo e o que está ligado a D0 e D1, e execute de novo o mesmo comando";
+        "the boot loader answered nonsense; check the cable and what is wired to D0 and D1, and try again"
+        "o bootloader respondeu algo sem sentido; verifique o cabo e o que está ligado a D0 e D1, e tente de novo";
     differs(address, written, read)
-        "at address {address} the flash holds {read}, and {written} was written; run the same command again, with another cable \
-         if it happens twice"
-        "no endereço {address} a flash tem {read}, e foi gravado {written}; execute de novo o mesmo comando, com outro cabo se \
-         acontecer duas vezes";
+        "at address {address} the flash holds {read}, and {written} was written; try again, with another cable if it happens \
+         twice"
+        "no endereço {address} a flash tem {read}, e foi gravado {written}; tente de novo, com outro cabo se acontecer duas \
+         vezes";
     lost(why)
-        "the port is gone: {why}; plug the board in again, and run the same command again"
-        "a porta não está mais disponível: {why}; ligue a placa de novo e execute de novo o mesmo comando";
+        "the port is gone: {why}; plug the board in again, and try again"
+        "a porta não está mais disponível: {why}; ligue a placa de novo e tente de novo";
     untouched()
         "The board holds the firmware that it had"
         "A placa tem o firmware que tinha";

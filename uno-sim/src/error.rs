@@ -59,6 +59,11 @@ pub enum Error {
         /// Number of bytes.
         len: usize,
     },
+    /// Optiboot cannot be built.
+    #[error(
+        "cannot build Optiboot of Debian's arduino-core-avr, which `cargo xtask setup` installs: {0}"
+    )]
+    NoBootLoader(String),
     /// The board on avr8js has not been built.
     #[error("no {}: build it with `npm ci` and `node build.mjs engine` in lab/", .0.display())]
     NoAvr8js(PathBuf),

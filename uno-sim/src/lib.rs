@@ -38,6 +38,7 @@
 mod adc;
 mod avr;
 pub mod avr8js;
+mod boot_loader;
 mod eeprom;
 mod elf;
 pub mod engine;
@@ -56,6 +57,7 @@ mod uart;
 mod uno;
 mod wiring;
 
+pub use boot_loader::BootLoader;
 pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
 pub use elf::{
     EEPROM_LEN, ENLARGED_FLASH_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol,

@@ -6,12 +6,12 @@ use anyhow::{Context, Result, anyhow, bail};
 use clap::{Parser, Subcommand, ValueEnum};
 use signal_hook::consts::SIGPIPE;
 use signal_hook::flag::register_conditional_default;
-use std::io::{ErrorKind, Read, Write};
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis};
@@ -23,7 +23,9 @@ use unoclp_source::{Refused, Written};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{EEPROM_LEN, Line, Parity, Program, Slot, Uno, firmware_elf};
+use unoclp_uno_sim::{
+    BootLoader, EEPROM_LEN, Error, Line, Parity, Program, Slot, Uno, firmware_elf,
+};
 
 #[derive(Parser)]
 #[command(version, about = "The unoclp firmware on a simulated Arduino UNO")]
@@ -47,7 +49,7 @@ enum Command {
         scenario: PathBuf,
     },
     /// Run the firmware with its serial port on a pseudo-terminal, whose path is the first line of the output; until the
-    /// input ends
+    /// input ends. A line `reset` of the input presses the reset button, `baud 57600` sets the rate at which the board receives
     Serve {
         /// The program, numeric code or Instruction List, for a card of its own; without it and --card the slot is empty
         #[arg(conflicts_with = "card")]
@@ -61,6 +63,9 @@ enum Command {
         /// The firmware, where it is not the one that `cargo xtask firmware` has left
         #[arg(long)]
         elf: Option<PathBuf>,
+        /// A board out of its box in place of the firmware: this boot loader, and a sketch that does nothing
+        #[arg(long, value_enum, conflicts_with = "elf")]
+        boot_loader: Option<BootLoaderName>,
         /// Bits a second at which the board receives
         #[arg(long, default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(1..))]
         baud: u32,
@@ -94,6 +99,24 @@ impl From<ParityName> for Parity {
     }
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum BootLoaderName {
+    /// That of UNOs and newer Nanos
+    Optiboot,
+    /// The one that Nanos had before
+    Old,
+}
+
+impl BootLoaderName {
+    fn program(self) -> Result<Program, Error> {
+        match self {
+            BootLoaderName::Optiboot => BootLoader::Optiboot,
+            BootLoaderName::Old => BootLoader::Old,
+        }
+        .program()
+    }
+}
+
 fn main() -> Result<ExitCode> {
     // Whoever reads no more of the output wants no more of it.
     register_conditional_default(SIGPIPE, Arc::new(AtomicBool::new(true)))?;
@@ -108,12 +131,16 @@ fn main() -> Result<ExitCode> {
             card,
             eeprom,
             elf,
+            boot_loader,
             baud,
             parity,
             realtime,
             reset,
         } => {
-            let elf = elf.map_or_else(firmware_elf, Ok)?;
+            let chip = match boot_loader {
+                Some(boot_loader) => boot_loader.program()?,
+                None => Program::read(&elf.map_or_else(firmware_elf, Ok)?)?,
+            };
             let image = match (program, card) {
                 (Some(program), _) => Some(
                     CardImage::new(Fat::Fat16)
@@ -136,7 +163,7 @@ fn main() -> Result<ExitCode> {
                 reset_on_open: reset,
             };
             let kept = eeprom.map(Kept::open).transpose()?;
-            serve(&elf, slot, kept, Line { baud, parity }, options)
+            serve(chip, slot, kept, Line { baud, parity }, options)
         }
     }
 }
@@ -217,14 +244,52 @@ impl Kept {
 /// How often the board is looked after.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// What a line of the input asks for.
+enum Wish {
+    Reset,
+    Baud(u32),
+}
+
+impl Wish {
+    /// What else comes asks for nothing.
+    fn of(line: &str) -> Option<Wish> {
+        match line.split_whitespace().collect::<Vec<_>>()[..] {
+            ["reset"] => Some(Wish::Reset),
+            ["baud", rate] => rate.parse().ok().filter(|&rate| rate > 0).map(Wish::Baud),
+            _ => None,
+        }
+    }
+
+    fn fulfil(self, port: &Port, parity: Parity) -> Result<()> {
+        match self {
+            Wish::Reset => port.with(Uno::reset)?,
+            Wish::Baud(baud) => port.with(move |uno| uno.set_serial_line(Line { baud, parity }))?,
+        }
+        Ok(())
+    }
+}
+
+/// The wishes of the input, until it ends; an error is an end too.
+fn wishes() -> Receiver<Wish> {
+    let (wishes, wished) = mpsc::channel();
+    std::thread::spawn(move || {
+        let lines = std::io::stdin().lines().map_while(Result::ok);
+        for wish in lines.filter_map(|line| Wish::of(&line)) {
+            if wishes.send(wish).is_err() {
+                return;
+            }
+        }
+    });
+    wished
+}
+
 fn serve(
-    elf: &Path,
+    mut program: Program,
     slot: Slot,
     mut kept: Option<Kept>,
     line: Line,
     options: Options,
 ) -> Result<ExitCode> {
-    let mut program = Program::read(elf)?;
     if let Some(kept) = &kept {
         program = kept.put_into(program)?;
     }
@@ -233,14 +298,13 @@ fn serve(
     let mut out = std::io::stdout();
     writeln!(out, "{}", port.path().display())?;
     out.flush()?;
-    let (ends, ended) = mpsc::channel::<()>();
-    std::thread::spawn(move || {
-        // Whatever comes; an error is an end too.
-        let mut input = std::io::stdin().lock();
-        while matches!(input.read(&mut [0; 64]), Ok(1..)) {}
-        drop(ends);
-    });
-    while port.is_running() && ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+    let wishes = wishes();
+    while port.is_running() {
+        match wishes.recv_timeout(LOOK) {
+            Ok(wish) => wish.fulfil(&port, line.parity)?,
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => break,
+        }
         if let Some(kept) = &mut kept {
             kept.keep(&port)?;
         }

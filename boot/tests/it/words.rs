@@ -50,7 +50,7 @@ fn each_failure_says_its_number_what_is_wrong_and_what_the_board_holds() {
     );
     assert_eq!(
         english[11].1,
-        "FW-26: at address 0x0080 the flash holds 00, and 01 was written; run the same command again, with another \
+        "FW-26: at address 0x0080 the flash holds 00, and 01 was written; try again, with another \
          cable if it happens twice. The board has no firmware now, and its outputs are off; its boot loader takes the \
          next try"
     );

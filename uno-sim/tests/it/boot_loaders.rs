@@ -1,67 +1,21 @@
 //! The firmware through the real boot loaders: Optiboot, which UNOs and newer Nanos have, and the one that Nanos had
-//! before. Both come with Debian's Arduino core.
-//!
-//! That core's own Optiboot for this chip is larger than the 512 bytes that the fuses of an UNO leave it: its compiler
-//! unrolls more than Arduino's did. So its source is compiled here with what makes it fit.
+//! before.
 
 use crate::common;
 use crate::common::line::{talk, write};
 use std::convert::Infallible;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::OnceLock;
+use std::path::Path;
 use std::time::Duration;
 use unoclp_board::start::find;
 use unoclp_boot::{Failure, Image, Model, Stage, Trouble, Writer};
 use unoclp_cli::port::Port as SerialPort;
 use unoclp_lang::Lang;
 use unoclp_uno_sim::port::{Options, Pace, Port};
-use unoclp_uno_sim::{Line, Program, Slot, Uno};
-
-const CORE: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders";
-
-/// A sketch that does nothing: `nop` and `rjmp .-4`.
-const SKETCH: [u16; 2] = [0x0000, 0xCFFE];
+use unoclp_uno_sim::{BootLoader, Line, Program, Slot, Uno};
 
 /// Input 01 is output 01.
 const FOLLOW: &str = "0\n827301\n877901\n";
-
-/// Optiboot as a file in Intel HEX.
-fn optiboot() -> PathBuf {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(build_optiboot).clone()
-}
-
-fn build_optiboot() -> PathBuf {
-    let name = format!("optiboot-{}.elf", std::process::id());
-    let elf = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let mut gcc = Command::new("avr-gcc");
-    gcc.args(["-mmcu=atmega328p", "-DF_CPU=16000000L", "-w"]);
-    gcc.args(["-DLED_START_FLASHES=3", "-DBAUD_RATE=115200"]);
-    gcc.args([
-        "-Os",
-        "-mrelax",
-        "-fno-inline-small-functions",
-        "-fno-split-wide-types",
-    ]);
-    // These two spare 32 bytes.
-    gcc.args(["-fno-tree-scev-cprop", "-fno-move-loop-invariants"]);
-    gcc.args(["-nostartfiles", "-nostdlib", "-Wl,--relax"]);
-    gcc.args([
-        "-Wl,--section-start=.text=0x7e00",
-        "-Wl,--section-start=.version=0x7ffe",
-    ]);
-    let source = Path::new(CORE).join("optiboot/optiboot.c");
-    let status = gcc.arg(source).arg("-o").arg(&elf).status().unwrap();
-    assert!(status.success());
-    let hex = elf.with_extension("hex");
-    let mut objcopy = Command::new("avr-objcopy");
-    objcopy.args(["-O", "ihex", "-j", ".text", "-j", ".version"]);
-    objcopy.args(["--set-section-flags", ".version=alloc,load"]);
-    assert!(objcopy.arg(&elf).arg(&hex).status().unwrap().success());
-    hex
-}
 
 /// A chip with the boot loader of this board and a sketch, and its reset button just pressed.
 fn chip(model: Model, slot: Slot) -> Uno {
@@ -75,11 +29,12 @@ fn chip(model: Model, slot: Slot) -> Uno {
 }
 
 fn boot_loader(model: Model) -> Program {
-    let hex = match model {
-        Model::Uno | Model::Nano => optiboot(),
-        Model::NanoOld => Path::new(CORE).join("atmega/ATmegaBOOT_168_atmega328.hex"),
+    let boot_loader = match model {
+        Model::Uno | Model::Nano => BootLoader::Optiboot,
+        Model::NanoOld => BootLoader::Old,
     };
-    Program::boot_loader(&hex, &SKETCH).unwrap()
+    assert_eq!(boot_loader.rate(), model.rate());
+    boot_loader.program().unwrap()
 }
 
 /// The tested firmware of a board.
@@ -247,7 +202,7 @@ fn the_firmware_goes_through_a_pseudo_terminal() {
     let failure = write(&small(model), 57_600).unwrap_err();
     assert_eq!(failure.stage, Stage::Writing);
     let text = failure.text(Lang::En);
-    assert!(text.contains("run the same command again"), "{text}");
+    assert!(text.contains("try again"), "{text}");
     let image = firmware(model);
     assert_eq!(write(&image, 115_200), Ok(()));
     board
