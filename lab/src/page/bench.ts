@@ -180,6 +180,7 @@ export class Bench {
     this.seen.value = null;
     this.identity.value = null;
     this.settings.value = null;
+    this.lost.value = null;
     this.upload.value = null;
     const why = { en: "the line is closed", pt: "a linha está fechada" };
     for (const settle of [...this.orders.values()]) settle({ why });

@@ -3,6 +3,7 @@
 import { GatewayLine, type Shared } from "../line/gateway";
 import type { Line } from "../line/line";
 import { PortLine } from "../line/port";
+import type { Both } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Refusal, Tools } from "../tools/tools";
 import { say, told } from "../words/words";
@@ -27,6 +28,7 @@ export class Desk {
   private readonly model = h("select", { id: "model", "data-say-label": "boardKind" }, ...MODELS.map(({ name, title }) => h("option", { value: name }, title)));
   private readonly put = h("button", { type: "button", id: "put-firmware", click: () => void this.flash() }, icon("bolt"), h("span", { "data-say": "putFirmware" }));
   private port: SerialPort | null = null;
+  private offered = false;
   /** The board behind this page, where there is one: then it is the one that is joined. */
   private readonly token = sharedToken();
   private shared: Shared | null = null;
@@ -39,6 +41,7 @@ export class Desk {
     this.control = h("div", { class: "row" }, connect, this.model, this.put, this.about);
     bench.where.follow(() => this.show());
     bench.identity.follow(() => this.show());
+    bench.lost.follow((why) => this.offer(why));
     if (this.token !== null) void this.join();
   }
 
@@ -53,6 +56,14 @@ export class Desk {
     const what = this.shared ? `${identity ?? ""} (${this.shared.name})` : identity;
     const said = this.shared?.role === "watch" ? "watching" : "connected";
     this.about.textContent = there && identity ? say(said, { identity: what ?? "" }) : "";
+  }
+
+  /** What is at the port is no board of ours: it may be one without the firmware. Said once for each time it is opened. */
+  private offer(why: Both | null): void {
+    const { bench } = this;
+    if (!why || this.offered || !this.port || bench.where.value !== "desk" || bench.identity.value) return;
+    this.offered = true;
+    note(`${told(why)}. ${say("offerFirmware")}`, { text: say("putFirmware"), take: () => void this.flash() });
   }
 
   /** Lets a person choose a port, and speaks to what is there. */
@@ -70,7 +81,9 @@ export class Desk {
   }
 
   private async speak(line: Line): Promise<void> {
-    const lost = (): void => note(say(this.token === null ? "portLost" : "sharedLost"));
+    const again = { text: say("connect"), take: () => void this.join() };
+    const lost = (): void => note(say(this.token === null ? "portLost" : "sharedLost"), again);
+    this.offered = false;
     try {
       await this.bench.connect("desk", line, this.token === null, lost);
     } catch (error) {
@@ -92,7 +105,7 @@ export class Desk {
   /** Puts the firmware on the board at the port, and speaks to it then. */
   private async flash(): Promise<void> {
     const model = MODELS.find(({ name }) => name === this.model.value) ?? MODELS[0];
-    if (!this.port) return;
+    if (!this.port || this.put.disabled) return;
     this.put.disabled = true;
     try {
       const hex = await (await fetch(model.file)).text();
@@ -107,8 +120,8 @@ export class Desk {
     } catch (error) {
       note(error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) }));
     } finally {
-      this.put.disabled = false;
       await this.speak(new PortLine(this.port));
+      this.put.disabled = false;
     }
   }
 }

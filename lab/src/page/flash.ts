@@ -3,6 +3,7 @@
 import type { Line } from "../line/line";
 import type { Both } from "../tools/answers";
 import type { Tools } from "../tools/tools";
+import { say } from "../words/words";
 
 /** Writes a firmware, of Intel hex, through the boot loader of a board; gives why it is not on it, or null. */
 export async function flash(tools: Tools, line: Line, hex: string, model: string, progress: (share: number) => void): Promise<Both | null> {
@@ -15,7 +16,7 @@ export async function flash(tools: Tools, line: Line, hex: string, model: string
       wake();
     },
     closed: (why) => {
-      if (why === "lost") tools.ask("flashLose", { why });
+      if (why === "lost") tools.ask("flashLose", { why: say("cableOut") });
       wake();
     },
   });

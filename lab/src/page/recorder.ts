@@ -8,8 +8,8 @@ export interface Channel {
   readonly values: number[];
 }
 
-/** Changes of a channel that are kept; the oldest go first. */
-const MOST = 20_000;
+/** Changes of a channel that are kept; the oldest go first. A number may change with each reading: that is three minutes. */
+const MOST = { digital: 20_000, number: 4_000 };
 
 export class Recorder {
   readonly channels = new Map<string, Channel>();
@@ -29,9 +29,10 @@ export class Recorder {
     const last = channel.times.at(-1) ?? 0;
     channel.times.push(Math.max(at, last));
     channel.values.push(value);
-    if (channel.times.length > MOST) {
-      channel.times.splice(0, MOST / 10);
-      channel.values.splice(0, MOST / 10);
+    const most = digital ? MOST.digital : MOST.number;
+    if (channel.times.length > most) {
+      channel.times.splice(0, most / 10);
+      channel.values.splice(0, most / 10);
     }
   }
 
