@@ -60,6 +60,17 @@ pub fn test() -> Result<Count> {
     count::tests(node.args(tests), count::by_node)
 }
 
+/// Leaves the page open for ten minutes, with a live program.
+///
+/// # Errors
+/// If it grows.
+pub fn soak() -> Result<Count> {
+    let mut node = Command::new("node");
+    node.env("UNOCLP_PAGE_SECONDS", "600");
+    node.args(["--test", "--test-reporter=spec"]);
+    count::tests(node.arg(shell::root().join(TESTS).join("growth.test.mjs")), count::by_node)
+}
+
 fn node(arguments: &[&str]) -> Result<()> {
     let mut node = Command::new("node");
     shell::run(node.current_dir(node::folder()).args(arguments))

@@ -114,7 +114,9 @@ pub fn soak(args: &SoakArgs) -> Result<()> {
     let rounds = 100 * args.times;
     let tests = || programs.run(rounds, is_random);
     let tally = steps.take("random tests", tests)?;
-    report(&steps, &tally, Count::default())
+    steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))?;
+    let open = steps.take("a page that is open for ten minutes", lab::soak)?;
+    report(&steps, &tally, open)
 }
 
 /// Whether a test makes as many rounds as it is told to: its name says so.
