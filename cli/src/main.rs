@@ -79,6 +79,9 @@ enum Command {
         /// Run this scenario without a terminal: print what changes, and compare it
         #[arg(long, value_name = "S.toml")]
         scenario: Option<PathBuf>,
+        /// Run this case of the scenario alone, counted from 1
+        #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
+        case: Option<u16>,
         /// Write the trace of all inputs, outputs and timers for a wave viewer
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
@@ -237,11 +240,17 @@ fn main() -> ExitCode {
         Command::Sim {
             file,
             scenario,
+            case,
             vcd,
             wording,
         } => match (file, scenario) {
             (file, Some(scenario)) => {
-                commands::scenario(&scenario, file.as_deref(), vcd.as_deref(), &wording)
+                let run = commands::Run {
+                    program: file.as_deref(),
+                    case: case.map(usize::from),
+                    vcd: vcd.as_deref(),
+                };
+                commands::scenario(&scenario, run, &wording)
             }
             (Some(file), None) => commands::simulate(&file, vcd.as_deref(), &wording),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),

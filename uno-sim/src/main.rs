@@ -328,7 +328,7 @@ fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
 
     println!(
         "\n{}\n\nThe program on the card says of itself:",
-        scenario.about()
+        scenario.about(Lang::En)
     );
     for line in opening(scenario.program()) {
         println!("{}", format!("   {line}").trim_end());

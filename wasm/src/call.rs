@@ -61,7 +61,9 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             let (form, speak) = (As::of(&mut given)?, Speak::of(&mut given)?);
             json(draw::listed(text, form, given.columns("width")?, speak)?)
         }
-        // Whether its program does what a scenario expects.
+        // What an exercise asks.
+        "sheet" => json(exercise::sheet(&given.text("title")?, &given.text("scenario")?)?),
+        // Whether its program does what the cases of a scenario file expect.
         "exercise" => {
             let text = Text::of(&mut given)?;
             let (title, scenario) = (given.text("title")?, given.text("scenario")?);
@@ -96,7 +98,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => {
+        "list" | "sheet" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => {
             Err(No::More)
         }
         other => Err(wrong(other).into()),

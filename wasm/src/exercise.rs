@@ -1,22 +1,55 @@
-//! Scenarios as checks of a program that somebody has written.
+//! Exercises: what they ask of a student, and whether a program does it.
 
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{ProgramFile, Scenario, Verdict, check};
-use unoclp_source::Lang;
+use unoclp_host_sim::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
+
+/// What an exercise says of itself.
+#[derive(Debug, Serialize)]
+pub struct Sheet {
+    title: Both,
+    task: Option<Both>,
+    hints: Vec<Both>,
+    /// What is connected to the points.
+    names: BTreeMap<String, Both>,
+    cases: Vec<Told>,
+}
+
+/// What a student learns of a case before its turn.
+#[derive(Debug, Serialize)]
+struct Told {
+    title: Both,
+    hidden: bool,
+}
 
 /// What came of a check.
 #[derive(Debug, Serialize)]
 pub struct Outcome {
     passed: bool,
-    /// What the scenario shows.
-    about: String,
-    /// What was not as expected, the first first.
-    unmet: Vec<Unmet>,
-    /// The whole of it as text, as on the command line.
-    report: Both,
+    /// The cases in order, and whether each was passed.
+    cases: Vec<(Told, bool)>,
+    failing: Option<Failing>,
+}
+
+/// The first case that was not passed.
+#[derive(Debug, Serialize)]
+struct Failing {
+    /// Its place among the cases, from 0.
+    case: usize,
+    /// None of a hidden case.
+    shown: Option<Shown>,
+}
+
+/// What is shown of a case that was not passed.
+#[derive(Debug, Serialize)]
+struct Shown {
+    /// What was not as expected first, if it was a place.
+    unmet: Option<Unmet>,
+    /// Why it was not passed, in a line.
+    why: Both,
 }
 
 /// A place that was not as expected for a while.
@@ -30,35 +63,83 @@ struct Unmet {
     to: u32,
 }
 
-/// Runs a program against a scenario.
+impl From<&scenario::Both> for Both {
+    fn from(told: &scenario::Both) -> Both {
+        both(|lang| told.text(lang).to_owned())
+    }
+}
+
+impl From<&Case> for Told {
+    fn from(case: &Case) -> Told {
+        Told {
+            title: (&case.title).into(),
+            hidden: case.hidden,
+        }
+    }
+}
+
+/// What an exercise asks.
 ///
 /// # Errors
-/// Where there is no program, or no scenario.
+/// Where the file is wrong.
+pub fn sheet(name: &str, text: &str) -> Result<Sheet, No> {
+    let exercise = read(name, text)?;
+    let names = exercise.names.iter();
+    Ok(Sheet {
+        title: (&exercise.title).into(),
+        task: exercise.task.as_ref().map(Both::from),
+        hints: exercise.hints.iter().map(Both::from).collect(),
+        names: names
+            .map(|(point, name)| (point.clone(), name.into()))
+            .collect(),
+        cases: exercise.cases().iter().map(Told::from).collect(),
+    })
+}
+
+/// Runs a program through the cases of an exercise.
+///
+/// # Errors
+/// Where there is no program, or the file of the exercise is wrong.
 pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
     let program = text.program()?;
-    let file = ProgramFile {
+    let program = ProgramFile {
         name: program.name,
         bytes: program.code,
     };
-    let scenario = Scenario::of_text(name, scenario, file).map_err(|error| {
-        both(|lang| words::no_scenario(lang, error.line.unwrap_or(0), error.text(lang)))
-    })?;
-    let report = check(&scenario, &mut HostEngine::default());
-    let unmet = match &report.verdict {
-        Verdict::Unmet(unmet) => unmet.as_slice(),
-        _ => &[],
-    };
-    let unmet = unmet.iter().map(|unmet| Unmet {
-        place: unmet.place.to_string(),
-        expected: unmet.expected,
-        came: unmet.came,
-        from: unmet.from,
-        to: unmet.to,
-    });
+    let exercise = read(name, scenario)?;
+    let grade = grade(&exercise, &program, &mut HostEngine::default());
+    let cases = exercise.cases();
     Ok(Outcome {
-        passed: report.passed(),
-        unmet: unmet.collect(),
-        report: both(|lang: Lang| report.text(lang)),
-        about: report.about,
+        passed: grade.is_passed(),
+        cases: cases.iter().map(Told::from).zip(grade.passed).collect(),
+        failing: grade.failing.map(|failing| Failing {
+            case: failing.case,
+            shown: (!cases[failing.case].hidden).then(|| shown(&failing)),
+        }),
     })
+}
+
+fn read(name: &str, text: &str) -> Result<Exercise, No> {
+    let told = |error: scenario::LoadError| {
+        both(|lang| words::no_scenario(lang, error.line.unwrap_or(0), error.text(lang)))
+    };
+    Exercise::of_text(name, text).map_err(|error| told(error).into())
+}
+
+fn shown(failing: &scenario::Failing) -> Shown {
+    let report = &failing.report;
+    let unmet = match &report.verdict {
+        Verdict::Unmet(unmet) => unmet.first(),
+        _ => None,
+    };
+    Shown {
+        unmet: unmet.map(|unmet| Unmet {
+            place: unmet.place.to_string(),
+            expected: unmet.expected,
+            came: unmet.came,
+            from: unmet.from,
+            to: unmet.to,
+        }),
+        why: both(|lang| report.verdict.brief(lang)),
+    }
 }

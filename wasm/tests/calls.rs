@@ -213,8 +213,28 @@ fn steps_and_solutions_of_the_tutorial_pass_and_other_programs_do_not() {
     assert!(passed(&solution), "{solution}");
     let other = exercise("01-lamp.il", "solutions/01-pair.toml");
     assert!(!passed(&other));
-    let first = &other["unmet"][0];
+    assert_eq!(other["failing"]["case"], 0);
+    let shown = &other["failing"]["shown"];
+    let first = &shown["unmet"];
     assert_ne!(first["expected"], first["came"], "{other}");
+    for lang in ["en", "pt"] {
+        assert!(
+            shown["why"][lang]
+                .as_str()
+                .unwrap()
+                .contains(first["place"].as_str().unwrap())
+        );
+    }
+    let hidden = "scan_ms = 10\ntitle = { en = \"a\", pt = \"b\" }\nhints = [{ en = \"h\", pt = \"d\" }]\n\
+        [[case]]\nhidden = true\ntitle = { en = \"On\", pt = \"Liga\" }\nstep = [{ at = 770, expect = { Q4 = 1 } }]";
+    let sheet = ok(json!({ "ask": "sheet", "title": "x", "scenario": hidden }));
+    assert_eq!(sheet["cases"][0]["title"]["pt"], "Liga");
+    assert_eq!(sheet["hints"][0]["en"], "h");
+    let failed = ok(
+        json!({ "ask": "exercise", "name": "a.il", "text": "LD I1\nST Q1", "title": "x", "scenario": hidden }),
+    );
+    assert_eq!(failed["failing"], json!({ "case": 0, "shown": null }));
+    assert!(!failed.to_string().contains("770") && !sheet.to_string().contains("770"));
     let wrong = json!({ "ask": "exercise", "name": "a.il", "text": "LD I1\nST Q1", "title": "x", "scenario": "until = 5" });
     let wrong = ask(wrong);
     assert!(wrong["error"]["pt"].is_string(), "{wrong}");
@@ -316,6 +336,7 @@ fn nothing_that_is_asked_panics() {
                 ("ladder", usize::MAX),
                 ("list", 1),
                 ("exercise", 0),
+                ("sheet", 0),
             ] {
                 if text.len() > 1000 && what != "check" {
                     continue;

@@ -134,6 +134,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "Como listar: ladder, il ou numeric [padrão: ladder]",
     ),
     (
+        "sim",
+        "case",
+        "Executa só este caso do cenário, contado a partir de 1",
+    ),
+    (
         "",
         "svg",
         "Desenha o diagrama ladder neste arquivo, como gráfico vetorial",

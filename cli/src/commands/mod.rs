@@ -49,7 +49,7 @@ pub use refuse::refuse;
 pub use run::{What, run};
 pub use serve::{Doors, serve};
 pub use settings::{Changes, settings};
-pub use sim::{scenario, simulate};
+pub use sim::{Run, scenario, simulate};
 pub use upload::{Leave, upload};
 pub use wording::{Wording, langs, language};
 pub use words::Form;

@@ -11,9 +11,11 @@ use std::path::Path;
 use unoclp_cli::panel::{self, App};
 use unoclp_cli::{ascii, messages};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{LoadError, ProgramFile, Scenario, Verdict, check};
+use unoclp_host_sim::scenario::{
+    Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
+};
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
-use unoclp_source::{Written, WrittenIn, point_names};
+use unoclp_source::{Source, Written, WrittenIn, point_names};
 
 /// Simulates a program in this terminal.
 pub fn simulate(path: &Path, vcd: Option<&Path>, wording: &Wording) -> Outcome {
@@ -32,24 +34,31 @@ pub fn simulate(path: &Path, vcd: Option<&Path>, wording: &Wording) -> Outcome {
     Ok(true)
 }
 
-/// Runs a scenario, with this program in place of its own where there is one.
-pub fn scenario(
-    path: &Path,
-    program: Option<&Path>,
-    vcd: Option<&Path>,
-    wording: &Wording,
-) -> Outcome {
+/// How a scenario is run.
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    /// In place of the program that it names.
+    pub program: Option<&'a Path>,
+    /// One of its cases, from 1; else all.
+    pub case: Option<usize>,
+    /// Where the trace goes.
+    pub vcd: Option<&'a Path>,
+}
+
+/// Runs a scenario.
+pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
-    let named = Scenario::program_of(path).map_err(wrong)?;
-    let program = match (program, &named) {
+    let exercise = Exercise::load(path).map_err(wrong)?;
+    let named = exercise.program.as_deref();
+    let program = match (run.program, named) {
         (Some(program), _) => Some(program),
         // Its errors are shown as `check` shows them.
-        (None, Some(named)) if is_text(named) => Some(named.as_path()),
+        (None, Some(named)) if is_text(named) => Some(named),
         (None, _) => None,
     };
     let mut source = None;
-    let scenario = match program {
-        None => Scenario::load(path).map_err(wrong)?,
+    let mut scenarios = match program {
+        None => Scenario::load_all(path).map_err(wrong)?,
         Some(program) => {
             let ProgramFile { name, bytes } = read(program)?;
             let written = wording.of(name.clone(), bytes.clone());
@@ -61,36 +70,58 @@ pub fn scenario(
                     None => return Ok(false),
                 },
             };
-            Scenario::load_for(path, ProgramFile { name, bytes }).map_err(wrong)?
+            exercise.scenarios(&ProgramFile { name, bytes })
         }
     };
-    let report = match vcd {
-        None => check(&scenario, &mut HostEngine::default()),
-        Some(vcd) => {
-            let inputs = [Some(path), program, named.as_deref()];
-            let inputs: Vec<&Path> = inputs.into_iter().flatten().collect();
+    let count = scenarios.len();
+    if let Some(case) = run.case {
+        if case > count {
+            bail!(messages::no_case(case, path.display(), count));
+        }
+        scenarios = scenarios.split_off(case - 1);
+        scenarios.truncate(1);
+    }
+    let inputs: Vec<&Path> = [Some(path), program, named].into_iter().flatten().collect();
+    let reports = match (run.vcd, &scenarios[..]) {
+        (Some(vcd), [scenario]) => {
             let names = source.as_ref().map(point_names).unwrap_or_default();
             let recorder = Recorder::new(trace(vcd, &inputs)?).with_names(names);
             let mut engine = RecordedEngine::new(recorder);
-            let report = check(&scenario, &mut engine);
+            let report = check(scenario, &mut engine);
             engine.finish().map_err(cannot_write(vcd))?;
-            report
+            vec![report]
+        }
+        (Some(_), _) => bail!(messages::trace_of_one(path.display(), count)),
+        (None, all) => {
+            let engine = &mut HostEngine::default();
+            all.iter().map(|scenario| check(scenario, engine)).collect()
         }
     };
-    println!("{}", ascii::picture(&report.text(messages::spoken())));
-    if let Verdict::WrongStop {
+    for (index, report) in reports.iter().enumerate() {
+        if index > 0 {
+            println!();
+        }
+        println!("{}", ascii::picture(&report.text(messages::spoken())));
+        stopped_at(report, &scenarios[index], source.as_ref());
+    }
+    Ok(reports.iter().all(Report::passed))
+}
+
+/// Shows where in its text a program has ended that should run on.
+fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>) {
+    let Verdict::WrongStop {
         came: Some((_, refusal)),
         ..
     } = report.verdict
-        && let Some(fault) = refusal.fault()
-    {
-        let program = scenario.program();
-        let read = || Written::new(program.name.clone(), program.bytes.clone());
-        if let Some(source) = source.or_else(|| read().check(None).ok()) {
-            println!("  {}", running(&source, fault).replace('\n', "\n  "));
-        }
+    else {
+        return;
+    };
+    let program = scenario.program();
+    let read = || Written::new(program.name.clone(), program.bytes.clone()).check(None);
+    let own = source.is_none().then(|| read().ok()).flatten();
+    if let (Some(source), Some(fault)) = (source.or(own.as_ref()), refusal.fault()) {
+        println!("  {}", running(source, fault).replace('\n', "\n  "));
     }
-    Ok(report.passed())
 }
 
 /// Whether the program of a scenario is a text that is compiled.

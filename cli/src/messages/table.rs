@@ -59,6 +59,12 @@ unoclp_source::messages! {
     symbol_type() "type" "tipo";
     symbol_value() "value" "valor";
     symbol_place() "place" "lugar";
+    no_case(case, file, count)
+        "there is no case {case}: {file} has {count}"
+        "não existe o caso {case}: {file} tem {count}";
+    trace_of_one(file, count)
+        "a trace is of one run, and {file} has {count} cases; choose one with --case"
+        "um registro é de uma execução, e {file} tem {count} casos; escolha um com --case";
     is_something_else(file, kind)
         "{file} is there already, and is not {kind}; it is left as it is. Name another file, or delete it"
         "{file} já existe e não é {kind}; ficou como estava. Indique outro arquivo ou apague-o";

@@ -64,6 +64,7 @@ pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {
         program: scenario.program.name.clone(),
         columns: run.columns,
         changes: run.changes,
+        end: run.end,
         verdict,
     }
 }
@@ -80,6 +81,8 @@ struct Run {
     comparisons: u64,
     /// ms from scan to scan.
     period: Millis,
+    /// The last scan that the engine ended without a fault, in ms after the first.
+    end: Millis,
 }
 
 impl Run {
@@ -101,7 +104,7 @@ impl Run {
                 }
             };
             match scan() {
-                Ok(Ok(())) => {}
+                Ok(Ok(())) => self.end = at,
                 Ok(Err(_)) if !self.unmet.is_empty() => break,
                 Ok(Err(came)) if stop == Some((at, came)) => return Verdict::Stopped(at, came),
                 Ok(Err(came)) => {

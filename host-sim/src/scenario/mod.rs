@@ -1,34 +1,46 @@
 //! Scenarios: a program, inputs over time, and what is expected over time of outputs and memory, or
 //! the fault expected.
 //!
-//! A scenario is a TOML file, read by [`Scenario::load`], or for another program by [`Scenario::load_for`]. [`check`]
-//! runs it on any [`Engine`] and gives a [`Report`]. Because the same files run on every engine, adding a case is adding a file.
+//! A scenario is a case of a TOML file, read by [`Scenario::load`], or for another program by [`Scenario::load_for`].
+//! [`check`] runs it on any [`Engine`] and gives a [`Report`]. Because the same files run on every engine, adding a case
+//! is adding a file. A file as a whole is an [`Exercise`]; [`grade`] says how a program does in all of its cases.
 
+mod both;
 mod check;
+mod exercise;
 mod file;
+mod grade;
+mod keys;
 mod place;
+mod plan;
 mod program;
 mod report;
 mod shown;
+mod timeline;
+mod within;
 mod words;
 mod wrong;
 
+pub use both::Both;
 pub use check::{Engine, Outcome, check};
+pub use exercise::{Case, Exercise};
+pub use grade::{Failing, Grade, grade};
 pub use place::{Cell, Place};
+pub use plan::{Course, Plan};
 pub use program::{LONGEST, ProgramFile, Unreadable};
 pub use report::{Change, Columns, Report, Unmet, Verdict};
 pub use wrong::{LoadError, Wrong};
 
 use std::num::NonZeroU32;
 use unoclp_core::{Cause, Fault, Millis, Point};
-use unoclp_source::BOARD;
+use unoclp_source::{BOARD, Lang};
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
 /// stand in rising order, each at the time of a scan.
 #[derive(Clone, Debug)]
 pub struct Scenario {
     name: String,
-    about: String,
+    about: Both,
     program: ProgramFile,
     goal: Goal,
 }
@@ -115,8 +127,8 @@ impl Scenario {
     }
 
     /// One sentence on what the scenario shows.
-    pub fn about(&self) -> &str {
-        &self.about
+    pub fn about(&self, lang: Lang) -> &str {
+        self.about.text(lang)
     }
 
     /// The program that the scenario is about.

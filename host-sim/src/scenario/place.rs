@@ -40,7 +40,7 @@ impl Place {
     }
 
     /// Whether it can only be 0 or 1.
-    pub(super) fn is_bit(self) -> bool {
+    pub fn is_bit(self) -> bool {
         matches!(self, Place::Output(_) | Place::Cell(Cell::Marker(_)))
     }
 }

@@ -1,6 +1,6 @@
 //! What came of a scenario.
 
-use super::{Place, Refusal, Setting, Timeline};
+use super::{Both, Place, Refusal, Setting, Timeline};
 use std::collections::BTreeSet;
 use unoclp_core::{Image, Inputs, Millis};
 
@@ -10,13 +10,15 @@ pub struct Report {
     /// The path of the scenario.
     pub scenario: String,
     /// What the scenario shows.
-    pub about: String,
+    pub about: Both,
     /// What the program is called.
     pub program: String,
     /// What is shown of each change.
     pub columns: Columns,
     /// The scans at which anything shown changed; the first scan is always among them.
     pub changes: Vec<Change>,
+    /// The last scan, in ms after the first; 0 where nothing ran.
+    pub end: Millis,
     /// Whether the engine did as expected.
     pub verdict: Verdict,
 }
@@ -74,7 +76,7 @@ impl Columns {
         }
     }
 
-    /// What has been seen of a place.
+    /// What has been seen of a place that is no output.
     pub(super) fn value(&self, place: &Place, seen: &[i32]) -> i32 {
         let column = self.seen.iter().position(|column| column == place);
         let value = column.and_then(|column| seen.get(column));
@@ -147,6 +149,14 @@ impl Unmet {
 }
 
 impl Report {
+    /// What a place was in the scan of this change.
+    pub fn came(&self, place: Place, change: &Change) -> i32 {
+        match place {
+            Place::Output(number) => i32::from(change.outputs.0 >> (number - 1) & 1),
+            _ => self.columns.value(&place, &change.seen),
+        }
+    }
+
     /// Whether the engine did everything as expected.
     pub fn passed(&self) -> bool {
         matches!(

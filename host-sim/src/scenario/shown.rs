@@ -39,7 +39,7 @@ impl Unreadable {
 impl Report {
     /// The report in this language: the timeline, then `PASS` or `FAIL`.
     pub fn text(&self, lang: Lang) -> String {
-        let mut text = format!("{}: {}\n", self.scenario, self.about);
+        let mut text = format!("{}: {}\n", self.scenario, self.about.text(lang));
         text += &format!("{}\n", the_program(lang, &self.program));
         if !self.changes.is_empty() {
             text += &format!("\n{}\n", timeline(&self.columns, &self.changes, lang));
@@ -52,6 +52,23 @@ impl Verdict {
     /// `PASS`, or `FAIL` and below it why, in this language.
     pub fn text(&self, lang: Lang) -> String {
         verdict(self, lang)
+    }
+
+    /// The same in a line: `PASS`, or `FAIL` and the first reason.
+    pub fn brief(&self, lang: Lang) -> String {
+        let text = self.text(lang);
+        let reasons = match self {
+            Verdict::Unmet(_) => 1,
+            _ => usize::MAX,
+        };
+        let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut lines = text.lines().map(words);
+        let head = lines.next().unwrap_or_default();
+        let reasons: Vec<String> = lines.take(reasons).collect();
+        match reasons.is_empty() {
+            true => head,
+            false => format!("{head}: {}", reasons.join("; ")),
+        }
     }
 }
 
@@ -92,6 +109,18 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::LineZero => line_zero(lang),
         Wrong::NoPeriod => no_period(lang),
         Wrong::EndsEarly { last } => ends_early(lang, last),
+        Wrong::NoTitle => toml("missing field `about`", lang),
+        Wrong::CasesAndSteps => cases_and_steps(lang),
+        Wrong::SeveralCases { count } => several_cases(lang, count),
+        Wrong::NotNamed { name } => not_named(
+            lang,
+            name,
+            BOARD.inputs,
+            ANALOGUE - 1,
+            BOARD.outputs,
+            MARKERS,
+            REGISTERS,
+        ),
         Wrong::NothingHappens => nothing_happens(lang),
         Wrong::GoesOn => goes_on(lang),
         Wrong::NoScan { at, period } => no_scan(lang, at, period),

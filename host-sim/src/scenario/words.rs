@@ -41,6 +41,15 @@ unoclp_source::messages! {
     ends_early(last)
         "`until` comes before the last step, at {last} ms"
         "`until` vem antes do último passo, em {last} ms";
+    cases_and_steps()
+        "a file with [[case]] has its steps and `until` in the cases; move them there"
+        "um arquivo com [[case]] tem os passos e `until` dentro dos casos; passe-os para lá";
+    several_cases(count)
+        "it has {count} cases, and a single one is run here"
+        "ele tem {count} casos, e aqui se roda um só";
+    not_named(name, inputs, analogue, outputs, markers, registers)
+        "{name} is no point; points are I1 to I{inputs}, A0 to A{analogue}, Q1 to Q{outputs}, P1, P4, M1 to M{markers} and D1 to D{registers}"
+        "{name} não é um ponto; os pontos são I1 a I{inputs}, A0 a A{analogue}, Q1 a Q{outputs}, P1, P4, M1 a M{markers} e D1 a D{registers}";
     nothing_happens()
         "nothing happens; write a [[step]], or the `fault` that is expected"
         "nada acontece; escreva um [[step]], ou a falha esperada em `fault`";

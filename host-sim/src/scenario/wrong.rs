@@ -70,6 +70,20 @@ pub enum Wrong {
         /// The last step, in ms after the first scan.
         last: Millis,
     },
+    /// It has neither a title, nor what it is about.
+    NoTitle,
+    /// It has cases, and steps beside them.
+    CasesAndSteps,
+    /// It has more than one case where one is run.
+    SeveralCases {
+        /// How many.
+        count: usize,
+    },
+    /// A name is given to what is no point.
+    NotNamed {
+        /// The point.
+        name: String,
+    },
     /// There is nothing to run.
     NothingHappens,
     /// Something comes after the fault that ends the run.

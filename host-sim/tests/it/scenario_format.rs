@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{ProgramFile, Refusal, Scenario, Verdict, check};
+use unoclp_host_sim::scenario::{
+    Exercise, ProgramFile, Refusal, Scenario, Verdict, check, grade as grade_of,
+};
 use unoclp_source::Lang;
 
 /// Writes a scenario file for one test.
@@ -40,7 +42,15 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
         ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; keys of the whole file stand above the first [[step]]"),
-        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `program`, `text`, `start_ms`, `scan_ms`, `until`, `fault`, `stops`, `step`"),
+        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `task`, `hints`, `names`, `program`, `text`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
+        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]], or the `fault` that is expected"),
+        ("[[case]]\nstep = [{ at = 0 }]", 3, "missing field `title`"),
+        ("[[case]]\ntitle = { en = \"a\" }\nstep = [{ at = 0 }]", 4, "missing field `pt`"),
+        ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "a file with [[case]] has its steps and `until` in the cases; move them there"),
+        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 9, expect = { Q1 = 2 } }]", 5, "Q1 must be 0 or 1, or \"any\""),
+        ("names = { X1 = { en = \"a\", pt = \"b\" } }\nuntil = 5", 3, "X1 is no point; points are I1 to I8, A0 to A4, Q1 to Q4, P1, P4, M1 to M64 and D1 to D98"),
+        ("scan_ms = 10\nwithin_ms = 25\nuntil = 5", 4, "no scan runs at 25 ms; scans run every 10 ms (`scan_ms`)"),
+        ("until = 12\nwithin_ms = 10\n[[step]]\nat = 5\nexpect = { Q1 = 1 }", 3, "`until` comes before the last step, at 15 ms"),
         ("program = \"x.txt\"\n[[step]]\nat = 0", 2, "`program` and `text` both give a program; keep one of them"),
         ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
@@ -84,6 +94,8 @@ fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
     #[rustfmt::skip]
     let cases = [
         ("about = \"\"\n[[step]]\nat = 0", "it names no program; give a file: `sim FILE --scenario S.toml`"),
+        ("text = \"0\"\nuntil = 5", "missing field `about`"),
+        ("about = \"\"\ntext = \"0\"\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", "it has 2 cases, and a single one is run here"),
         (HEAD, "nothing happens; write a [[step]], or the `fault` that is expected"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
@@ -123,7 +135,7 @@ fn the_program_is_named_relative_to_the_scenario() {
     let source = "about = \"\"\nprogram = \"relative.txt\"\nuntil = 3\n";
     let scenario = load("relative.toml", source);
     assert_eq!(scenario.program().bytes, b"0\n827301\n877901\n");
-    assert_eq!(scenario.about(), "");
+    assert_eq!(scenario.about(Lang::En), "");
     assert_eq!(scenario.expected_refusal(), None);
 }
 
@@ -384,7 +396,7 @@ fn a_scenario_may_name_no_program_and_then_needs_one() {
         error.contains("it names no program; give a file"),
         "{error}"
     );
-    assert_eq!(Scenario::program_of(&path).unwrap(), None);
+    assert_eq!(Exercise::load(&path).unwrap().program, None);
     let program = ProgramFile {
         name: "mine".to_owned(),
         bytes: b"0\n827301\n877901\n".to_vec(),
@@ -392,4 +404,59 @@ fn a_scenario_may_name_no_program_and_then_needs_one() {
     let scenario = Scenario::load_for(&path, program).unwrap();
     let report = check(&scenario, &mut HostEngine::default());
     assert!(report.passed(), "{report}");
+}
+
+const EXERCISE: &str = "program = \"lamp.il\"\n\
+    title = { en = \"A lamp\", pt = \"Uma lâmpada\" }\n\
+    task = { en = \"Light it.\", pt = \"Acenda.\" }\n\
+    hints = [{ en = \"Look.\", pt = \"Olhe.\" }]\n\
+    within_ms = 10\n\
+    names = { I1 = { en = \"button\", pt = \"botão\" } }\n\
+    [[case]]\ntitle = { en = \"On\", pt = \"Liga\" }\n\
+    step = [{ at = 0, set = { I1 = 1 }, expect = { Q1 = 1 } }]\n\
+    [[case]]\ntitle = { en = \"Off\", pt = \"Desliga\" }\nhidden = true\n\
+    step = [{ at = 0, expect = { Q1 = 0 } }]\nuntil = 20\n";
+
+#[test]
+fn an_exercise_says_what_to_do_and_has_cases() {
+    let exercise = Exercise::of_text("lamp.toml", EXERCISE).unwrap();
+    assert_eq!(exercise.title.text(Lang::Pt), "Uma lâmpada");
+    assert_eq!(exercise.task.as_ref().unwrap().text(Lang::En), "Light it.");
+    assert_eq!(exercise.hints.len(), 1);
+    assert_eq!(exercise.names["I1"].pt, "botão");
+    let cases: Vec<_> = exercise.cases().iter().collect();
+    assert_eq!([cases[0].hidden, cases[1].hidden], [false, true]);
+    assert_eq!(cases[1].title.en, "Off");
+    let program = ProgramFile {
+        name: "mine".to_owned(),
+        bytes: b"0\n827301\n877901\n".to_vec(),
+    };
+    let grade = grade_of(&exercise, &program, &mut HostEngine::default());
+    assert!(grade.is_passed() && grade.count() == 2, "{grade:?}");
+    let always = ProgramFile {
+        name: "always".to_owned(),
+        bytes: b"0\n787600\n877901\n".to_vec(),
+    };
+    let grade = grade_of(&exercise, &always, &mut HostEngine::default());
+    assert_eq!(grade.passed, [true, false]);
+    assert_eq!(grade.failing.unwrap().case, 1);
+}
+
+/// The second press comes before what the first has to bring about is due.
+#[test]
+fn what_is_expected_may_come_within_a_time() {
+    let steps = "scan_ms = 10\nwithin_ms = 50\nuntil = 300\n\
+        [[step]]\nat = 0\nexpect = { Q1 = 0, Q2 = 0 }\n\
+        [[step]]\nat = 100\nset = { I1 = 1 }\nexpect = { Q1 = 1, Q2 = 0 }\n\
+        [[step]]\nat = 130\nset = { I1 = 0 }\nexpect = { Q1 = 0 }\n";
+    let plan = load("within.toml", &format!("{HEAD}{steps}")).plan();
+    let courses: Vec<_> = plan.expected.into_values().collect();
+    let q1 = vec![
+        (0, None),
+        (50, Some(0)),
+        (100, None),
+        (130, None),
+        (180, Some(0)),
+    ];
+    assert_eq!(courses, [q1, vec![(0, None), (50, Some(0))]]);
 }

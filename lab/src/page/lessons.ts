@@ -74,7 +74,7 @@ export class Lessons {
     try {
       const outcome = await this.tools.ask("exercise", { ...this.program(), scenario, title });
       passed = outcome.passed;
-      const [first] = outcome.unmet;
+      const first = outcome.failing?.shown?.unmet;
       if (passed) text = say("passed");
       else if (first) text = say("failedAt", { time: first.from, place: first.place, came: first.came, expected: first.expected });
       else text = say("failedAny");

@@ -71,17 +71,40 @@ export interface Checked {
   readonly program: Made | null;
 }
 
+/** What a student learns of a case before its turn. */
+export interface Case {
+  readonly title: Both;
+  readonly hidden: boolean;
+}
+
+/** What an exercise says of itself. */
+export interface Sheet {
+  readonly title: Both;
+  readonly task: Both | null;
+  readonly hints: readonly Both[];
+  /** What is connected to the points. */
+  readonly names: Readonly<Record<string, Both>>;
+  readonly cases: readonly Case[];
+}
+
 export interface Outcome {
   readonly passed: boolean;
-  readonly about: string;
-  readonly unmet: readonly {
+  /** The cases in order, and whether each was passed. */
+  readonly cases: readonly (readonly [Case, boolean])[];
+  /** The first that was not passed; of a hidden one nothing is shown. */
+  readonly failing: { readonly case: number; readonly shown: Shown | null } | null;
+}
+
+/** What is shown of a case that was not passed. */
+export interface Shown {
+  readonly unmet: {
     readonly place: string;
     readonly expected: number;
     readonly came: number;
     readonly from: number;
     readonly to: number;
-  }[];
-  readonly report: Both;
+  } | null;
+  readonly why: Both;
 }
 
 export interface CardImage {
@@ -180,6 +203,7 @@ export interface Asks {
   check: { ask: Text; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
   list: { ask: Text & { as: "ladder" | "il" | "numeric" | "svg"; width: number; speak: Speak }; answer: string };
+  sheet: { ask: { scenario: string; title: string }; answer: Sheet };
   exercise: { ask: Text & { scenario: string; title: string }; answer: Outcome };
   card: { ask: { program: string; state: boolean }; answer: CardImage };
   /** A file of a card, from the blocks that are not empty. */

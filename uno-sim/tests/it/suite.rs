@@ -1,6 +1,8 @@
 //! Every scenario of the project on the firmware.
 
 use crate::common;
+use std::ffi::OsStr;
+use std::path::PathBuf;
 use unoclp_boot::{Image, Model};
 use unoclp_core::{Fault, Loader, Millis, Profile};
 use unoclp_host_sim::scenario::{Engine, Refusal, Scenario, check};
@@ -8,15 +10,26 @@ use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 use unoclp_uno_sim::{Program, Slot, Uno, firmware_elf, nano_elf, unshortened_elf};
 
+/// All cases of the scenario files in these folders, each with its file.
+fn scenarios(folders: &[&str]) -> impl Iterator<Item = (PathBuf, Scenario)> {
+    common::scenarios(folders).into_iter().flat_map(|path| {
+        let all = Scenario::load_all(&path).unwrap_or_else(|error| panic!("{error}"));
+        all.into_iter()
+            .map(move |scenario| (path.clone(), scenario))
+    })
+}
+
 fn run_all<S: Simulated>(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
     let mut engine = FirmwareEngine::<S>::new(firmware, clock).unwrap();
     let (mut passed, mut failed) = (0, Vec::new());
-    for path in common::scenarios(folders) {
-        let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+    for (path, scenario) in scenarios(folders) {
         let running = clock == Clock::Running;
-        // Listings of a course: some hold only if the inputs are what they say from the very first scan.
-        let is_listing = path.components().any(|part| part.as_os_str() == "il");
-        if scenario.duration() > longest || running && (scenario.is_for_lockstep() || is_listing) {
+        // Listings of a course: some hold only if the inputs are what they say from the very first scan. Exercises are
+        // many and take seconds each; what they show beside the others is no matter of the clock.
+        let left_out = ["il", "exercises"];
+        let is_left_out = |name: &OsStr| left_out.iter().any(|one| name == *one);
+        let is_left_out = path.components().any(|part| is_left_out(part.as_os_str()));
+        if scenario.duration() > longest || running && (scenario.is_for_lockstep() || is_left_out) {
             continue;
         }
         let report = check(&scenario, &mut engine);
@@ -90,8 +103,7 @@ fn every_scenario_in_lockstep_on_a_nano() {
     let firmware = Program::read(&nano_elf().unwrap()).unwrap();
     let mut engine = FirmwareEngine::<Uno>::new(firmware, Clock::Lockstep).unwrap();
     let (mut passed, mut refused, mut failed) = (0, 0, Vec::new());
-    for path in common::scenarios(&["programs", "suite"]) {
-        let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+    for (path, scenario) in scenarios(&["programs", "suite"]) {
         let program = &scenario.program().bytes;
         match (
             first_fault(program, Profile::UNO),
