@@ -82,6 +82,9 @@ enum Command {
         /// Run this case of the scenario alone, counted from 1
         #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
         case: Option<u16>,
+        /// Draw what was pressed, expected and came into this file, as a timing diagram
+        #[arg(long, value_name = "OUT.svg", requires = "scenario")]
+        svg: Option<PathBuf>,
         /// Write the trace of all inputs, outputs and timers for a wave viewer
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
@@ -241,6 +244,7 @@ fn main() -> ExitCode {
             file,
             scenario,
             case,
+            svg,
             vcd,
             wording,
         } => match (file, scenario) {
@@ -249,6 +253,7 @@ fn main() -> ExitCode {
                     program: file.as_deref(),
                     case: case.map(usize::from),
                     vcd: vcd.as_deref(),
+                    svg: svg.as_deref(),
                 };
                 commands::scenario(&scenario, run, &wording)
             }

@@ -3,6 +3,7 @@
 //! - [`scenario`]: the one test format of the project, and the check that every engine passes
 //! - [`engine`]: the PLC of `unoclp-core` as an engine for scenarios
 //! - [`live`]: a running program as it is shown
+//! - [`diagram`]: a run of a scenario as a picture: what was pressed, expected and came
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`random`], [`torture`]: random programs, and damaged ones for the loader
 //!
@@ -11,6 +12,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod diagram;
 pub mod engine;
 pub mod live;
 pub mod random;

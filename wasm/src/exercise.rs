@@ -4,6 +4,7 @@ use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use unoclp_host_sim::diagram;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
 
@@ -50,6 +51,8 @@ struct Shown {
     unmet: Option<Unmet>,
     /// Why it was not passed, in a line.
     why: Both,
+    /// Its timing diagram.
+    svg: Both,
 }
 
 /// A place that was not as expected for a while.
@@ -114,7 +117,7 @@ pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
         cases: cases.iter().map(Told::from).zip(grade.passed).collect(),
         failing: grade.failing.map(|failing| Failing {
             case: failing.case,
-            shown: (!cases[failing.case].hidden).then(|| shown(&failing)),
+            shown: (!cases[failing.case].hidden).then(|| shown(&failing, &exercise)),
         }),
     })
 }
@@ -126,12 +129,15 @@ fn read(name: &str, text: &str) -> Result<Exercise, No> {
     Exercise::of_text(name, text).map_err(|error| told(error).into())
 }
 
-fn shown(failing: &scenario::Failing) -> Shown {
-    let report = &failing.report;
+fn shown(failing: &scenario::Failing, exercise: &Exercise) -> Shown {
+    let scenario::Failing {
+        scenario, report, ..
+    } = failing;
     let unmet = match &report.verdict {
         Verdict::Unmet(unmet) => unmet.first(),
         _ => None,
     };
+    let run = diagram::Run { scenario, report };
     Shown {
         unmet: unmet.map(|unmet| Unmet {
             place: unmet.place.to_string(),
@@ -141,5 +147,6 @@ fn shown(failing: &scenario::Failing) -> Shown {
             to: unmet.to,
         }),
         why: both(|lang| report.verdict.brief(lang)),
+        svg: both(|lang| diagram::svg(&[run], &exercise.names, lang)),
     }
 }

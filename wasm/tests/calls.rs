@@ -218,6 +218,7 @@ fn steps_and_solutions_of_the_tutorial_pass_and_other_programs_do_not() {
     let first = &shown["unmet"];
     assert_ne!(first["expected"], first["came"], "{other}");
     for lang in ["en", "pt"] {
+        assert!(shown["svg"][lang].as_str().unwrap().starts_with("<svg"));
         assert!(
             shown["why"][lang]
                 .as_str()

@@ -139,6 +139,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "Executa só este caso do cenário, contado a partir de 1",
     ),
     (
+        "sim",
+        "svg",
+        "Desenha neste arquivo o que foi apertado, o esperado e o que ocorreu, como diagrama de tempo",
+    ),
+    (
         "",
         "svg",
         "Desenha o diagrama ladder neste arquivo, como gráfico vetorial",

@@ -6,13 +6,15 @@ use super::wording::Wording;
 use crate::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
+use std::collections::BTreeMap;
 use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::Path;
 use unoclp_cli::panel::{self, App};
 use unoclp_cli::{ascii, messages};
+use unoclp_host_sim::diagram;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{
-    Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
+    Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
 };
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
 use unoclp_source::{Source, Written, WrittenIn, point_names};
@@ -43,6 +45,8 @@ pub struct Run<'a> {
     pub case: Option<usize>,
     /// Where the trace goes.
     pub vcd: Option<&'a Path>,
+    /// Where the timing diagram goes.
+    pub svg: Option<&'a Path>,
 }
 
 /// Runs a scenario.
@@ -81,7 +85,12 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
         scenarios = scenarios.split_off(case - 1);
         scenarios.truncate(1);
     }
+    if run.vcd.is_some() && scenarios.len() > 1 {
+        bail!(messages::trace_of_one(path.display(), count));
+    }
     let inputs: Vec<&Path> = [Some(path), program, named].into_iter().flatten().collect();
+    let drawing = run.svg.map(|svg| create(svg, Kind::Drawing, &inputs));
+    let drawing = drawing.transpose()?;
     let reports = match (run.vcd, &scenarios[..]) {
         (Some(vcd), [scenario]) => {
             let names = source.as_ref().map(point_names).unwrap_or_default();
@@ -91,8 +100,7 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             engine.finish().map_err(cannot_write(vcd))?;
             vec![report]
         }
-        (Some(_), _) => bail!(messages::trace_of_one(path.display(), count)),
-        (None, all) => {
+        (_, all) => {
             let engine = &mut HostEngine::default();
             all.iter().map(|scenario| check(scenario, engine)).collect()
         }
@@ -104,7 +112,27 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
         println!("{}", ascii::picture(&report.text(messages::spoken())));
         stopped_at(report, &scenarios[index], source.as_ref());
     }
+    if let (Some(svg), Some(mut drawing)) = (run.svg, drawing) {
+        let runs = scenarios.iter().zip(&reports);
+        let runs: Vec<_> = runs
+            .map(|(scenario, report)| diagram::Run { scenario, report })
+            .collect();
+        let names = names(exercise.names, source.as_ref());
+        let picture = diagram::svg(&runs, &names, messages::spoken());
+        let written = drawing.write_all(picture.as_bytes());
+        written.map_err(cannot_write(svg))?;
+        println!("{}", messages::drawn(svg.display()));
+    }
     Ok(reports.iter().all(Report::passed))
+}
+
+/// What the points are called: by the exercise, else by the program.
+fn names(names: BTreeMap<String, Both>, source: Option<&Source>) -> BTreeMap<String, Both> {
+    let own = source.map(point_names).unwrap_or_default();
+    let own = own
+        .into_iter()
+        .map(|(point, name)| (point, Both::same(&name)));
+    own.chain(names).collect()
 }
 
 /// Shows where in its text a program has ended that should run on.

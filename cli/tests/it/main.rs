@@ -8,6 +8,7 @@ mod check_output;
 mod command_line;
 mod common;
 #[cfg(unix)]
+mod exercises;
 mod flash;
 mod instruction_list;
 mod kept;

@@ -40,8 +40,18 @@ fn nothing_of_another_kind_is_overwritten() {
             .map(str::to_owned)
             .to_vec()
     };
+    let diagram = |out: &str| {
+        ["sim", "--scenario", &scenario, "--svg", out]
+            .map(str::to_owned)
+            .to_vec()
+    };
     let compile = |out: &str| ["compile", &il, "-o", out].map(str::to_owned).to_vec();
-    let commands: [(Writes<'_>, &str); 3] = [(&list, &drawing), (&sim, &trace), (&compile, &lamp)];
+    let commands: [(Writes<'_>, &str); 4] = [
+        (&list, &drawing),
+        (&diagram, &drawing),
+        (&sim, &trace),
+        (&compile, &lamp),
+    ];
     for (command, own) in commands {
         for other in texts.iter().filter(|path| is(path, own)) {
             let before = fs::read_to_string(other).unwrap();

@@ -85,6 +85,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "cli/src/messages/table.rs",
         "cli/src/commands/help.rs",
         "cli/src/commands/refuse.rs",
+        "host-sim/src/diagram/words.rs",
         "host-sim/src/scenario/words.rs",
         "lang/src/messages/il.rs",
         "lang/src/messages/iscl.rs",

@@ -17,7 +17,7 @@ pub struct Both {
 
 impl Both {
     /// A text that is the same in both.
-    pub(super) fn same(text: &str) -> Both {
+    pub fn same(text: &str) -> Both {
         Both {
             en: text.to_owned(),
             pt: text.to_owned(),

@@ -105,6 +105,8 @@ export interface Shown {
     readonly to: number;
   } | null;
   readonly why: Both;
+  /** The timing diagram: what was pressed, expected and came. */
+  readonly svg: Both;
 }
 
 export interface CardImage {

@@ -1,0 +1,196 @@
+//! A run of a scenario as a picture: what was pressed, and for each output what was expected above what came.
+//!
+//! - `lanes`: what there is to show
+//! - `stroke`: a course over time as lines and boxes
+//! - `words`: the words in it
+//!
+//! It owns how a run looks, on paper and in a page. It must not know where the picture goes, nor how a run is made.
+//! What differs is told by words and by place too, never by colour alone.
+
+mod lanes;
+mod stroke;
+mod words;
+
+use crate::scenario::{Both, Report, Scenario};
+use lanes::{Lane, lanes};
+use std::collections::BTreeMap;
+use stroke::{Scale, label, line, stroke};
+use svg::Document;
+use svg::node::element::{Group, Rectangle, Title};
+use unoclp_core::Millis;
+use unoclp_source::Lang;
+
+/// A run to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Run<'r> {
+    /// The case that ran.
+    pub scenario: &'r Scenario,
+    /// What came of it.
+    pub report: &'r Report,
+}
+
+/// Units of the picture, which are pixels on a screen.
+const WIDTH: f32 = 900.0;
+const MARGIN: f32 = 16.0;
+/// Where time begins.
+const LEFT: f32 = 250.0;
+const PLOT: f32 = WIDTH - LEFT - 2.0 * MARGIN;
+/// From one course to the next.
+const ROW: f32 = 24.0;
+/// Between lanes.
+const GAP: f32 = 6.0;
+
+const INK: &str = "#1a1a1a";
+const PALE: &str = "#5c6670";
+const LINE: &str = "#d5dade";
+const RED: &str = "#b3261e";
+const GREEN: &str = "#12684f";
+const BLUE: &str = "#274b8f";
+
+/// These runs below each other as an SVG document; `names` are what is connected to the points.
+pub fn svg(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> String {
+    let (mut page, mut y) = (Group::new(), MARGIN);
+    let mut about = Vec::new();
+    for run in runs {
+        let (group, below) = drawn(*run, names, lang, y);
+        page = page.add(group);
+        y = below + 2.0 * GAP;
+        about.push(format!(
+            "{}: {}",
+            run.scenario.about(lang),
+            told(*run, lang)
+        ));
+    }
+    page = page.add(label(MARGIN, y + 12.0, &words::legend(lang), PALE));
+    let height = y + 12.0 + MARGIN;
+    let paper = Rectangle::new()
+        .set("width", WIDTH)
+        .set("height", height)
+        .set("fill", "#ffffff");
+    Document::new()
+        .set("width", WIDTH)
+        .set("height", height)
+        .set("viewBox", (0.0, 0.0, WIDTH, height))
+        .set("role", "img")
+        .set("font-family", "Helvetica, Arial, 'DejaVu Sans', sans-serif")
+        .set("font-size", 13)
+        .add(Title::new(about.join("\n")))
+        .add(paper)
+        .add(page)
+        .to_string()
+}
+
+/// How a run ended, in a line.
+fn told(run: Run<'_>, lang: Lang) -> String {
+    run.report.verdict.brief(lang)
+}
+
+/// A run from `y` on, and where it ends.
+fn drawn(run: Run<'_>, names: &BTreeMap<String, Both>, lang: Lang, y: f32) -> (Group, f32) {
+    let plan = run.scenario.plan();
+    let lanes = lanes(&plan, run.report, names, lang);
+    let colour = if run.report.passed() { GREEN } else { RED };
+    let top = y + 44.0;
+    let scale = Scale {
+        left: LEFT,
+        width: PLOT,
+        until: plan.until.max(1),
+    };
+    let (mut drawn, mut bottom) = (Group::new(), top);
+    for lane in &lanes {
+        let (next, below) = drawn_lane(lane, scale, run.report.end, bottom, lang);
+        drawn = drawn.add(next);
+        bottom = below + GAP;
+    }
+    let mut group = Group::new()
+        .add(label(MARGIN, y + 14.0, run.scenario.about(lang), INK).set("font-weight", "bold"))
+        .add(label(MARGIN, y + 34.0, &told(run, lang), colour));
+    if plan.until > 0 {
+        group = group.add(axis(scale, top, bottom, lang));
+    }
+    group = group.add(drawn);
+    for &cut in &plan.restarts {
+        let x = scale.x(cut);
+        group = group
+            .add(line(x, top, x, bottom, PALE).set("stroke-dasharray", "2 3"))
+            .add(label(x + 4.0, top + 10.0, &words::power_cut(lang), PALE).set("font-size", 11));
+    }
+    let unmet = lanes.iter().filter_map(|lane| lane.unmet.first());
+    if let Some(&(first, _)) = unmet.min() {
+        let x = scale.x(first);
+        group = group.add(line(x, top, x, bottom, RED).set("stroke-dasharray", "5 3"));
+    }
+    if plan.until > 0 {
+        bottom += 20.0;
+    }
+    (group, bottom)
+}
+
+/// A lane from `y` on, and where it ends.
+fn drawn_lane(lane: &Lane, scale: Scale, end: Millis, y: f32, lang: Lang) -> (Group, f32) {
+    let name = label(MARGIN, y + ROW - 8.0, &cut(&lane.label), INK);
+    let mut group = Group::new().add(name);
+    let Some(expected) = &lane.expected else {
+        group = group.add(stroke(&lane.came, lane.is_bit, scale, y, end, BLUE));
+        return (group, y + ROW);
+    };
+    for &(from, to) in &lane.unmet {
+        let x = scale.x(from);
+        let unmet = Rectangle::new()
+            .set("x", x)
+            .set("y", y)
+            .set("width", (scale.x(to) - x).max(2.0))
+            .set("height", 2.0 * ROW)
+            .set("fill", "#fbdcd9");
+        group = group.add(unmet);
+    }
+    let colour = if lane.unmet.is_empty() { GREEN } else { RED };
+    let rows = [(words::expected(lang), PALE), (words::came(lang), colour)];
+    for (row, (word, colour)) in rows.iter().enumerate() {
+        let y = y + row as f32 * ROW + ROW - 8.0;
+        group = group.add(
+            label(LEFT - 8.0, y, word, colour)
+                .set("text-anchor", "end")
+                .set("font-size", 11),
+        );
+    }
+    let until = scale.until;
+    group = group
+        .add(stroke(expected, lane.is_bit, scale, y, until, PALE).set("stroke-dasharray", "4 2"))
+        .add(stroke(&lane.came, lane.is_bit, scale, y + ROW, end, colour));
+    (group, y + 2.0 * ROW)
+}
+
+/// The most letters of a label.
+const LETTERS: usize = 24;
+
+/// A label, cut where it is too long.
+fn cut(text: &str) -> String {
+    match text.chars().count() > LETTERS {
+        true => text.chars().take(LETTERS - 1).chain(['…']).collect(),
+        false => text.to_owned(),
+    }
+}
+
+/// The times below the lanes, and thin lines up from them.
+fn axis(scale: Scale, top: f32, bottom: f32, lang: Lang) -> Group {
+    let steps = (0..9).flat_map(|power| [1, 2, 5].map(|step: Millis| step * 10_u32.pow(power)));
+    let is_wide = |step: &Millis| scale.until / step <= 10;
+    let step = steps.into_iter().find(is_wide).unwrap_or(Millis::MAX);
+    let mut group = Group::new();
+    for at in (0..=scale.until).step_by(step as usize) {
+        let x = scale.x(at);
+        let time = match step % 100 {
+            0 => words::seconds(lang, at / 1000, at % 1000 / 100),
+            _ => format!("{at} ms"),
+        };
+        group = group
+            .add(line(x, top, x, bottom, LINE).set("stroke-width", 0.5))
+            .add(
+                label(x, bottom + 14.0, &time, PALE)
+                    .set("text-anchor", "middle")
+                    .set("font-size", 11),
+            );
+    }
+    group
+}
