@@ -5,8 +5,8 @@ use crate::common::outcome_in;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Scenario, check};
-use unoclp_lang::{Options, TextLanguage, compile, compile_text};
+use unoclp_host_sim::scenario::{Exercise, Scenario, check};
+use unoclp_lang::{Lang, Options, TextLanguage, compile, compile_text};
 use unoclp_source::BOARD;
 
 const PAGES: [&str; 2] = ["docs/tutorial.md", "docs/tutorial.pt-BR.md"];
@@ -247,6 +247,33 @@ fn every_exercise_is_solved() {
             let program = read(&format!("{folder}/{file}"));
             let block = blocks(rest).into_iter().next().unwrap();
             assert!(program.ends_with(&block.text), "{page}: {file}");
+        }
+    }
+}
+
+/// Title and task of an exercise stand in its file and on the pages, in the same words.
+#[test]
+fn every_exercise_asks_what_the_pages_ask() {
+    let solutions = programs(&format!("{FOLDER}/solutions"));
+    for (page, lang, mark) in [
+        (PAGES[0], Lang::En, "**Exercise**: "),
+        (PAGES[1], Lang::Pt, "**Exercício**: "),
+    ] {
+        for ((_, section), solution) in steps(page).iter().zip(&solutions) {
+            let file = solution.replace(".il", ".toml").replace(".st", ".toml");
+            let exercise = Exercise::load(&path(&format!("{FOLDER}/solutions/{file}")));
+            let exercise = exercise.unwrap_or_else(|error| panic!("{error}"));
+            let (_, title) = section.split_once(". ").unwrap();
+            let title = title.lines().next().unwrap();
+            assert_eq!(exercise.title.text(lang), title, "{page}");
+            let (_, asked) = section.split_once(mark).unwrap();
+            let asked = asked.split("\n\n").next().unwrap();
+            let asked: Vec<&str> = asked.split_whitespace().collect();
+            let asked = asked.join(" ").replace(['`', '*'], "");
+            // On the page it follows a word.
+            let task = exercise.task.expect("it has a task");
+            let same = |text: &str| text.chars().skip(1).collect::<String>();
+            assert_eq!(same(task.text(lang)), same(&asked), "{page}");
         }
     }
 }
