@@ -99,6 +99,15 @@ fn pages_and_messages_use_one_word_for_one_thing() {
     ] {
         texts.push((table.to_owned(), portuguese(&read(table)).to_lowercase()));
     }
+    for folder in ["programs/exercises", "programs/tutorial/solutions"] {
+        let files = fs::read_dir(path(folder)).unwrap();
+        let files = files.map(|file| file.unwrap().file_name().into_string().unwrap());
+        for file in files.filter(|file| file.ends_with(".toml")) {
+            let name = format!("{folder}/{file}");
+            let text = portuguese(&read(&name)).to_lowercase();
+            texts.push((name, text));
+        }
+    }
     let mut found = Vec::new();
     for (name, text) in &texts {
         assert!(!text.is_empty(), "{name}");
