@@ -1,4 +1,4 @@
-//! The command line: `unoclp check`, `compile`, `list`, `sim`, `run` and `card` on this PC,
+//! The command line: `unoclp check`, `compile`, `list`, `sim`, `grade`, `run` and `card` on this PC,
 //! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
@@ -11,8 +11,8 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Doors, Firmware, Form, Leave, What, Wording, in_portuguese, langs, language,
-    refuse,
+    At, Changes, Class, Doors, Firmware, Form, Leave, What, Wording, in_portuguese, langs,
+    language, refuse,
 };
 use ratatui::crossterm::terminal;
 use std::env;
@@ -90,6 +90,11 @@ enum Command {
         vcd: Option<PathBuf>,
         #[command(flatten)]
         wording: Wording,
+    },
+    /// Run the programs of a class through the cases of an exercise
+    Grade {
+        #[command(flatten)]
+        class: Class,
     },
     /// Run a program on this PC, and show its variables
     Run {
@@ -260,6 +265,7 @@ fn main() -> ExitCode {
             (Some(file), None) => commands::simulate(&file, vcd.as_deref(), &wording),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
+        Command::Grade { class } => commands::grade(&class),
         Command::Run { what } => commands::run(what),
         Command::Card {
             card,

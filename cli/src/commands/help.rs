@@ -22,6 +22,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "sim",
         "Simula um programa, à mão neste terminal ou com um cenário",
     ),
+    (
+        "grade",
+        "Roda os programas de uma turma pelos casos de um exercício",
+    ),
     ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
         "card",
@@ -60,6 +64,26 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "run",
         "file",
         "O programa, em qualquer das linguagens; - o lê da entrada padrão",
+    ),
+    (
+        "grade",
+        "exercise",
+        "O exercício: um arquivo de cenário com casos (.toml)",
+    ),
+    (
+        "grade",
+        "files",
+        "Os programas, em qualquer das linguagens; de uma pasta, todos os que há nela",
+    ),
+    (
+        "grade",
+        "csv",
+        "Mostra uma tabela para uma planilha: valores separados por vírgula",
+    ),
+    (
+        "grade",
+        "html",
+        "Grava uma página com o primeiro caso que falha de cada programa, como diagrama de tempo",
     ),
     ("run", "text", "O próprio programa, em vez de um arquivo"),
     (
@@ -250,6 +274,9 @@ const VALUES: &[(&str, &str)] = &[
     ("WHAT", "ITENS"),
     ("SECONDS", "SEGUNDOS"),
     ("OUT.svg", "DESENHO.svg"),
+    ("OUT.html", "PÁGINA.html"),
+    ("EXERCISE", "EXERCÍCIO"),
+    ("FILES", "ARQUIVOS"),
     ("OUT.vcd", "REGISTRO.vcd"),
 ];
 

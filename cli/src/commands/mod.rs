@@ -4,6 +4,7 @@
 //! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from a text to numeric code, and onto a card
 //! - `list`, `sim`: a program shown, and simulated
+//! - `grade`: the programs of a class in an exercise
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`, `progress`: Ctrl-C; a line that changes
 //! - `run`: a program on this PC, and its variables
@@ -22,6 +23,7 @@ macro_rules! say {
 mod card;
 mod compile;
 mod flash;
+mod grade;
 mod help;
 mod interrupt;
 mod list;
@@ -41,6 +43,7 @@ mod words;
 pub use card::card;
 pub use compile::compile;
 pub use flash::{Firmware, flash};
+pub use grade::{Class, grade};
 pub use help::in_portuguese;
 pub use list::list;
 pub use monitor::monitor;

@@ -34,15 +34,17 @@ pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
         }
         return Ok(ProgramFile { name, bytes });
     }
-    ProgramFile::read(path).map_err(|why| {
-        let name = path.display();
-        anyhow!(match &why {
-            Unreadable::TooLong => format!("{name} {}", why.text(messages::spoken())),
-            Unreadable::System { kind, told } => {
-                messages::cannot_read(name, system(messages::spoken(), *kind, told))
-            }
-        })
-    })
+    ProgramFile::read(path).map_err(|why| anyhow!(unreadable(&path.display().to_string(), &why)))
+}
+
+/// That a file of this name cannot be read, and why.
+pub fn unreadable(name: &str, why: &Unreadable) -> String {
+    match why {
+        Unreadable::TooLong => format!("{name} {}", why.text(messages::spoken())),
+        Unreadable::System { kind, told } => {
+            messages::cannot_read(name, system(messages::spoken(), *kind, told))
+        }
+    }
 }
 
 /// Reads a program that is right. The faults of one that is not are shown, and the warnings of its text.

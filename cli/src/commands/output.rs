@@ -17,6 +17,8 @@ pub enum Kind {
     Trace,
     /// A program in numeric code.
     Program,
+    /// A page for a browser.
+    Page,
 }
 
 /// As much of a file as tells its kind.
@@ -37,6 +39,10 @@ impl Kind {
                     .iter()
                     .any(|word| text.starts_with(word)),
                 Kind::Program => is_numeric(head),
+                Kind::Page => {
+                    let start = text.get(..15).unwrap_or(text).to_ascii_lowercase();
+                    start.starts_with("<!doctype html") || start.starts_with("<html")
+                }
             }
     }
 
@@ -45,6 +51,7 @@ impl Kind {
             Kind::Drawing => messages::a_drawing(),
             Kind::Trace => messages::a_trace(),
             Kind::Program => messages::a_program(),
+            Kind::Page => messages::a_page(),
         }
     }
 }

@@ -71,6 +71,26 @@ unoclp_source::messages! {
     a_drawing() "an SVG drawing" "um desenho SVG";
     a_trace() "a VCD trace" "um registro VCD";
     a_program() "numeric code" "código numérico";
+    a_page() "a page in HTML" "uma página em HTML";
+    no_programs(folder, languages)
+        "{folder} has no program in it. {languages}"
+        "{folder} não tem nenhum programa. {languages}";
+    left_out(files)
+        "left out, since a program's name ends in .txt, .il, .st, .scl, .iscl or .lce: {files}"
+        "ficaram de fora, pois o nome de um programa termina em .txt, .il, .st, .scl, .iscl ou .lce: {files}";
+    file_empty() "the file is empty" "o arquivo está vazio";
+    file_binary() "the file holds bytes that are no text" "o arquivo contém bytes que não são texto";
+    file_other() "the file begins in none of the languages" "o arquivo não começa em nenhuma das linguagens";
+    written(file) "{file}: written" "{file}: gravado";
+    grade_file() "file" "arquivo";
+    grade_cases() "cases" "casos";
+    grade_failing() "first failing case" "primeiro caso que falha";
+    passed() "passed" "passou";
+    not_compiled() "no program that runs" "não é um programa que rode";
+    in_line(line, message) "line {line}: {message}" "linha {line}: {message}";
+    programs_passed(exercise, passed, programs)
+        "{exercise}: {passed} of {programs} passed"
+        "{exercise}: {passed} de {programs} passaram";
     forced(points)
         "forced: {points}"
         "forçados: {points}";

@@ -21,6 +21,10 @@ const TABLES: &[&str] = &[
 
 /// What is no text for users: it names things that have that name in every language, or is for developers.
 const NAMES: &[&str] = &[
+    // Columns of a spreadsheet, which are the same for what reads them, and how a page begins.
+    "cases passed",
+    "first failing case",
+    "<!doctype html",
     // What the register map calls it.
     "no reset",
     // The fonts and the dashes of a drawing.

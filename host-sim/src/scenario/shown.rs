@@ -56,19 +56,22 @@ impl Verdict {
 
     /// The same in a line: `PASS`, or `FAIL` and the first reason.
     pub fn brief(&self, lang: Lang) -> String {
+        match self.reason(lang) {
+            reason if reason.is_empty() => self.text(lang),
+            reason => format!("{}: {reason}", failed(lang)),
+        }
+    }
+
+    /// The first reason why it is none that passes, in a line; empty of one that does.
+    pub fn reason(&self, lang: Lang) -> String {
         let text = self.text(lang);
         let reasons = match self {
             Verdict::Unmet(_) => 1,
             _ => usize::MAX,
         };
         let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
-        let mut lines = text.lines().map(words);
-        let head = lines.next().unwrap_or_default();
-        let reasons: Vec<String> = lines.take(reasons).collect();
-        match reasons.is_empty() {
-            true => head,
-            false => format!("{head}: {}", reasons.join("; ")),
-        }
+        let reasons = text.lines().skip(1).take(reasons).map(words);
+        reasons.collect::<Vec<_>>().join("; ")
     }
 }
 

@@ -1,0 +1,78 @@
+//! `unoclp grade`: how the programs of a class do in an exercise.
+//!
+//! - `files`: which programs those are
+//! - `row`: what came of one
+//! - `table`, `sheet`, `page`: the rows for a terminal, for a spreadsheet, and with diagrams for a browser
+//!
+//! Whatever is wrong with a program is a row. Only what is wrong with the arguments ends the command.
+
+mod files;
+mod page;
+mod row;
+mod sheet;
+mod table;
+
+use super::open::unreadable;
+use super::output::{Kind, cannot_write, create};
+use super::wording::Wording;
+use crate::Outcome;
+use anstream::{eprintln, print, println};
+use anyhow::anyhow;
+use clap::Args;
+use row::Row;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use unoclp_cli::messages;
+use unoclp_host_sim::scenario::{Exercise, ProgramFile};
+
+/// What is graded, and how that is told.
+#[derive(Args)]
+pub struct Class {
+    /// The exercise: a scenario file with cases (.toml)
+    exercise: PathBuf,
+    /// The programs, in any of the languages; of a folder all below it
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Print a table for a spreadsheet: comma-separated values
+    #[arg(long)]
+    csv: bool,
+    /// Write a page with the first failing case of each program as a timing diagram
+    #[arg(long, value_name = "OUT.html")]
+    html: Option<PathBuf>,
+    #[command(flatten)]
+    wording: Wording,
+}
+
+/// Grades the programs of a class.
+pub fn grade(class: &Class) -> Outcome {
+    let exercise = Exercise::load(&class.exercise);
+    let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
+    let found = files::find(&class.files)?;
+    let page = class.html.as_deref().map(|html| {
+        let inputs = found.programs.iter().map(PathBuf::as_path);
+        let inputs: Vec<&Path> = inputs.chain([class.exercise.as_path()]).collect();
+        create(html, Kind::Page, &inputs)
+    });
+    let page = page.transpose()?;
+    let row = |path: &PathBuf| match ProgramFile::read(path) {
+        Ok(ProgramFile { name, bytes }) => Row::of(class.wording.of(name, bytes), &exercise),
+        Err(why) => Row::unreadable(path, unreadable(&path.display().to_string(), &why)),
+    };
+    let rows: Vec<Row> = found.programs.iter().map(row).collect();
+    match class.csv {
+        true => print!("{}", sheet::csv(&rows, &exercise)?),
+        false => println!("{}", table::table(&rows, &exercise)),
+    }
+    if !found.left_out.is_empty() {
+        let names = found.left_out.iter().map(|path| path.display().to_string());
+        let names = names.collect::<Vec<_>>().join(", ");
+        eprintln!("{}", messages::left_out(names));
+    }
+    if let (Some(html), Some(mut page)) = (&class.html, page) {
+        let text = page::html(&rows, &exercise);
+        page.write_all(text.as_bytes())
+            .map_err(cannot_write(html))?;
+        eprintln!("{}", messages::written(html.display()));
+    }
+    Ok(rows.iter().all(Row::is_passed))
+}

@@ -1,0 +1,162 @@
+//! What came of a program.
+
+use annotate_snippets::Renderer;
+use std::path::Path;
+use unoclp_cli::messages;
+use unoclp_host_sim::diagram;
+use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
+use unoclp_lang::{self as lang, Lines, Severity, Told};
+use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis};
+
+/// How a program does.
+#[derive(Debug)]
+pub struct Row {
+    /// Its file.
+    pub file: String,
+    /// How many cases it passed.
+    pub passed: usize,
+    /// Why it did not pass all of them.
+    pub fail: Option<Fail>,
+}
+
+/// Why a program did not pass.
+#[derive(Debug)]
+pub struct Fail {
+    /// The first case that it did not pass; of one that does not compile, that.
+    pub case: String,
+    /// Why, in a line.
+    pub why: String,
+    /// What shows it.
+    pub shown: Shown,
+}
+
+/// What shows why a program did not pass.
+#[derive(Debug)]
+pub enum Shown {
+    /// The run, to be drawn.
+    Run(Box<Failing>),
+    /// An excerpt of its text.
+    Excerpt(String),
+}
+
+impl Shown {
+    /// The timing diagram, where there was a run.
+    pub fn diagram(&self, exercise: &Exercise) -> Option<String> {
+        let Shown::Run(failing) = self else {
+            return None;
+        };
+        let Failing {
+            scenario, report, ..
+        } = &**failing;
+        let run = diagram::Run { scenario, report };
+        Some(diagram::svg(&[run], &exercise.names, messages::spoken()))
+    }
+}
+
+impl Row {
+    /// That of a file that cannot be read.
+    pub fn unreadable(path: &Path, why: String) -> Row {
+        Row::refused(path.display().to_string(), why, String::new())
+    }
+
+    /// That of a program, which is compiled and run through all cases.
+    pub fn of(written: Written, exercise: &Exercise) -> Row {
+        let source = match written.check(None) {
+            Ok(source) => source,
+            Err(refused) => return Row::of_refused(refused),
+        };
+        let program = ProgramFile {
+            name: source.name.clone(),
+            bytes: source.code.clone(),
+        };
+        let grade = grade(exercise, &program, &mut HostEngine::default());
+        Row {
+            passed: grade.count(),
+            fail: grade.failing.map(|failing| Fail {
+                case: failing.scenario.about(messages::spoken()).to_owned(),
+                why: why(&failing.report.verdict, &source),
+                shown: Shown::Run(Box::new(failing)),
+            }),
+            file: source.name,
+        }
+    }
+
+    fn of_refused(refused: Refused) -> Row {
+        let (renderer, speak) = (Renderer::plain(), messages::spoken());
+        match refused {
+            Refused::NoProgram { name, why } => {
+                let why = match why {
+                    NoProgram::Empty => messages::file_empty(),
+                    NoProgram::Binary => messages::file_binary(),
+                    NoProgram::Other => messages::file_other(),
+                };
+                Row::refused(name, why, String::new())
+            }
+            Refused::Numeric { written, faults } => {
+                let Written { name, bytes, .. } = written;
+                let why = faults.first().map(|fault| {
+                    let told = diagnosis::tell(&bytes, fault, speak);
+                    in_line(told.line.unwrap_or(1) as usize, told.message)
+                });
+                let excerpt = diagnosis::show(&name, &bytes, &faults, speak, &renderer);
+                Row::refused(name, why.unwrap_or_default(), excerpt)
+            }
+            Refused::Text {
+                name,
+                text,
+                diagnostics,
+            } => {
+                let why = first_error(&text, &diagnostics);
+                let excerpt = lang::show(&name, &text, &diagnostics, speak, &renderer);
+                Row::refused(name, why, excerpt)
+            }
+        }
+    }
+
+    fn refused(file: String, why: String, excerpt: String) -> Row {
+        Row {
+            file,
+            passed: 0,
+            fail: Some(Fail {
+                case: messages::not_compiled(),
+                why,
+                shown: Shown::Excerpt(excerpt),
+            }),
+        }
+    }
+
+    /// Whether it passed all cases.
+    pub fn is_passed(&self) -> bool {
+        self.fail.is_none()
+    }
+}
+
+/// Why a case was not passed, in a line; a fault in the line of the text that has it.
+fn why(verdict: &Verdict, source: &Source) -> String {
+    let fault = match verdict {
+        Verdict::WrongStop {
+            came: Some((_, refusal)),
+            ..
+        } => refusal.fault(),
+        _ => None,
+    };
+    let told = fault.and_then(|fault| {
+        let (line, _) = source.line_of(fault.line?)?;
+        Some(in_line(line, messages::fault(fault.cause)))
+    });
+    told.unwrap_or_else(|| verdict.reason(messages::spoken()))
+}
+
+/// The first error of a text, with its line.
+fn first_error(text: &str, told: &Told) -> String {
+    let error = told.iter().find(|one| one.severity() == Severity::Error);
+    error.map_or_else(String::new, |error| {
+        let (line, _) = Lines::new(text).place(text, error.span.start);
+        in_line(line as usize, error.message(messages::spoken()))
+    })
+}
+
+fn in_line(line: usize, message: impl std::fmt::Display) -> String {
+    messages::in_line(line, message)
+}
