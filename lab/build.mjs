@@ -8,7 +8,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, write
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { createHash } from "node:crypto";
-import { examples, lessons } from "./build/lessons.mjs";
+import { examples, exercises, lessons } from "./build/lessons.mjs";
 import { packages } from "./build/packages.mjs";
 
 const lab = dirname(fileURLToPath(import.meta.url));
@@ -71,6 +71,7 @@ async function around(outdir) {
   cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
   const root = join(lab, "..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
+  writeFileSync(join(outdir, "exercises.json"), JSON.stringify(exercises(root)));
   writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));
   const files = readdirSync(outdir).filter((name) => !name.endsWith(".map") && name !== "sw.js");
   const sum = createHash("sha256");

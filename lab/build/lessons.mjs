@@ -1,4 +1,4 @@
-// The tutorial and the examples as the page takes them, made from what the repository has of them anyway.
+// The tutorial, the exercises and the examples as the page takes them, made from what the repository has of them anyway.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -46,6 +46,18 @@ export function lessons(root) {
       exercise: beside(`solutions/${solution}`),
       solution: read(`solutions/${solution}`),
     };
+  });
+}
+
+/** Each exercise without its solution: a student finds that. */
+export function exercises(root) {
+  const folder = join(root, "programs/exercises");
+  const files = readdirSync(folder).sort();
+  const scenarios = files.filter((file) => file.endsWith(".toml"));
+  return scenarios.map((file) => {
+    const name = file.replace(/\.toml$/, "");
+    const model = files.find((one) => one !== file && one.startsWith(`${name}.`));
+    return { name, language: model.split(".").pop(), scenario: readFileSync(join(folder, file), "utf8") };
   });
 }
 

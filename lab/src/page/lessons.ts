@@ -2,11 +2,10 @@
 
 import type { Both, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import { h } from "./dom";
 import { keep, kept } from "./kept";
-import { announce } from "./notes";
+import { Verdict } from "./verdict";
 
 interface Lesson {
   readonly title: Both;
@@ -38,6 +37,11 @@ export class Lessons {
     this.go(Number(kept("lesson") ?? "0"));
   }
 
+  close(): void {
+    this.at = -1;
+    this.show();
+  }
+
   private go(at: number): void {
     this.at = Math.min(Math.max(at, 0), this.lessons.length - 1);
     keep("lesson", String(this.at));
@@ -52,40 +56,20 @@ export class Lessons {
     const words = h("div", { class: "words" });
     // Made at build time of a page of this repository.
     words.innerHTML = told(lesson.words);
-    const verdict = h("p", { class: "verdict", id: "verdict", role: "status", hidden: true });
+    const verdict = new Verdict(this.tools);
+    const check = (scenario: string): void => void verdict.check(this.program(), scenario, lesson.name);
     const button = (key: Parameters<typeof say>[0], click: () => void, kind = ""): HTMLElement => h("button", { type: "button", class: kind, click }, say(key));
     const load = (text: string): void => this.open({ name: lesson.name, text });
-    const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => { this.at = -1; this.show(); } }, "×");
+    const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => this.close() }, "×");
     const before = this.at > 0 ? button("lessonBefore", () => this.go(this.at - 1)) : null;
     const next = this.at + 1 < this.lessons.length ? button("lessonNext", () => this.go(this.at + 1)) : null;
     this.root.replaceChildren(
       h("div", { class: "row" }, h("span", { class: "chip" }, say("lessonOf", { n: this.at + 1, all: this.lessons.length })), h("span", { style: "flex:1" }), before, next, close),
       h("h3", {}, told(lesson.title)), words,
       h("div", { class: "row" }, button("lessonLoad", () => load(lesson.text), "primary"),
-        button("checkStep", () => void this.check(lesson.step, lesson.name, verdict)),
-        button("checkExercise", () => void this.check(lesson.exercise, lesson.name, verdict)),
+        button("checkStep", () => check(lesson.step)),
+        button("checkExercise", () => check(lesson.exercise)),
         button("lessonSolution", () => load(lesson.solution))),
-      verdict);
-  }
-
-  private async check(scenario: string, title: string, verdict: HTMLElement): Promise<void> {
-    let passed = false;
-    let text: string;
-    try {
-      const outcome = await this.tools.ask("exercise", { ...this.program(), scenario, title });
-      passed = outcome.passed;
-      const first = outcome.failing?.shown?.unmet;
-      if (passed) text = say("passed");
-      else if (first) text = say("failedAt", { time: first.from, place: first.place, came: first.came, expected: first.expected });
-      else text = say("failedAny");
-    } catch (error) {
-      if (!(error instanceof Refusal)) throw error;
-      text = told(error.both);
-    }
-    verdict.hidden = false;
-    verdict.textContent = text;
-    verdict.className = `verdict ${passed ? "good" : "bad"}`;
-    announce(text);
-    verdict.scrollIntoView({ block: "nearest" });
+      verdict.element);
   }
 }

@@ -12,6 +12,7 @@ import { Desk } from "./desk";
 import { ProgramDocument, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
+import { Exercises } from "./exercises";
 import { download, read, takeDrops } from "./files";
 import { Lessons } from "./lessons";
 import { note } from "./notes";
@@ -79,7 +80,8 @@ async function load(): Promise<void> {
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
   const lessons = new Lessons(byId("lesson"), remote, () => program.text.value, open);
-  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons });
+  const exercises = new Exercises(byId("exercise"), remote, () => program.text.value, open);
+  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons, exercises });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge()));
 

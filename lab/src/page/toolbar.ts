@@ -1,4 +1,4 @@
-// The bar at the top: files, examples, tutorial, sharing, language, light or dark.
+// The bar at the top: files, examples, tutorial, exercises, sharing, language, light or dark.
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
@@ -6,6 +6,7 @@ import { say, setSpeak, speak, told } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
+import type { Exercises } from "./exercises";
 import { download, pick } from "./files";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
@@ -23,6 +24,7 @@ interface Parts {
   readonly slot: CardSlot;
   readonly remote: RemoteTools;
   readonly lessons: Lessons;
+  readonly exercises: Exercises;
 }
 
 interface Example {
@@ -40,12 +42,13 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   speak.follow((language) => {
     tongue.value = language;
   });
-  const lessons = h("button", { type: "button", id: "lessons", click: () => void parts.lessons.start() }, icon("book"), h("span", { "data-say": "lessons" }));
+  const lessons = h("button", { type: "button", id: "lessons", click: () => { parts.exercises.close(); void parts.lessons.start(); } }, icon("book"), h("span", { "data-say": "lessons" }));
+  const exercises = h("button", { type: "button", id: "exercises", click: () => { parts.lessons.close(); void parts.exercises.start(); } }, icon("tick"), h("span", { "data-say": "exercises" }));
   const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program.text.value) }, icon("share"));
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
     menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
-    lessons, share, theme(), tongue,
+    lessons, exercises, share, theme(), tongue,
   );
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey)) return;

@@ -22,6 +22,7 @@ export const TABLE = {
   dropHere: ["Drop the file to open it", "Solte o arquivo para abri-lo"],
   examples: ["Examples", "Exemplos"],
   lessons: ["Tutorial", "Tutorial guiado"],
+  exercises: ["Exercises", "Exercícios"],
   replaced: ["Your program was replaced. Undo brings it back.", "Seu programa foi substituído. Desfazer traz de volta."],
   undo: ["Undo", "Desfazer"],
   language: ["Language of the page", "Idioma da página"],
@@ -192,6 +193,13 @@ export const TABLE = {
   passed: ["Passed: it does what is expected.", "Passou: faz o que se espera."],
   failedAt: ["At {time} ms {place} is {came}; expected is {expected}.", "Em {time} ms {place} está em {came}; o esperado é {expected}."],
   failedAny: ["It does not do what is expected.", "Não faz o que se espera."],
+  failedHidden: ["The hidden case “{title}” is not passed. What has your program not thought of?", "O caso oculto “{title}” não passou. No que o seu programa não pensou?"],
+  caseHidden: ["hidden", "oculto"],
+  exerciseNames: ["What is connected", "O que está ligado"],
+  exerciseHints: ["Hints", "Dicas"],
+  exerciseHint: ["Hint {n} of {all}", "Dica {n} de {all}"],
+  exerciseCheck: ["Check", "Verificar"],
+  exerciseBegin: ["Begin an empty program", "Começar um programa vazio"],
   checkErrors: ["Mend the problems first.", "Corrija os problemas primeiro."],
 } as const satisfies Readonly<Record<string, readonly [string, string]>>;
 

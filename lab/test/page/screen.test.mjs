@@ -28,6 +28,12 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     await page.locator("#lesson h3").waitFor();
     assert.deepEqual(await findings(page), []);
     await page.screenshot({ path: join(pictures, `lesson-${colorScheme}.png`) });
+    await page.click("#exercises");
+    await page.click("#exercise-hint");
+    await page.click("#exercise-check");
+    await page.locator("#exercise .diagram svg").waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.screenshot({ path: join(pictures, `exercise-${colorScheme}.png`) });
     await page.context().close();
   });
 }

@@ -1,0 +1,117 @@
+// The exercises: a list, and of the chosen one its task, its hints one after the other, and the check.
+
+import type { Sheet, Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
+import { say, speak, told } from "../words/words";
+import { h } from "./dom";
+import { announce } from "./notes";
+import { Verdict } from "./verdict";
+
+/** An exercise as the build has put it into the page. */
+interface File {
+  readonly name: string;
+  /** The end of the name of its model solution, which says in which language it is best begun. */
+  readonly language: string;
+  readonly scenario: string;
+}
+
+/** An exercise, and how far the student has come. */
+interface Exercise extends File {
+  readonly sheet: Sheet;
+  readonly verdict: Verdict;
+  hints: number;
+  passed: boolean;
+}
+
+export class Exercises {
+  private all: readonly Exercise[] = [];
+  private at = 0;
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly tools: RemoteTools,
+    private readonly program: () => Text,
+    private readonly open: (text: Text) => void,
+  ) {
+    speak.follow(() => {
+      if (!this.root.hidden) this.show();
+    });
+  }
+
+  /** Opens the exercise that was open last. */
+  async start(): Promise<void> {
+    if (this.all.length === 0) {
+      const files = (await (await fetch("exercises.json")).json()) as File[];
+      this.all = await Promise.all(files.map((file) => this.read(file)));
+    }
+    this.root.hidden = false;
+    this.show();
+    this.root.querySelector("select")?.focus();
+  }
+
+  close(): void {
+    this.root.hidden = true;
+  }
+
+  private async read(file: File): Promise<Exercise> {
+    const sheet = await this.tools.ask("sheet", { scenario: file.scenario, title: file.name });
+    return { ...file, sheet, verdict: new Verdict(this.tools), hints: 0, passed: false };
+  }
+
+  private show(): void {
+    const exercise = this.all[this.at];
+    if (!exercise) return;
+    const { sheet, verdict } = exercise;
+    verdict.show();
+    const names = Object.entries(sheet.names);
+    const points = names.map(([point, name]) => h("li", {}, h("code", {}, point), ` ${told(name)}`));
+    const hints = sheet.hints.slice(0, exercise.hints).map((hint) => h("li", {}, told(hint)));
+    const next = exercise.hints < sheet.hints.length;
+    this.root.replaceChildren(
+      h("div", { class: "row" }, this.list(), h("span", { style: "flex:1" }),
+        h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => this.close() }, "×")),
+      h("h3", {}, told(sheet.title)),
+      h("p", { class: "task" }, sheet.task ? told(sheet.task) : ""),
+      h("ul", { class: "names", "aria-label": say("exerciseNames") }, ...points),
+      h("ol", { class: "hints", "aria-label": say("exerciseHints"), hidden: hints.length === 0 }, ...hints),
+      h("div", { class: "row" },
+        h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
+        h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
+        next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null),
+      verdict.element);
+  }
+
+  private list(): HTMLElement {
+    const options = this.all.map(({ sheet, passed }, index) =>
+      h("option", { value: index, selected: index === this.at }, `${index + 1}. ${told(sheet.title)}${passed ? " ✓" : ""}`));
+    const change = (event: Event): void => {
+      this.at = Number((event.target as HTMLSelectElement).value);
+      this.show();
+      this.root.querySelector("select")?.focus();
+    };
+    return h("select", { id: "exercise-list", "aria-label": say("exercises"), change }, ...options);
+  }
+
+  private hint(exercise: Exercise): void {
+    const hint = exercise.sheet.hints[exercise.hints];
+    exercise.hints++;
+    this.show();
+    if (hint) announce(told(hint));
+    // The last hint takes its button with it.
+    (this.root.querySelector<HTMLElement>("#exercise-hint") ?? this.root.querySelector<HTMLElement>("#exercise-check"))?.focus();
+  }
+
+  private async check(exercise: Exercise): Promise<void> {
+    const passed = await exercise.verdict.check(this.program(), exercise.scenario, exercise.name);
+    if (!passed || exercise.passed) return;
+    exercise.passed = true;
+    this.show();
+    this.root.querySelector<HTMLElement>("#exercise-check")?.focus();
+  }
+}
+
+/** A program that says what is connected, and does nothing yet. */
+function begun({ name, language, sheet }: Exercise): Text {
+  const points = Object.entries(sheet.names).map(([point, connected]) => `   ${point}  ${told(connected)}\n`);
+  return { name: `${name}.${language}`, text: `(* ${told(sheet.title)}\n\n${points.join("")}*)\n` };
+}

@@ -1,0 +1,61 @@
+// What came of a check: the cases, and of the first that was not passed the timing diagram.
+
+import type { Outcome, Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
+import { Refusal } from "../tools/tools";
+import { say, told } from "../words/words";
+import { h } from "./dom";
+import { announce } from "./notes";
+
+export class Verdict {
+  readonly element = h("div", { class: "outcome" });
+  private came: Outcome | Refusal | null = null;
+
+  constructor(private readonly tools: RemoteTools) {}
+
+  /** Runs a program through the cases of a scenario file, and shows what came of it. Tells whether it passed. */
+  async check(program: Text, scenario: string, title: string): Promise<boolean> {
+    try {
+      this.came = await this.tools.ask("exercise", { ...program, scenario, title });
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      this.came = error;
+    }
+    this.show();
+    announce(this.text());
+    this.element.scrollIntoView({ block: "nearest" });
+    return this.passed();
+  }
+
+  /** Shows it in the language of now. */
+  show(): void {
+    if (!this.came) return;
+    const line = h("p", { class: `verdict ${this.passed() ? "good" : "bad"}`, id: "verdict", role: "status" }, this.text());
+    if (this.came instanceof Refusal) {
+      this.element.replaceChildren(line);
+      return;
+    }
+    const cases = this.came.cases.map(([one, passed]) =>
+      h("li", { class: passed ? "good" : "bad" }, `${passed ? "✓" : "✗"} ${told(one.title)}`, one.hidden ? h("span", { class: "note" }, ` (${say("caseHidden")})`) : null));
+    const diagram = h("div", { class: "diagram" });
+    const shown = this.came.failing?.shown;
+    // Drawn by our own Rust, which escapes every text in it.
+    if (shown) diagram.innerHTML = told(shown.svg);
+    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), diagram);
+  }
+
+  private passed(): boolean {
+    return this.came !== null && !(this.came instanceof Refusal) && this.came.passed;
+  }
+
+  private text(): string {
+    if (!this.came) return "";
+    if (this.came instanceof Refusal) return told(this.came.both);
+    if (this.came.passed) return say("passed");
+    const { failing, cases } = this.came;
+    if (failing && !failing.shown) return say("failedHidden", { title: told(cases[failing.case]?.[0].title ?? { en: "", pt: "" }) });
+    const unmet = failing?.shown?.unmet;
+    if (unmet) return say("failedAt", { time: unmet.from, place: unmet.place, came: unmet.came, expected: unmet.expected });
+    return failing?.shown ? told(failing.shown.why) : say("failedAny");
+  }
+}
