@@ -219,3 +219,35 @@ fn wrong_arguments_are_told_in_both_languages() {
         }
     }
 }
+
+/// The file that the pages show is right, the same in both, and they count the exercises.
+#[test]
+fn the_pages_show_an_exercise_that_works() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let files = fs::read_dir(root.join("programs/exercises")).unwrap();
+    let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
+    let count = names.filter(|name| name.ends_with(".toml")).count();
+    let folder = empty_folder("exercise-page");
+    let bell = put(&folder, "bell.il", "LD I1\nANDN I2\nST Q1\n");
+    let mut shown = Vec::new();
+    for (page, has) in [
+        ("docs/exercises.md", "has"),
+        ("docs/exercises.pt-BR.md", "tem"),
+        ("README.md", ""),
+        ("README.pt-BR.md", ""),
+        ("docs/lab.md", ""),
+        ("docs/lab.pt-BR.md", ""),
+    ] {
+        let text = fs::read_to_string(root.join(page)).unwrap();
+        assert!(text.contains(format!("{has} {count}").trim()), "{page}");
+        if let Some((_, block)) = text.split_once("```toml\n") {
+            shown.push(block.split("```").next().unwrap().to_owned());
+        }
+    }
+    assert_eq!(shown.len(), 2);
+    assert_eq!(shown[0], shown[1]);
+    let exercise = put(&folder, "bell.toml", &shown[0]);
+    let (code, out, err) = outcome(&["grade", &exercise, &bell]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!(outcome(&["sim", "--scenario", &exercise]).0, 0);
+}
