@@ -31,7 +31,21 @@ pub enum Address {
 /// What the points of a program are called; those without a name are shown by number alone.
 pub type Names = BTreeMap<Address, String>;
 
+/// The number of a point that a person has not given yet: no program has it. It is shown as `?`.
+pub(crate) const UNKNOWN: u8 = u8::MAX;
+
 impl Address {
+    /// Its number; of timers that in file order.
+    pub fn number(self) -> u8 {
+        match self {
+            Address::Input(number) | Address::Output(number) | Address::Marker(number) => number,
+            Address::System(number) | Address::Timer(number) | Address::Counter(number) => number,
+            Address::Register(number) | Address::Analogue(number) | Address::Label(number) => {
+                number
+            }
+        }
+    }
+
     /// The point that an instruction names; none where it names none, or several at once.
     pub fn of(instruction: Instruction<'_>) -> Option<Address> {
         let point = match instruction.opcode.row().kind {
@@ -60,17 +74,20 @@ impl Address {
 impl fmt::Display for Address {
     /// `I1`, `Q4`, `M57`, `S2`, `T12`, `C3`, `D32`, `A0`, `L1`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (letter, number) = match self {
-            Address::Input(number) => ('I', number),
-            Address::Output(number) => ('Q', number),
-            Address::Marker(number) => ('M', number),
-            Address::System(number) => ('S', number),
-            Address::Timer(number) => ('T', number),
-            Address::Counter(number) => ('C', number),
-            Address::Register(number) => ('D', number),
-            Address::Analogue(number) => ('A', number),
-            Address::Label(number) => ('L', number),
+        let letter = match self {
+            Address::Input(_) => 'I',
+            Address::Output(_) => 'Q',
+            Address::Marker(_) => 'M',
+            Address::System(_) => 'S',
+            Address::Timer(_) => 'T',
+            Address::Counter(_) => 'C',
+            Address::Register(_) => 'D',
+            Address::Analogue(_) => 'A',
+            Address::Label(_) => 'L',
         };
-        write!(f, "{letter}{number}")
+        match self.number() {
+            UNKNOWN => write!(f, "{letter}?"),
+            number => write!(f, "{letter}{number}"),
+        }
     }
 }

@@ -38,6 +38,7 @@ mod address;
 mod block;
 mod build;
 mod drawing;
+pub mod edit;
 mod element;
 mod energise;
 mod face;
@@ -101,11 +102,7 @@ impl Ladder {
     /// The ladder of a program's steps.
     pub fn new<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> Ladder {
         let steps: Vec<Instruction<'_>> = steps.collect();
-        let mut ladder = Ladder {
-            rungs: Vec::new(),
-            elements: Vec::new(),
-            nets: Nets::new(),
-        };
+        let mut ladder = Ladder::empty();
         let mut timers = 0;
         let mut first = 0;
         while first < steps.len() {
@@ -121,7 +118,17 @@ impl Ladder {
         ladder
     }
 
-    fn rung(&mut self, first: usize, steps: &[Instruction<'_>], timers: &mut u8) {
+    /// A ladder without rungs.
+    pub(crate) fn empty() -> Ladder {
+        Ladder {
+            rungs: Vec::new(),
+            elements: Vec::new(),
+            nets: Nets::new(),
+        }
+    }
+
+    /// Adds a rung of these steps, the first of which has this number; `timers` counts the timers so far.
+    pub(crate) fn rung(&mut self, first: usize, steps: &[Instruction<'_>], timers: &mut u8) {
         let (mut heads, mut labels) = (Vec::new(), Vec::new());
         let mut part = None;
         let mut rail = Nets::RAIL;
@@ -139,7 +146,7 @@ impl Ladder {
                 // A jump comes to a label, and not to the code before it.
                 rail = self.nets.add(Feed::Step(step));
             } else {
-                *timers += u8::from(class == Class::Timer);
+                *timers = timers.saturating_add(u8::from(class == Class::Timer));
                 builder.push(step, *instruction, *timers);
             }
         }
@@ -202,6 +209,6 @@ impl Ladder {
 }
 
 /// Whether a rung ends between these two (NC-8, NC-28).
-fn ends_between(one: Instruction<'_>, next: Instruction<'_>) -> bool {
+pub(crate) fn ends_between(one: Instruction<'_>, next: Instruction<'_>) -> bool {
     one.opcode.class() == Class::If || matches!(next.opcode.class(), Class::Rung | Class::Part)
 }

@@ -3,7 +3,7 @@
 use crate::element::Role;
 use crate::tree::Gate;
 use crate::value::{Load, VALUE};
-use crate::words::{picture, words};
+use crate::words::{amount, picture, words};
 use crate::{Address, Element, Symbol};
 use unoclp_core::isa::{Class, Operand};
 use unoclp_core::{Instruction, Target};
@@ -22,7 +22,8 @@ impl Element {
         let words = words(instruction, value.unwrap_or(VALUE));
         if let Operand::Timer(block) = instruction.operand {
             let point = Address::Timer(timer);
-            let text = format!("{words} {point} {} ms", block.preset);
+            let preset = amount(block.preset.cast_signed());
+            let text = format!("{words} {point} {preset} ms");
             let timer = Element::boxed(step, Role::Function, text, Some(point));
             let mut coil = Element::coil(step, ' ', target(block.target));
             coil.steps.clear();

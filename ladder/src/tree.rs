@@ -34,8 +34,8 @@ pub(crate) struct Store {
 }
 
 /// How paths come together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Gate {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Gate {
     /// By wire.
     Or,
     /// In a box, because the second path has a result of its own.

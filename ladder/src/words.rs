@@ -1,6 +1,7 @@
 //! The words of a symbol: those of the instruction table, with the operands put in.
 
 use crate::Address;
+use crate::address::UNKNOWN;
 use crate::value::VALUE;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
@@ -31,15 +32,21 @@ pub(crate) fn words(instruction: Instruction<'_>, value: &str) -> String {
 fn point(instruction: Instruction<'_>) -> String {
     let xx = instruction.number().unwrap_or(0);
     match instruction.opcode.row().kind {
+        Kind::Group if xx == UNKNOWN => "M?".to_owned(),
         Kind::Group => {
             let last = u32::from(xx) * 8;
             format!("M{}-{last}", last.saturating_sub(7))
         }
         Kind::Reading if xx == 1 => "scan µs".to_owned(),
-        Kind::Reading => "time ms".to_owned(),
-        Kind::None | Kind::Branch | Kind::Bit | Kind::Time | Kind::Timer | Kind::Scale => {
-            xx.to_string()
-        }
+        Kind::Reading if xx != UNKNOWN => "time ms".to_owned(),
+        Kind::Reading | Kind::Bit | Kind::Time if xx == UNKNOWN => "?".to_owned(),
+        Kind::Reading
+        | Kind::None
+        | Kind::Branch
+        | Kind::Bit
+        | Kind::Time
+        | Kind::Timer
+        | Kind::Scale => xx.to_string(),
         Kind::Filter => xx.to_string(),
         Kind::Input | Kind::Output | Kind::Marker | Kind::System | Kind::TimerQ | Kind::Counter => {
             address(instruction)
@@ -58,6 +65,7 @@ fn address(instruction: Instruction<'_>) -> String {
 /// What follows the code.
 fn operand(instruction: Instruction<'_>) -> String {
     match instruction.operand {
+        Operand::Value(Value::Register(UNKNOWN)) => "?".to_owned(),
         Operand::Value(Value::Register(register)) => Address::Register(register).to_string(),
         Operand::Value(Value::Constant(number)) if instruction.opcode.row().kind == Kind::Real => {
             format!("{:?}", f32::from_bits(number.cast_unsigned()))
@@ -70,16 +78,31 @@ fn operand(instruction: Instruction<'_>) -> String {
                 first.saturating_add(length).saturating_sub(1)
             )
         }
-        Operand::Count { preset, .. } => preset.to_string(),
+        Operand::Count { preset, .. } => amount(preset),
         Operand::Move { from, to, count } => {
             let last = |first: u8| first.saturating_add(count).saturating_sub(1);
             format!("D{from}-{} to D{to}-{}", last(from), last(to))
         }
         Operand::Scale { from, to } => format!("{}..{} to {}..{}", from[0], from[1], to[0], to[1]),
-        Operand::Filter { strength, time } => format!("1/{} {time} ms", 1u32 << strength),
-        Operand::Timer(block) => format!("{} ms", block.preset),
+        Operand::Filter { strength, time } => {
+            let part = 1u32.checked_shl(strength.into());
+            let part = part.map_or_else(|| "?".to_owned(), |part| part.to_string());
+            format!("1/{part} {time} ms")
+        }
+        Operand::Timer(block) => format!("{} ms", amount(block.preset.cast_signed())),
         // The steps stand below the box.
         Operand::Drum { .. } => String::new(),
         Operand::None | Operand::Number(_) | Operand::Jump { .. } => String::new(),
     }
 }
+
+/// A preset; `?` where a person has not given it yet.
+pub(crate) fn amount(preset: i32) -> String {
+    match preset {
+        NO_PRESET => "?".to_owned(),
+        preset => preset.to_string(),
+    }
+}
+
+/// A preset that a person has not given yet: no program has it.
+pub(crate) const NO_PRESET: i32 = i32::MIN;

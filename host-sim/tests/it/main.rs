@@ -1,5 +1,6 @@
 //! The tests of the PLC on a PC, in one binary.
 
+mod documents;
 mod exercises;
 mod languages;
 mod naive;

@@ -1,0 +1,124 @@
+//! What is wrong in a document, each at its element.
+//!
+//! What the codes of a document mean, and what fits on a board, the loader of the core says; only what has no code is
+//! found here.
+
+use super::document::{Document, Id};
+use super::emit::{Code, Emitted, What};
+use super::step::Step;
+use unoclp_core::isa::{Class, START};
+use unoclp_core::{Cause, Fault, Loader, Profile};
+
+/// What is wrong in a document, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// The element, or else the path, the block, the parallel or the rung; none where the program as a whole is wrong.
+    pub at: Option<Id>,
+    /// What is wrong.
+    pub what: Wrong,
+}
+
+/// What may be wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wrong {
+    /// An element lacks its address, or an operand.
+    Missing,
+    /// More parallels stand in each other than there are branch points.
+    NoPointLeft,
+    /// What the loader says of its code.
+    Fault(Cause),
+}
+
+impl Document {
+    /// What is wrong in it, in the order of its codes; empty where a board takes it.
+    pub fn check(&self, board: Profile) -> Vec<Mistake> {
+        let emitted = Emitted::of(self);
+        let mut mistakes = Vec::new();
+        let mut says = |at, what| mistakes.push(Mistake { at, what });
+        let missing = emitted.codes.iter().filter(|code| code.lacks_something());
+        missing.for_each(|code| says(Some(code.of), Wrong::Missing));
+        let without = emitted.without_point.iter();
+        without.for_each(|&parallel| says(Some(parallel), Wrong::NoPointLeft));
+        let (text, owners) = text(&emitted);
+        let mut memory = vec![0; usize::from(board.linked_bytes)];
+        let mut loader = Loader::new(&mut memory, board);
+        let mut told = |fault: Fault| {
+            let line = fault.line.and_then(|line| usize::try_from(line).ok());
+            let at = line.and_then(|line| owners.get(line.wrapping_sub(2)));
+            says(at.copied(), Wrong::Fault(fault.cause));
+        };
+        for byte in text.bytes() {
+            loader.push(byte).unwrap_or_else(&mut told);
+        }
+        while let Err(fault) = loader.end() {
+            told(fault);
+        }
+        // The same element is told the same once.
+        let mut all: Vec<Mistake> = Vec::with_capacity(mistakes.len());
+        for mistake in mistakes {
+            if !all.contains(&mistake) {
+                all.push(mistake);
+            }
+        }
+        all
+    }
+
+    /// Its codes, operands and program start among them, as a program file has them line by line.
+    ///
+    /// # Errors
+    /// What is missing, and parallels for which there is no branch point. Whether a board takes the codes is the
+    /// loader's to say.
+    pub fn codes(&self) -> Result<Vec<i32>, Vec<Mistake>> {
+        let emitted = Emitted::of(self);
+        let mut codes = vec![START];
+        let mut mistakes = Vec::new();
+        for code in &emitted.codes {
+            match code.what.codes() {
+                Some(lines) => codes.extend(lines),
+                None => mistakes.push(Mistake {
+                    at: Some(code.of),
+                    what: Wrong::Missing,
+                }),
+            }
+        }
+        mistakes.extend(emitted.without_point.iter().map(|&parallel| Mistake {
+            at: Some(parallel),
+            what: Wrong::NoPointLeft,
+        }));
+        match mistakes.is_empty() {
+            true => Ok(codes),
+            false => Err(mistakes),
+        }
+    }
+}
+
+impl Code<'_> {
+    fn lacks_something(&self) -> bool {
+        matches!(self.what, What::Step(step) if !step.is_complete())
+    }
+}
+
+/// A program file for the loader, and what each line behind the first came from. What lacks something is left out, but
+/// for a timer: others name it by its number.
+fn text(emitted: &Emitted<'_>) -> (String, Vec<Id>) {
+    use std::fmt::Write;
+    let mut text = format!("{START}\n");
+    let mut owners = Vec::new();
+    for code in &emitted.codes {
+        let stand_in = match code.what {
+            What::Step(step) if step.class() == Class::Timer && !step.is_complete() => {
+                Some(Step::new(step.opcode()).with_lines([Some(0), Some(MARKER)]))
+            }
+            _ => None,
+        };
+        let what = stand_in.as_ref().map_or(code.what, What::Step);
+        for line in what.codes().into_iter().flatten() {
+            let _ = writeln!(text, "{line}");
+            owners.push(code.of);
+        }
+    }
+    (text, owners)
+}
+
+/// A target that every board has.
+const MARKER: i32 = unoclp_core::isa::MARKER_OPERAND + 1;
