@@ -5,21 +5,40 @@
 //! has a name, and others put it into words.
 //!
 //! `document` is what is edited; `read` makes one of codes, `emit` and `check` make codes of one again; `draw` hands it
-//! to the drawing.
+//! to the drawing. `operation` says what can be done, `apply` does it, and `history` can take it back.
 
+mod apply;
 mod check;
+mod clip;
+mod cursor;
 mod document;
+mod draft;
 mod draw;
 mod emit;
+mod grid;
+mod history;
+mod operation;
 mod read;
+mod refusal;
 mod shown;
+mod state;
 mod step;
 mod table;
+mod timers;
+mod which;
 
+pub use apply::apply;
 pub use check::{Mistake, Wrong};
+pub use clip::Clip;
+pub use cursor::Cursor;
 pub use document::{
     Begin, Block, Document, Element, Gate, Id, Node, Parallel, Path, Rung, Series, Store, visit,
 };
+pub use draft::{Coil, Draft};
 pub use draw::Drawn;
+pub use history::Editor;
+pub use operation::{Along, Direction, Edge, Operation, Place, Way};
+pub use refusal::Refusal;
+pub use state::State;
 pub use step::Step;
 pub use table::{Row, Table};

@@ -1,4 +1,5 @@
 //! The pictures, as they are drawn and as power flows through them.
 
+mod edit;
 mod picture;
 mod structure;

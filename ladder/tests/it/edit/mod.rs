@@ -1,0 +1,3 @@
+//! The editor without a screen.
+
+mod random;

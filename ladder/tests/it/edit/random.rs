@@ -1,0 +1,245 @@
+//! Random operations: none panics, each document can be drawn, and each can be taken back.
+
+use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::{Loader, Profile};
+use unoclp_ladder::edit::{
+    Along, Begin, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Id, Operation,
+    Place, Row, Step, Way, visit,
+};
+use unoclp_ladder::{Address, Names};
+use unoclp_testing::{Random, rounds};
+
+/// Each on a document of its own.
+const RUNS: u32 = 2_000;
+const OPERATIONS: usize = 500;
+
+#[test]
+fn a_million_random_operations_can_be_taken_back() {
+    let mut seen = Seen::default();
+    for seed in 0..rounds(RUNS) {
+        run(seed.into(), &mut seen);
+    }
+    println!("{seen:?}");
+    // Most of what is tried is to be done, or nothing is tried.
+    assert!(seen.done > seen.tried / 2, "{seen:?}");
+    assert!(seen.came_back > seen.tried / 10_000, "{seen:?}");
+}
+
+#[derive(Debug, Default)]
+struct Seen {
+    tried: u64,
+    done: u64,
+    came_back: u64,
+}
+
+fn run(seed: u64, seen: &mut Seen) {
+    let random = &mut Random(seed);
+    let beginning = Document::new();
+    let mut editor = Editor::new(beginning.clone());
+    let mut log = Vec::new();
+    for count in 1..=OPERATIONS {
+        let operation = operation(random, editor.document());
+        seen.tried += 1;
+        seen.done += u64::from(editor.apply(&operation).is_ok());
+        log.push(operation);
+        if count % 100 == 0 {
+            draws(editor.document());
+            seen.came_back += u64::from(comes_back(editor.document()));
+        }
+    }
+    let end = editor.document().clone();
+    while editor.undo().is_ok() {}
+    assert_eq!(*editor.document(), beginning, "seed {seed}");
+    while editor.redo().is_ok() {}
+    assert_eq!(*editor.document(), end, "seed {seed}");
+    let mut again = Editor::new(beginning);
+    for operation in &log {
+        // What was refused is refused again.
+        let _ = again.apply(operation);
+    }
+    assert_eq!(*again.document(), end, "seed {seed}");
+}
+
+/// It can be drawn: each of its elements is there, but for loads that are drawn with a comparison.
+fn draws(document: &Document) {
+    let drawn = Drawn::of(document);
+    let drawing = drawn.draw(80, &Names::new());
+    assert_eq!(drawing.rungs.len(), document.rungs().len());
+    for rung in document.rungs() {
+        visit(&rung.series, &mut |node| {
+            if let unoclp_ladder::edit::Node::Element(element) = node {
+                assert!(drawn.elements.contains(&element.id));
+            }
+        });
+    }
+    let _ = document.check(Profile::UNO);
+}
+
+/// Whether it is a program; such a one comes back from its codes.
+fn comes_back(document: &Document) -> bool {
+    if !document.check(Profile::UNO).is_empty() {
+        return false;
+    }
+    let codes = document.codes().unwrap();
+    let mut memory = vec![0; 2_000];
+    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    for byte in codes
+        .iter()
+        .flat_map(|code| format!("{code}\n").into_bytes())
+    {
+        loader.push(byte).unwrap();
+    }
+    let program = loader.finish().unwrap();
+    assert_eq!(Document::of_steps(program.steps()).codes(), Ok(codes));
+    true
+}
+
+fn operation(random: &mut Random, document: &Document) -> Operation {
+    match random.below(40) {
+        0..4 => Operation::Select(cursor(random, document)),
+        4..7 => Operation::Move(random.pick(&[
+            Direction::Left,
+            Direction::Right,
+            Direction::Up,
+            Direction::Down,
+        ])),
+        7 => Operation::Extend(along(random)),
+        8..17 => Operation::Insert(draft(random), place(random)),
+        17 => Operation::Branch,
+        18 => Operation::Stretch(along(random), random.pick(&[Way::In, Way::Out])),
+        19..23 => Operation::Delete,
+        23 => Operation::Copy,
+        24 => Operation::Cut,
+        25 => Operation::Paste(place(random)),
+        26..28 => Operation::Carry(id(random, document), place(random)),
+        28 => Operation::Toggle,
+        29 => Operation::Edge(random.pick(&[None, Some(Edge::Rising), Some(Edge::Falling)])),
+        30 => Operation::Coil(coil(random)),
+        31..33 => Operation::Address(address(random)),
+        33 => Operation::Line(
+            random.below(3),
+            random.pick(&[None, Some(7), Some(7901), Some(-1)]),
+        ),
+        34 => match random.below(3) {
+            0 => Operation::Replace(draft(random)),
+            1 => Operation::Point(random.pick(&[None, Some(1), Some(3), Some(9)])),
+            _ => Operation::Split,
+        },
+        35 => Operation::InsertRung(along(random)),
+        36 => Operation::MoveRung(along(random)),
+        37 => Operation::Join,
+        38 => match random.below(4) {
+            0 => Operation::Comment(vec![format!("rung {}", random.below(9))]),
+            1 => Operation::Labels(random.pick(&[&[][..], &[1], &[1, 2]]).to_vec()),
+            2 => Operation::Begin(random.pick(&[
+                Begin::Rung,
+                Begin::NewRung,
+                Begin::Else,
+                Begin::EndIf,
+            ])),
+            _ => Operation::Title(vec!["title".to_owned()]),
+        },
+        _ => Operation::Name(
+            address(random).unwrap_or(Address::Timer(1)),
+            Row {
+                name: random.pick(&["", "start", "lamp"]).to_owned(),
+                comment: String::new(),
+            },
+        ),
+    }
+}
+
+fn ids(document: &Document) -> Vec<Id> {
+    let mut ids = Vec::new();
+    for rung in document.rungs() {
+        ids.push(rung.id);
+        visit(&rung.series, &mut |node| {
+            ids.push(node.id());
+            ids.extend(node.paths().iter().map(|path| path.id));
+        });
+    }
+    ids
+}
+
+fn id(random: &mut Random, document: &Document) -> Id {
+    random.pick(&ids(document))
+}
+
+fn cursor(random: &mut Random, document: &Document) -> Cursor {
+    let from = id(random, document);
+    let to = if random.percent(70) {
+        from
+    } else {
+        id(random, document)
+    };
+    Cursor { from, to }
+}
+
+fn along(random: &mut Random) -> Along {
+    random.pick(&[Along::Back, Along::Forth])
+}
+
+fn place(random: &mut Random) -> Place {
+    random.pick(&[Place::Before, Place::Behind, Place::Beside])
+}
+
+fn coil(random: &mut Random) -> Coil {
+    random.pick(&[
+        Coil::Normal,
+        Coil::Negated,
+        Coil::Set,
+        Coil::Reset,
+        Coil::Load,
+    ])
+}
+
+fn address(random: &mut Random) -> Option<Address> {
+    let number = 1 + random.below(4) as u8;
+    let point = random.pick(&[
+        Address::Input,
+        Address::Output,
+        Address::Marker,
+        Address::System,
+        Address::Timer,
+        Address::Counter,
+        Address::Register,
+        Address::Analogue,
+        Address::Label,
+    ]);
+    random.percent(90).then(|| point(number))
+}
+
+/// Mostly what people draw, and now and then any instruction.
+fn draft(random: &mut Random) -> Draft {
+    let drawn = match random.below(10) {
+        0..5 => Draft::contact(address(random), random.percent(30)),
+        5..7 => Draft::coil(address(random), coil(random)),
+        7 => Draft::timer(
+            random.pick(&[Opcode::OnDelay, Opcode::OffDelay, Opcode::Pulse]),
+            Some(random.below(1_000) as i32),
+            Some(unoclp_core::Target::Marker(1 + random.below(4) as u8)),
+        ),
+        8 => Ok(Draft::counter(random.percent(50), Some(1), Some(5))),
+        _ => Draft::comparison(
+            Some(Step::new(Opcode::LoadAnalogue).with_number(random.below(5) as u8)),
+            Step::new(Opcode::Greater)
+                .with_number(0)
+                .with_lines([Some(500)]),
+        ),
+    };
+    match drawn {
+        Ok(draft) if random.percent(90) => draft,
+        _ => any(random).into(),
+    }
+}
+
+fn any(random: &mut Random) -> Step {
+    let opcode = random.pick(Opcode::ALL);
+    let step = Step::new(opcode).with_number(1 + random.below(3) as u8);
+    let missing = random.percent(10);
+    let lines = match opcode.class() {
+        Class::Timer => vec![Some(5), Some(7901)],
+        _ => vec![(!missing).then_some(1); 40],
+    };
+    step.with_lines(lines)
+}
