@@ -25,12 +25,21 @@ pub enum Wrong {
     Missing,
     /// More parallels stand in each other than there are branch points.
     NoPointLeft,
+    /// Nothing stands on a path, which so is a bridge: all that stands beside it has no effect. A program may be so.
+    Bridge,
     /// What the loader says of its code.
     Fault(Cause),
 }
 
+impl Wrong {
+    /// Whether no board takes a program of which that is true.
+    pub fn is_error(self) -> bool {
+        self != Wrong::Bridge
+    }
+}
+
 impl Document {
-    /// What is wrong in it, in the order of its codes; empty where a board takes it.
+    /// What is wrong in it; without an error a board takes it.
     pub fn check(&self, board: Profile) -> Vec<Mistake> {
         let emitted = Emitted::of(self);
         let mut mistakes = Vec::new();
@@ -39,6 +48,8 @@ impl Document {
         missing.for_each(|code| says(Some(code.of), Wrong::Missing));
         let without = emitted.without_point.iter();
         without.for_each(|&parallel| says(Some(parallel), Wrong::NoPointLeft));
+        let bridges = emitted.holes.iter();
+        bridges.for_each(|&(_, path)| says(Some(path), Wrong::Bridge));
         let (text, owners) = text(&emitted);
         let mut memory = vec![0; usize::from(board.linked_bytes)];
         let mut loader = Loader::new(&mut memory, board);

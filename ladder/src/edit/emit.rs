@@ -3,7 +3,7 @@
 //! A series is written from left to right. Where a [`Parallel`] begins, its paths need a value that acc no longer is:
 //! at the beginning of a rung, a path or a block that is what this began with; anywhere else a branch point keeps it.
 
-use super::document::{Begin, Block, Document, Gate, Id, Node, Parallel, Rung};
+use super::document::{Begin, Block, Document, Gate, Id, Node, Parallel, Path, Rung};
 use super::step::Step;
 use unoclp_core::isa::{BRANCH_POINTS, Opcode};
 
@@ -13,6 +13,8 @@ pub(crate) struct Emitted<'d> {
     pub(crate) codes: Vec<Code<'d>>,
     /// Behind the last code of each rung.
     pub(crate) ends: Vec<usize>,
+    /// Paths on which nothing stands, each with the code that it stands before.
+    pub(crate) holes: Vec<(usize, Id)>,
     /// Parallels for which no branch point was left.
     pub(crate) without_point: Vec<Id>,
 }
@@ -40,6 +42,7 @@ impl Emitted<'_> {
         let mut emitted = Emitted {
             codes: Vec::new(),
             ends: Vec::new(),
+            holes: Vec::new(),
             without_point: Vec::new(),
         };
         let mut by_itself = true;
@@ -49,16 +52,6 @@ impl Emitted<'_> {
             by_itself = rung.ends_in_if();
         }
         emitted
-    }
-
-    /// The codes of each rung.
-    pub(crate) fn rungs(&self) -> impl Iterator<Item = &[Code<'_>]> {
-        let mut first = 0;
-        self.ends.iter().map(move |&end| {
-            let rung = &self.codes[first..end];
-            first = end;
-            rung
-        })
     }
 }
 
@@ -110,6 +103,13 @@ impl<'d> Emitted<'d> {
         }
     }
 
+    fn path(&mut self, path: &'d Path, points: Points) {
+        if path.series.is_empty() {
+            self.holes.push((self.codes.len(), path.id));
+        }
+        self.series(&path.series, points);
+    }
+
     fn parallel(&mut self, parallel: &'d Parallel, mut points: Points, is_first: bool) {
         if !is_first || parallel.point.is_some() {
             let point = self.point(parallel, points);
@@ -121,7 +121,7 @@ impl<'d> Emitted<'d> {
             if index > 0 {
                 self.open(path.id, Opcode::OpenBranch, points.origin);
             }
-            self.series(&path.series, points);
+            self.path(path, points);
             if index > 0 {
                 self.form(path.id, Opcode::CloseBranch, None);
             }
@@ -136,7 +136,7 @@ impl<'d> Emitted<'d> {
         };
         self.open(block.id, open, block.recall);
         let origin = block.recall;
-        self.series(&block.path.series, Points { origin, ..points });
+        self.path(&block.path, Points { origin, ..points });
         self.form(block.id, Opcode::CloseBranch, None);
     }
 

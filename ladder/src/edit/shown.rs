@@ -1,9 +1,9 @@
 //! What a step looks like, complete or not.
 
 use super::step::{Step, target};
-use crate::Symbol;
 use crate::address::UNKNOWN;
 use crate::words::{NO_PRESET, picture};
+use crate::{Element, Symbol};
 use unoclp_core::isa::{Kind, Opcode, Operand, REGISTER_OPERAND, Value};
 use unoclp_core::{Instruction, Target, TimerBlock};
 
@@ -112,4 +112,16 @@ fn as_byte(line: i32) -> u8 {
 
 fn as_bound(line: i32) -> i16 {
     line.clamp(i16::MIN.into(), i16::MAX.into()) as i16
+}
+
+/// What stands for a path on which nothing stands.
+pub(crate) const HOLE: Instruction<'static> = Instruction::numbered(Opcode::InputContact, UNKNOWN);
+
+/// Lets the symbol of a [`HOLE`] say that nothing stands there.
+pub(crate) fn nothing(element: &mut Element) {
+    element.point = None;
+    element.symbol = Symbol::Contact {
+        closed: false,
+        text: "?".to_owned(),
+    };
 }

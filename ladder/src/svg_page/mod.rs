@@ -1,6 +1,7 @@
 //! The same drawing as vector graphics: on paper, for a report, or on a screen that shows it live.
 
 mod screen;
+mod sheet;
 mod wires;
 
 use crate::block::Cell;
@@ -12,6 +13,7 @@ use unoclp_checked::SourceMap;
 use wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
 
 pub use screen::to_screen;
+pub use sheet::{Area, Labels, Sheet, to_sheet};
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;
@@ -49,6 +51,8 @@ pub fn to_svg(
         group: Group::new(),
         y: MARGIN,
         screen: false,
+        ids: None,
+        areas: Vec::new(),
     };
     page.text(MARGIN, page.y + 16.0, about, &Font::TITLE);
     page.y += 40.0;
@@ -132,6 +136,10 @@ struct Page<'p> {
     y: f32,
     /// Whether a style sheet says how all of it looks, and what is live has a name.
     screen: bool,
+    /// What elements are known by where they are edited.
+    ids: Option<&'p dyn Fn(usize) -> u32>,
+    /// Where elements are.
+    areas: Vec<(usize, Area)>,
 }
 
 impl Page<'_> {
@@ -287,7 +295,13 @@ impl Page<'_> {
         let outer = std::mem::take(&mut self.group);
         self.symbol(element, text, columns, y, before);
         let inner = std::mem::replace(&mut self.group, outer);
-        self.add(screen::named(element, index, inner, columns, y));
+        let mut named = screen::named(element, index, inner, columns, y);
+        if let Some(ids) = self.ids {
+            named = named.set("data-id", ids(index));
+            let edges = (x(columns.0 as f32), x(columns.1 as f32));
+            self.areas.push((index, sheet::area(edges, y)));
+        }
+        self.add(named);
     }
 
     fn symbol(

@@ -28,6 +28,8 @@ pub fn to_screen(
         group: Group::new(),
         y: MARGIN / 2.0,
         screen: true,
+        ids: None,
+        areas: Vec::new(),
     };
     let mut all = Group::new();
     for (index, picture) in drawing.rungs.iter().enumerate() {

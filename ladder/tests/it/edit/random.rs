@@ -77,7 +77,8 @@ fn draws(document: &Document) {
 
 /// Whether it is a program; such a one comes back from its codes.
 fn comes_back(document: &Document) -> bool {
-    if !document.check(Profile::UNO).is_empty() {
+    let mistakes = document.check(Profile::UNO);
+    if mistakes.iter().any(|mistake| mistake.what.is_error()) {
         return false;
     }
     let codes = document.codes().unwrap();

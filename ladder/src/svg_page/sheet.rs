@@ -1,0 +1,117 @@
+//! A drawing for a screen on which it is edited: as for one that shows it live, and where everything is.
+//!
+//! Beside what `screen` names, a symbol and a rung have a `data-id`.
+
+use super::{AXIS, COLUMN, Font, GAP, HEADING, MARGIN, Page, WIRE_ROW};
+use crate::Drawing;
+use svg::Document;
+use svg::node::element::Group;
+
+/// A rectangle of a sheet, in its units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Area {
+    /// Its left edge.
+    pub x: f32,
+    /// Its upper edge.
+    pub y: f32,
+    /// Its width.
+    pub width: f32,
+    /// Its height.
+    pub height: f32,
+}
+
+/// A drawing, and where everything is.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The drawing as an SVG element of a page.
+    pub svg: String,
+    /// All of it.
+    pub area: Area,
+    /// The elements of the ladder, by their index, in the order in which they are drawn.
+    pub elements: Vec<(usize, Area)>,
+    /// The rungs, with their headings.
+    pub rungs: Vec<Area>,
+}
+
+/// What is known of a drawing that is edited.
+pub struct Labels<'l> {
+    /// What the elements of the ladder are known by.
+    pub elements: &'l dyn Fn(usize) -> u32,
+    /// What its rungs are known by.
+    pub rungs: &'l dyn Fn(usize) -> u32,
+    /// What stands above a rung, line by line.
+    pub heading: &'l dyn Fn(usize) -> Vec<String>,
+    /// What the drawing is to who cannot see it.
+    pub drawing: &'l str,
+}
+
+/// The drawing as an SVG element of a page on which it is edited.
+pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
+    let mut page = Page {
+        drawing,
+        group: Group::new(),
+        y: MARGIN / 2.0,
+        screen: true,
+        ids: Some(labels.elements),
+        areas: Vec::new(),
+    };
+    let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
+    let mut all = Group::new();
+    let mut rungs = Vec::new();
+    for (index, picture) in drawing.rungs.iter().enumerate() {
+        let top = page.y;
+        for (line, text) in (labels.heading)(index).iter().enumerate() {
+            let font = if line == 0 {
+                &Font::HEADING
+            } else {
+                &Font::REMARK
+            };
+            page.text(MARGIN, page.y + 12.0, text, font);
+            page.y += HEADING;
+        }
+        page.y += 4.0;
+        page.rung(picture);
+        rungs.push(Area {
+            x: 0.0,
+            y: top,
+            width,
+            height: page.y - top,
+        });
+        page.y += GAP;
+        let group = std::mem::take(&mut page.group)
+            .set("class", "rung")
+            .set("data-rung", index + 1)
+            .set("data-id", (labels.rungs)(index));
+        all = all.add(group);
+    }
+    let height = page.y - GAP + MARGIN;
+    let svg = Document::new()
+        .set("class", "ladder")
+        .set("role", "img")
+        .set("aria-label", labels.drawing)
+        .set("width", width)
+        .set("height", height)
+        .set("viewBox", (0.0, 0.0, width, height))
+        .add(all);
+    Sheet {
+        svg: svg.to_string(),
+        area: Area {
+            x: 0.0,
+            y: 0.0,
+            width,
+            height,
+        },
+        elements: page.areas,
+        rungs,
+    }
+}
+
+/// The area of a symbol between two columns, whose wire is here.
+pub(super) fn area((left, right): (f32, f32), wire: f32) -> Area {
+    Area {
+        x: left,
+        y: wire - AXIS,
+        width: right - left,
+        height: WIRE_ROW,
+    }
+}
