@@ -1,7 +1,7 @@
 //! What can be done to a document.
 
 use super::cursor::Cursor;
-use super::document::{Begin, Id};
+use super::document::{Begin, Gate, Id};
 use super::draft::{Coil, Draft};
 use super::table::Row;
 use crate::Address;
@@ -34,8 +34,13 @@ pub enum Operation {
     Carry(Id, Place),
     /// Normally open becomes normally closed, and back; also of coils, comparisons, edges and jumps.
     Toggle,
-    /// The contact acts when what it reads rises or falls, or as long as that lasts.
+    /// The contact acts when what it reads rises or falls, or as long as that lasts. The cursor then selects the edge
+    /// with it, and changes both.
     Edge(Option<Edge>),
+    /// What is selected becomes a block, whose result meets all that stands before it so.
+    Enclose(Gate),
+    /// What the selected block holds stands in its place, in series.
+    Dissolve,
     /// The coil becomes this kind of coil.
     Coil(Coil),
     /// The element reads, writes or drives this point.

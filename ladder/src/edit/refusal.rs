@@ -42,6 +42,8 @@ pub enum Refusal {
     NothingToRedo = 18,
     /// Another point has that name.
     NameTaken = 19,
+    /// It works on a block, and none is selected.
+    SelectBlock = 20,
 }
 
 impl Refusal {

@@ -4,7 +4,9 @@
 //! seen to behind all of them, in `settle`.
 
 mod alter;
+mod block;
 mod branch;
+mod edge;
 mod insert;
 mod remove;
 mod rungs;
@@ -71,7 +73,9 @@ fn change(state: &mut State, operation: &Operation) -> Result<Option<Renamed>, R
             state.cursor = insert::carried(document, cursor, *to, *place)?;
         }
         Operation::Toggle => alter::toggle(document, cursor)?,
-        Operation::Edge(edge) => state.cursor = branch::edge(document, cursor, *edge)?,
+        Operation::Edge(edge) => state.cursor = edge::edge(document, cursor, *edge)?,
+        Operation::Enclose(gate) => state.cursor = block::enclose(document, cursor, *gate)?,
+        Operation::Dissolve => state.cursor = block::dissolve(document, cursor)?,
         Operation::Coil(coil) => alter::coil(document, cursor, *coil)?,
         Operation::Address(address) => alter::address(document, cursor, *address)?,
         Operation::Line(index, value) => alter::line(document, cursor, *index, *value)?,

@@ -1,3 +1,5 @@
 //! The editor without a screen.
 
+mod cases;
+mod meaning;
 mod random;

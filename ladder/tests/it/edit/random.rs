@@ -3,8 +3,8 @@
 use unoclp_core::isa::{Class, Opcode};
 use unoclp_core::{Loader, Profile};
 use unoclp_ladder::edit::{
-    Along, Begin, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Id, Operation,
-    Place, Row, Step, Way, visit,
+    Along, Begin, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Gate, Id,
+    Operation, Place, Row, Step, Way, visit,
 };
 use unoclp_ladder::{Address, Names};
 use unoclp_testing::{Random, rounds};
@@ -113,7 +113,11 @@ fn operation(random: &mut Random, document: &Document) -> Operation {
         24 => Operation::Cut,
         25 => Operation::Paste(place(random)),
         26..28 => Operation::Carry(id(random, document), place(random)),
-        28 => Operation::Toggle,
+        28 => match random.below(3) {
+            0 => Operation::Toggle,
+            1 => Operation::Enclose(random.pick(&[Gate::And, Gate::Or, Gate::Xor])),
+            _ => Operation::Dissolve,
+        },
         29 => Operation::Edge(random.pick(&[None, Some(Edge::Rising), Some(Edge::Falling)])),
         30 => Operation::Coil(coil(random)),
         31..33 => Operation::Address(address(random)),
