@@ -3,6 +3,7 @@
 //! - [`Written`]: a file as it was read, unchecked
 //! - [`Source`]: its text, the checked program, and the map from one to the other
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
+//! - [`edit`]: what the ladder editor refuses and finds wrong, in words
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`mod@messages`]: the form of a table of texts in two languages
 //! - [`used`]: what a program uses of the board and its memory
@@ -14,6 +15,7 @@
 
 mod colours;
 pub mod diagnosis;
+pub mod edit;
 mod effect;
 mod first;
 mod kept;

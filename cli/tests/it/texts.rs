@@ -13,6 +13,7 @@ const TABLES: &[&str] = &[
     "host-sim/src/scenario/words.rs",
     "source/src/diagnosis/help.rs",
     "source/src/diagnosis/portuguese.rs",
+    "source/src/edit.rs",
     "source/src/effect.rs",
     "source/src/list/words.rs",
     "source/src/messages.rs",

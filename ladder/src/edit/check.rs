@@ -32,6 +32,16 @@ pub enum Wrong {
 }
 
 impl Wrong {
+    /// Its number, which keeps its meaning: that of the fault, or one that no fault has.
+    pub fn number(self) -> u8 {
+        match self {
+            Wrong::Missing => 1,
+            Wrong::NoPointLeft => 2,
+            Wrong::Bridge => 3,
+            Wrong::Fault(cause) => cause.number(),
+        }
+    }
+
     /// Whether no board takes a program of which that is true.
     pub fn is_error(self) -> bool {
         self != Wrong::Bridge

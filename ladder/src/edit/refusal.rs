@@ -1,9 +1,23 @@
 //! Why an operation is refused.
 
-/// Why an operation is refused. Its discriminant is a number that keeps its meaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum Refusal {
+/// Declares the enum and the list of all its variants.
+macro_rules! refusals {
+    ($($(#[$doc:meta])* $name:ident = $number:literal,)*) => {
+        /// Why an operation is refused. Its discriminant is a number that keeps its meaning.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[repr(u8)]
+        pub enum Refusal {
+            $($(#[$doc])* $name = $number,)*
+        }
+
+        impl Refusal {
+            /// Every refusal, in the order of the numbers.
+            pub const ALL: &'static [Refusal] = &[$(Refusal::$name,)*];
+        }
+    };
+}
+
+refusals! {
     /// What the cursor or the operation names is not in the document.
     NotThere = 1,
     /// What is selected does not stand in one series.
@@ -47,7 +61,7 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// Its number.
+    /// Its number, from 1.
     pub fn number(self) -> u8 {
         self as u8
     }
