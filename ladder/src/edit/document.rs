@@ -221,7 +221,15 @@ impl Rung {
 
     /// Whether its last code is an IF, behind which a rung begins by itself.
     pub fn ends_in_if(&self) -> bool {
-        matches!(self.series.last(), Some(Node::Element(last)) if last.step.opcode() == Opcode::If)
+        self.last_if().is_some()
+    }
+
+    /// The IF that it ends in.
+    pub(crate) fn last_if(&self) -> Option<Id> {
+        match self.series.last() {
+            Some(Node::Element(last)) if last.step.opcode() == Opcode::If => Some(last.id),
+            _ => None,
+        }
     }
 }
 

@@ -46,7 +46,7 @@ impl Document {
                     })
                 })
                 .map(|spot| spot.id)
-                .or_else(|| self.into_rung(rung.wrapping_sub(1), here, true)),
+                .or_else(|| self.entered(rung.wrapping_sub(1), here, true)),
             (here, Direction::Down) => here
                 .and_then(|here| {
                     nearest(&spots, |spot| {
@@ -55,13 +55,13 @@ impl Document {
                     })
                 })
                 .map(|spot| spot.id)
-                .or_else(|| self.into_rung(rung + 1, here, false)),
+                .or_else(|| self.entered(rung + 1, here, false)),
         };
         next.map_or(cursor, Cursor::at)
     }
 
     /// Where the cursor comes to in another rung: its last row or its first, as near as can be.
-    fn into_rung(&self, rung: usize, from: Option<Spot>, last: bool) -> Option<Id> {
+    fn entered(&self, rung: usize, from: Option<Spot>, last: bool) -> Option<Id> {
         let id = self.rungs.get(rung)?.id;
         let Some(from) = from else {
             return Some(id);

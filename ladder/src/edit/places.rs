@@ -85,20 +85,18 @@ impl Drawn {
             place: Place::Behind,
             area: spot.area,
         }));
+        let ifs: Vec<Id> = document.rungs().filter_map(Rung::last_if).collect();
+        let mut before = None;
         for (index, area) in elements {
             let id = self.elements[index];
-            let last = spots
-                .last()
-                .filter(|last| last.id == id)
-                .map(|last| last.area);
-            spots.push(Spot { id, area });
-            let ends = document.element(id);
-            let ends = ends.is_some_and(|element| element.step.opcode() == Opcode::If);
-            // A timer and the coil that it drives are one.
-            if last.is_some() {
-                places.retain(|place: &Opening| place.at != id || place.place != Place::Behind);
+            // A timer and the coil that it drives are one: what goes behind goes behind the coil.
+            let goes_on = before == Some(id);
+            if goes_on {
+                places.pop();
             }
-            places.extend(openings(id, area, last.is_none(), !ends));
+            before = Some(id);
+            spots.push(Spot { id, area });
+            places.extend(openings(id, area, !goes_on, !ifs.contains(&id)));
         }
         Canvas {
             svg,
@@ -130,8 +128,8 @@ fn heading(rung: &Rung, title: String, document: &Document) -> Vec<String> {
     lines
 }
 
-/// The places at a symbol.
-fn openings(at: Id, area: Area, before: bool, behind: bool) -> impl Iterator<Item = Opening> {
+/// The places at a symbol: before it unless that is taken; beside it and behind it unless it ends its rung.
+fn openings(at: Id, area: Area, before: bool, goes_on: bool) -> impl Iterator<Item = Opening> {
     let height = area.height * (1.0 - BESIDE);
     let strip = |x| Area {
         x,
@@ -146,7 +144,7 @@ fn openings(at: Id, area: Area, before: bool, behind: bool) -> impl Iterator<Ite
     };
     let open = move |place, area| Opening { at, place, area };
     let before = before.then(|| open(Place::Before, strip(area.x - STRIP)));
-    let behind = behind.then(|| open(Place::Behind, strip(area.x + area.width)));
-    let beside = open(Place::Beside, beside);
-    before.into_iter().chain(behind).chain([beside])
+    let beside = goes_on.then(|| open(Place::Beside, beside));
+    let behind = goes_on.then(|| open(Place::Behind, strip(area.x + area.width)));
+    before.into_iter().chain(beside).chain(behind)
 }

@@ -1,5 +1,6 @@
 //! The editor without a screen.
 
+mod canvas;
 mod cases;
 mod meaning;
 mod random;
