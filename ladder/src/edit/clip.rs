@@ -1,7 +1,6 @@
 //! What was copied, to be inserted again under names of its own.
 
 use super::document::{Document, Id, Node, Rung, Series, visit, visit_mut};
-use super::timers;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -37,7 +36,7 @@ impl Renamed {
 impl Clip {
     /// A copy of this, which stands in this document.
     pub(crate) fn of(document: &Document, what: Copied) -> Clip {
-        let timers = timers::of(document);
+        let timers = document.timers();
         Clip { what, timers }
     }
 

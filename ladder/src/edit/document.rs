@@ -3,7 +3,7 @@
 use super::step::Step;
 use super::table::Table;
 use std::sync::Arc;
-use unoclp_core::isa::Opcode;
+use unoclp_core::isa::{Class, Opcode};
 
 pub use crate::tree::Gate;
 
@@ -152,6 +152,20 @@ impl Document {
     /// What the program is about, line by line.
     pub fn title(&self) -> &[String] {
         &self.title
+    }
+
+    /// Its timers, in the order of their numbers.
+    pub fn timers(&self) -> Vec<Id> {
+        let mut timers = Vec::new();
+        for rung in self.rungs() {
+            visit(&rung.series, &mut |node| match node {
+                Node::Element(element) if element.step.class() == Class::Timer => {
+                    timers.push(element.id);
+                }
+                _ => {}
+            });
+        }
+        timers
     }
 
     /// The place of a rung among the others.

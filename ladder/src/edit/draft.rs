@@ -3,7 +3,7 @@
 use super::document::{Element, Id};
 use super::refusal::Refusal;
 use super::step::Step;
-use super::which;
+use super::which::{self, Coil};
 use crate::Address;
 use unoclp_core::Target;
 use unoclp_core::isa::{Class, Opcode};
@@ -15,21 +15,6 @@ pub struct Draft {
     pub load: Option<Step>,
     /// What it does.
     pub step: Step,
-}
-
-/// Which coil of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Coil {
-    /// `( )`
-    Normal,
-    /// `(/)`
-    Negated,
-    /// `(S)`
-    Set,
-    /// `(R)`
-    Reset,
-    /// `(L)`: a counter gets its preset.
-    Load,
 }
 
 impl From<Step> for Draft {

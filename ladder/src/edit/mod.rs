@@ -35,7 +35,7 @@ pub use cursor::Cursor;
 pub use document::{
     Begin, Block, Document, Element, Gate, Id, Node, Parallel, Path, Rung, Series, Store, visit,
 };
-pub use draft::{Coil, Draft};
+pub use draft::Draft;
 pub use draw::Drawn;
 pub use history::Editor;
 pub use operation::{Along, Direction, Edge, Operation, Place, Way};
@@ -44,3 +44,4 @@ pub use refusal::Refusal;
 pub use state::State;
 pub use step::Step;
 pub use table::{Row, Table};
+pub use which::Coil;

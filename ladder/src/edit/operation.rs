@@ -2,8 +2,9 @@
 
 use super::cursor::Cursor;
 use super::document::{Begin, Gate, Id};
-use super::draft::{Coil, Draft};
+use super::draft::Draft;
 use super::table::Row;
+use super::which::Coil;
 use crate::Address;
 
 /// What can be done to a document, at its cursor. The same operations in the same order always give the same document,

@@ -7,26 +7,12 @@ use super::step::Step;
 use crate::Address;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use unoclp_core::isa::{Class, Kind};
-
-/// The timers of a document, in the order of their numbers.
-pub(crate) fn of(document: &Document) -> Vec<Id> {
-    let mut timers = Vec::new();
-    for rung in document.rungs() {
-        visit(&rung.series, &mut |node| match node {
-            Node::Element(element) if element.step.class() == Class::Timer => {
-                timers.push(element.id);
-            }
-            _ => {}
-        });
-    }
-    timers
-}
+use unoclp_core::isa::Kind;
 
 /// Lets what names a timer of `before` name the same in `after`; a timer that is gone leaves its address missing.
 /// `pasted` tells what was copied into it, and what numbers mean there.
 pub(crate) fn renumber(before: &Document, after: &mut Document, pasted: Option<&Renamed>) {
-    let (old, new) = (of(before), of(after));
+    let (old, new) = (before.timers(), after.timers());
     if old == new && pasted.is_none() {
         return;
     }

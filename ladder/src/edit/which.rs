@@ -1,12 +1,26 @@
 //! Which instruction it is that does the same with another point, or the opposite with the same.
 
-use super::draft::Coil;
 use super::refusal::Refusal;
 use super::step::{Step, target_line};
 use crate::Address;
 use crate::words::picture;
 use unoclp_core::Target;
 use unoclp_core::isa::{Class, Kind, Opcode};
+
+/// Which coil of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Coil {
+    /// `( )`
+    Normal,
+    /// `(/)`
+    Negated,
+    /// `(S)`
+    Set,
+    /// `(R)`
+    Reset,
+    /// `(L)`: a counter gets its preset.
+    Load,
+}
 
 /// The step with this address. Where its instruction has no such point, the one that does the same with it.
 pub(crate) fn with_address(step: &Step, address: Option<Address>) -> Result<Step, Refusal> {

@@ -3,11 +3,11 @@
 use crate::Address;
 use crate::edit::cursor::Cursor;
 use crate::edit::document::{Document, Element, Node};
-use crate::edit::draft::{Coil, Draft};
+use crate::edit::draft::Draft;
 use crate::edit::refusal::Refusal;
 use crate::edit::step::Step;
 use crate::edit::table::Row;
-use crate::edit::which;
+use crate::edit::which::{self, Coil};
 use std::sync::Arc;
 use unoclp_core::isa::BRANCH_POINTS;
 
