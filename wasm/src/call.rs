@@ -62,7 +62,10 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             json(draw::listed(text, form, given.columns("width")?, speak)?)
         }
         // What an exercise asks.
-        "sheet" => json(exercise::sheet(&given.text("title")?, &given.text("scenario")?)?),
+        "sheet" => json(exercise::sheet(
+            &given.text("title")?,
+            &given.text("scenario")?,
+        )?),
         // Whether its program does what the cases of a scenario file expect.
         "exercise" => {
             let text = Text::of(&mut given)?;
@@ -98,9 +101,8 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "sheet" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => {
-            Err(No::More)
-        }
+        "list" | "sheet" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep"
+        | "flashLose" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

@@ -68,7 +68,10 @@ pub fn soak() -> Result<Count> {
     let mut node = Command::new("node");
     node.env("UNOCLP_PAGE_SECONDS", "600");
     node.args(["--test", "--test-reporter=spec"]);
-    count::tests(node.arg(shell::root().join(TESTS).join("growth.test.mjs")), count::by_node)
+    count::tests(
+        node.arg(shell::root().join(TESTS).join("growth.test.mjs")),
+        count::by_node,
+    )
 }
 
 fn node(arguments: &[&str]) -> Result<()> {
