@@ -3,7 +3,7 @@
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
 //! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
 //! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
-//! steps stand in the text). [`to_il`] goes the other way.
+//! steps stand in the text). [`to_il`] and [`to_st`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
 //! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
@@ -46,6 +46,7 @@ mod small;
 mod spell;
 mod st;
 mod temps;
+mod to_st;
 mod tree;
 pub mod typed;
 mod whole;
@@ -64,6 +65,7 @@ pub use languages::{CheckedText, TextLanguage, check};
 pub use operators::is_operator;
 pub use show::show;
 pub use st::has_types;
+pub use to_st::to_st;
 
 use comments::Comments;
 use diagnostics::Found;

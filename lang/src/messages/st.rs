@@ -388,6 +388,36 @@ macro_rules! st_rows {
         "call fewer blocks and functions, or smaller ones: each call takes the room of their bodies"
         "com todas as chamadas, o programa é grande demais para a placa"
         "chame menos blocos e funções, ou menores: cada chamada ocupa o espaço do corpo deles";
+    221 BackNoWords Error
+        "line {1}: Structured Text has no words for {0}"
+        "list the program as Instruction List or numeric code, which have"
+        "linha {1}: o Texto Estruturado não tem palavras para {0}"
+        "liste o programa em Lista de Instruções ou código numérico, que têm";
+    222 BackIntoPart Error
+        "line {1}: {0} leads into a part of an IF, which no text can say"
+        "put the label before the IF or behind its END"
+        "linha {1}: {0} leva para dentro de uma parte de um IF, o que nenhum texto diz"
+        "ponha o rótulo antes do IF ou depois do END dele";
+    223 BackTimerInLoop Error
+        "line {1}: {0} stands in a loop; in Structured Text a timer has one call in a scan"
+        "take the timer out of the loop"
+        "linha {1}: {0} está em um laço; no Texto Estruturado um temporizador tem uma chamada por varredura"
+        "tire o temporizador do laço";
+    224 BackEarlyTime Error
+        "line {1}: {0} reads a timer that has not been called in this scan, or whose preset changes"
+        "read it behind its timer, and let the preset be"
+        "linha {1}: {0} lê um temporizador que não foi chamado nesta varredura, ou cuja pré-seleção muda"
+        "leia-o depois do temporizador, e não mude a pré-seleção";
+    225 BackNoRegister Error
+        "no register is left for a number that is taken for a whole one and for a REAL"
+        "use fewer registers"
+        "não sobrou registrador para um número que é tratado como inteiro e como REAL"
+        "use menos registradores";
+    226 BackPartOfArray Error
+        "line {1}: {0} keeps a part of a table, and Structured Text keeps an array as a whole"
+        "keep a register of its own"
+        "linha {1}: {0} guarda parte de uma tabela, e o Texto Estruturado guarda uma matriz inteira"
+        "guarde um registrador à parte";
         }
     };
 }

@@ -51,6 +51,11 @@ pub(crate) fn is_word(word: &str) -> bool {
         || Standard::named(word).is_some()
 }
 
+/// Whether a word has a meaning of its own in Structured Text.
+pub(crate) fn is_keyword(word: &str) -> bool {
+    words::Keyword::of(word) != words::Keyword::None
+}
+
 /// The tree of a text; none where something is wrong, which is told.
 pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<Tree> {
     let (file, trusted) = parser::parse(text, dialect, found);

@@ -122,6 +122,13 @@ fn examples() {
                     Code::BoardNoneLeft,
                     Code::BoardLabels,
                     Code::BoardTooLarge,
+                    // Told of a program, and not of a text.
+                    Code::BackNoWords,
+                    Code::BackIntoPart,
+                    Code::BackTimerInLoop,
+                    Code::BackEarlyTime,
+                    Code::BackNoRegister,
+                    Code::BackPartOfArray,
                 ];
                 assert!(long.contains(&code), "{page}: {id}");
                 continue;
