@@ -55,7 +55,7 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Show a program as a ladder diagram, as Instruction List, or as numeric code with its meaning
+    /// Show a program as a ladder diagram, Instruction List, Structured Text, or numeric code with its meaning
     List {
         /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
         file: PathBuf,

@@ -38,7 +38,7 @@ pub use written::{Refused, Written};
 
 use unoclp_core::Profile;
 
-pub use unoclp_lang::{Holding, Lang, Spot, Variable};
+pub use unoclp_lang::{Diagnostic, Holding, Lang, Spot, Variable};
 
 /// The board that every tool of this version checks and simulates for.
 pub const BOARD: Profile = Profile::UNO;

@@ -4,6 +4,8 @@ use crate::given::Given;
 #[cfg(feature = "full")]
 use crate::given::wrong;
 use crate::program::Text;
+#[cfg(feature = "full")]
+use crate::words::both;
 use crate::words::{Both, No};
 use serde::Serialize;
 use unoclp_host_sim::engine::Machine;
@@ -53,6 +55,8 @@ pub enum As {
     Ladder,
     /// Instruction List.
     Il,
+    /// Structured Text.
+    St,
     /// Numeric code with its meaning.
     Numeric,
     /// A ladder diagram as an SVG file, for a report.
@@ -69,6 +73,7 @@ impl As {
         Ok(match given.text("as")?.as_str() {
             "ladder" => As::Ladder,
             "il" => As::Il,
+            "st" => As::St,
             "numeric" => As::Numeric,
             "svg" => As::Svg,
             _ => return Err(wrong("as")),
@@ -114,7 +119,7 @@ const WIDEST: usize = 400;
 /// A program as text.
 ///
 /// # Errors
-/// Where there is no program.
+/// Where there is no program, or Structured Text has no words for it.
 #[cfg(feature = "full")]
 pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, No> {
     let source = text.program()?;
@@ -122,8 +127,10 @@ pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String
     let form = match form {
         As::Ladder => Form::Ladder,
         As::Il => Form::Il,
+        As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(&source, width, speak.into())),
     };
-    Ok(list(&source, form, width, speak.into()))
+    list(&source, form, width, speak.into())
+        .map_err(|refused| both(|lang| refused.message(lang)).into())
 }

@@ -189,7 +189,7 @@ fn every_program_is_drawn_and_listed() {
         }
         let text = file(&name);
         ok(json!({ "ask": "ladder", "name": name, "text": text, "width": 64 }));
-        for form in ["ladder", "il", "numeric", "svg"] {
+        for form in ["ladder", "il", "st", "numeric", "svg"] {
             ok(json!({ "ask": "list", "name": name, "text": text, "as": form, "width": 80 }));
         }
         drawn += 1;

@@ -16,7 +16,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ("compile", "Compila um texto para código numérico"),
     (
         "list",
-        "Mostra um programa como diagrama ladder, Lista de Instruções ou código numérico com significado",
+        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado ou código numérico com significado",
     ),
     (
         "sim",
@@ -155,7 +155,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "form",
-        "Como listar: ladder, il ou numeric [padrão: ladder]",
+        "Como listar: ladder, il, st ou numeric [padrão: ladder]",
     ),
     (
         "sim",

@@ -6,11 +6,11 @@ use super::wording::Wording;
 use super::words::Form;
 use crate::Outcome;
 use anstream::{print, println};
-use anyhow::bail;
+use anyhow::{anyhow, bail};
 use std::io::Write;
 use std::path::Path;
 use unoclp_cli::{ascii, messages};
-use unoclp_source::list as listing;
+use unoclp_source::{Diagnostic, Lang, list as listing};
 
 /// Shows a program in this form, or draws it into a file.
 pub fn list(
@@ -27,11 +27,13 @@ pub fn list(
         return Ok(false);
     };
     let Some(svg) = svg else {
-        let listing = listing::list(&program, form.into(), width, messages::spoken());
+        let lang = messages::spoken();
+        let listing = listing::list(&program, form.into(), width, lang);
+        let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
         match form {
             Form::Ladder => print!("{}", ascii::picture(&listing)),
             // These are programs, which stay as they are.
-            Form::Il | Form::Numeric => print!("{listing}"),
+            Form::Il | Form::St | Form::Numeric => print!("{listing}"),
         }
         return Ok(true);
     };
@@ -41,4 +43,10 @@ pub fn list(
         .map_err(cannot_write(svg))?;
     println!("{}", messages::drawn(svg.display()));
     Ok(true)
+}
+
+/// `ST-221: line 7: …; list the program as …`
+fn said(refused: &Diagnostic, lang: Lang) -> String {
+    let (message, help) = (refused.message(lang), refused.help(lang));
+    format!("{}: {message}; {help}", refused.code)
 }

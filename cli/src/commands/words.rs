@@ -69,6 +69,8 @@ pub enum Form {
     Ladder,
     /// Instruction List, in the words of IEC 61131-3
     Il,
+    /// Structured Text, which compiles to a program that does the same
+    St,
     /// Numeric code, each line with its letters and its meaning
     Numeric,
 }
@@ -79,6 +81,7 @@ impl From<Form> for unoclp_source::list::Form {
         match word {
             Form::Ladder => Listed::Ladder,
             Form::Il => Listed::Il,
+            Form::St => Listed::St,
             Form::Numeric => Listed::Numeric,
         }
     }

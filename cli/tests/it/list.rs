@@ -7,8 +7,13 @@ use std::path::{Path, PathBuf};
 use unoclp_core::isa::{Kind, Opcode};
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
-use unoclp_source::list::{Form, list, svg};
+use unoclp_source::list::{Form, svg};
 use unoclp_source::{Lang, Source, Written, load};
+
+/// What every program can be listed as.
+fn list(source: &Source, form: Form, width: usize, lang: Lang) -> String {
+    unoclp_source::list::list(source, form, width, lang).unwrap()
+}
 
 fn folder(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)

@@ -204,7 +204,7 @@ export type Speak = "en" | "pt";
 export interface Asks {
   check: { ask: Text; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
-  list: { ask: Text & { as: "ladder" | "il" | "numeric" | "svg"; width: number; speak: Speak }; answer: string };
+  list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg"; width: number; speak: Speak }; answer: string };
   sheet: { ask: { scenario: string; title: string }; answer: Sheet };
   exercise: { ask: Text & { scenario: string; title: string }; answer: Outcome };
   card: { ask: { program: string; state: boolean }; answer: CardImage };

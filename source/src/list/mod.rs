@@ -1,4 +1,4 @@
-//! A program listed: as a ladder diagram, as Instruction List, or as numeric code with the
+//! A program listed: as a ladder diagram, as Instruction List, as Structured Text, or as numeric code with the
 //! meaning of each line.
 
 mod numeric;
@@ -7,7 +7,7 @@ mod words;
 use crate::{BOARD, Source, names};
 use std::path::Path;
 use unoclp_ladder::{Drawing, Ladder, Names, Style, listing, to_svg};
-use unoclp_lang::{Lang, instructions_to_il};
+use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,23 +17,34 @@ pub enum Form {
     Ladder,
     /// Instruction List, in the words of IEC 61131-3
     Il,
+    /// Structured Text
+    St,
     /// Numeric code, each line with its letters and its meaning
     Numeric,
 }
 
 /// Lists a program in so many columns, as far as the form can be narrow, with what is said of it in this language.
-pub fn list(source: &Source, form: Form, width: usize, lang: Lang) -> String {
+///
+/// # Errors
+/// What Structured Text has no words for.
+pub fn list(
+    source: &Source,
+    form: Form,
+    width: usize,
+    lang: Lang,
+) -> Result<String, Box<Diagnostic>> {
     let program = source.program();
-    match form {
+    Ok(match form {
         Form::Numeric => numeric::listing(program, &source.map, lang),
         Form::Il => instructions_to_il(program.steps(), BOARD),
+        Form::St => to_st(program, &source.map)?,
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
             let names = names(&source.map, &ladder);
             let drawing = draw(&ladder, &names, width);
             listing(&drawing, &source.map, &names, &title(lang))
         }
-    }
+    })
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
