@@ -8,3 +8,4 @@ mod oracle;
 mod scenario_check;
 mod scenario_format;
 mod suite;
+mod to_st;
