@@ -84,7 +84,8 @@ fn coloured(name: &str, text: &str) -> Vec<(String, u64)> {
 
 #[test]
 fn words_are_coloured_as_the_lexer_of_their_language_reads_them() {
-    let cases: [(&str, &str, &[(&str, u64)]); 7] = [
+    type Case<'t> = (&'t str, &'t str, &'t [(&'t str, u64)]);
+    let cases: [Case<'_>; 7] = [
         (
             "a.il",
             "(* é😀 *) VAR on AT %IX1 : BOOL; END_VAR // x\nL1: LD on\nST Q1 ; LD\nLD T#2s\n",

@@ -96,6 +96,13 @@ impl Allotter<'_> {
             };
             self.seats.take(seat);
             self.seats.of.insert(*cell, seat);
+            if tree
+                .cells
+                .get(*cell as usize)
+                .is_some_and(|held| held.retain)
+            {
+                self.keep(*cell, seat);
+            }
         }
         // Behind the others, whose registers are the program's choice.
         for (cell, point) in &tree.points {
@@ -104,6 +111,19 @@ impl Allotter<'_> {
                 && self.seat(*cell, Base::Int, false).is_some()
             {
                 self.seats.outputs.insert(*cell, output as u8);
+            }
+        }
+    }
+
+    /// Has the board keep what stands at a point.
+    fn keep(&mut self, cell: u32, seat: Seat) {
+        match seat {
+            Seat::Register(register) => self.seats.kept_registers.push(register),
+            Seat::Marker(RETENTIVE..) => {}
+            _ => {
+                let (_, at) = self.place(cell);
+                let word = Word::Both("value at this place".into(), "valor neste lugar".into());
+                self.found.tell(Code::BoardRetain, at, [word]);
             }
         }
     }

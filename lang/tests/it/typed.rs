@@ -49,6 +49,9 @@ struct Case {
     /// What PRINT shows, in all scans.
     #[serde(default)]
     printed: Vec<toml::Value>,
+    /// What the board keeps over a power cut: `KD 09`.
+    #[serde(default)]
+    kept: Vec<String>,
     /// The line in which S 04 is set first.
     fails: Option<u32>,
     /// What is told besides where the board cannot do it; all else runs on the board's core too.
@@ -207,6 +210,11 @@ impl Case {
             let told = &made.diagnostics;
             let untold = untold(told, source, &self.board, &self.board_says, &self.board_diz);
             return untold.map_or(Ok(()), |fault| Err(format!("for the board: {fault}")));
+        }
+        let spelt = made.lines.iter().map(|line| line.letters.to_string());
+        let kept: Vec<String> = spelt.filter(|letters| letters.starts_with('K')).collect();
+        if !self.kept.is_empty() && kept != self.kept {
+            return Err(format!("keeps {kept:?}"));
         }
         let places = made.places();
         let (Some(tree), Some((mut checked, _))) = (made.tree, made.program) else {

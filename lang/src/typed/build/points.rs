@@ -20,12 +20,11 @@ impl Builder<'_, '_> {
     /// The cell of a point that begins so.
     pub(super) fn point_with(&mut self, point: Point, traits: &Traits) -> u32 {
         let offset = self.point(point);
-        if let (Some(Initial::Value(value)), Some(cell)) = (
-            traits.initial.as_deref(),
-            self.tree.cells.get_mut(offset as usize),
-        ) {
-            cell.initial = value.clone();
-            cell.retain = traits.retain;
+        if let Some(cell) = self.tree.cells.get_mut(offset as usize) {
+            if let Some(Initial::Value(value)) = traits.initial.as_deref() {
+                cell.initial = value.clone();
+            }
+            cell.retain |= traits.retain;
         }
         offset
     }
