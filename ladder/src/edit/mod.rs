@@ -17,6 +17,7 @@ mod draw;
 mod emit;
 mod grid;
 mod history;
+mod made;
 mod operation;
 mod places;
 mod read;
