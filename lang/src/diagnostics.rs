@@ -106,6 +106,15 @@ impl Diagnostic {
         Diagnostic { code, span, words }
     }
 
+    /// The same of another text, in which it stands here.
+    #[must_use]
+    pub fn at(&self, span: Span) -> Diagnostic {
+        Diagnostic {
+            span,
+            ..self.clone()
+        }
+    }
+
     /// Whether there is a program all the same.
     pub fn severity(&self) -> Severity {
         self.code.severity()
@@ -153,14 +162,15 @@ impl Diagnostic {
 }
 
 impl fmt::Display for Code {
-    /// `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`
+    /// `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`, `XML-501`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = *self as u16;
         let table = match number {
             0..=99 => "IL",
             100..=299 => "ST",
             300..=399 => "ISCL",
-            _ => "LCE",
+            400..=499 => "LCE",
+            _ => "XML",
         };
         write!(f, "{table}-{number}")
     }
@@ -180,6 +190,12 @@ impl Lines {
     /// The line that this byte stands in, from 1.
     pub fn line(&self, byte: u32) -> u32 {
         self.0.partition_point(|&start| start <= byte) as u32
+    }
+
+    /// The first byte of a line, which counts from 1.
+    pub fn start(&self, line: u32) -> u32 {
+        let index = (line as usize).saturating_sub(1);
+        self.0.get(index).or(self.0.last()).copied().unwrap_or(0)
     }
 
     /// The line and the column of a byte, each from 1; a column is a character.

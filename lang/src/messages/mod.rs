@@ -7,6 +7,7 @@
 //! - `st`: Structured Text and what the typed languages share, 101 to 299; `docs/st-diagnostics.md` likewise
 //! - `iscl`: InterSCL alone, 301 to 399; `docs/interscl-diagnostics.md` likewise
 //! - `lce`: LCE alone, 401 to 499; `docs/lce-diagnostics.md` likewise
+//! - `xml`: projects in PLCopen XML, 501 to 599; `docs/plcopen-diagnostics.md` likewise
 
 #[macro_use]
 mod il;
@@ -16,6 +17,8 @@ mod st;
 mod iscl;
 #[macro_use]
 mod lce;
+#[macro_use]
+mod xml;
 
 use crate::diagnostics::Severity;
 
@@ -27,7 +30,7 @@ pub(crate) struct Words {
 
 macro_rules! messages {
     ($($number:literal $name:ident $severity:ident $en:literal $en_help:literal $pt:literal $pt_help:literal;)*) => {
-        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`.
+        /// What a diagnostic is about. Its discriminant is the number in its code, `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`, `XML-501`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[repr(u16)]
         pub enum Code {
@@ -60,4 +63,4 @@ macro_rules! messages {
     };
 }
 
-il_rows! { st_rows iscl_rows lce_rows messages }
+il_rows! { st_rows iscl_rows lce_rows xml_rows messages }

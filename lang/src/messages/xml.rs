@@ -1,0 +1,118 @@
+//! What is said about projects in PLCopen XML: codes 501 to 599.
+
+macro_rules! xml_rows {
+    ($next:ident $($rest:tt)*) => {
+        $next! { $($rest)*
+    501 XmlBroken Error
+        "this is no XML: {0}"
+        "export the project again"
+        "isto não é XML: {0}"
+        "exporte o projeto outra vez";
+    502 XmlNoProject Error
+        "this XML is no PLCopen project: it begins with `{0}`"
+        "open the plc.xml of a project of OpenPLC Editor or Beremiz, or export PLCopen XML"
+        "este XML não é um projeto PLCopen: começa com `{0}`"
+        "abra o plc.xml de um projeto do OpenPLC Editor ou do Beremiz, ou exporte PLCopen XML";
+    503 XmlNoProgram Error
+        "the project has no program"
+        "make a POU of the type program, and draw in it"
+        "o projeto não tem nenhum programa"
+        "crie uma POU do tipo program e desenhe nela";
+    504 XmlBody Error
+        "the body of `{0}` is {1}, which is not imported"
+        "draw it as LD, or write it as ST or IL"
+        "o corpo de `{0}` é {1}, que não se importa"
+        "desenhe-o em LD, ou escreva-o em ST ou IL";
+    505 XmlMixed Error
+        "`{0}` is in {1}, and `{2}` in {3}: one project is imported from one language"
+        "write all programs in {1}, or all in {3}"
+        "`{0}` está em {1}, e `{2}` em {3}: um projeto se importa de uma só linguagem"
+        "escreva todos os programas em {1}, ou todos em {3}";
+    506 XmlAddress Error
+        "{0}: the board has no point {1}"
+        "take %IX0.0 to %IX0.7, %QX0.0 to %QX0.3, %MX0.0 to %MX7.7, %MW1 to %MW98 or %IW0 to %IW4"
+        "{0}: a placa não tem o ponto {1}"
+        "use %IX0.0 a %IX0.7, %QX0.0 a %QX0.3, %MX0.0 a %MX7.7, %MW1 a %MW98 ou %IW0 a %IW4";
+    507 XmlType Error
+        "{0}: `{1}` is {2}, and {3} is wanted here"
+        ""
+        "{0}: `{1}` é {2}, e aqui se quer {3}"
+        "";
+    508 XmlUndeclared Error
+        "{0}: nothing declares `{1}`"
+        "declare it in the table of variables"
+        "{0}: nada declara `{1}`"
+        "declare-o na tabela de variáveis";
+    509 XmlBlock Error
+        "{0}: the block `{1}` is not imported"
+        "take contacts, coils, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD or AND OR XOR NOT"
+        "{0}: o bloco `{1}` não se importa"
+        "use contatos, bobinas, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD ou AND OR XOR NOT";
+    510 XmlPin Error
+        "{0}: nothing leads to {1}"
+        "draw a wire from the left, or write a value at it"
+        "{0}: nada chega a {1}"
+        "puxe um fio da esquerda, ou escreva um valor ali";
+    511 XmlValue Error
+        "{0}: `{1}` is no {2}"
+        ""
+        "{0}: `{1}` não é {2}"
+        "";
+    512 XmlWire Error
+        "{0}: a wire comes from element {1}, which has no such output"
+        "draw the wire again"
+        "{0}: um fio vem do elemento {1}, que não tem essa saída"
+        "puxe o fio outra vez";
+    513 XmlLoop Error
+        "{0}: the wires lead back to where they began"
+        "break the circle: feed back by a contact of the coil"
+        "{0}: os fios voltam para onde começaram"
+        "abra o círculo: realimente por um contato da bobina";
+    514 XmlTangle Error
+        "{0}: the wires around it are no series and parallel"
+        "give it a rung of its own, and take its result from there by a contact"
+        "{0}: os fios em volta dele não são série e paralelo"
+        "dê a ele uma linha própria, e leve o resultado por um contato";
+    515 XmlNotRun Warning
+        "no task runs the program `{0}`, so it is left out"
+        "make an instance of it in the resource"
+        "nenhuma tarefa executa o programa `{0}`, então ele fica de fora"
+        "crie uma instância dele no recurso";
+    516 XmlElement Error
+        "{0}: an element `{1}` is not imported"
+        "draw it with contacts, coils and blocks"
+        "{0}: um elemento `{1}` não se importa"
+        "desenhe com contatos, bobinas e blocos";
+    517 XmlWritten Error
+        "{0}: `{1}` can only be read"
+        "write to an output, a marker or a number"
+        "{0}: `{1}` só pode ser lido"
+        "escreva em uma saída, um marcador ou um número";
+    518 XmlEnable Error
+        "{0}: EN hangs on a condition, and a block that stands still is not imported"
+        "wire EN to the left rail, and the condition to the first input"
+        "{0}: EN depende de uma condição, e um bloco parado não se importa"
+        "ligue EN à barra da esquerda, e a condição à primeira entrada";
+    519 XmlNoneLeft Error
+        "{0}: no {1} is left for `{2}`"
+        "the board has {3}"
+        "{0}: não sobra {1} para `{2}`"
+        "a placa tem {3}";
+    520 XmlTwice Error
+        "{0}: `{1}` is called a second time"
+        "declare an instance for each call"
+        "{0}: `{1}` é chamado pela segunda vez"
+        "declare uma instância para cada chamada";
+    521 XmlTooLarge Error
+        "the file is too large: {0}"
+        "a project for this board is much smaller"
+        "o arquivo é grande demais: {0}"
+        "um projeto para esta placa é bem menor";
+    522 XmlLabel Error
+        "{0}: there is no label `{1}`"
+        "put the label at the head of a rung"
+        "{0}: não há um rótulo `{1}`"
+        "ponha o rótulo no começo de uma linha";
+        }
+    };
+}
