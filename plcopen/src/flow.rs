@@ -1,0 +1,369 @@
+//! The way of the power through a network: from the left rail to each output.
+
+use crate::circuit::{Circuit, Item, Leaf, size, together};
+use crate::found::{Found, span};
+use crate::network::{Network, Wire, edge};
+use crate::scope::{Allotted, Counts, Meaning, Scope, Symbol};
+use crate::xml::says;
+use std::collections::HashMap;
+use unoclp_core::isa::Opcode;
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::{Coil, Draft, Gate, Step};
+use unoclp_lang::{Code, Word};
+
+/// More elements than this stand in no series.
+const DEEPEST: usize = 200;
+
+/// More instructions than this fit no board.
+const LARGEST: usize = 2_000;
+
+/// Finds circuits.
+pub(crate) struct Flow<'f, 'a, 'x> {
+    pub network: &'f Network<'a, 'x>,
+    pub scope: &'f mut Scope,
+    pub all: &'f mut Allotted,
+    pub found: &'f mut Found,
+    /// Which of the project's programs it is.
+    pub pou: usize,
+    /// What has to stand before the circuit that asks for it.
+    pub before: Vec<(usize, Circuit)>,
+    /// Which element calls the instance of a block.
+    pub called: HashMap<String, usize>,
+    /// Blocks whose rungs have been written before.
+    pub written: HashMap<usize, bool>,
+    /// The numbers of the labels of this network, by their names.
+    pub labels: HashMap<String, u8>,
+    /// The label behind the program, where others follow.
+    pub end: Option<u8>,
+    known: HashMap<Wire<'a>, Option<Circuit>>,
+    open: Vec<usize>,
+}
+
+impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
+    pub(crate) fn new(
+        pou: usize,
+        network: &'f Network<'a, 'x>,
+        scope: &'f mut Scope,
+        all: &'f mut Allotted,
+        found: &'f mut Found,
+    ) -> Flow<'f, 'a, 'x> {
+        Flow {
+            pou,
+            network,
+            scope,
+            all,
+            found,
+            before: Vec::new(),
+            called: HashMap::new(),
+            written: HashMap::new(),
+            labels: HashMap::new(),
+            end: None,
+            known: HashMap::new(),
+            open: Vec::new(),
+        }
+    }
+
+    /// The circuit that ends in this output; none where something is wrong, which is told.
+    pub(crate) fn output(&mut self, element: usize) -> Option<Circuit> {
+        let drawn = &self.network.elements[element];
+        match drawn.kind {
+            "coil" | "contact" => self.source(Wire {
+                from: element,
+                output: "",
+            }),
+            "outVariable" => self.assigned(element),
+            "jump" | "return" => {
+                let circuit = self.power(element, "")?;
+                let step = self.leave(element)?;
+                Some(followed(circuit, Leaf::plain((element, 0), step).output()))
+            }
+            _ => self.called_block(element),
+        }
+    }
+
+    /// The jump or the return of this element; behind a program that others follow, a return is a jump.
+    fn leave(&mut self, at: usize) -> Option<Step> {
+        let drawn = &self.network.elements[at];
+        let negated = says(drawn.node, "negated");
+        let label = match drawn.kind {
+            "jump" => {
+                let name = drawn.node.attribute("label").unwrap_or_default();
+                let Some(&label) = self.labels.get(name) else {
+                    self.tell(Code::XmlLabel, at, [name.into()]);
+                    return None;
+                };
+                Some(label)
+            }
+            _ => self.end,
+        };
+        Some(match (label, negated) {
+            (Some(label), false) => Step::new(Opcode::Jump).with_number(label),
+            (Some(label), true) => Step::new(Opcode::JumpNot).with_number(label),
+            (None, false) => Step::new(Opcode::Return),
+            (None, true) => Step::new(Opcode::ReturnNot),
+        })
+    }
+
+    /// The circuit to an input of an element.
+    pub(crate) fn power(&mut self, element: usize, input: &str) -> Option<Circuit> {
+        let network = self.network;
+        let pin = network.elements[element].input(input);
+        let Some(pin) = pin.filter(|pin| !pin.wires.is_empty()) else {
+            let what = match input {
+                "" => ("it", "ele").into(),
+                input => Word::from(input),
+            };
+            self.tell(Code::XmlPin, element, [what]);
+            return None;
+        };
+        let mut ways = Vec::with_capacity(pin.wires.len());
+        for &wire in &pin.wires {
+            ways.push(self.source(wire)?);
+        }
+        let mut circuit = match ways.len() {
+            1 => ways.remove(0),
+            _ => together(ways),
+        };
+        if size(&circuit) > LARGEST {
+            self.too_large(element);
+            return None;
+        }
+        let index = network.elements[element].inputs.iter();
+        let index = index.take_while(|other| other.name != pin.name).count();
+        if let Some(opcode) = edge_of(pin.edge) {
+            let leaf = Leaf::plain((element, 100 + index), Step::new(opcode));
+            circuit.push(Item::Leaf(leaf.once()));
+        }
+        if pin.negated {
+            let leaf = Leaf::plain((element, 200 + index), Step::new(Opcode::Not));
+            circuit.push(Item::Leaf(leaf));
+        }
+        Some(circuit)
+    }
+
+    /// The circuit to the beginning of a wire.
+    pub(crate) fn source(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        if let Some(known) = self.known.get(&wire) {
+            return known.clone();
+        }
+        self.descend(wire.from)?;
+        let circuit = self.behind(wire);
+        self.ascend();
+        self.known.insert(wire, circuit.clone());
+        circuit
+    }
+
+    /// Goes on at this element, where that leads in no circle and not too deep.
+    pub(crate) fn descend(&mut self, at: usize) -> Option<()> {
+        if self.open.contains(&at) {
+            self.tell(Code::XmlLoop, at, []);
+            return None;
+        }
+        if self.open.len() >= DEEPEST {
+            self.too_large(at);
+            return None;
+        }
+        self.open.push(at);
+        Some(())
+    }
+
+    /// Comes back from there.
+    pub(crate) fn ascend(&mut self) {
+        self.open.pop();
+    }
+
+    fn behind(&mut self, wire: Wire<'a>) -> Option<Circuit> {
+        let network = self.network;
+        let element = &network.elements[wire.from];
+        let at = wire.from;
+        match element.kind {
+            "leftPowerRail" => Some(Circuit::new()),
+            "contact" => {
+                let circuit = self.power(at, "")?;
+                self.contact(at, circuit)
+            }
+            "coil" => {
+                let circuit = self.power(at, "")?;
+                self.coil(at, circuit, edge(element.node))
+            }
+            "inVariable" | "inOutVariable" => self.contact(at, Circuit::new()),
+            "continuation" => {
+                let name = element.node.attribute("name");
+                let same = |kind: &str, other| kind == "connector" && other == name;
+                let mut elements = network.elements.iter();
+                match elements.position(|e| same(e.kind, e.node.attribute("name"))) {
+                    Some(connector) => self.power(connector, ""),
+                    None => {
+                        self.tell(Code::XmlPin, at, [name.unwrap_or_default().into()]);
+                        None
+                    }
+                }
+            }
+            "block" => self.result(at, wire.output),
+            kind => {
+                self.tell(Code::XmlElement, at, [kind.into()]);
+                None
+            }
+        }
+    }
+
+    /// The circuit with the contact of this element.
+    fn contact(&mut self, at: usize, mut circuit: Circuit) -> Option<Circuit> {
+        let element = &self.network.elements[at];
+        let written = element.written();
+        let meaning = self.meaning(at, &written)?;
+        let negated = says(element.node, "negated");
+        let zero = match negated {
+            true => Opcode::ZeroContactNot,
+            false => Opcode::ZeroContact,
+        };
+        let part = match meaning {
+            Meaning::Truth(truth) => never(truth == negated),
+            Meaning::Symbol(Symbol::Constant(number)) => never((number != 0) == negated),
+            Meaning::AtZero(counter) | Meaning::Symbol(Symbol::Counter(counter, Counts::Down)) => {
+                Some(Step::new(zero).with_number(counter).into())
+            }
+            Meaning::Symbol(symbol) => {
+                let point = match symbol {
+                    Symbol::Bit(point) => Some(point),
+                    Symbol::Timer(timer) => Some(Address::Timer(timer)),
+                    Symbol::Counter(counter, _) => Some(Address::Counter(counter)),
+                    Symbol::Latch(marker) => Some(Address::Marker(marker)),
+                    _ => None,
+                };
+                let draft = point.and_then(|point| Draft::contact(Some(point), negated).ok());
+                let Some(draft) = draft else {
+                    self.wants(at, &written, "INT", "BOOL");
+                    return None;
+                };
+                Some(draft.step.into())
+            }
+            Meaning::Elapsed(_) | Meaning::Count(_) => {
+                self.wants(at, &written, "INT", "BOOL");
+                return None;
+            }
+        };
+        let Some(part) = part else {
+            return Some(circuit);
+        };
+        let contact = Leaf {
+            key: (at, 0),
+            parts: vec![part],
+            is_output: false,
+            is_once: false,
+        };
+        match edge_of(edge(element.node)) {
+            None => circuit.push(Item::Leaf(contact)),
+            Some(opcode) => {
+                let own = vec![
+                    Item::Leaf(contact),
+                    Item::Leaf(Leaf::plain((at, 1), Step::new(opcode)).once()),
+                ];
+                match circuit.is_empty() {
+                    true => circuit = own,
+                    false => circuit.push(Item::Gate((at, 2), Gate::And, own)),
+                }
+            }
+        }
+        Some(circuit)
+    }
+
+    /// The circuit with a coil of what is written at this element, behind an edge.
+    pub(crate) fn coil(&mut self, at: usize, mut circuit: Circuit, edge: &str) -> Option<Circuit> {
+        let element = &self.network.elements[at];
+        let written = element.written();
+        let meaning = self.meaning(at, &written)?;
+        let Meaning::Symbol(symbol) = meaning else {
+            self.tell(Code::XmlWritten, at, [written.into()]);
+            return None;
+        };
+        let mut negated = says(element.node, "negated");
+        let coil = match element.node.attribute("storage") {
+            Some("set") => Coil::Set,
+            Some("reset") => Coil::Reset,
+            _ if std::mem::take(&mut negated) => Coil::Negated,
+            _ => Coil::Normal,
+        };
+        let step = match symbol {
+            Symbol::Bit(point @ (Address::Output(_) | Address::Marker(_))) => {
+                Draft::coil(Some(point), coil).ok().map(|draft| draft.step)
+            }
+            Symbol::Bit(_) | Symbol::Constant(_) | Symbol::Timer(_) | Symbol::Counter(..) => None,
+            Symbol::Latch(_) | Symbol::Edge => None,
+            Symbol::Number(_) | Symbol::Pwm(_) => {
+                self.wants(at, &written, "INT", "BOOL");
+                return None;
+            }
+        };
+        let Some(step) = step else {
+            self.tell(Code::XmlWritten, at, [written.into()]);
+            return None;
+        };
+        if let Some(opcode) = edge_of(edge) {
+            circuit.push(Item::Leaf(Leaf::plain((at, 1), Step::new(opcode)).once()));
+        }
+        if negated {
+            circuit.push(Item::Leaf(Leaf::plain((at, 2), Step::new(Opcode::Not))));
+        }
+        Some(followed(circuit, Leaf::plain((at, 0), step).output()))
+    }
+
+    /// What is written at an element, or at the value that leads to it.
+    pub(crate) fn meaning(&mut self, at: usize, written: &str) -> Option<Meaning> {
+        let who = Word::from(self.network.name(at));
+        let place = span(self.network.elements[at].node);
+        self.scope
+            .meaning(written, &who, place, self.all, self.found)
+    }
+
+    /// Tells something of an element.
+    pub(crate) fn tell<const N: usize>(&mut self, code: Code, at: usize, words: [Word; N]) {
+        let who = [Word::from(self.network.name(at))];
+        let words: Vec<Word> = who.into_iter().chain(words).collect();
+        let place = span(self.network.elements[at].node);
+        self.found
+            .take(unoclp_lang::Diagnostic::new(code, place, words));
+    }
+
+    /// Tells that this is of one type where another is wanted.
+    pub(crate) fn wants(&mut self, at: usize, written: &str, is: &str, wanted: &str) {
+        self.tell(
+            Code::XmlType,
+            at,
+            [written.into(), is.into(), wanted.into()],
+        );
+    }
+
+    pub(crate) fn too_large(&mut self, at: usize) {
+        let place = span(self.network.elements[at].node);
+        let (en, pt) = self.network.name(at);
+        let word = Word::from((
+            format!("{en}: more elements than fit in a rung"),
+            format!("{pt}: mais elementos do que cabem em uma linha"),
+        ));
+        self.found.tell_at(Code::XmlTooLarge, place, [word]);
+    }
+}
+
+/// A circuit that is always, where `is_not`, never closed; none needs a contact.
+fn never(is_not: bool) -> Option<crate::circuit::Part> {
+    let constant = |opcode| Step::new(opcode).with_number(0).with_lines([Some(0)]);
+    is_not.then(|| crate::circuit::Part {
+        load: Some(constant(Opcode::Load)),
+        step: constant(Opcode::NotEqual),
+    })
+}
+
+/// The instruction of an edge.
+pub(crate) fn edge_of(edge: &str) -> Option<Opcode> {
+    match edge {
+        "rising" => Some(Opcode::RisingEdge),
+        "falling" => Some(Opcode::FallingEdge),
+        _ => None,
+    }
+}
+
+pub(crate) fn followed(mut circuit: Circuit, leaf: Leaf) -> Circuit {
+    circuit.push(Item::Leaf(leaf));
+    circuit
+}

@@ -1,0 +1,49 @@
+//! Projects in PLCopen XML (TC6, 2.01), as OpenPLC Editor and Beremiz write them: to a checked program, and from a
+//! document of the ladder editor.
+//!
+//! It owns what the elements of such a file mean, and how a ladder is drawn in them. It must not know files, nor screens.
+//!
+//! The way in ([`import`]):
+//!
+//! - `xml`: text → tree, bounded; `project`: POUs, variables, what runs and in which order
+//! - `network`: the elements of a ladder body, and the wires between them
+//! - `points`: which point of the board a variable is; `scope`: what a name means in a POU
+//! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
+//! - `blocks`, `values`: what blocks and numbers become
+//! - `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
+//! - `body`: bodies of text, which `unoclp-lang` compiles
+//!
+//! The way out ([`export`]): `export`.
+//!
+//! What is wrong with a file is told at its place in it, with the POU and the number of the element. Nothing is left out in
+//! silence, and no file makes it panic.
+
+#![forbid(unsafe_code)]
+
+mod blocks;
+mod body;
+mod checked;
+mod circuit;
+mod flow;
+mod found;
+mod network;
+mod points;
+mod program;
+mod project;
+mod rungs;
+mod scope;
+mod values;
+mod xml;
+
+pub use program::{Imported, import};
+
+/// Whether a text is such a project, by its first words.
+pub fn is_project(text: &str) -> bool {
+    let text = text.trim_start();
+    let begins = text.starts_with("<?xml") || text.starts_with("<project");
+    let first: String = text.chars().take(HEAD).collect();
+    begins && first.contains("plcopen.org/xml")
+}
+
+/// In so many characters a project has named its namespace.
+const HEAD: usize = 2_000;

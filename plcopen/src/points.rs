@@ -1,0 +1,129 @@
+//! Which points of the board a program has: those that addresses name, and those that are allotted.
+//!
+//! | address | point |
+//! | --- | --- |
+//! | `%IX0.0` to `%IX0.7` | inputs 01 to 08 |
+//! | `%QX0.0` to `%QX0.3` | outputs 01 to 04 |
+//! | `%MX0.0` to `%MX7.7` | markers 01 to 64 |
+//! | `%MW1` to `%MW98`, `%MD1` to `%MD98` | registers 01 to 98 |
+//! | `%IW0` to `%IW4` | analogue inputs 00 to 04 |
+//! | `%QW1` to `%QW4` | PWM of outputs 01 to 04 |
+
+use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
+use unoclp_ladder::Address;
+
+/// What an address names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Point {
+    /// A bit, a register or an analogue input.
+    At(Address),
+    /// The PWM of an output.
+    Pwm(u8),
+}
+
+/// The points that are still free.
+pub(crate) struct Points {
+    board: Profile,
+    markers: u128,
+    registers: u128,
+    counters: u8,
+    timers: u8,
+}
+
+impl Points {
+    pub(crate) fn new(board: Profile) -> Points {
+        Points {
+            board,
+            markers: 0,
+            registers: 0,
+            counters: 0,
+            timers: 0,
+        }
+    }
+
+    /// The point that an address names: `%IX0.0`; none where the board has none.
+    pub(crate) fn address(&self, address: &str) -> Option<Point> {
+        let address = address.trim().strip_prefix('%')?.to_ascii_uppercase();
+        let digits = address.find(|c: char| c.is_ascii_digit())?;
+        let (letters, numbers) = address.split_at(digits);
+        let (first, bit) = match numbers.split_once('.') {
+            Some((first, bit)) => (first.parse().ok()?, Some(bit.parse::<u8>().ok()?)),
+            None => (numbers.parse::<u8>().ok()?, None),
+        };
+        let bit_of = |most: u8| {
+            let number = match bit {
+                Some(bit) if bit < 8 => first.checked_mul(8)?.checked_add(bit)?,
+                Some(_) => return None,
+                None => first,
+            };
+            (number < most).then_some(number + 1)
+        };
+        let word = |least: u8, most: u8| {
+            (bit.is_none() && (least..=most).contains(&first)).then_some(first)
+        };
+        Some(match letters {
+            "I" | "IX" => Point::At(Address::Input(bit_of(self.board.inputs)?)),
+            "Q" | "QX" => Point::At(Address::Output(bit_of(self.board.outputs)?)),
+            "M" | "MX" => Point::At(Address::Marker(bit_of(MARKERS)?)),
+            "MW" | "MD" => Point::At(Address::Register(word(1, REGISTERS)?)),
+            "IW" => Point::At(Address::Analogue(word(0, ANALOGUE - 1)?)),
+            "QW" => Point::Pwm(word(1, self.board.outputs)?),
+            _ => return None,
+        })
+    }
+
+    /// Leaves out the point of this address where others are allotted.
+    pub(crate) fn take(&mut self, address: &str) {
+        match self.address(address) {
+            Some(Point::At(Address::Marker(number))) => self.markers |= 1 << number,
+            Some(Point::At(Address::Register(number))) => self.registers |= 1 << number,
+            _ => {}
+        }
+    }
+
+    /// A marker; one that is kept over a power cut, where that is asked for.
+    pub(crate) fn marker(&mut self, retain: bool) -> Option<u8> {
+        let mut numbers = match retain {
+            true => RETENTIVE..=MARKERS,
+            false => 1..=RETENTIVE - 1,
+        };
+        let number = numbers.find(|number| self.markers >> number & 1 == 0)?;
+        self.markers |= 1 << number;
+        Some(number)
+    }
+
+    /// A register.
+    pub(crate) fn register(&mut self) -> Option<u8> {
+        let number = (1..=REGISTERS).find(|number| self.registers >> number & 1 == 0)?;
+        self.registers |= 1 << number;
+        Some(number)
+    }
+
+    /// A counter.
+    pub(crate) fn counter(&mut self) -> Option<u8> {
+        self.counters = (self.counters < COUNTERS).then_some(self.counters + 1)?;
+        Some(self.counters)
+    }
+
+    /// A timer, by the order in which they are allotted.
+    pub(crate) fn timer(&mut self) -> Option<u8> {
+        self.timers = (self.timers < TIMERS).then_some(self.timers + 1)?;
+        Some(self.timers)
+    }
+}
+
+/// How an address is written.
+pub(crate) fn written(point: Address) -> Option<String> {
+    Some(match point {
+        Address::Input(number) => format!("%IX0.{}", number.checked_sub(1)?),
+        Address::Output(number) => format!("%QX0.{}", number.checked_sub(1)?),
+        Address::Marker(number) => {
+            let number = number.checked_sub(1)?;
+            format!("%MX{}.{}", number / 8, number % 8)
+        }
+        Address::Register(number) => format!("%MW{number}"),
+        Address::Analogue(number) => format!("%IW{number}"),
+        _ => return None,
+    })
+}

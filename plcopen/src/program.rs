@@ -1,0 +1,280 @@
+//! A project to a checked program.
+
+use crate::body;
+use crate::checked::Origins;
+use crate::circuit::{Leaf, Part};
+use crate::flow::Flow;
+use crate::found::Found;
+use crate::network::Network;
+use crate::points::Points;
+use crate::project::{Pou, Project};
+use crate::rungs::{Rungs, circuits};
+use crate::scope::{Allotted, Scope, Symbol};
+use crate::xml::{self, first, text};
+use std::collections::HashMap;
+use std::sync::Arc;
+use unoclp_checked::{Checked, SourceMap};
+use unoclp_core::Profile;
+use unoclp_core::isa::{Class, Kind, LABELS, Opcode};
+use unoclp_ladder::edit::{Document, Draft, Id, Node, Series, Step};
+use unoclp_ladder::{Address, Names};
+use unoclp_lang::{Code, Span, Told, Variable};
+
+/// What has come of a project.
+#[derive(Debug)]
+pub struct Imported {
+    /// The same as numeric code, with comments; none where there are errors.
+    pub code: Option<String>,
+    /// The checked program, and where its steps stand in the XML.
+    pub program: Option<(Checked, SourceMap)>,
+    /// The document of a project of ladder diagrams.
+    pub document: Option<Document>,
+    /// The variables of a project of Structured Text.
+    pub variables: Vec<Variable>,
+    /// What was found in the project.
+    pub diagnostics: Told,
+}
+
+/// Reads a project for a board.
+pub fn import(text: &str, board: Profile) -> Imported {
+    let mut found = Found::default();
+    let mut imported = Imported {
+        code: None,
+        program: None,
+        document: None,
+        variables: Vec::new(),
+        diagnostics: Told::default(),
+    };
+    if let Some(tree) = xml::parse(text, &mut found)
+        && let Some(project) = Project::read(tree.root_element(), &mut found)
+    {
+        match language(&project, &mut found) {
+            Some("LD") => ladder(text, &project, board, &mut found, &mut imported),
+            Some(of_text) => {
+                body::compile(text, &project, of_text, board, &mut found, &mut imported);
+            }
+            None => {}
+        }
+    }
+    imported.diagnostics = found.finish();
+    imported
+}
+
+/// The language of all programs.
+fn language<'x>(project: &Project<'_, 'x>, found: &mut Found) -> Option<&'x str> {
+    let mut language: Option<(&str, &Pou<'_, '_>)> = None;
+    for pou in &project.programs {
+        let own = pou.body.map_or("?", |(language, _)| language);
+        if !matches!(own, "LD" | "ST" | "IL") {
+            found.tell(
+                Code::XmlBody,
+                pou.node,
+                [pou.name.clone().into(), own.into()],
+            );
+            continue;
+        }
+        match language {
+            Some((other, first)) if other != own => {
+                let words = [&*first.name, other, &*pou.name, own].map(Into::into);
+                found.tell(Code::XmlMixed, pou.node, words);
+            }
+            _ => language = Some((own, pou)),
+        }
+    }
+    language.map(|(own, _)| own).filter(|_| !found.has_errors())
+}
+
+fn ladder(
+    text: &str,
+    project: &Project<'_, '_>,
+    board: Profile,
+    found: &mut Found,
+    imported: &mut Imported,
+) {
+    let mut points = Points::new(board);
+    let of_pous = project.programs.iter().flat_map(|pou| &pou.variables);
+    let addresses = of_pous
+        .chain(&project.globals)
+        .filter_map(|v| v.address.as_deref());
+    addresses.for_each(|address| points.take(address));
+    let networks: Vec<Network<'_, '_>> = project
+        .programs
+        .iter()
+        .filter_map(|pou| Some(Network::read(&pou.name, pou.body?.1, found)))
+        .collect();
+    for element in networks.iter().flat_map(|network| &network.elements) {
+        points.take(&element.written());
+    }
+    let mut all = Allotted::new(points, &project.globals);
+    let mut rungs = Rungs::default();
+    let mut labels = 0;
+    for (index, (pou, network)) in project.programs.iter().zip(&networks).enumerate() {
+        let mut scope = Scope::new(&pou.variables);
+        let mut flow = Flow::new(index, network, &mut scope, &mut all, found);
+        for (at, element) in network.elements.iter().enumerate() {
+            if element.kind == "label" {
+                label(&mut flow, at, &mut labels);
+            }
+        }
+        let returns = network
+            .elements
+            .iter()
+            .any(|element| element.kind == "return");
+        if returns && index + 1 < networks.len() && labels < LABELS {
+            labels += 1;
+            flow.end = Some(labels);
+        }
+        let circuits = circuits(&mut flow);
+        let title = (networks.len() > 1).then(|| pou.name.clone());
+        rungs.add(&flow, &circuits, title);
+        rungs.labels.extend(flow.end);
+    }
+    rungs.finish();
+    begin(&all, &mut rungs);
+    let names = number(&mut rungs, &mut all, found);
+    if found.has_errors() {
+        return;
+    }
+    let title = project.programs.first().map_or(Vec::new(), documentation);
+    let Rungs { rungs, origins, .. } = rungs;
+    let document = Document::of_rungs(rungs, title, names);
+    let units: Vec<Arc<str>> = networks.iter().map(|n| Arc::from(&*n.pou)).collect();
+    let origins = Origins {
+        text,
+        origins,
+        units,
+    };
+    if let Some((code, program)) = origins.check(&document, board, found) {
+        imported.code = Some(code);
+        imported.program = Some(program);
+        imported.document = Some(document);
+    }
+}
+
+/// Gives a label its number.
+fn label(flow: &mut Flow<'_, '_, '_>, at: usize, labels: &mut u8) {
+    let name = flow.network.elements[at].node.attribute("label");
+    let name = name.unwrap_or_default().to_owned();
+    if *labels >= LABELS {
+        let words = [
+            ("label", "rótulo").into(),
+            name.into(),
+            LABELS.to_string().into(),
+        ];
+        flow.tell(Code::XmlNoneLeft, at, words);
+    } else if !flow.labels.contains_key(&name) {
+        *labels += 1;
+        flow.labels.insert(name, *labels);
+    }
+}
+
+fn documentation(pou: &Pou<'_, '_>) -> Vec<String> {
+    let written = first(pou.node, "documentation").map_or(String::new(), text);
+    let lines = written.trim().lines();
+    lines.map(|line| line.trim_end().to_owned()).collect()
+}
+
+/// What is kept, and the first scan, which gives variables their first values.
+fn begin(all: &Allotted, rungs: &mut Rungs) {
+    let mut parts: Vec<Part> = Vec::new();
+    for (symbol, _, keeps, _) in &all.begun {
+        if let (Symbol::Number(point), true) = (symbol, keeps) {
+            parts.push(
+                Step::new(Opcode::KeepRegister)
+                    .with_number(point.number())
+                    .into(),
+            );
+        }
+    }
+    let mut is_first = true;
+    for (symbol, first, ..) in &all.begun {
+        let Some(first) = first else { continue };
+        if std::mem::take(&mut is_first) {
+            parts.push(Step::new(Opcode::SystemContact).with_number(1).into());
+        }
+        match symbol {
+            Symbol::Bit(point) => {
+                let set = Draft::coil(Some(*point), unoclp_ladder::edit::Coil::Set);
+                parts.extend(set.ok().map(|draft| Part::from(draft.step)));
+            }
+            Symbol::Number(point @ Address::Register(_)) => {
+                let load = Step::new(Opcode::Load).with_number(0);
+                parts.push(load.with_lines([Some(*first)]).into());
+                parts.push(Step::new(Opcode::Store).with_number(point.number()).into());
+            }
+            _ => {}
+        }
+    }
+    if let Some((.., at)) = all.begun.first() {
+        let leaf = Leaf {
+            parts,
+            ..Leaf::plain((usize::MAX, 0), Step::new(Opcode::NewRung))
+        };
+        rungs.first(&leaf, *at);
+    }
+}
+
+/// Numbers the timers by their order in the program, and gives those that drive nothing a marker.
+fn number(rungs: &mut Rungs, all: &mut Allotted, found: &mut Found) -> Names {
+    let mut numbers: HashMap<u8, u8> = HashMap::new();
+    let mut unused = None;
+    for rung in &mut rungs.rungs {
+        each(&mut rung.series, &mut |id, _, step| {
+            if step.class() != Class::Timer {
+                return;
+            }
+            if let Some(&timer) = rungs.timers.get(&id) {
+                let next = numbers.len() as u8 + 1;
+                numbers.insert(timer, next);
+            }
+            if let [preset, None] = *step.lines() {
+                let marker = *unused.get_or_insert_with(|| all.points.marker(false));
+                let target = marker.map(|m| unoclp_core::isa::MARKER_OPERAND + i32::from(m));
+                if target.is_none() {
+                    let who = ("the program", "o programa").into();
+                    let words = [who, ("marker", "marcador").into(), "Q".into(), "64".into()];
+                    found.tell_at(Code::XmlNoneLeft, Span::default(), words);
+                }
+                *step = step.clone().with_lines([preset, target]);
+            }
+        });
+    }
+    // A timer that nothing calls has a number that no program has.
+    let number = |timer: u8| {
+        numbers
+            .get(&timer)
+            .copied()
+            .unwrap_or(unoclp_core::isa::POPPED)
+    };
+    for rung in &mut rungs.rungs {
+        each(&mut rung.series, &mut |_, load, step| {
+            for step in load.iter_mut().chain([step]) {
+                if step.opcode().row().kind == Kind::TimerQ {
+                    let timer = step.number().unwrap_or(0);
+                    *step = step.clone().with_number(number(timer));
+                }
+            }
+        });
+    }
+    let names = all.names.iter().map(|(point, name)| match point {
+        Address::Timer(timer) => (Address::Timer(number(*timer)), name.clone()),
+        point => (*point, name.clone()),
+    });
+    names.collect()
+}
+
+/// Calls back for each element, in the order of the codes.
+fn each(series: &mut Series, to: &mut impl FnMut(Id, &mut Option<Step>, &mut Step)) {
+    for node in series {
+        match node {
+            Node::Element(element) => to(element.id, &mut element.load, &mut element.step),
+            Node::Store(_) => {}
+            Node::Parallel(parallel) => {
+                for path in &mut parallel.paths {
+                    each(&mut path.series, to);
+                }
+            }
+            Node::Block(block) => each(&mut block.path.series, to),
+        }
+    }
+}

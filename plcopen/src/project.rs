@@ -1,0 +1,190 @@
+//! A project: its programs with their variables, in the order in which they run.
+
+use crate::found::{Found, span};
+use crate::xml::{all, first, says, text};
+use roxmltree::Node;
+use unoclp_lang::{Code, Span};
+
+/// What of a project is imported.
+pub(crate) struct Project<'a, 'x> {
+    /// The programs, as often as they are run, in their order.
+    pub programs: Vec<Pou<'a, 'x>>,
+    /// Functions and function blocks.
+    pub others: Vec<Pou<'a, 'x>>,
+    /// The variables of the configuration and of its resources.
+    pub globals: Vec<Variable>,
+    /// The types that the project makes.
+    pub types: Option<Node<'a, 'x>>,
+}
+
+/// A program, a function or a function block.
+#[derive(Clone)]
+pub(crate) struct Pou<'a, 'x> {
+    pub name: String,
+    /// `program`, `function`, `functionBlock`.
+    pub kind: String,
+    pub node: Node<'a, 'x>,
+    pub variables: Vec<Variable>,
+    /// The language of its body, and the element of that name: `LD`.
+    pub body: Option<(&'x str, Node<'a, 'x>)>,
+}
+
+/// A variable as it is declared.
+#[derive(Clone, Debug)]
+pub(crate) struct Variable {
+    pub name: String,
+    /// The element that declares it and others: `localVars`.
+    pub section: String,
+    pub address: Option<String>,
+    /// Its type, in upper case where IEC 61131-3 has it.
+    pub kind: String,
+    pub initial: Option<String>,
+    pub retain: bool,
+    pub constant: bool,
+    pub at: Span,
+}
+
+impl<'a, 'x: 'a> Project<'a, 'x> {
+    /// The project of a file; what it lacks is told.
+    pub(crate) fn read(root: Node<'a, 'x>, found: &mut Found) -> Option<Project<'a, 'x>> {
+        if root.tag_name().name() != "project" {
+            let name = root.tag_name().name().into();
+            found.tell(Code::XmlNoProject, root, [name]);
+            return None;
+        }
+        let types = first(root, "types");
+        let pous = types.and_then(|types| first(types, "pous"));
+        let pous: Vec<Pou<'_, '_>> = pous
+            .into_iter()
+            .flat_map(|pous| all(pous, "pou"))
+            .map(pou)
+            .collect();
+        let (programs, others) = pous.into_iter().partition(|pou| pou.kind == "program");
+        let mut project = Project {
+            programs,
+            others,
+            globals: globals(root),
+            types: types.and_then(|types| first(types, "dataTypes")),
+        };
+        project.order(root, found);
+        if project.programs.is_empty() {
+            found.tell(Code::XmlNoProgram, root, []);
+            return None;
+        }
+        Some(project)
+    }
+
+    /// Puts the programs in the order in which tasks run them.
+    fn order(&mut self, root: Node<'a, 'x>, found: &mut Found) {
+        let instances = root
+            .descendants()
+            .filter(|node| node.has_tag_name(("", "pouInstance")) || is(node, "pouInstance"));
+        let types: Vec<&str> = instances
+            .filter_map(|instance| instance.attribute("typeName"))
+            .collect();
+        let same = |pou: &Pou<'_, '_>, name: &str| pou.name.eq_ignore_ascii_case(name);
+        if types.is_empty() {
+            return;
+        }
+        for pou in &self.programs {
+            if !types.iter().any(|name| same(pou, name)) {
+                found.tell(Code::XmlNotRun, pou.node, [pou.name.clone().into()]);
+            }
+        }
+        let run = types.iter().filter_map(|name| {
+            let mut programs = self.programs.iter();
+            programs.find(|pou| same(pou, name)).cloned()
+        });
+        // No task runs a program more often than there is room on any board.
+        self.programs = run.take(MOST_RUN).collect();
+    }
+}
+
+/// More programs than this are not run.
+const MOST_RUN: usize = 100;
+
+fn is(node: &Node<'_, '_>, name: &str) -> bool {
+    node.is_element() && node.tag_name().name() == name
+}
+
+fn pou<'a, 'x: 'a>(node: Node<'a, 'x>) -> Pou<'a, 'x> {
+    let named = |attribute| node.attribute(attribute).unwrap_or_default().to_owned();
+    let sections = first(node, "interface").into_iter();
+    let sections = sections.flat_map(|interface| interface.children());
+    let body = first(node, "body");
+    let body = body.and_then(|body| body.children().find(Node::is_element));
+    Pou {
+        name: named("name"),
+        kind: named("pouType"),
+        node,
+        variables: sections.flat_map(variables).collect(),
+        body: body.map(|body| (body.tag_name().name(), body)),
+    }
+}
+
+fn globals(root: Node<'_, '_>) -> Vec<Variable> {
+    let sections = root.descendants().filter(|node| is(node, "globalVars"));
+    sections.flat_map(variables).collect()
+}
+
+/// The variables that a section declares.
+fn variables(section: Node<'_, '_>) -> Vec<Variable> {
+    let declared = all(section, "variable");
+    declared
+        .map(|node| Variable {
+            name: node.attribute("name").unwrap_or_default().to_owned(),
+            section: section.tag_name().name().to_owned(),
+            address: node.attribute("address").map(str::to_owned),
+            kind: first(node, "type").map_or(String::new(), kind),
+            initial: first(node, "initialValue").and_then(initial),
+            retain: says(section, "retain"),
+            constant: says(section, "constant"),
+            at: span(node),
+        })
+        .collect()
+}
+
+/// What a type is called.
+fn kind(of: Node<'_, '_>) -> String {
+    let Some(kind) = of.children().find(Node::is_element) else {
+        return text(of).trim().to_uppercase();
+    };
+    match kind.tag_name().name() {
+        "derived" => kind.attribute("name").unwrap_or_default().to_owned(),
+        "array" => {
+            let dimensions = all(kind, "dimension");
+            let bounds = dimensions.map(|dimension| {
+                let bound = |name| dimension.attribute(name).unwrap_or_default();
+                format!("{}..{}", bound("lower"), bound("upper"))
+            });
+            let bounds: Vec<String> = bounds.collect();
+            // The base of an array is no array, so this goes one deeper at most.
+            let base =
+                first(kind, "baseType").and_then(|base| base.children().find(Node::is_element));
+            let base = base.map_or(String::new(), |base| match base.tag_name().name() {
+                "derived" => base.attribute("name").unwrap_or_default().to_owned(),
+                name => name.to_uppercase(),
+            });
+            format!("ARRAY [{}] OF {base}", bounds.join(", "))
+        }
+        "string" | "wstring" => match kind.attribute("length") {
+            Some(length) => format!("STRING[{length}]"),
+            None => "STRING".to_owned(),
+        },
+        name => name.to_uppercase(),
+    }
+}
+
+/// The first value of a variable, as the text of a language has it.
+fn initial(of: Node<'_, '_>) -> Option<String> {
+    let value = of.children().find(Node::is_element)?;
+    match value.tag_name().name() {
+        "simpleValue" => value.attribute("value").map(str::to_owned),
+        "arrayValue" => {
+            let values = all(value, "value").filter_map(initial);
+            let values: Vec<String> = values.collect();
+            Some(format!("[{}]", values.join(", ")))
+        }
+        _ => Some("?".to_owned()),
+    }
+}

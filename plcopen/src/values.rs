@@ -1,0 +1,236 @@
+//! What numbers become: loads, operations and stores.
+
+use crate::circuit::Part;
+use crate::flow::Flow;
+use crate::network::Wire;
+use crate::scope::{Meaning, Symbol};
+use unoclp_core::isa::{Class, Opcode, POPPED};
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::Step;
+use unoclp_lang::Code;
+
+impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
+    /// Whether an output of a block is a number.
+    pub(crate) fn gives_number(&self, at: usize, output: &str) -> bool {
+        let block = self.network.elements[at].block();
+        match block.as_str() {
+            "MOVE" | "ADD" | "SUB" | "MUL" | "DIV" | "MOD" | "SHL" | "SHR" => {
+                !output.eq_ignore_ascii_case("ENO")
+            }
+            // Of bits where all of its inputs are.
+            "AND" | "OR" | "XOR" => false,
+            _ => matches!(output.to_uppercase().as_str(), "ET" | "CV"),
+        }
+    }
+
+    /// The instructions that load what a wire brings.
+    pub(crate) fn value(&mut self, wires: &[Wire<'a>], at: usize) -> Option<Vec<Step>> {
+        let [wire] = wires else {
+            self.tell(Code::XmlPin, at, [("a number", "um número").into()]);
+            return None;
+        };
+        let network = self.network;
+        let from = &network.elements[wire.from];
+        let written = match from.kind {
+            "inVariable" | "inOutVariable" => from.written(),
+            "block" => match wire.output.to_uppercase().as_str() {
+                member @ ("ET" | "CV") => {
+                    let instance = from.node.attribute("instanceName");
+                    format!("{}.{member}", instance.unwrap_or_default())
+                }
+                _ if self.gives_number(wire.from, wire.output) => {
+                    return self.computed(wire.from, at);
+                }
+                output => {
+                    self.wants(at, &format!("{}.{output}", from.block()), "BOOL", "INT");
+                    return None;
+                }
+            },
+            kind => {
+                self.wants(at, kind, "BOOL", "INT");
+                return None;
+            }
+        };
+        let constant = |number| {
+            Step::new(Opcode::Load)
+                .with_number(0)
+                .with_lines([Some(number)])
+        };
+        let step = match self.meaning(wire.from, &written)? {
+            Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
+                Step::new(Opcode::Load).with_number(register)
+            }
+            Meaning::Symbol(Symbol::Number(point)) => {
+                Step::new(Opcode::LoadAnalogue).with_number(point.number())
+            }
+            Meaning::Symbol(Symbol::Constant(number)) => constant(number),
+            Meaning::Truth(truth) => constant(i32::from(truth)),
+            Meaning::Elapsed(timer) => Step::new(Opcode::LoadTimer).with_number(timer),
+            Meaning::Count(counter) => Step::new(Opcode::LoadCount).with_number(counter),
+            Meaning::Symbol(_) | Meaning::AtZero(_) => {
+                self.wants(at, &written, "BOOL", "INT");
+                return None;
+            }
+        };
+        Some(vec![step])
+    }
+
+    /// The instructions that compute what a block gives to another.
+    fn computed(&mut self, at: usize, by: usize) -> Option<Vec<Step>> {
+        self.descend(at)?;
+        let steps = self.operation(at, Some(by));
+        self.ascend();
+        steps
+    }
+
+    /// The same; `by` is the block that takes it, where one does.
+    fn operation(&mut self, at: usize, by: Option<usize>) -> Option<Vec<Step>> {
+        let network = self.network;
+        let block = &network.elements[at];
+        if let Some(by) = by {
+            // What a block takes is computed where it is itself.
+            let own = block.wires("EN");
+            let others = network.elements[by].wires("EN");
+            let follows = others.iter().any(|wire| wire.from == at);
+            if !follows && own != others {
+                self.unconditional(at)?;
+            }
+        }
+        let opcode = match block.block().as_str() {
+            "MOVE" => return self.value(block.wires("IN"), at),
+            "ADD" => Opcode::Add,
+            "SUB" => Opcode::Subtract,
+            "MUL" => Opcode::Multiply,
+            "DIV" => Opcode::Divide,
+            "MOD" => Opcode::Modulo,
+            "SHL" | "SHR" => return self.shifted(at),
+            other => {
+                self.tell(Code::XmlBlock, at, [other.into()]);
+                return None;
+            }
+        };
+        let mut inputs = self.numbered(at).into_iter();
+        let first = inputs.next().unwrap_or_else(|| "IN1".to_owned());
+        let mut steps = self.value(block.wires(&first), at)?;
+        for input in inputs {
+            let right = self.value(block.wires(&input), at)?;
+            self.apply(&mut steps, opcode, right);
+        }
+        (steps.len() <= 200).then_some(steps).or_else(|| {
+            self.too_large(at);
+            None
+        })
+    }
+
+    /// Puts an operation with this right operand behind what computes the left one.
+    fn apply(&self, steps: &mut Vec<Step>, opcode: Opcode, right: Vec<Step>) {
+        match &right[..] {
+            [load] if load.opcode() == Opcode::Load => {
+                let lines = load.lines().to_vec();
+                let step = Step::new(opcode).with_number(load.number());
+                steps.push(step.with_lines(lines));
+            }
+            _ => {
+                steps.push(Step::new(Opcode::Push));
+                steps.extend(right);
+                steps.push(Step::new(opcode).with_number(POPPED));
+            }
+        }
+    }
+
+    fn shifted(&mut self, at: usize) -> Option<Vec<Step>> {
+        let block = &self.network.elements[at];
+        let mut steps = self.value(block.wires("IN"), at)?;
+        let by = self.value(block.wires("N"), at)?;
+        let opcode = match block.block().as_str() {
+            "SHL" => Opcode::ShiftLeft,
+            _ => Opcode::ShiftRight,
+        };
+        let number = match &by[..] {
+            [load] if load.number() == Some(0) => load.lines().first().copied().flatten(),
+            _ => None,
+        };
+        let Some(number) = number
+            .and_then(|n| u8::try_from(n).ok())
+            .filter(|n| *n < 32)
+        else {
+            let what = ("constant from 0 to 31", "uma constante de 0 a 31");
+            self.tell(Code::XmlValue, at, ["N".into(), what.into()]);
+            return None;
+        };
+        steps.push(Step::new(opcode).with_number(number));
+        Some(steps)
+    }
+
+    /// The parts of a comparison: each input with the next.
+    pub(crate) fn comparison(&mut self, at: usize, name: &str) -> Option<Vec<Part>> {
+        let opcode = match name {
+            "GT" => Opcode::Greater,
+            "GE" => Opcode::GreaterOrEqual,
+            "EQ" => Opcode::Equal,
+            "NE" => Opcode::NotEqual,
+            "LE" => Opcode::LessOrEqual,
+            _ => Opcode::Less,
+        };
+        let network = self.network;
+        let inputs = self.numbered(at);
+        if inputs.len() < 2 {
+            self.tell(Code::XmlPin, at, ["IN2".into()]);
+            return None;
+        }
+        let mut parts = Vec::new();
+        for pair in inputs.windows(2) {
+            let mut steps = self.value(network.elements[at].wires(&pair[0]), at)?;
+            let right = self.value(network.elements[at].wires(&pair[1]), at)?;
+            self.apply(&mut steps, opcode, right);
+            let step = steps.pop()?;
+            let load = steps.pop_if(|last| last.class() == Class::Load);
+            parts.extend(steps.into_iter().map(Part::from));
+            parts.push(Part { load, step });
+        }
+        Some(parts)
+    }
+
+    /// The instructions that compute what a block gives and store it in the variables behind it.
+    pub(crate) fn stores(&mut self, at: usize) -> Option<Vec<Part>> {
+        let network = self.network;
+        let mut parts: Vec<Part> = Vec::new();
+        for (index, element) in network.elements.iter().enumerate() {
+            let behind = element.kind == "outVariable"
+                && matches!(element.wires(""), [wire] if wire.from == at
+                    && self.gives_number(at, wire.output));
+            if behind {
+                if parts.is_empty() {
+                    parts = self
+                        .operation(at, None)?
+                        .into_iter()
+                        .map(Part::from)
+                        .collect();
+                }
+                parts.push(self.store(index)?.into());
+            }
+        }
+        Some(parts)
+    }
+
+    /// The store to the variable of an element.
+    pub(crate) fn store(&mut self, at: usize) -> Option<Step> {
+        let written = self.network.elements[at].written();
+        match self.meaning(at, &written)? {
+            Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
+                Some(Step::new(Opcode::Store).with_number(register))
+            }
+            Meaning::Symbol(Symbol::Pwm(output)) => {
+                Some(Step::new(Opcode::StorePwm).with_number(output))
+            }
+            Meaning::Symbol(Symbol::Bit(_)) => {
+                self.wants(at, &written, "BOOL", "INT");
+                None
+            }
+            _ => {
+                self.tell(Code::XmlWritten, at, [written.into()]);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The text of a file as a tree, within bounds.
+
+use crate::found::Found;
+use roxmltree::{Document, Node, ParsingOptions};
+use unoclp_lang::{Code, Span};
+
+/// The largest file that is read, in bytes; those of other languages are bounded likewise.
+const LARGEST: usize = 1 << 20;
+
+/// The most nodes of a tree: a tag takes at least four bytes.
+const MOST_NODES: u32 = (LARGEST / 4) as u32;
+
+/// The tree of a text. A document type is refused, and with it all entities but those of XML itself.
+pub(crate) fn parse<'t>(text: &'t str, found: &mut Found) -> Option<Document<'t>> {
+    let nowhere = Span::default();
+    if text.len() > LARGEST {
+        let size = format!("{} > {LARGEST} bytes", text.len());
+        found.tell_at(Code::XmlTooLarge, nowhere, [size.into()]);
+        return None;
+    }
+    let options = ParsingOptions {
+        allow_dtd: false,
+        nodes_limit: MOST_NODES,
+        ..ParsingOptions::default()
+    };
+    let error = match Document::parse_with_options(text, options) {
+        Ok(document) => return Some(document),
+        Err(error) => error,
+    };
+    let place = error.pos();
+    let line = text.lines().nth((place.row as usize).saturating_sub(1));
+    let before = line.unwrap_or_default().chars();
+    let before = before.take((place.col as usize).saturating_sub(1));
+    let column: usize = before.map(char::len_utf8).sum();
+    let lines = text.split_inclusive('\n');
+    let start: usize = lines
+        .take((place.row as usize).saturating_sub(1))
+        .map(str::len)
+        .sum();
+    let start = (start + column).min(text.len()) as u32;
+    let span = Span { start, end: start };
+    found.tell_at(Code::XmlBroken, span, [error.to_string().into()]);
+    None
+}
+
+/// The elements within one, with this name.
+pub(crate) fn all<'a, 'x>(
+    of: Node<'a, 'x>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'x>> {
+    of.children()
+        .filter(move |child| child.is_element() && child.tag_name().name() == name)
+}
+
+/// The first of them.
+pub(crate) fn first<'a, 'x>(of: Node<'a, 'x>, name: &'static str) -> Option<Node<'a, 'x>> {
+    all(of, name).next()
+}
+
+/// The text within an element and all that it holds.
+pub(crate) fn text(of: Node<'_, '_>) -> String {
+    let texts = of.descendants().filter(Node::is_text);
+    texts.filter_map(|node| node.text()).collect()
+}
+
+/// Whether an attribute says `true`.
+pub(crate) fn says(of: Node<'_, '_>, attribute: &str) -> bool {
+    matches!(of.attribute(attribute), Some("true" | "1"))
+}
