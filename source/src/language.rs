@@ -17,6 +17,8 @@ pub enum WrittenIn {
     Il,
     /// A typed language: Structured Text, InterSCL, LCE.
     Typed(TextLanguage),
+    /// A project in PLCopen XML, whose programs are ladder diagrams or texts.
+    Xml,
 }
 
 /// Why a file holds no program in any language.
@@ -32,12 +34,13 @@ pub enum NoProgram {
 
 impl WrittenIn {
     /// All of them.
-    pub const ALL: [WrittenIn; 6] = [
+    pub const ALL: [WrittenIn; 7] = [
         WrittenIn::Typed(TextLanguage::St),
         WrittenIn::Typed(TextLanguage::Scl),
         WrittenIn::Typed(TextLanguage::Iscl),
         WrittenIn::Typed(TextLanguage::Lce),
         WrittenIn::Il,
+        WrittenIn::Xml,
         WrittenIn::Numeric,
     ];
 
@@ -47,6 +50,7 @@ impl WrittenIn {
             WrittenIn::Numeric => "numeric",
             WrittenIn::Il => "il",
             WrittenIn::Typed(language) => language.name(),
+            WrittenIn::Xml => "xml",
         }
     }
 
@@ -78,6 +82,9 @@ impl WrittenIn {
         let text = decode(file);
         if text.trim().is_empty() {
             return Err(NoProgram::Empty);
+        }
+        if unoclp_plcopen::is_project(&text) {
+            return Ok(WrittenIn::Xml);
         }
         if is_numbers(&text) {
             return Ok(WrittenIn::Numeric);
@@ -128,6 +135,7 @@ mod tests {
             ("b.iscl", "iscl"),
             ("a.lce", "lce"),
             ("A.IL", "il"),
+            ("plc.xml", "xml"),
         ] {
             assert_eq!(name(path, b"0\n827301\n"), Ok(language), "{path}");
         }
@@ -146,6 +154,9 @@ mod tests {
             assert_eq!(name("a.txt", text), Ok("numeric"), "{text:?}");
         }
         assert_eq!(name("a.txt", b"// lamp\n0 LD I1\n1 ST Q1\n"), Ok("il"));
+        let project =
+            b"<?xml version='1.0'?>\n<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"/>";
+        assert_eq!(name("a.txt", project), Ok("xml"));
         assert_eq!(name("a.txt", b"\xFF\xFEL\0D\0 \0I\x001\0"), Ok("il"));
     }
 

@@ -51,6 +51,11 @@ pub enum Language {
         /// What is worth a second look.
         warnings: Told,
     },
+    /// A project in PLCopen XML.
+    Xml {
+        /// What is worth a second look.
+        warnings: Told,
+    },
 }
 
 impl Language {
@@ -58,7 +63,9 @@ impl Language {
     pub fn warnings(&self) -> Option<&Told> {
         match self {
             Language::Numeric => None,
-            Language::Il { warnings, .. } | Language::Typed { warnings, .. } => Some(warnings),
+            Language::Il { warnings, .. }
+            | Language::Typed { warnings, .. }
+            | Language::Xml { warnings } => Some(warnings),
         }
     }
 }

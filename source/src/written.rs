@@ -60,6 +60,8 @@ enum Way {
     List,
     /// By way of the typed tree.
     Typed(TextLanguage),
+    /// A project, by what its programs are.
+    Xml,
 }
 
 impl Written {
@@ -89,7 +91,10 @@ impl Written {
 
     /// Whether it is a text that is compiled.
     pub fn is_text(&self) -> bool {
-        matches!(self.language, Ok(WrittenIn::Il | WrittenIn::Typed(_)))
+        matches!(
+            self.language,
+            Ok(WrittenIn::Il | WrittenIn::Typed(_) | WrittenIn::Xml)
+        )
     }
 
     /// Compiles and checks it. `dialect` says whose Instruction List it is; none: what the text looks like.
@@ -101,13 +106,15 @@ impl Written {
             Ok(Way::Numeric) => self.numeric(),
             Ok(Way::List) => self.compiled(dialect),
             Ok(Way::Typed(language)) => self.typed(language),
+            Ok(Way::Xml) => self.xml(),
             Err(why) => Err(self.none(why)),
         }
     }
 
-    /// Whether it goes by way of the typed tree: a text in a typed language, or Instruction List with types.
+    /// Whether it goes by way of the typed tree: a text in a typed language, Instruction List with types, or a project,
+    /// which may hold either.
     pub fn is_typed(&self) -> bool {
-        matches!(self.way(), Ok(Way::Typed(_)))
+        matches!(self.way(), Ok(Way::Typed(_) | Way::Xml))
     }
 
     fn way(&self) -> Result<Way, NoProgram> {
@@ -116,6 +123,7 @@ impl Written {
             WrittenIn::Il if has_types(&decode(&self.bytes)) => Way::Typed(TextLanguage::Il),
             WrittenIn::Il => Way::List,
             WrittenIn::Typed(language) => Way::Typed(language),
+            WrittenIn::Xml => Way::Xml,
         })
     }
 
@@ -133,7 +141,7 @@ impl Written {
         match self.way() {
             Ok(Way::Numeric) => Some(self.numeric()),
             Ok(Way::List) => Some(self.compiled(None)),
-            Ok(Way::Typed(_)) => None,
+            Ok(Way::Typed(_) | Way::Xml) => None,
             Err(why) => Some(Err(self.none(why))),
         }
     }
@@ -194,6 +202,31 @@ impl Written {
             language: Language::Typed {
                 language,
                 warnings: made.diagnostics,
+            },
+            size: Size::of(checked.program()),
+            map,
+            variables: made.variables,
+            checked,
+        })
+    }
+
+    fn xml(self) -> Result<Source, Refused> {
+        let text = decode(&self.bytes);
+        let made = unoclp_plcopen::import(&text, self.board);
+        let diagnostics = made.diagnostics;
+        let (Some(code), Some((checked, map))) = (made.code, made.program) else {
+            return Err(Refused::Text {
+                name: self.name,
+                text,
+                diagnostics,
+            });
+        };
+        Ok(Source {
+            name: self.name,
+            text,
+            code: code.into_bytes(),
+            language: Language::Xml {
+                warnings: diagnostics,
             },
             size: Size::of(checked.program()),
             map,

@@ -228,6 +228,7 @@ fn language(language: &Language) -> &'static str {
         Language::Numeric => "numeric",
         Language::Il { .. } => "il",
         Language::Typed { language, .. } => language.name(),
+        Language::Xml { .. } => "xml",
     }
 }
 

@@ -48,6 +48,7 @@ impl Wording {
         match language {
             Language::Numeric => None,
             Language::Il { dialect, .. } => Some(self.dialect(*dialect)),
+            Language::Xml { .. } => Some("PLCopen XML".to_owned()),
             Language::Typed { language, .. } => Some(match language {
                 TextLanguage::St | TextLanguage::Scl => messages::structured_text(),
                 // Names, the same in every language.

@@ -77,7 +77,7 @@ pub fn run(arguments: What) -> Outcome {
     let written = program(&arguments)?;
     let ran = match written.language {
         Ok(WrittenIn::Typed(language)) => tree::run(&arguments, written, language)?,
-        Ok(WrittenIn::Il | WrittenIn::Numeric) => core::run(&arguments, written)?,
+        Ok(WrittenIn::Il | WrittenIn::Numeric | WrittenIn::Xml) => core::run(&arguments, written)?,
         Err(why) => bail!(no_program(&written.name, why)),
     };
     let Some(ran) = ran else {
