@@ -342,11 +342,43 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         };
         let mut circuit = self.power(at, "IN1")?;
         for input in self.numbered(at).into_iter().skip(1) {
+            if gate == Gate::Xor
+                && let Some(step) = self.exclusive(at, &input)
+            {
+                circuit.push(Item::Leaf(Leaf::plain((at, 20 + circuit.len()), step)));
+                continue;
+            }
             let other = self.power(at, &input)?;
             let part = 20 + circuit.len();
             circuit.push(Item::Gate((at, part), gate, other));
         }
         Some(circuit)
+    }
+
+    /// The exclusive OR with a point that is written right at the input.
+    fn exclusive(&mut self, at: usize, input: &str) -> Option<Step> {
+        let network = self.network;
+        let pin = network.elements[at].input(input)?;
+        let [wire] = &pin.wires[..] else {
+            return None;
+        };
+        let from = &network.elements[wire.from];
+        if from.kind != "inVariable" || !pin.edge.is_empty() || from.negated() {
+            return None;
+        }
+        let Meaning::Symbol(Symbol::Bit(point)) = self.meaning(wire.from, &from.written())? else {
+            return None;
+        };
+        let opcode = match (point, pin.negated) {
+            (Address::Input(_), false) => Opcode::XorInput,
+            (Address::Input(_), true) => Opcode::XorInputNot,
+            (Address::Output(_), false) => Opcode::XorOutput,
+            (Address::Output(_), true) => Opcode::XorOutputNot,
+            (Address::Marker(_), false) => Opcode::XorMarker,
+            (Address::Marker(_), true) => Opcode::XorMarkerNot,
+            _ => return None,
+        };
+        Some(Step::new(opcode).with_number(point.number()))
     }
 
     /// The inputs IN1, IN2 … of a block.

@@ -236,6 +236,24 @@ pub(crate) fn within(into: &mut Circuit, outputs: &mut Circuit) -> bool {
     let Some(Item::Parallel { ways, .. }) = into.get_mut(at) else {
         return false;
     };
+    // Outputs behind the first ways of it alone: those come together before.
+    if let Some(Item::Parallel { ways: own, .. }) = outputs.get(of_other)
+        && own.len() < ways.len()
+        && own
+            .iter()
+            .zip(&*ways)
+            .all(|(one, other)| same_way(one, other))
+        && outputs[of_other + 1..].iter().all(Item::is_output)
+    {
+        let first = ways.drain(..own.len()).collect();
+        let first = Item::Parallel {
+            ways: first,
+            ends: false,
+        };
+        let behind = outputs.drain(of_other + 1..);
+        ways.insert(0, std::iter::once(first).chain(behind).collect());
+        return true;
+    }
     let mut rest = outputs.split_off(of_other);
     let is_done = ways.iter_mut().any(|way| within(way, &mut rest));
     if !is_done {

@@ -24,6 +24,7 @@ mod blocks;
 mod body;
 mod checked;
 mod circuit;
+mod export;
 mod flow;
 mod found;
 mod network;
@@ -35,6 +36,7 @@ mod scope;
 mod values;
 mod xml;
 
+pub use export::{Lost, export};
 pub use program::{Imported, import};
 
 /// Whether a text is such a project, by its first words.

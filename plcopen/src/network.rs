@@ -182,6 +182,11 @@ impl<'a> Element<'a, '_> {
         name.to_uppercase()
     }
 
+    /// Whether what it gives is inverted.
+    pub(crate) fn negated(&self) -> bool {
+        says(self.node, "negated")
+    }
+
     /// Whether it is a rail at which power ends.
     pub(crate) fn is_right_rail(&self) -> bool {
         self.kind == "rightPowerRail"

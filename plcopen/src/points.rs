@@ -27,7 +27,7 @@ pub(crate) struct Points {
     board: Profile,
     markers: u128,
     registers: u128,
-    counters: u8,
+    counters: u32,
     timers: u8,
 }
 
@@ -100,10 +100,16 @@ impl Points {
         Some(number)
     }
 
-    /// A counter.
-    pub(crate) fn counter(&mut self) -> Option<u8> {
-        self.counters = (self.counters < COUNTERS).then_some(self.counters + 1)?;
-        Some(self.counters)
+    /// A counter: of one that is called C1 to C16 the one with that number, where it is free.
+    pub(crate) fn counter(&mut self, name: &str) -> Option<u8> {
+        let own = name.strip_prefix(['C', 'c']).and_then(|n| n.parse().ok());
+        let is_free =
+            |number: &u8| (1..=COUNTERS).contains(number) && self.counters >> number & 1 == 0;
+        let number = own
+            .filter(is_free)
+            .or_else(|| (1..=COUNTERS).find(is_free))?;
+        self.counters |= 1 << number;
+        Some(number)
     }
 
     /// A timer, by the order in which they are allotted.
@@ -122,7 +128,7 @@ pub(crate) fn written(point: Address) -> Option<String> {
             let number = number.checked_sub(1)?;
             format!("%MX{}.{}", number / 8, number % 8)
         }
-        Address::Register(number) => format!("%MW{number}"),
+        Address::Register(number) => format!("%MD{number}"),
         Address::Analogue(number) => format!("%IW{number}"),
         _ => return None,
     })

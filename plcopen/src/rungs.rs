@@ -59,7 +59,7 @@ pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
             if is_within {
                 std::mem::swap(into, &mut circuit);
             }
-            is_within
+            is_within || within(into, &mut circuit)
         });
         let at = joined.unwrap_or_else(|| {
             circuits.push(circuit);

@@ -241,14 +241,17 @@ fn allot(variable: &Variable, who: &Word, all: &mut Allotted, found: &mut Found)
                 register.map(|register| Symbol::Number(Address::Register(register)))
             }
             "TON" | "TOF" | "TP" => all.points.timer().map(Symbol::Timer),
-            "CTU" => all.points.counter().map(|c| Symbol::Counter(c, Counts::Up)),
+            "CTU" => all
+                .points
+                .counter(&variable.name)
+                .map(|c| Symbol::Counter(c, Counts::Up)),
             "CTD" => all
                 .points
-                .counter()
+                .counter(&variable.name)
                 .map(|c| Symbol::Counter(c, Counts::Down)),
             "CTUD" => all
                 .points
-                .counter()
+                .counter(&variable.name)
                 .map(|c| Symbol::Counter(c, Counts::Both)),
             "SR" | "RS" => all.points.marker(variable.retain).map(Symbol::Latch),
             "R" | "F" if matches!(kind.as_str(), "R_TRIG" | "F_TRIG") => Some(Symbol::Edge),
@@ -274,7 +277,9 @@ fn allot(variable: &Variable, who: &Word, all: &mut Allotted, found: &mut Found)
     if first.is_some() || keeps {
         all.begun.push((symbol, first, keeps, at));
     }
-    if let Some(point) = point(symbol) {
+    if let Some(point) = point(symbol)
+        && !variable.name.eq_ignore_ascii_case(&point.to_string())
+    {
         all.names
             .entry(point)
             .or_insert_with(|| variable.name.clone());

@@ -113,6 +113,11 @@ macro_rules! xml_rows {
         "put the label at the head of a rung"
         "{0}: não há um rótulo `{1}`"
         "ponha o rótulo no começo de uma linha";
+    523 XmlLost Error
+        "rung {0}: `{1}` cannot be said in PLCopen XML"
+        "draw it with contacts, coils and blocks that the page of PLCopen XML names"
+        "linha {0}: `{1}` não se escreve em PLCopen XML"
+        "desenhe com contatos, bobinas e blocos que a página do PLCopen XML cita";
         }
     };
 }

@@ -2,6 +2,7 @@
 
 mod any_text;
 mod cases;
+mod round_trip;
 mod texts;
 
 /// A project of one program with these variables and this body.
