@@ -5,12 +5,12 @@ use super::output::{Kind, cannot_write, create};
 use super::wording::Wording;
 use super::words::Form;
 use crate::Outcome;
-use anstream::{print, println};
+use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::io::Write;
 use std::path::Path;
 use unoclp_cli::{ascii, messages};
-use unoclp_source::{Diagnostic, Lang, list as listing};
+use unoclp_source::{Diagnostic, Lang, Source, list as listing};
 
 /// Shows a program in this form, or draws it into a file.
 pub fn list(
@@ -26,14 +26,17 @@ pub fn list(
     let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
+    let Some(listed) = form.listed() else {
+        return Ok(project(&program));
+    };
     let Some(svg) = svg else {
         let lang = messages::spoken();
-        let listing = listing::list(&program, form.into(), width, lang);
+        let listing = listing::list(&program, listed, width, lang);
         let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
         match form {
             Form::Ladder => print!("{}", ascii::picture(&listing)),
             // These are programs, which stay as they are.
-            Form::Il | Form::St | Form::Numeric => print!("{listing}"),
+            Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{listing}"),
         }
         return Ok(true);
     };
@@ -49,4 +52,18 @@ pub fn list(
 fn said(refused: &Diagnostic, lang: Lang) -> String {
     let (message, help) = (refused.message(lang), refused.help(lang));
     format!("{}: {message}; {help}", refused.code)
+}
+
+/// Prints a program as a project in PLCopen XML, or why it is none.
+fn project(program: &Source) -> bool {
+    match listing::plcopen(program) {
+        Ok(text) => print!("{text}"),
+        Err(lost) => {
+            for lost in &lost {
+                eprintln!("{}", lost.text(messages::spoken()));
+            }
+            return false;
+        }
+    }
+    true
 }

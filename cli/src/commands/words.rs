@@ -73,16 +73,20 @@ pub enum Form {
     St,
     /// Numeric code, each line with its letters and its meaning
     Numeric,
+    /// A project in PLCopen XML, for OpenPLC Editor and others
+    Xml,
 }
 
-impl From<Form> for unoclp_source::list::Form {
-    fn from(word: Form) -> unoclp_source::list::Form {
+impl Form {
+    /// How it is listed; none where it is a file for others.
+    pub fn listed(self) -> Option<unoclp_source::list::Form> {
         use unoclp_source::list::Form as Listed;
-        match word {
-            Form::Ladder => Listed::Ladder,
-            Form::Il => Listed::Il,
-            Form::St => Listed::St,
-            Form::Numeric => Listed::Numeric,
+        match self {
+            Form::Ladder => Some(Listed::Ladder),
+            Form::Il => Some(Listed::Il),
+            Form::St => Some(Listed::St),
+            Form::Numeric => Some(Listed::Numeric),
+            Form::Xml => None,
         }
     }
 }

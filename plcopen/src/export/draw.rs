@@ -7,8 +7,8 @@ use super::xml::{At, Body, Source};
 use std::collections::HashMap;
 use unoclp_core::Profile;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode};
-use unoclp_ladder::edit::{Begin, Block, Document, Element, Gate, Id, Node, Rung, Step, visit};
 use unoclp_ladder::Address;
+use unoclp_ladder::edit::{Begin, Block, Document, Element, Gate, Id, Node, Rung, Step, visit};
 
 /// From one element to the next, and from one row to the next.
 const COLUMN: i64 = 120;

@@ -3,8 +3,8 @@
 use super::draw::{Draw, Wire};
 use super::xml::Source;
 use unoclp_core::isa::{Class, Kind, Opcode, POPPED};
-use unoclp_ladder::edit::{Element, Step};
 use unoclp_ladder::Address;
+use unoclp_ladder::edit::{Element, Step};
 
 /// What value holds, and what has been pushed; none where that is not known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

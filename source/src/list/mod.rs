@@ -6,8 +6,10 @@ mod words;
 
 use crate::{BOARD, Source, names};
 use std::path::Path;
+use unoclp_ladder::edit::Document;
 use unoclp_ladder::{Drawing, Ladder, Names, Style, listing, to_svg};
 use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
+use unoclp_plcopen::Lost;
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,6 +47,19 @@ pub fn list(
             listing(&drawing, &source.map, &names, &title(lang))
         }
     })
+}
+
+/// A program as a project in PLCopen XML, which goes by the name of its file.
+///
+/// # Errors
+/// What no project can say.
+pub fn plcopen(source: &Source) -> Result<String, Vec<Lost>> {
+    let ladder = Ladder::new(source.program().steps());
+    let document = Document::of_steps(source.program().steps());
+    let document = document.with_text(&source.map);
+    let document = document.with_names(names(&source.map, &ladder));
+    let name = Path::new(&source.name).file_stem().unwrap_or_default();
+    unoclp_plcopen::export(&document, &name.to_string_lossy())
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.
