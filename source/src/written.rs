@@ -160,7 +160,7 @@ impl Written {
         match self.way() {
             Ok(Way::Numeric) => crate::colours::numeric(&text),
             Ok(Way::List) => colours_of_list(&text),
-            Ok(Way::Typed(_)) | Err(_) => Vec::new(),
+            Ok(Way::Typed(_) | Way::Xml) | Err(_) => Vec::new(),
         }
     }
 

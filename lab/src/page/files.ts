@@ -32,7 +32,7 @@ function decode(bytes: Uint8Array): string | null {
 }
 
 /** Lets a person pick a file. */
-export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.txt,text/plain"): void {
+export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,text/plain"): void {
   const input = h("input", { type: "file", accept });
   input.addEventListener("change", () => {
     const file = input.files?.[0];

@@ -15,7 +15,8 @@ import type { Tabs } from "./tabs";
 const VIEWS = ["text", "both", "ladder"] as const;
 const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder" } as const;
 const TONGUES: Readonly<Record<string, Key>> = {
-  il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce", numeric: "languageNumeric",
+  il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce", xml: "languageXml",
+  numeric: "languageNumeric",
 };
 
 export class ProgramView {

@@ -6,7 +6,7 @@ export interface Both {
   readonly pt: string;
 }
 
-export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "numeric";
+export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "xml" | "numeric";
 
 /** A program as somebody writes it: the end of the name says its language. */
 export interface Text {

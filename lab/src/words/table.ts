@@ -45,6 +45,7 @@ export const TABLE = {
   languageScl: ["SCL (Siemens)", "SCL (da Siemens)"],
   languageIscl: ["InterSCL", "InterSCL (didática)"],
   languageLce: ["LCE (SimuPLC)", "LCE (do SimuPLC)"],
+  languageXml: ["PLCopen XML", "PLCopen XML"],
   languageNumeric: ["Numeric code", "Código numérico"],
   problemNone: ["No problems", "Nenhum problema"],
   problemOne: ["1 problem", "1 problema"],
