@@ -55,7 +55,8 @@ impl Points {
             let number = match bit {
                 Some(bit) if bit < 8 => first.checked_mul(8)?.checked_add(bit)?,
                 Some(_) => return None,
-                None => first,
+                // Without a bit it is the number of the point, as in other languages.
+                None => first.checked_sub(1)?,
             };
             (number < most).then_some(number + 1)
         };
