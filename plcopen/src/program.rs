@@ -232,7 +232,7 @@ fn number(rungs: &mut Rungs, all: &mut Allotted, found: &mut Found) -> Names {
                 let target = marker.map(|m| unoclp_core::isa::MARKER_OPERAND + i32::from(m));
                 if target.is_none() {
                     let who = ("the program", "o programa").into();
-                    let words = [who, ("marker", "marcador").into(), "Q".into(), "64".into()];
+                    let words = [who, ("marker", "memória").into(), "Q".into(), "64".into()];
                     found.tell_at(Code::XmlNoneLeft, Span::default(), words);
                 }
                 *step = step.clone().with_lines([preset, target]);

@@ -290,7 +290,7 @@ fn allot(variable: &Variable, who: &Word, all: &mut Allotted, found: &mut Found)
 fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
     let (what, most) = match kind {
         "TON" | "TOF" | "TP" => (("timer", "temporizador"), TIMERS),
-        "BOOL" | "SR" | "RS" => (("marker", "marcador"), MARKERS),
+        "BOOL" | "SR" | "RS" => (("marker", "memória"), MARKERS),
         _ if kind.starts_with("CT") => (("counter", "contador"), COUNTERS),
         _ => (("register", "registrador"), REGISTERS),
     };

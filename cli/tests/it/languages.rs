@@ -104,7 +104,7 @@ fn an_option_says_the_language_where_the_text_does_not() {
     assert!(code == 1 && out.contains("error[LCE-"), "{out}");
     let (code, _, err) = outcome(&["check", "--language", "basic", &text]);
     assert!(
-        code == 2 && err.contains("st, scl, iscl, lce, il, numeric"),
+        code == 2 && err.contains("st, scl, iscl, lce, il, xml, numeric"),
         "{err}"
     );
 }

@@ -87,7 +87,7 @@ macro_rules! xml_rows {
         "{0}: `{1}` can only be read"
         "write to an output, a marker or a number"
         "{0}: `{1}` só pode ser lido"
-        "escreva em uma saída, um marcador ou um número";
+        "escreva em uma saída, uma memória ou um número";
     518 XmlEnable Error
         "{0}: EN hangs on a condition, and a block that stands still is not imported"
         "wire EN to the left rail, and the condition to the first input"

@@ -1,0 +1,59 @@
+//! Projects in PLCopen XML on the command line.
+
+use crate::common::{file, outcome, outcome_in};
+
+#[test]
+fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
+    let program = file("to-project.il", "LD start\nOR motor\nANDN stop\nST motor\n");
+    let text =
+        "VAR start AT %IX0.0 : BOOL; stop AT %IX0.1 : BOOL; motor AT %QX0.0 : BOOL; END_VAR\n";
+    let body = std::fs::read_to_string(&program).unwrap();
+    let program = file("to-project.il", &format!("{text}{body}"));
+    let (code, project, errors) = outcome(&["list", &program, "--as", "xml"]);
+    assert_eq!((code, errors.as_str()), (0, ""), "{project}");
+    // By its name, and by how it begins.
+    for name in ["project.xml", "project.txt"] {
+        let project = file(name, &project);
+        let (code, out, errors) = outcome(&["check", &project]);
+        assert_eq!((code, errors.as_str()), (0, ""), "{out}");
+        assert!(out.contains("PLCopen XML"), "{out}");
+        let (code, out, _) = outcome(&["list", &project]);
+        assert!(code == 0 && out.contains("motor"), "{out}");
+        let codes = outcome(&["compile", &project]).1;
+        let codes: Vec<&str> = codes
+            .lines()
+            .filter_map(|line| line.split_whitespace().next())
+            .collect();
+        assert_eq!(
+            codes,
+            ["0", "827301", "40", "827901", "41", "-827302", "877901"]
+        );
+    }
+}
+
+#[test]
+fn what_no_project_can_say_is_named_in_both_languages() {
+    let program = file("no-project.txt", "0\n827301\n7370\n877901\n697868\n");
+    for (lang, told) in [
+        ("en", "XML-523: rung 1: `IF` cannot be said in PLCopen XML"),
+        (
+            "pt-BR",
+            "XML-523: linha 1: `IF` não se escreve em PLCopen XML",
+        ),
+    ] {
+        let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);
+        assert_eq!((code, out.as_str()), (1, ""), "{errors}");
+        assert!(errors.contains(told), "{errors}");
+    }
+}
+
+#[test]
+fn a_file_that_is_no_project_is_told_at_its_line() {
+    let project = file("broken.xml", "<?xml version='1.0'?>\n<project>\n</wrong>\n");
+    let (code, out, _) = outcome(&["check", &project]);
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("error[XML-501]") && out.contains("broken.xml:3"),
+        "{out}"
+    );
+}
