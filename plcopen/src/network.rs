@@ -195,8 +195,7 @@ impl<'a> Element<'a, '_> {
 
 /// `rising`, `falling`; else empty.
 pub(crate) fn edge<'a>(of: Node<'a, '_>) -> &'a str {
-    match of.attribute("edge") {
-        Some(edge @ ("rising" | "falling")) => edge,
-        _ => "",
-    }
+    let edge = of.attribute("edge");
+    edge.filter(|edge| matches!(*edge, "rising" | "falling"))
+        .unwrap_or_default()
 }

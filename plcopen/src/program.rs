@@ -12,6 +12,7 @@ use crate::rungs::{Rungs, circuits};
 use crate::scope::{Allotted, Scope, Symbol};
 use crate::xml::{self, first, text};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
@@ -162,9 +163,9 @@ fn label(flow: &mut Flow<'_, '_, '_>, at: usize, labels: &mut u8) {
             LABELS.to_string().into(),
         ];
         flow.tell(Code::XmlNoneLeft, at, words);
-    } else if !flow.labels.contains_key(&name) {
+    } else if let Entry::Vacant(free) = flow.labels.entry(name) {
         *labels += 1;
-        flow.labels.insert(name, *labels);
+        free.insert(*labels);
     }
 }
 

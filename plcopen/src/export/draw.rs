@@ -423,8 +423,9 @@ impl Draw {
         let made = crate::import(text, Profile::UNO).document;
         let own = instructions(document);
         let read = made.as_ref().map(instructions).unwrap_or_default();
-        let same = |((_, one), (_, other)): &(&(Id, Vec<i32>), &(Id, Vec<i32>))| one == other;
-        let alike = own.iter().zip(&read).take_while(same).count();
+
+        let pairs = own.iter().zip(&read);
+        let alike = pairs.take_while(|(one, other)| one.1 == other.1).count();
         if made.is_some() && alike == own.len() && alike == read.len() {
             return Vec::new();
         }
