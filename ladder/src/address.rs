@@ -46,6 +46,27 @@ impl Address {
         }
     }
 
+    /// The point that is written so: `I1`, `q4`, `M57`; none where none is.
+    pub fn parse(text: &str) -> Option<Address> {
+        let mut chars = text.chars();
+        let point = match chars.next()?.to_ascii_uppercase() {
+            'I' => Address::Input,
+            'Q' => Address::Output,
+            'M' => Address::Marker,
+            'S' => Address::System,
+            'T' => Address::Timer,
+            'C' => Address::Counter,
+            'D' => Address::Register,
+            'A' => Address::Analogue,
+            'L' => Address::Label,
+            _ => return None,
+        };
+        let digits = chars.as_str();
+        let number: u8 = digits.parse().ok()?;
+        let is_number = digits.starts_with(|first: char| first.is_ascii_digit());
+        (is_number && number != UNKNOWN).then(|| point(number))
+    }
+
     /// The point that an instruction names; none where it names none, or several at once.
     pub fn of(instruction: Instruction<'_>) -> Option<Address> {
         let point = match instruction.opcode.row().kind {

@@ -1,6 +1,6 @@
 //! What is selected: a run of nodes of one series, a path, or whole rungs.
 
-use super::document::{Document, Id, Node, Rung, Series};
+use super::document::{Document, Id, Node, Rung, Series, visit};
 use super::refusal::Refusal;
 use std::ops::RangeInclusive;
 
@@ -42,6 +42,39 @@ pub(crate) struct Run {
 }
 
 impl Document {
+    /// All that this cursor selects, and what that holds; nothing where it is not in the document.
+    pub fn within(&self, cursor: Cursor) -> Vec<Id> {
+        match self.selected(cursor) {
+            Err(_) => Vec::new(),
+            Ok(Selected::Path { path, .. }) => vec![path],
+            Ok(Selected::Rungs(rungs)) => self.rungs[rungs].iter().map(|rung| rung.id).collect(),
+            Ok(Selected::Run(run)) => {
+                let series = self.rungs[run.rung].series(run.series);
+                let nodes = series.and_then(|series| series.get(run.nodes));
+                let mut all = Vec::new();
+                visit(nodes.unwrap_or_default(), &mut |node| {
+                    all.push(node.id());
+                    all.extend(node.paths().iter().map(|path| path.id));
+                });
+                all
+            }
+        }
+    }
+
+    /// What stands around a node or a path: the branch or block, or the rung; none around a rung.
+    pub fn around(&self, id: Id) -> Option<Id> {
+        let rung = &self.rungs[self.rung_of(id)?];
+        let series = match rung.place(id) {
+            Some((series, _)) => series,
+            None => id,
+        };
+        match rung.id {
+            own if own == id => None,
+            own if own == series => Some(own),
+            _ => rung.owner(series),
+        }
+    }
+
     /// What this cursor selects.
     pub(crate) fn selected(&self, cursor: Cursor) -> Result<Selected, Refusal> {
         let rung = self.rung_of(cursor.from).ok_or(Refusal::NotThere)?;

@@ -48,13 +48,35 @@ impl Editor {
     /// # Errors
     /// Why it is refused; then nothing has changed.
     pub fn apply(&mut self, operation: &Operation) -> Result<(), Refusal> {
-        let next = apply(&self.state, operation)?;
+        self.apply_all(std::slice::from_ref(operation))
+    }
+
+    /// Makes operations, one behind the other, as one change.
+    ///
+    /// # Errors
+    /// Why one of them is refused; then nothing has changed.
+    pub fn apply_all(&mut self, operations: &[Operation]) -> Result<(), Refusal> {
+        let mut next = self.state.clone();
+        for operation in operations {
+            next = apply(&next, operation)?;
+        }
+        self.go_on_as(next);
+        Ok(())
+    }
+
+    /// Puts another document in the place of this one, as a change that can be undone. What was copied stays.
+    pub fn replace(&mut self, document: Document) {
+        let clip = self.state.clip.clone();
+        let next = State::new(document);
+        self.go_on_as(State { clip, ..next });
+    }
+
+    fn go_on_as(&mut self, next: State) {
         let before = std::mem::replace(&mut self.state, next);
         if before.document != self.state.document {
             self.past.push((before.document, before.cursor));
             self.future.clear();
         }
-        Ok(())
     }
 
     /// Takes back the last change.

@@ -9,8 +9,8 @@ use super::document::{
 };
 use super::emit::Emitted;
 use super::step::Step;
-use super::table::Table;
-use crate::{Names, ends_between};
+use super::table::{Row, Table};
+use crate::{Address, Names, ends_between};
 use std::sync::Arc;
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;
@@ -62,6 +62,15 @@ impl Document {
             }
             first = end;
         }
+        self
+    }
+
+    /// It with these rows in its symbol table, besides those that it has for other points.
+    #[must_use]
+    pub fn with_rows(mut self, rows: impl IntoIterator<Item = (Address, Row)>) -> Document {
+        let table = Arc::make_mut(&mut self.table);
+        rows.into_iter()
+            .for_each(|(point, row)| table.set(point, row));
         self
     }
 

@@ -22,6 +22,16 @@ pub enum Coil {
     Load,
 }
 
+impl Step {
+    /// It with this address. Where its instruction has no such point, the one that does the same with it.
+    ///
+    /// # Errors
+    /// [`Refusal::NotThatAddress`] where there is none.
+    pub fn with_address(&self, address: Option<Address>) -> Result<Step, Refusal> {
+        with_address(self, address)
+    }
+}
+
 /// The step with this address. Where its instruction has no such point, the one that does the same with it.
 pub(crate) fn with_address(step: &Step, address: Option<Address>) -> Result<Step, Refusal> {
     let opcode = step.opcode();

@@ -4,3 +4,4 @@ mod canvas;
 mod cases;
 mod meaning;
 mod random;
+mod together;
