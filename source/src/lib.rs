@@ -3,6 +3,7 @@
 //! - [`Written`]: a file as it was read, unchecked
 //! - [`Source`]: its text, the checked program, and the map from one to the other
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
+//! - [`drawn`]: a program that is drawn, and its text
 //! - [`edit`]: what the ladder editor refuses and finds wrong, in words
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`mod@messages`]: the form of a table of texts in two languages
@@ -15,6 +16,7 @@
 
 mod colours;
 pub mod diagnosis;
+pub mod drawn;
 pub mod edit;
 mod effect;
 mod first;

@@ -1,0 +1,189 @@
+//! A document as Instruction List, with its names declared.
+
+use super::parts::{named, rungs};
+use crate::BOARD;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use unoclp_core::Program;
+use unoclp_core::isa::{Class, Opcode};
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::{Document, Row};
+use unoclp_lang::{Dialect, Options, compile, instructions_to_il};
+
+/// The rungs under what they are about, with the names that Instruction List takes.
+pub(super) fn text(document: &Document, program: &Program<'_>) -> String {
+    let plain = instructions_to_il(program.steps(), BOARD);
+    let wanted = codes(&plain);
+    let all: Vec<Name<'_>> = names(document, program);
+    let points: Vec<Name<'_>> = all.iter().filter(|name| name.is_bit()).copied().collect();
+    // A name that means something else in the language stays out, and with it those that are likewise.
+    for names in [&all[..], &points, &[]] {
+        let text = written(document, program, &plain, names);
+        if wanted.is_some() && codes(&text) == wanted {
+            return text;
+        }
+    }
+    plain
+}
+
+/// Whether this can be declared as the name of a point.
+pub fn is_name(name: &str) -> bool {
+    let begins = name
+        .chars()
+        .next()
+        .is_some_and(|first| first.is_alphabetic() || first == '_');
+    let goes_on = name.chars().all(|ch| ch.is_alphanumeric() || ch == '_');
+    let text = format!("VAR {name} AT I1 : BOOL; END_VAR\nLD {name}\nST Q1\n");
+    let is_point = Address::parse(name).is_some();
+    begins
+        && goes_on
+        && !is_point
+        && codes(&text).is_some_and(|own| Some(own) == codes("LD I1\nST Q1\n"))
+}
+
+/// What a text compiles to; none where it has errors.
+fn codes(text: &str) -> Option<Vec<i32>> {
+    let options = Options {
+        dialect: Some(Dialect::Iec),
+        board: BOARD,
+    };
+    let compiled = compile(text, &options);
+    (!compiled.has_errors()).then(|| compiled.codes())
+}
+
+/// A name, and what it stands for in the text.
+#[derive(Clone, Copy)]
+struct Name<'d> {
+    point: Address,
+    row: &'d Row,
+    /// What it is declared as.
+    kind: &'static str,
+}
+
+impl Name<'_> {
+    fn is_bit(&self) -> bool {
+        self.kind == "BOOL"
+    }
+
+    /// How Instruction List spells its point.
+    fn spelled(&self) -> String {
+        match self.point {
+            Address::Analogue(number) => format!("IW{number}"),
+            point => point.to_string(),
+        }
+    }
+}
+
+/// The names of the points that the program uses, and of all inputs, outputs and markers.
+fn names<'d>(document: &'d Document, program: &Program<'_>) -> Vec<Name<'d>> {
+    let mut kinds: BTreeMap<Address, &'static str> = BTreeMap::new();
+    let mut timers = 0;
+    for step in program.steps() {
+        match (step.opcode.class(), step.opcode, Address::of(step)) {
+            (Class::Timer, opcode, _) => {
+                timers += 1;
+                kinds.insert(Address::Timer(timers), timer(opcode));
+            }
+            (Class::Count, Opcode::CountDown, Some(point)) => {
+                kinds.entry(point).or_insert("CTD");
+            }
+            (Class::Count, _, Some(point)) => {
+                kinds.insert(point, "CTU");
+            }
+            (_, _, Some(point @ (Address::Register(_) | Address::Analogue(_)))) => {
+                kinds.insert(point, "INT");
+            }
+            _ => {}
+        }
+    }
+    let kind = |point| match point {
+        Address::Input(_) | Address::Output(_) | Address::Marker(_) | Address::System(_) => {
+            Some("BOOL")
+        }
+        Address::Label(_) => None,
+        other => kinds.get(&other).copied(),
+    };
+    named(document)
+        .filter_map(|(point, row)| {
+            let kind = kind(point)?;
+            Some(Name { point, row, kind })
+        })
+        .collect()
+}
+
+fn timer(opcode: Opcode) -> &'static str {
+    match opcode {
+        Opcode::OffDelay => "TOF",
+        Opcode::Pulse => "TP",
+        Opcode::RetentiveOnDelay => "TONR",
+        _ => "TON",
+    }
+}
+
+fn written(document: &Document, program: &Program<'_>, plain: &str, names: &[Name<'_>]) -> String {
+    let mut text = String::new();
+    for line in document.title() {
+        comment(&mut text, line);
+    }
+    if !names.is_empty() || !document.title().is_empty() {
+        text += "VAR\n";
+        for name in names {
+            let Row {
+                name: called,
+                comment,
+            } = name.row;
+            let _ = write!(text, "    {called} AT {} : {};", name.spelled(), name.kind);
+            match comment.is_empty() {
+                true => text.push('\n'),
+                false => {
+                    text.push(' ');
+                    self::comment(&mut text, comment);
+                }
+            }
+        }
+        text += "END_VAR\n\n";
+    }
+    let called: BTreeMap<String, &str> = names
+        .iter()
+        .map(|name| (name.spelled(), name.row.name.as_str()))
+        .collect();
+    let heads = rungs(document, program);
+    for (index, lines) in plain.split("\n\n").enumerate() {
+        if index > 0 {
+            text.push('\n');
+        }
+        for line in heads.get(index).iter().flat_map(|(_, rung)| &rung.comment) {
+            comment(&mut text, line);
+        }
+        for line in lines.lines() {
+            text += &with_names(line, &called);
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn comment(text: &mut String, line: &str) {
+    let line = line.replace("*)", "* )").replace("(*", "( *");
+    let _ = writeln!(text, "(* {line} *)");
+}
+
+/// A line with names in place of points; one of codes as they are stays.
+fn with_names(line: &str, called: &BTreeMap<String, &str>) -> String {
+    if line.starts_with("CODE") {
+        return line.to_owned();
+    }
+    let is_word = |ch: char| ch.is_ascii_alphanumeric() || ch == '_';
+    let mut text = String::new();
+    let mut rest = line;
+    while let Some(start) = rest.find(is_word) {
+        let end = rest[start..]
+            .find(|ch| !is_word(ch))
+            .map_or(rest.len(), |end| start + end);
+        let word = &rest[start..end];
+        text += &rest[..start];
+        text += called.get(word).copied().unwrap_or(word);
+        rest = &rest[end..];
+    }
+    text + rest
+}
