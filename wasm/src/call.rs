@@ -9,7 +9,9 @@ use crate::given::{Given, wrong};
 use crate::program::{self, Text};
 use crate::words::No;
 #[cfg(feature = "full")]
-use crate::{card, exercise};
+use crate::words::both;
+#[cfg(feature = "full")]
+use crate::{card, edit, edit::Drawing, exercise};
 use serde::Serialize;
 
 /// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `lab/src/tools/answers.ts`
@@ -93,8 +95,36 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             boards.flash.lose(given.text("why")?);
             json(())
         }
+        // The elements that can be drawn.
+        "palette" => json(edit::palette()),
+        // A drawing, of a text and what was done to it.
+        "draw" => {
+            let mut drawing = Drawing::open(&mut given)?;
+            let view = json(drawing.view(&mut given)?);
+            boards.drawing = Some(drawing);
+            view
+        }
+        // Something done to it; what a page shows of it then.
+        "edit" => {
+            let drawing = drawing(boards)?;
+            if let Some(act) = given.below_if("act")? {
+                drawing.act(edit::Act::of(act)?)?;
+            }
+            json(drawing.view(&mut given)?)
+        }
+        // Its text in another form.
+        "drawn" => json(drawing(boards)?.text(&given.text("as")?)?),
+        // What of it has these words in it.
+        "find" => json(drawing(boards)?.find(&given.text("words")?)),
         other => return Err(wrong(other).into()),
     })
+}
+
+/// The drawing that is open.
+#[cfg(feature = "full")]
+fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
+    let none = || both(edit::no_drawing).into();
+    boards.drawing.as_mut().ok_or_else(none)
 }
 
 /// What takes the module that has everything.
@@ -103,6 +133,7 @@ fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
         "list" | "sheet" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep"
         | "flashLose" => Err(No::More),
+        "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

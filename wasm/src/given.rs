@@ -20,7 +20,8 @@ impl Given {
         Given::of(value).ok_or_else(|| both(|lang| words::no_request(lang, "{")))
     }
 
-    fn of(value: Value) -> Option<Given> {
+    /// Of a value of a list; none where it is no object.
+    pub fn of(value: Value) -> Option<Given> {
         match value {
             Value::Object(values) => Some(Given(values)),
             _ => None,

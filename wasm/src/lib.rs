@@ -7,6 +7,7 @@
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `tell`: problems, with their places
 //! - `draw`: ladders and lists
+//! - `edit`: a program that a person draws
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
 //! - `flash`: firmware on its way to a board
@@ -24,6 +25,8 @@ mod call;
 mod card;
 mod clock;
 mod draw;
+#[cfg(feature = "full")]
+mod edit;
 #[cfg(feature = "full")]
 mod exercise;
 #[cfg(feature = "full")]

@@ -416,3 +416,113 @@ fn firmware_that_is_none_is_refused_and_a_board_that_is_silent_is_told() {
     assert!(resets > 0);
     assert_ne!(failure["en"], failure["pt"]);
 }
+
+/// What a page sees after acts on a drawing of this text.
+fn drawn(base: &str, acts: &Value) -> (Value, Boards) {
+    let mut boards = Boards::default();
+    let base = json!({ "name": "a.il", "text": base });
+    let draw = json!({ "ask": "draw", "base": base, "log": acts, "width": 64 });
+    let told = told(&draw.to_string(), &mut boards);
+    assert!(told["ok"] != Value::Null, "{told}");
+    (told["ok"].clone(), boards)
+}
+
+#[test]
+fn what_is_drawn_is_a_text_with_names_and_a_log_draws_it_again() {
+    let mut acts = vec![
+        json!({ "do": "insert", "what": "contact", "place": "behind" }),
+        json!({ "do": "edit", "fields": [{ "key": "point", "value": "I1 start" }] }),
+        json!({ "do": "insert", "what": "ton", "place": "behind" }),
+    ];
+    let (view, _) = drawn("", &json!(acts));
+    assert_eq!(view["text"], Value::Null);
+    assert_eq!(view["mistakes"][0]["error"], true);
+    assert_eq!(view["at"]["fields"].as_array().unwrap().len(), 3);
+    acts.push(json!({ "do": "edit", "fields": [
+        { "key": "point", "value": "Q1" }, { "key": "name", "value": "lamp" }, { "key": "line0", "value": "2000" },
+    ] }));
+    let (view, mut boards) = drawn("", &json!(acts));
+    let text = "VAR\n    start AT I1 : BOOL;\n    lamp AT Q1 : BOOL;\nEND_VAR\n\nLD    start\nTON   T1, 2000\nST    lamp\n";
+    assert_eq!(view["text"], text);
+    assert_eq!(
+        (&view["undo"], &view["isProgram"]),
+        (&json!(4), &json!(true))
+    );
+    let mut ask = |request: Value| told(&request.to_string(), &mut boards)["ok"].clone();
+    assert_eq!(
+        ask(json!({ "ask": "find", "words": "LAMP" }))
+            .as_array()
+            .unwrap()
+            .len(),
+        1
+    );
+    let undo = json!({ "ask": "edit", "act": { "do": "undo" }, "width": 64 });
+    let views: Vec<Value> = (0..4).map(|_| ask(undo.clone())).collect();
+    assert_eq!(
+        (&views[3]["undo"], &views[3]["text"]),
+        (&json!(0), &json!(""))
+    );
+    assert_eq!(ask(undo), Value::Null);
+}
+
+#[test]
+fn a_text_of_a_person_stays_as_it_is_until_it_is_drawn_in() {
+    let text = file("motor.il");
+    let (view, mut boards) = drawn(&text, &json!([]));
+    assert_eq!(view["text"], text);
+    let mut edit = |act: Value| {
+        let request = json!({ "ask": "edit", "act": act, "width": 64 });
+        told(&request.to_string(), &mut boards)["ok"].clone()
+    };
+    let moved = edit(json!({ "do": "move", "to": "right" }));
+    assert_eq!(
+        (&moved["text"], &moved["sheet"]),
+        (&json!(text), &Value::Null)
+    );
+    assert_ne!(edit(json!({ "do": "toggle" }))["text"], text);
+    assert_eq!(
+        edit(json!({ "do": "text", "name": "a.il", "text": "LD I1\nST Q1" }))["text"],
+        "LD I1\nST Q1"
+    );
+    edit(json!({ "do": "undo" }));
+    assert_eq!(edit(json!({ "do": "undo" }))["text"], text);
+}
+
+#[test]
+fn a_name_that_cannot_be_one_is_refused_with_what_to_do() {
+    let (_, mut boards) = drawn(
+        "",
+        &json!([{ "do": "insert", "what": "contact", "place": "behind" }]),
+    );
+    for value in ["start", "I1 a-b", "I1 I2", "X9"] {
+        let act = json!({ "do": "edit", "fields": [{ "key": "point", "value": value }] });
+        let told = told(
+            &json!({ "ask": "edit", "act": act, "width": 64 }).to_string(),
+            &mut boards,
+        );
+        assert_ne!(told["error"]["en"], Value::Null, "{value}: {told}");
+        assert_ne!(told["error"]["en"], told["error"]["pt"]);
+    }
+}
+
+#[test]
+fn each_element_of_the_palette_can_be_inserted() {
+    let shelves = ok(json!({ "ask": "palette" }));
+    let items = shelves
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|shelf| shelf["items"].as_array().unwrap());
+    let mut seen = 0;
+    for item in items {
+        let act = json!([{ "do": "insert", "what": item["id"], "place": "behind" }]);
+        let (view, _) = drawn("", &act);
+        assert_eq!(view["undo"], 1, "{item}");
+        assert!(
+            view["sheet"]["svg"].as_str().unwrap().contains("data-id"),
+            "{item}"
+        );
+        seen += 1;
+    }
+    assert!(seen > 60, "{seen}");
+}

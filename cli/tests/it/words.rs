@@ -100,6 +100,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "source/src/effect.rs",
         "source/src/list/words.rs",
         "source/src/words.rs",
+        "wasm/src/edit/words.rs",
     ] {
         texts.push((table.to_owned(), portuguese(&read(table)).to_lowercase()));
     }

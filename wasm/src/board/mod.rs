@@ -83,6 +83,9 @@ pub struct Boards {
     last: u32,
     #[cfg(feature = "full")]
     pub(crate) flash: crate::flash::Flash,
+    /// A page has one drawing.
+    #[cfg(feature = "full")]
+    pub(crate) drawing: Option<crate::edit::Drawing>,
 }
 
 /// Conversations that may go on at one time: a page has one.

@@ -1,0 +1,295 @@
+//! What an element has that can be changed, as a form has it.
+
+use super::words;
+use crate::given::{Given, wrong};
+use crate::words::{Both, No, both};
+use serde::Serialize;
+use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED};
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::{Cursor, Document, Draft, Element, Operation, Row, Step, Table};
+use unoclp_source::drawn::is_name;
+
+/// A field with what is in it.
+#[derive(Debug, Serialize)]
+pub struct Shown {
+    key: String,
+    name: Both,
+    value: String,
+    /// `point`: an address or a name; `value`: that or a number; `number`; `name`.
+    kind: &'static str,
+}
+
+/// A field that a person has filled in.
+pub struct Field {
+    key: String,
+    value: String,
+}
+
+impl Field {
+    /// The fields of a request.
+    ///
+    /// # Errors
+    /// Where they are none.
+    pub fn all(given: &mut Given) -> Result<Vec<Field>, Both> {
+        let fields = given.list("fields")?.into_iter();
+        let field = |value| {
+            let mut given = Given::of(value).ok_or_else(|| wrong("fields"))?;
+            Ok(Field {
+                key: given.text("key")?,
+                value: given.text("value")?.trim().to_owned(),
+            })
+        };
+        fields.map(field).collect()
+    }
+}
+
+/// The fields of an element.
+pub fn shown(document: &Document, element: &Element) -> Vec<Shown> {
+    let table = document.table();
+    let mut fields = Vec::new();
+    let mut show = |key: &str, name: Both, value: String, kind| {
+        let key = key.to_owned();
+        fields.push(Shown {
+            key,
+            name,
+            value,
+            kind,
+        });
+    };
+    let Element { load, step, .. } = element;
+    if step.class() == Class::Comparison {
+        let left = load.as_ref().map_or_else(String::new, source);
+        show("left", both(words::left), left, "value");
+    }
+    let kind = step.opcode().row().kind;
+    let point = point(step);
+    if kind.is_value() {
+        show("operand", both(words::operand), source(step), "value");
+    } else if has_point(kind) {
+        let name = match kind {
+            Kind::Timer => both(words::drives),
+            _ => both(words::point),
+        };
+        show("point", name, text(point), "point");
+    } else if kind.has_number() {
+        show(
+            "number",
+            both(words::number),
+            spelled(step.number().map(i32::from)),
+            "number",
+        );
+    }
+    let named = point.filter(|point| !matches!(point, Address::Label(_)));
+    if has_point(kind) && !matches!(kind, Kind::Label | Kind::Jump) {
+        let row = named.and_then(|point| table.get(point));
+        let name = row.map_or_else(String::new, |row| row.name.clone());
+        show("name", both(words::name), name, "name");
+    }
+    let lines = step.lines().iter().enumerate();
+    for (index, &line) in lines.filter(|(index, _)| !(kind == Kind::Timer && *index == 1)) {
+        if kind.is_value() {
+            continue;
+        }
+        let name = match kind {
+            Kind::Timer => both(words::preset_ms),
+            Kind::Count => both(words::preset),
+            _ => both(|lang| words::operand_line(lang, index + 1)),
+        };
+        show(&format!("line{index}"), name, spelled(line), "number");
+    }
+    fields
+}
+
+/// The operations that fill in the fields of what is selected.
+///
+/// # Errors
+/// What is wrong with a field.
+pub fn operations(
+    document: &Document,
+    cursor: Cursor,
+    fields: Vec<Field>,
+) -> Result<Vec<Operation>, No> {
+    let element = document
+        .element(cursor.from)
+        .filter(|_| cursor.from == cursor.to);
+    let Some(Element { load, step, .. }) = element else {
+        return Err(both(words::select_one).into());
+    };
+    let table = document.table();
+    let (mut load, mut step) = (load.clone(), step.clone());
+    let mut called: Option<String> = None;
+    let mut also: Option<String> = None;
+    for Field { key, value } in fields {
+        match key.as_str() {
+            "left" if value.is_empty() => load = None,
+            "left" => load = Some(loaded(table, &value)?),
+            "operand" => step = valued(table, &step, &value)?,
+            "point" => {
+                let (point, name) = pointed(table, &value)?;
+                also = name;
+                step = step.with_address(point).map_err(words::refused)?;
+            }
+            "name" => called = Some(value),
+            "number" => step = step.with_number(number::<u8>(&value)?),
+            key => {
+                let index = key
+                    .strip_prefix("line")
+                    .and_then(|index| index.parse().ok());
+                let index: usize = index.ok_or_else(|| wrong(key))?;
+                let mut lines = step.lines().to_vec();
+                *lines.get_mut(index).ok_or_else(|| wrong(key))? = number::<i32>(&value)?;
+                step = step.with_lines(lines);
+            }
+        }
+    }
+    let mut operations = Vec::new();
+    if let Some(point) = point(&step) {
+        let row = table.get(point).cloned().unwrap_or_default();
+        let before = element.and_then(|element| self::point(&element.step)) == Some(point);
+        // Another point has a name of its own: the one in the form was that of the point before.
+        let name = also
+            .or(called
+                .filter(|name| before || (row.name.is_empty() && table.point(name).is_none())));
+        if let Some(name) = name.filter(|name| *name != row.name) {
+            operations.push(naming(document, point, Row { name, ..row })?);
+        }
+    }
+    operations.push(Operation::Replace(Draft { load, step }));
+    Ok(operations)
+}
+
+/// The operation that names a point.
+///
+/// # Errors
+/// Where that is no name.
+pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation, No> {
+    let is_same = document
+        .table()
+        .get(point)
+        .is_some_and(|old| old.name == row.name);
+    if !row.name.is_empty() && !is_same && !is_name(&row.name) {
+        return Err(both(|lang| words::no_name(lang, &row.name)).into());
+    }
+    let comment = row.comment.split_whitespace().collect::<Vec<_>>().join(" ");
+    Ok(Operation::Name(point, Row { comment, ..row }))
+}
+
+/// The point that a step names; of a timer what it drives.
+fn point(step: &Step) -> Option<Address> {
+    let kind = step.opcode().row().kind;
+    if kind == Kind::Timer {
+        let line = step.lines().get(1).copied().flatten()?;
+        let (of, base): (fn(u8) -> Address, i32) = match line {
+            OUTPUT_OPERAND.. => (Address::Output, OUTPUT_OPERAND),
+            _ => (Address::Marker, MARKER_OPERAND),
+        };
+        return u8::try_from(line - base).ok().map(of);
+    }
+    let number = step.number()?;
+    Some(match kind {
+        Kind::Input => Address::Input(number),
+        Kind::Output | Kind::Pwm => Address::Output(number),
+        Kind::Marker => Address::Marker(number),
+        Kind::System => Address::System(number),
+        Kind::TimerQ => Address::Timer(number),
+        Kind::Counter | Kind::Count => Address::Counter(number),
+        Kind::Register | Kind::Move | Kind::Drum | Kind::Table => Address::Register(number),
+        Kind::Analogue => Address::Analogue(number),
+        Kind::Label | Kind::Jump => Address::Label(number),
+        _ => return None,
+    })
+}
+
+/// Whether a code of this kind names a point, alone or with others.
+fn has_point(kind: Kind) -> bool {
+    let has_none = matches!(
+        kind,
+        Kind::None | Kind::Branch | Kind::Reading | Kind::Group | Kind::Bit | Kind::Time
+    );
+    !has_none && !kind.is_value() && !matches!(kind, Kind::Scale | Kind::Filter)
+}
+
+/// Where a load or an operation takes its number from.
+fn source(step: &Step) -> String {
+    match (step.opcode().row().kind, step.number()) {
+        (Kind::Value, Some(0)) => spelled(step.lines().first().copied().flatten()),
+        (Kind::Real, Some(0)) => match step.lines().first().copied().flatten() {
+            Some(bits) => format!("{:?}", f32::from_bits(bits.cast_unsigned())),
+            None => String::new(),
+        },
+        (Kind::Value | Kind::Real, Some(POPPED)) => "POP".to_owned(),
+        (Kind::Value | Kind::Real, Some(register)) => Address::Register(register).to_string(),
+        _ => text(point(step)),
+    }
+}
+
+/// A load of this: a point, or a constant.
+fn loaded(table: &Table, value: &str) -> Result<Step, No> {
+    if value.parse::<i32>().is_ok() {
+        return valued(table, &Step::new(Opcode::Load), value);
+    }
+    let (point, _) = pointed(table, value)?;
+    let (opcode, number) = match point {
+        Some(Address::Register(number)) => (Opcode::Load, number),
+        Some(Address::Analogue(number)) => (Opcode::LoadAnalogue, number),
+        Some(Address::Timer(number)) => (Opcode::LoadTimer, number),
+        Some(Address::Counter(number)) => (Opcode::LoadCount, number),
+        _ => return Err(both(|lang| words::no_number(lang, value)).into()),
+    };
+    Ok(Step::new(opcode).with_number(number))
+}
+
+/// An operation or comparison with this: a register, a constant, what was pushed.
+fn valued(table: &Table, step: &Step, value: &str) -> Result<Step, No> {
+    let constant = |line| step.clone().with_number(0).with_lines([line]);
+    let is_real = step.opcode().row().kind == Kind::Real;
+    if value.is_empty() {
+        return Ok(constant(None));
+    }
+    if value.eq_ignore_ascii_case("POP") {
+        return Ok(step.clone().with_number(POPPED));
+    }
+    if let (true, Ok(real)) = (is_real, value.parse::<f32>()) {
+        return Ok(constant(Some(real.to_bits().cast_signed())));
+    }
+    if let (false, Ok(number)) = (is_real, value.parse()) {
+        return Ok(constant(Some(number)));
+    }
+    match (pointed(table, value)?.0, step.opcode()) {
+        (Some(Address::Register(register)), _) => Ok(step.clone().with_number(register)),
+        // What a load loads may stand elsewhere too.
+        (Some(_), Opcode::Load) => loaded(table, value),
+        _ => Err(both(|lang| words::no_number(lang, value)).into()),
+    }
+}
+
+/// The point of `I1`, `start` or `I1 start`, and the name that it gets.
+fn pointed(table: &Table, value: &str) -> Result<(Option<Address>, Option<String>), No> {
+    let (first, name) = value.split_once(char::is_whitespace).unwrap_or((value, ""));
+    if first.is_empty() {
+        return Ok((None, None));
+    }
+    let name = Some(name.trim().to_owned()).filter(|name| !name.is_empty());
+    match table.point(value).or_else(|| Address::parse(first)) {
+        Some(point) => Ok((Some(point), name)),
+        None => Err(both(|lang| words::no_such_point(lang, value)).into()),
+    }
+}
+
+/// A number; none for an empty field.
+fn number<T: TryFrom<i64>>(value: &str) -> Result<Option<T>, No> {
+    let wrong = || No::from(both(|lang| words::no_number(lang, value)));
+    if value.is_empty() {
+        return Ok(None);
+    }
+    let number: i64 = value.parse().map_err(|_| wrong())?;
+    T::try_from(number).map(Some).map_err(|_| wrong())
+}
+
+fn text(point: Option<Address>) -> String {
+    point.map_or_else(String::new, |point| point.to_string())
+}
+
+fn spelled(number: Option<i32>) -> String {
+    number.map_or_else(String::new, |number| number.to_string())
+}

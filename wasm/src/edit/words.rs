@@ -1,0 +1,79 @@
+//! What is told of a drawing in words.
+
+use crate::words::{No, both};
+use unoclp_ladder::edit::Refusal;
+
+/// Why an operation is refused.
+pub fn refused(refusal: Refusal) -> No {
+    both(|lang| unoclp_source::edit::refusal(lang, refusal)).into()
+}
+
+unoclp_source::messages! {
+    unfinished() "the drawing is not a program yet; its problems say what is missing" "o desenho ainda não é um programa; os problemas dizem o que falta";
+    no_drawing() "no drawing is open" "nenhum desenho está aberto";
+    select_one() "select one element first" "selecione um elemento primeiro";
+    no_name(name) "{name} cannot be a name: letters, digits and _ make one, and no address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";
+    no_such_point(name) "no point is called {name}; write its address, such as I1, and a name behind it: I1 {name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
+    no_number(text) "{text} is not a number, a register, an analogue input, a timer or a counter that fits here" "{text} não é um número, registrador, entrada analógica, temporizador ou contador que sirva aqui";
+    contacts() "Contacts" "Contatos";
+    coils() "Coils" "Bobinas";
+    timers() "Timers" "Temporizadores";
+    counters() "Counters" "Contadores";
+    comparisons() "Comparisons" "Comparações";
+    arithmetic() "Arithmetic" "Aritmética";
+    others() "Others" "Outros";
+    contact() "contact, normally open" "contato normalmente aberto";
+    closed() "contact, normally closed" "contato normalmente fechado";
+    rising() "contact, rising edge" "contato de borda de subida";
+    falling() "contact, falling edge" "contato de borda de descida";
+    not() "NOT: inverts what comes" "NOT: inverte o que chega";
+    coil() "coil" "bobina";
+    negated() "negated coil" "bobina negada";
+    set() "set coil" "bobina set";
+    reset() "reset coil" "bobina reset";
+    ton() "on-delay timer (TON)" "temporizador com retardo na energização (TON)";
+    tof() "off-delay timer (TOF)" "temporizador com retardo na desenergização (TOF)";
+    tp() "pulse timer (TP)" "temporizador de pulso (TP)";
+    tonr() "retentive on-delay timer" "temporizador retentivo com retardo na energização";
+    ctu() "counter, up (CTU)" "contador crescente (CTU)";
+    ctd() "counter, down (CTD)" "contador decrescente (CTD)";
+    gt() "greater" "maior";
+    ge() "greater or equal" "maior ou igual";
+    eq() "equal" "igual";
+    ne() "not equal" "diferente";
+    le() "less or equal" "menor ou igual";
+    lt() "less" "menor";
+    value() "load a value" "carregar um valor";
+    add() "add" "somar";
+    sub() "subtract" "subtrair";
+    mul() "multiply" "multiplicar";
+    div() "divide" "dividir";
+    modulo() "remainder" "resto da divisão";
+    store() "store the value" "guardar o valor";
+    left() "Compared value" "Valor comparado";
+    operand() "With" "Com";
+    drives() "Drives" "Aciona";
+    point() "Point" "Ponto";
+    number() "Number" "Número";
+    name() "Name" "Nome";
+    preset_ms() "Preset, ms" "Pré-seleção, ms";
+    preset() "Preset" "Pré-seleção";
+    operand_line(n) "Operand {n}" "Operando {n}";
+    at_rung(rung, about) "rung {rung} {about}" "degrau {rung} {about}";
+    at_run(count, rung) "{count} elements selected, rung {rung}" "{count} elementos selecionados, degrau {rung}";
+    at_element(what, rung) "{what}, rung {rung}" "{what}, degrau {rung}";
+    at_path(rung) "empty branch, rung {rung}" "ramo vazio, degrau {rung}";
+    at_branch(rung) "the whole branch, rung {rung}" "o ramo inteiro, degrau {rung}";
+    say_open(point) "contact {point}, normally open" "contato {point}, normalmente aberto";
+    say_closed(point) "contact {point}, normally closed" "contato {point}, normalmente fechado";
+    say_coil(letter, point) "coil {letter} {point}" "bobina {letter} {point}";
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        let none: Vec<&str> = Vec::new();
+        assert_eq!(unoclp_source::messages::gaps(super::ALL), none);
+    }
+}
