@@ -13,6 +13,7 @@ const PATHS = {
   usb: "M12 3v14M9 6l3-3 3 3M6 11v2a2 2 0 0 0 2 2h4M18 9v3a2 2 0 0 1-2 2h-4M12 21a2 2 0 1 0 0-4 2 2 0 0 0 0 4z",
   reset: "M4 12a8 8 0 1 0 3-6.2M4 4v5h5",
   tick: "M4 4h16v16H4zM8 12l3 3 5-6",
+  pen: "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
   examples: "M4 4h7v7H4zM13 4h7v7h-7zM4 13h7v7H4zM13 13h7v7h-7z",
 } as const;
 

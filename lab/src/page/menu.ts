@@ -1,14 +1,12 @@
 // A button that opens a list of others.
 
-import type { Key } from "../words/table";
-import { say } from "../words/words";
 import { h } from "./dom";
 import { icon } from "./icons";
 
-/** A menu; its entries are made each time that it opens. */
-export function menu(key: Key, picture: Parameters<typeof icon>[0], entries: () => HTMLElement[]): HTMLElement {
+/** A menu under words of a table; its entries are made each time that it opens. */
+export function menu(key: string, picture: Parameters<typeof icon>[0], entries: () => HTMLElement[]): HTMLElement {
   const list = h("div", { hidden: true });
-  const button = h("button", { type: "button", "aria-haspopup": "true", "aria-expanded": "false", id: `menu-${key}` }, icon(picture), h("span", { "data-say": key }, say(key)));
+  const button = h("button", { type: "button", "aria-haspopup": "true", "aria-expanded": "false", id: `menu-${key}` }, icon(picture), h("span", { "data-say": key }));
   const root = h("div", { class: "menu" }, button, list);
   const open = (opens: boolean): void => {
     list.hidden = !opens;

@@ -200,6 +200,70 @@ export interface FlashStep {
 
 export type Speak = "en" | "pt";
 
+/** Where something is inserted. */
+export type Place = "before" | "behind" | "beside";
+type Along = "back" | "forth";
+export type Rectangle = readonly [x: number, y: number, width: number, height: number];
+
+/** What may be done to a drawing. */
+export type Act =
+  | { readonly do: "undo" | "redo" | "out" | "branch" | "delete" | "copy" | "cut" | "toggle" | "split" | "join" }
+  | { readonly do: "move"; readonly to: "left" | "right" | "up" | "down" }
+  | { readonly do: "select"; readonly from: number; readonly to: number }
+  | { readonly do: "extend" | "insertRung" | "moveRung"; readonly along: Along }
+  | { readonly do: "stretch"; readonly along: Along; readonly out: boolean }
+  | { readonly do: "insert"; readonly what: string; readonly place: Place }
+  | { readonly do: "put"; readonly what: string; readonly at: number; readonly place: Place }
+  | { readonly do: "carry"; readonly at: number; readonly place: Place }
+  | { readonly do: "paste"; readonly place: Place }
+  | { readonly do: "coil"; readonly coil: "normal" | "negated" | "set" | "reset" | "load" }
+  | { readonly do: "edit"; readonly fields: readonly { readonly key: string; readonly value: string }[] }
+  | { readonly do: "name"; readonly point: string; readonly name: string; readonly comment: string }
+  | { readonly do: "comment" | "title"; readonly text: string }
+  | ({ readonly do: "text" } & Text);
+
+export interface Field {
+  readonly key: string;
+  readonly name: Both;
+  readonly value: string;
+  readonly kind: "point" | "value" | "number" | "name";
+}
+
+/** What a page shows of a drawing. */
+export interface Drawn {
+  /** Null where it is as it was. */
+  readonly sheet: {
+    readonly svg: string;
+    readonly area: Rectangle;
+    /** Where rungs and elements are, in units of the drawing. */
+    readonly spots: readonly (readonly [number, Rectangle])[];
+    readonly places: readonly (readonly [number, Place, Rectangle])[];
+  } | null;
+  readonly cursor: readonly [number, number];
+  readonly selected: readonly number[];
+  readonly at: {
+    readonly what: "rung" | "path" | "element" | "branch" | "run";
+    readonly say: Both;
+    readonly rung: number;
+    readonly comment: string;
+    readonly fields: readonly Field[];
+  };
+  readonly undo: number;
+  readonly redo: number;
+  readonly mistakes: readonly { readonly at: number | null; readonly rung: number; readonly error: boolean; readonly message: Both }[];
+  readonly is_program: boolean;
+  /** Null where the drawing is not a program yet. */
+  readonly text: string | null;
+  readonly title: string;
+  readonly table: readonly { readonly point: string; readonly name: string; readonly comment: string }[];
+  readonly copied: boolean;
+}
+
+export interface Shelf {
+  readonly name: Both;
+  readonly items: readonly { readonly id: string; readonly name: Both; readonly key: string; readonly face: string }[];
+}
+
 /** What may be asked, and what is answered. */
 export interface Asks {
   check: { ask: Text; answer: Checked };
@@ -212,6 +276,11 @@ export interface Asks {
   read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
   /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
   free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
+  palette: { ask: object; answer: readonly Shelf[] };
+  draw: { ask: { base: Text; log: readonly Act[]; width: number; speak: Speak }; answer: Drawn };
+  edit: { ask: { act: Act | null; width: number; speak: Speak }; answer: Drawn };
+  drawn: { ask: { as: "numeric" | "il" }; answer: string };
+  find: { ask: { words: string }; answer: readonly number[] };
   open: { ask: { program: Text | null; reset: boolean; rate?: number; parity?: number; address?: number }; answer: number };
   step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
   order: { ask: { board: number; order: Order }; answer: number };

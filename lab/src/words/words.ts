@@ -19,9 +19,25 @@ export function setSpeak(language: Speak): void {
   speak.value = language;
 }
 
+type Values = Readonly<Record<string, string | number>>;
+type Rows = Readonly<Record<string, readonly [string, string]>>;
+
+/** Those of `TABLE`, and of the tables that were loaded later. */
+const rows: Record<string, readonly [string, string]> = { ...TABLE };
+
 /** A text, with its `{values}` put in. */
-export function say(key: Key, values: Readonly<Record<string, string | number>> = {}): string {
-  const text: string = TABLE[key][speak.value === "pt" ? 1 : 0];
+export function say(key: Key, values: Values = {}): string {
+  return text(key, values);
+}
+
+/** What says the texts of a table of its own, which is loaded with a part of the page. */
+export function sayFrom<T extends Rows>(table: T): (key: keyof T & string, values?: Values) => string {
+  Object.assign(rows, table);
+  return (key, values = {}) => text(key, values);
+}
+
+function text(key: string, values: Values): string {
+  const text = rows[key]?.[speak.value === "pt" ? 1 : 0] ?? "";
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
@@ -42,11 +58,11 @@ export function speakIn(root: ParentNode): void {
 /** Puts the texts of elements that name one into the language that is spoken. */
 export function translate(root: ParentNode): void {
   for (const element of root.querySelectorAll<HTMLElement>("[data-say]")) {
-    element.textContent = say(element.dataset["say"] as Key);
+    element.textContent = text(element.dataset["say"] ?? "", {});
   }
-  for (const element of root.querySelectorAll<HTMLElement>("[data-say-title]")) element.title = say(element.dataset["sayTitle"] as Key);
+  for (const element of root.querySelectorAll<HTMLElement>("[data-say-title]")) element.title = text(element.dataset["sayTitle"] ?? "", {});
   for (const element of root.querySelectorAll<HTMLElement>("[data-say-label]")) {
-    const label = say(element.dataset["sayLabel"] as Key);
+    const label = text(element.dataset["sayLabel"] ?? "", {});
     element.setAttribute("aria-label", label);
     element.title = label;
   }

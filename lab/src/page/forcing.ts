@@ -1,0 +1,21 @@
+// What a click on an element of a live drawing does, and what of a drawing is live.
+
+import type { Live, Text } from "../tools/answers";
+import type { Bench } from "./bench";
+
+/** What runs, as long as it is this text. */
+export function liveOf({ on, seen }: Bench, text: Text): Live | null {
+  const is = on.value !== null && on.value.text === text.text && on.value.name === text.name;
+  return is && seen.value?.state !== "FAULT" ? (seen.value?.live ?? null) : null;
+}
+
+/** A click on a contact or coil: forced to 1, to 0, let go. */
+export function force(bench: Bench, point: string): void {
+  const seen = bench.seen.value;
+  const output = point.startsWith("Q");
+  if (!seen || !/^[IQ]\d$/.test(point)) return;
+  const number = Number(point.slice(1));
+  const [points, to] = output ? seen.forcedOutputs : seen.forcedInputs;
+  const bit = (bits: number): boolean => ((bits >> (number - 1)) & 1) !== 0;
+  void bench.ask({ do: "force", output, number, to: !bit(points) ? true : bit(to) ? false : null });
+}
