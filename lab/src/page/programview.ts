@@ -1,19 +1,23 @@
 // The program as text and as ladder, and what of both is live.
 
+import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import type { Key } from "../words/table";
 import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
+import type { Screen } from "./draw/screen";
 import type { Editor } from "./editor";
+import { force, liveOf } from "./forcing";
 import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
+import { note } from "./notes";
 import { countOf, showProblems } from "./problems";
 import type { Tabs } from "./tabs";
 
-const VIEWS = ["text", "both", "ladder"] as const;
-const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder" } as const;
+const VIEWS = ["text", "both", "ladder", "draw"] as const;
+const TITLES = { text: "viewText", both: "viewBoth", ladder: "viewLadder", draw: "viewDraw" } as const;
 const TONGUES: Readonly<Record<string, Key>> = {
   il: "languageIl", st: "languageSt", scl: "languageScl", iscl: "languageIscl", lce: "languageLce", xml: "languageXml",
   numeric: "languageNumeric",
@@ -23,6 +27,8 @@ export class ProgramView {
   private readonly ladder: LadderView;
   private readonly count = h("button", { type: "button", class: "quiet problem-count", id: "problem-count" });
   private readonly size = h("span", { class: "chip" });
+  /** The screen on which one draws, as soon as somebody has wanted it. */
+  private screen: Promise<Screen | null> | null = null;
   /** What is drawn: of this text. */
   private drawn: string | null = null;
 
@@ -36,7 +42,7 @@ export class ProgramView {
   ) {
     this.ladder = new LadderView(byId("ladder"), {
       line: (line) => this.editor.go(line),
-      point: (point) => this.force(point),
+      point: (point) => force(this.bench, point),
     });
     byId("drawing").append(this.ladder.zoomButtons());
     this.count.addEventListener("click", () => tabs.open("problems"));
@@ -68,9 +74,27 @@ export class ProgramView {
       root.dataset["view"] = view;
       keep("view", view);
       buttons.forEach((button, index) => button.setAttribute("aria-pressed", String(VIEWS[index] === view)));
+      if (view === "draw" || this.screen) void this.drawing().then((screen) => screen?.show(root.dataset["view"] === "draw"));
     };
     show(VIEWS.find((view) => view === kept("view")) ?? "both");
     return h("div", { class: "group", role: "group", "data-say-label": "views" }, ...buttons);
+  }
+
+  /** Loads the screen on which one draws; null where that cannot be had now. */
+  private drawing(): Promise<Screen | null> {
+    const { program, tools, bench } = this;
+    const write = (text: Text): void => {
+      program.text.value = text;
+      this.editor.show(text.text);
+    };
+    this.screen ??= import("./draw/screen")
+      .then(({ Screen }) => Screen.open(byId("draw"), { program, tools, bench, write }))
+      .catch((error: unknown) => {
+        this.screen = null;
+        note(say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
+        return null;
+      });
+    return this.screen;
   }
 
   private show(looked: Looked | null): void {
@@ -104,23 +128,9 @@ export class ProgramView {
 
   /** Shows what runs, as long as it is what is shown. */
   private live(): void {
-    const { on, seen } = this.bench;
-    const text = this.program.text.value;
-    const is = on.value !== null && on.value.text === text.text && on.value.name === text.name;
-    const live = is && seen.value?.state !== "FAULT" ? (seen.value?.live ?? null) : null;
+    const live = liveOf(this.bench, this.program.text.value);
     this.ladder.live(live);
-    this.ladder.forced(seen.value);
+    this.ladder.forced(this.bench.seen.value);
     this.editor.live(live?.lines ?? []);
-  }
-
-  /** A click on a contact or coil: forced to 1, to 0, let go. */
-  private force(point: string): void {
-    const seen = this.bench.seen.value;
-    const output = point.startsWith("Q");
-    if (!seen || !/^[IQ]\d$/.test(point)) return;
-    const number = Number(point.slice(1));
-    const [points, to] = output ? seen.forcedOutputs : seen.forcedInputs;
-    const bit = (bits: number): boolean => ((bits >> (number - 1)) & 1) !== 0;
-    void this.bench.ask({ do: "force", output, number, to: !bit(points) ? true : bit(to) ? false : null });
   }
 }

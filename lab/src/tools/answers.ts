@@ -251,7 +251,7 @@ export interface Drawn {
   readonly undo: number;
   readonly redo: number;
   readonly mistakes: readonly { readonly at: number | null; readonly rung: number; readonly error: boolean; readonly message: Both }[];
-  readonly is_program: boolean;
+  readonly isProgram: boolean;
   /** Null where the drawing is not a program yet. */
   readonly text: string | null;
   readonly title: string;

@@ -34,6 +34,7 @@ export const TABLE = {
   viewText: ["Text", "Texto"],
   viewBoth: ["Both", "Ambos"],
   viewLadder: ["Ladder", "Ladder"],
+  viewDraw: ["Draw", "Desenhar"],
   views: ["What is shown of the program", "O que se vê do programa"],
   ladderOf: ["Ladder diagram", "Diagrama ladder"],
   noLadder: ["The ladder appears as soon as the program has no errors.", "O ladder aparece assim que o programa não tiver erros."],

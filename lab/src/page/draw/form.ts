@@ -1,0 +1,55 @@
+// The small form at an element: its address, name, preset; of a rung its comment.
+
+import type { Act, Drawn } from "../../tools/answers";
+import { say } from "../../words/draw";
+import { told } from "../../words/words";
+import { h } from "../dom";
+
+/** Opens the form at a place of the window; settled when it is closed, with what is to be done. */
+export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null): Promise<Act | null> {
+  const { what, fields, comment } = drawn.at;
+  const inputs = fields.map((field) => {
+    const input = h("input", { id: `field-${field.key}`, type: "text", value: field.value, autocomplete: "off", spellcheck: "false",
+      inputmode: field.kind === "number" ? "numeric" : "text" });
+    if (field.kind === "point" || field.kind === "value") input.setAttribute("list", "points");
+    return { field, input };
+  });
+  const text = h("textarea", { id: "field-comment", rows: 3 }, comment);
+  const rows = what === "element"
+    ? inputs.map(({ field, input }) => h("label", {}, h("span", {}, told(field.name)), input))
+    : [h("label", {}, h("span", {}, say("rungComment")), text)];
+  const points = h("datalist", { id: "points" }, ...drawn.table.map(({ point, name }) => h("option", { value: name || point }, `${point} ${name}`)));
+  const form = h("form", { class: "at-element", "aria-label": told(drawn.at.say) }, ...rows, points,
+    h("div", { class: "row" }, h("button", { type: "submit", class: "primary" }, say("ok")), h("button", { type: "button", id: "form-cancel" }, say("cancel"))));
+  over.querySelector(".at-element")?.remove();
+  over.append(form);
+  const box = over.getBoundingClientRect();
+  if (at) {
+    form.style.left = `${Math.max(4, Math.min(at.left - box.left, box.width - form.offsetWidth - 4))}px`;
+    form.style.top = `${Math.max(4, Math.min(at.bottom - box.top + 4, box.height - form.offsetHeight - 4))}px`;
+  }
+  const first = form.querySelector<HTMLInputElement | HTMLTextAreaElement>("input, textarea");
+  first?.focus();
+  first?.select();
+  return new Promise((resolve) => {
+    const end = (act: Act | null): void => {
+      form.remove();
+      resolve(act);
+    };
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      if (what !== "element") return end({ do: "comment", text: text.value });
+      end({ do: "edit", fields: inputs.map(({ field, input }) => ({ key: field.key, value: input.value })) });
+    });
+    form.querySelector("#form-cancel")?.addEventListener("click", () => end(null));
+    form.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") end(null);
+      // A comment may have several lines.
+      if (event.key === "Enter" && event.target === text && !event.shiftKey) {
+        event.preventDefault();
+        form.requestSubmit();
+      }
+      event.stopPropagation();
+    });
+  });
+}
