@@ -65,6 +65,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         prose(&read("README.pt-BR.md")),
     )];
     for page in [
+        "draw",
         "exercises",
         "faults",
         "grammar-tests",
