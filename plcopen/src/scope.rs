@@ -272,7 +272,8 @@ fn allot(variable: &Variable, who: &Word, all: &mut Allotted, found: &mut Found)
         none_left(variable, &kind, who, found);
         return None;
     };
-    let first = first.filter(|first| *first != 0);
+    // It would take the place of what was kept, at each start.
+    let first = first.filter(|first| *first != 0 && !variable.retain);
     let keeps = variable.retain && matches!(symbol, Symbol::Number(Address::Register(_)));
     if first.is_some() || keeps {
         all.begun.push((symbol, first, keeps, at));
