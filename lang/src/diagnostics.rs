@@ -2,7 +2,6 @@
 
 pub use crate::messages::Code;
 use std::collections::HashSet;
-use std::fmt;
 use std::ops::Deref;
 use std::ops::Range;
 
@@ -158,21 +157,6 @@ impl Diagnostic {
         }
         text.push_str(rest);
         text
-    }
-}
-
-impl fmt::Display for Code {
-    /// `IL-11`, `ST-101`, `ISCL-301`, `LCE-401`, `XML-501`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = *self as u16;
-        let table = match number {
-            0..=99 => "IL",
-            100..=299 => "ST",
-            300..=399 => "ISCL",
-            400..=499 => "LCE",
-            _ => "XML",
-        };
-        write!(f, "{table}-{number}")
     }
 }
 

@@ -36,7 +36,7 @@ fn beside(name: &str, file: &[u8], seed: u64) -> Came {
         numeric(file, LARGE).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
     let text = match to_st(original.program(), &map) {
         Ok(text) => text,
-        Err(refused) => return Came::Refused(refused.code as u16),
+        Err(refused) => return Came::Refused(refused.code.number()),
     };
     let made = compile_text(&text, TextLanguage::St, LARGE);
     let errors = made
@@ -199,7 +199,7 @@ fn samples_are_written_as_they_shall_be() {
 fn refused(file: &str) -> (u16, String) {
     let (program, map) = numeric(file.as_bytes(), Profile::UNO).unwrap();
     let refused = to_st(program.program(), &map).expect_err(file);
-    (refused.code as u16, refused.message(Lang::En))
+    (refused.code.number(), refused.message(Lang::En))
 }
 
 #[test]

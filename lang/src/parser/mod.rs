@@ -136,7 +136,7 @@ impl Parser<'_, '_> {
     /// Tells of at most one error in a line: what follows in it follows from that, most of the time. That a
     /// text is in another language is told in any case.
     fn tell<const N: usize>(&mut self, code: Code, span: Span, words: [Said; N]) {
-        let whole = matches!(code, Code::StructuredText | Code::NumericCode);
+        let whole = [Code::StructuredText, Code::NumericCode].contains(&code);
         if code.severity() == Severity::Error && !whole {
             let of_units = self.declaring || code == Code::Structure || self.line_declares();
             self.wrong_declarations |= of_units;

@@ -151,7 +151,7 @@ fn examples() {
                 "ISCL-" => check(text, TextLanguage::Iscl).diagnostics,
                 "LCE-" => check(text, TextLanguage::Lce).diagnostics,
                 // Those about the board.
-                _ if code as u16 > 200 => {
+                _ if code.number() > 200 => {
                     compile_text(text, TextLanguage::St, Profile::UNO).diagnostics
                 }
                 _ => check(text, TextLanguage::St).diagnostics,

@@ -54,7 +54,7 @@ fn each_example_does_what_stands_below_it() {
             assert_eq!(checked.diagnostics.listed, [], "{page}: {program}");
             let made = board::compiled(program, language);
             let lacks = |d: &Diagnostic| {
-                d.severity() == Severity::Error && (201..=210).contains(&(d.code as u16))
+                d.severity() == Severity::Error && (201..=210).contains(&d.code.number())
             };
             let refused = made.diagnostics.iter().any(lacks);
             assert!(made.program.is_some() != refused, "{page}: {program}");
