@@ -23,6 +23,14 @@ function below(folder, end) {
 // avr8js as modules: behind the accessors of its other form it runs at half the speed.
 const node = { platform: "node", target: "node18", mainFields: ["module", "main"] };
 const browser = { platform: "browser", target: "es2022", minify: true, mainFields: ["module", "main"], outExtension: { ".js": ".js" } };
+/** Spares the first view the syntax trees: src/page/untreed.ts says how. */
+const untreed = {
+  name: "untreed",
+  setup({ onResolve }) {
+    const path = join(lab, "src/page/untreed.ts");
+    onResolve({ filter: /^@(codemirror\/language|lezer\/common)$/ }, ({ importer }) => (/@codemirror.commands/.test(importer) ? { path } : undefined));
+  },
+};
 const parts = {
   page: {
     ...browser,
@@ -34,6 +42,7 @@ const parts = {
     splitting: true,
     chunkNames: "part-[hash]",
     loader: { ".css": "text" },
+    plugins: [untreed],
     around,
   },
   engine: { ...node, entryPoints: ["src/engine/main.ts"] },

@@ -1,9 +1,8 @@
 // The program as text: problems underlined as one types, and what each line does while it runs.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { bracketMatching } from "@codemirror/language";
-import { type Diagnostic, lintKeymap, setDiagnostics } from "@codemirror/lint";
-import { Compartment, EditorState, RangeSetBuilder, StateEffect, StateField } from "@codemirror/state";
+import type { Diagnostic } from "@codemirror/lint";
+import { Compartment, EditorState, RangeSetBuilder, StateEffect, StateField, Text } from "@codemirror/state";
 import {
   Decoration,
   type DecorationSet,
@@ -82,6 +81,9 @@ export class Editor {
   readonly view: EditorView;
   private quiet = false;
   private readonly comforts = new Compartment();
+  private comfort: typeof import("./comforts") | undefined;
+  /** The problems of a text. */
+  private found: { doc: Text; problems: Diagnostic[] } = { doc: Text.empty, problems: [] };
 
   constructor(parent: HTMLElement, text: string, edited: Edited) {
     this.view = new EditorView({
@@ -96,10 +98,9 @@ export class Editor {
           drawSelection(),
           highlightActiveLine(),
           highlightActiveLineGutter(),
-          bracketMatching(),
           this.comforts.of([]),
           colours,
-          keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
+          keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
           EditorState.tabSize.of(4),
           EditorState.changeFilter.of(({ newDoc, startState }) => {
             const fits = newDoc.length <= Math.max(LONGEST, startState.doc.length);
@@ -122,7 +123,11 @@ export class Editor {
   /** Loads what nobody needs for the first line. Without it one still writes. */
   furnish(): void {
     import("./comforts").then(
-      ({ comforts }) => this.view.dispatch({ effects: this.comforts.reconfigure(comforts) }),
+      (comfort) => {
+        this.comfort = comfort;
+        this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts) });
+        this.underline();
+      },
       () => undefined,
     );
   }
@@ -149,7 +154,14 @@ export class Editor {
       message: [told(problem.message), told(problem.help)].filter(Boolean).join("\n"),
     }));
     this.view.dispatch({ effects: paint(doc, colours) });
-    this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
+    this.found = { doc, problems: diagnostics };
+    this.underline();
+  }
+
+  /** Underlines the problems, unless they are of a text before. */
+  private underline(): void {
+    const { state } = this.view;
+    if (this.comfort && state.doc.eq(this.found.doc)) this.view.dispatch(this.comfort.setDiagnostics(state, this.found.problems));
   }
 
   /** Shows what each line does; nothing without a running program. */
