@@ -4,12 +4,12 @@
 //! standard library from source. For the check nothing is linked, and no code is made: that takes an eighth of the
 //! time.
 
-use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::node;
 use crate::shell;
 use crate::toolchain::{Toolchain, own_linker};
 
@@ -71,8 +71,26 @@ pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
         let built = "target/wasm/wasm32-unknown-unknown/page/unoclp_wasm.wasm";
         let to = folder.join(file);
         shell::make_folder_of(&to)?;
-        fs::copy(shell::root().join(built), &to)
-            .with_context(|| format!("cannot write {}", to.display()))?;
+        shrink(&shell::root().join(built), &to)?;
     }
     Ok(())
+}
+
+/// What rustc takes every browser to have. The module itself no longer says so: it is stripped.
+const FEATURES: [&str; 6] = [
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+
+/// Writes a module in fewer bytes, by the Binaryen among the packages of the lab. Large functions that are called once
+/// stay apart: in the place of their call they compress worse.
+fn shrink(module: &Path, to: &Path) -> Result<()> {
+    let mut shrink = Command::new("node");
+    shrink.arg(node::folder().join("node_modules/binaryen/bin/wasm-opt"));
+    shrink.args(["-Oz", "--one-caller-inline-max-function-size=30"]);
+    shell::run(shrink.args(FEATURES).arg(module).arg("-o").arg(to))
 }
