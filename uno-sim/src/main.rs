@@ -137,10 +137,6 @@ fn main() -> Result<ExitCode> {
             realtime,
             reset,
         } => {
-            let chip = match boot_loader {
-                Some(boot_loader) => boot_loader.program()?,
-                None => Program::read(&elf.map_or_else(firmware_elf, Ok)?)?,
-            };
             let image = match (program, card) {
                 (Some(program), _) => Some(
                     CardImage::new(Fat::Fat16)
@@ -161,6 +157,10 @@ fn main() -> Result<ExitCode> {
                     false => Pace::Quiet,
                 },
                 reset_on_open: reset,
+            };
+            let chip = match boot_loader {
+                Some(boot_loader) => boot_loader.program()?,
+                None => Program::read(&elf.map_or_else(firmware_elf, Ok)?)?,
             };
             let kept = eeprom.map(Kept::open).transpose()?;
             serve(chip, slot, kept, Line { baud, parity }, options)
