@@ -3,7 +3,7 @@
 //
 // A part is a folder in target/lab with bundles in it, made of the entry points named here.
 
-import { build } from "esbuild";
+import { build, transform } from "esbuild";
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -73,7 +73,8 @@ async function around(outdir) {
   mkdirSync(outdir, { recursive: true });
   cpSync(join(lab, "static"), outdir, { recursive: true });
   const uplot = readFileSync(join(lab, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
-  writeFileSync(join(outdir, "page.css"), readFileSync(join(lab, "static/page.css"), "utf8") + uplot);
+  const css = await transform(readFileSync(join(lab, "static/page.css"), "utf8") + uplot, { loader: "css", minify: true });
+  writeFileSync(join(outdir, "page.css"), css.code);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
   cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
   writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex")));

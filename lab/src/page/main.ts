@@ -12,14 +12,12 @@ import { Desk } from "./desk";
 import { ProgramDocument, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { Exercises } from "./exercises";
 import { download, read, takeDrops } from "./files";
-import { Lessons } from "./lessons";
+import { later } from "./later";
 import { note } from "./notes";
 import { Panel } from "./panel";
 import { pointsOf } from "./points";
 import { ProgramView } from "./programview";
-import { SettingsTab } from "./settings";
 import { programOf } from "./share";
 import { startControl } from "./start";
 import { Tabs } from "./tabs";
@@ -68,20 +66,21 @@ async function load(): Promise<void> {
   });
   const slot = new CardSlot(bench, remote, () => program.looked.value?.checked.program?.code ?? null);
   const card = new CardTab(slot);
-  const settings = new SettingsTab(bench);
+  const settings = h("div");
+  const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));
   const tabs = new Tabs(byId("below"), [
     { id: "trend", title: "tabTrend", panel: trend.panel, shown: () => trend.shown() },
     { id: "watch", title: "tabWatch", panel: watch.panel },
     { id: "problems", title: "tabProblems", panel: problems },
     { id: "serial", title: "tabSerial", panel: h("div", {}, serial) },
     { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
-    { id: "settings", title: "tabSettings", panel: settings.panel, shown: () => void settings.read() },
+    { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
-  const lessons = new Lessons(byId("lesson"), remote, () => program.text.value, open);
-  const exercises = new Exercises(byId("exercise"), remote, () => program.text.value, open);
-  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, lessons, exercises });
+  const learning = later(async () => new (await import("./learning")).Learning(remote, () => program.text.value, open));
+  const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
+  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge()));
 
@@ -103,6 +102,7 @@ async function load(): Promise<void> {
   setTimeout(() => {
     editor.furnish();
     loadExamples();
+    panel.furnish();
   });
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);

@@ -1,6 +1,5 @@
 // The board as one sees and touches it.
 
-import "@wokwi/elements/dist/esm/arduino-uno-element";
 import type { ArduinoUnoElement } from "@wokwi/elements/dist/esm/arduino-uno-element";
 import type { Made } from "../tools/answers";
 import { say, speak, told } from "../words/words";
@@ -55,6 +54,11 @@ export class Panel {
     bench.power.follow((on) => {
       this.uno.ledPower = on;
     });
+  }
+
+  /** Loads the picture of the UNO, which stands below what one needs first. Without it the board runs as well. */
+  furnish(): void {
+    import("@wokwi/elements/dist/esm/arduino-uno-element").catch(() => undefined);
   }
 
   /** What the program in the editor uses: knobs for its analogue inputs, names for its points. */

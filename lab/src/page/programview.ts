@@ -12,7 +12,7 @@ import type { Editor } from "./editor";
 import { force, liveOf } from "./forcing";
 import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
-import { note } from "./notes";
+import { later } from "./later";
 import { countOf, showProblems } from "./problems";
 import type { Tabs } from "./tabs";
 
@@ -28,7 +28,7 @@ export class ProgramView {
   private readonly count = h("button", { type: "button", class: "quiet problem-count", id: "problem-count" });
   private readonly size = h("span", { class: "chip" });
   /** The screen on which one draws, as soon as somebody has wanted it. */
-  private screen: Promise<Screen | null> | null = null;
+  private screen: (() => Promise<Screen | null>) | null = null;
   /** What is drawn: of this text. */
   private drawn: string | null = null;
 
@@ -87,14 +87,8 @@ export class ProgramView {
       program.text.value = text;
       this.editor.show(text.text);
     };
-    this.screen ??= import("./draw/screen")
-      .then(({ Screen }) => Screen.open(byId("draw"), { program, tools, bench, write }))
-      .catch((error: unknown) => {
-        this.screen = null;
-        note(say("loadFailed", { why: error instanceof Error ? error.message : String(error) }));
-        return null;
-      });
-    return this.screen;
+    this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), { program, tools, bench, write }));
+    return this.screen();
   }
 
   private show(looked: Looked | null): void {

@@ -3,7 +3,7 @@
 import type { Settings } from "../tools/answers";
 import { Refusal } from "../tools/tools";
 import type { Key } from "../words/table";
-import { say, speak, told } from "../words/words";
+import { say, speak, told, translate } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { type Way, same } from "./ways";
@@ -15,7 +15,6 @@ const PARITIES = ["parityNone", "parityEven", "parityOdd"] as const;
 const LOCKS = ["lockUpload", "lockSettings", "lockCommands", "lockWriting"] as const;
 
 export class SettingsTab {
-  readonly panel: HTMLElement;
   private readonly address = h("input", { type: "number", min: 1, max: 247, id: "set-address" });
   private readonly rate = h("select", { id: "set-rate" }, ...RATES.map((rate) => h("option", { value: rate }, String(rate))));
   private readonly parity = h("select", { id: "set-parity" }, ...PARITIES.map((key, value) => h("option", { value, "data-say": key })));
@@ -30,7 +29,10 @@ export class SettingsTab {
 
   private reads = false;
 
-  constructor(private readonly bench: Bench) {
+  constructor(
+    private readonly bench: Bench,
+    private readonly panel: HTMLElement,
+  ) {
     const switches = h("label", { class: "switch" }, this.direction, h("span", { "data-say": "direction" }));
     // What a board does not take is named by Rust, in the language of the page.
     const form = h("form", { class: "settings", novalidate: true },
@@ -42,7 +44,8 @@ export class SettingsTab {
       event.preventDefault();
       void this.submit();
     });
-    this.panel = h("div", {}, form);
+    panel.append(form);
+    translate(panel);
     bench.settings.follow((settings) => {
       if (settings) this.fill(settings);
       this.show();

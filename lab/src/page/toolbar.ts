@@ -6,11 +6,9 @@ import { say, setSpeak, speak, told } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
-import type { Exercises } from "./exercises";
 import { download, pick } from "./files";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
-import type { Lessons } from "./lessons";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { linkOf } from "./share";
@@ -23,8 +21,8 @@ interface Parts {
   readonly view: ProgramView;
   readonly slot: CardSlot;
   readonly remote: RemoteTools;
-  readonly lessons: Lessons;
-  readonly exercises: Exercises;
+  /** Opens the tutorial or the exercises. */
+  learn(what: "lessons" | "exercises"): void;
 }
 
 interface Example {
@@ -42,8 +40,8 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   speak.follow((language) => {
     tongue.value = language;
   });
-  const lessons = h("button", { type: "button", id: "lessons", click: () => { parts.exercises.close(); void parts.lessons.start(); } }, icon("book"), h("span", { "data-say": "lessons" }));
-  const exercises = h("button", { type: "button", id: "exercises", click: () => { parts.lessons.close(); void parts.exercises.start(); } }, icon("tick"), h("span", { "data-say": "exercises" }));
+  const lessons = h("button", { type: "button", id: "lessons", click: () => parts.learn("lessons") }, icon("book"), h("span", { "data-say": "lessons" }));
+  const exercises = h("button", { type: "button", id: "exercises", click: () => parts.learn("exercises") }, icon("tick"), h("span", { "data-say": "exercises" }));
   const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program.text.value) }, icon("share"));
   root.append(
     menu("fileMenu", "folder", () => files(parts)),

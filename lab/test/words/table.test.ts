@@ -15,7 +15,7 @@ const below = (folder: string): string[] => readdirSync(folder, { recursive: tru
 
 const lab = process.env["LAB"] ?? "lab";
 /** Words that are the same in both languages. */
-const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "ok"];
+const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "languageXml", "ok"];
 
 const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
 

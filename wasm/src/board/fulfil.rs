@@ -3,6 +3,7 @@
 use super::desk::Desk;
 use super::news::{Kept, News};
 use super::order::Order;
+#[cfg(feature = "full")]
 use super::settle::settle;
 use super::watched::Watched;
 use crate::program::Text;
@@ -86,6 +87,7 @@ pub(super) async fn fulfil(
             desk.tell(News::Settings(settings.into()));
             Ok(None)
         }
+        #[cfg(feature = "full")]
         Order::Settle { settings } => settle(client, desk, settings).await,
     }
 }

@@ -12,6 +12,7 @@ mod desk;
 mod fulfil;
 mod news;
 mod order;
+#[cfg(feature = "full")]
 mod settle;
 mod talk;
 mod watched;

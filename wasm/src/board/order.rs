@@ -1,9 +1,10 @@
 //! What may be ordered of a board.
 
+#[cfg(feature = "full")]
 use super::settle::Wanted;
 use crate::given::{Given, wrong};
 use crate::program::Text;
-use crate::words::{Both, No};
+use crate::words::No;
 
 /// What may be ordered of a board.
 #[derive(Debug)]
@@ -33,6 +34,7 @@ pub enum Order {
     /// Read the settings.
     Settings,
     /// Change the settings: the lock holds at once, all else from the next start on.
+    #[cfg(feature = "full")]
     Settle { settings: Wanted },
 }
 
@@ -40,8 +42,8 @@ impl Order {
     /// As a request gives it.
     ///
     /// # Errors
-    /// Where there is no such order, or it lacks something.
-    pub fn of(mut given: Given) -> Result<Order, Both> {
+    /// Where there is no such order, it lacks something, or it takes the module that has everything.
+    pub fn of(mut given: Given) -> Result<Order, No> {
         let what = given.text("do")?;
         Ok(match what.as_str() {
             "run" => Order::Run,
@@ -66,10 +68,13 @@ impl Order {
             "watch" => Order::Watch {
                 text: Text::of(&mut given)?,
             },
+            #[cfg(not(feature = "full"))]
+            "settle" => return Err(No::More),
+            #[cfg(feature = "full")]
             "settle" => Order::Settle {
                 settings: Wanted::of(&mut given.below("settings")?)?,
             },
-            _ => return Err(wrong(&what)),
+            _ => return Err(wrong(&what).into()),
         })
     }
 

@@ -1,0 +1,23 @@
+// Tutorial and exercises, one of them at a time.
+
+import type { Text } from "../tools/answers";
+import type { RemoteTools } from "../tools/remote";
+import { byId } from "./dom";
+import { Exercises } from "./exercises";
+import { Lessons } from "./lessons";
+
+export class Learning {
+  private readonly lessons: Lessons;
+  private readonly exercises: Exercises;
+
+  constructor(tools: RemoteTools, program: () => Text, open: (text: Text) => void) {
+    this.lessons = new Lessons(byId("lesson"), tools, program, open);
+    this.exercises = new Exercises(byId("exercise"), tools, program, open);
+  }
+
+  /** Opens one of them in the place of the other. */
+  async start(what: "lessons" | "exercises"): Promise<void> {
+    this[what === "lessons" ? "exercises" : "lessons"].close();
+    await this[what].start();
+  }
+}
