@@ -10,6 +10,7 @@ export class PortLine implements Line {
   private reader: ReadableStreamDefaultReader<Uint8Array> | null = null;
   private reading: Promise<void> = Promise.resolve();
   private writing: Promise<void> = Promise.resolve();
+  private pulsing: Promise<void> = Promise.resolve();
 
   constructor(private readonly port: SerialPort) {}
 
@@ -35,8 +36,14 @@ export class PortLine implements Line {
     return this.writing;
   }
 
-  /** Pulls DTR and RTS, as the tools of Arduino do. */
-  async reset(): Promise<void> {
+  /** Pulls DTR and RTS, as the tools of Arduino do. Nobody closes the port meanwhile: the end of the pulse would reset the
+   * board that somebody else speaks to by then. */
+  reset(): Promise<void> {
+    this.pulsing = this.pulse();
+    return this.pulsing;
+  }
+
+  private async pulse(): Promise<void> {
     await this.port.setSignals({ dataTerminalReady: false, requestToSend: false });
     await new Promise((resolve) => setTimeout(resolve, PULSE));
     await this.port.setSignals({ dataTerminalReady: true, requestToSend: true });
@@ -54,6 +61,7 @@ export class PortLine implements Line {
     await this.reader?.cancel().catch(() => undefined);
     await this.reading;
     await this.writing.catch(() => undefined);
+    await this.pulsing.catch(() => undefined);
     await this.port.close().catch(() => undefined);
   }
 
