@@ -11,6 +11,8 @@ use crate::{setup, wasm};
 
 /// Where the tests of the page are.
 const TESTS: &str = "lab/test/page";
+/// What a failed test has left open ends with it, and no file of tests takes more than 20 minutes.
+const ENDS: [&str; 2] = ["--test-force-exit", "--test-timeout=1200000"];
 
 /// The words behind `cargo xtask lab`.
 #[derive(clap::Args)]
@@ -57,6 +59,7 @@ pub fn test() -> Result<Count> {
     let mut node = Command::new("node");
     // One browser at a time: each of them runs a whole UNO.
     node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"]);
+    node.args(ENDS);
     count::tests(node.args(tests), count::by_node)
 }
 
@@ -67,7 +70,7 @@ pub fn test() -> Result<Count> {
 pub fn soak() -> Result<Count> {
     let mut node = Command::new("node");
     node.env("UNOCLP_PAGE_SECONDS", "600");
-    node.args(["--test", "--test-reporter=spec"]);
+    node.args(["--test", "--test-reporter=spec"]).args(ENDS);
     count::tests(
         node.arg(shell::root().join(TESTS).join("growth.test.mjs")),
         count::by_node,

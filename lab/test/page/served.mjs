@@ -1,7 +1,7 @@
 // The board of `unoclp-uno-sim serve`: the real boot loader or the firmware on simavr, behind a pseudo-terminal.
 // @ts-check
 
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { existsSync, openSync, writeSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
@@ -20,7 +20,8 @@ export class Served {
     this.child = child;
     this.writes = openSync(path, "w");
     this.reads = new ReadStream(openSync(path, "r+"));
-    this.reads.setRawMode(true);
+    // Node's own raw mode writes a line feed as two bytes.
+    execFileSync("stty", ["-F", path, "raw", "-echo"]);
     this.reads.on("data", (/** @type {Buffer} */ bytes) => this.hear([...bytes]));
     // At its end a pseudo-terminal is an error.
     this.reads.on("error", () => undefined);

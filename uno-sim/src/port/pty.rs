@@ -3,7 +3,7 @@
 use rustix::fs::{Mode, OFlags};
 use rustix::io::{Errno, ioctl_fionbio, read, write};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-use rustix::termios::{LocalModes, OptionalActions, tcgetattr, tcsetattr};
+use rustix::termios::{LocalModes, OptionalActions, OutputModes, tcgetattr, tcsetattr};
 use std::ffi::OsString;
 use std::io;
 use std::os::fd::OwnedFd;
@@ -91,13 +91,14 @@ impl Pty {
         Ok(())
     }
 
-    /// Takes echo and line editing away, which it has anew for each user, where the user has not done so already.
+    /// Takes echo, line editing and the second byte behind a line feed away, which it has anew for each user, where the
+    /// user has not done so already.
     fn make_raw(&self) -> io::Result<()> {
         let mut modes = tcgetattr(&self.end)?;
-        if modes
+        let is_edited = modes
             .local_modes
-            .intersects(LocalModes::ECHO | LocalModes::ICANON)
-        {
+            .intersects(LocalModes::ECHO | LocalModes::ICANON);
+        if is_edited || modes.output_modes.contains(OutputModes::OPOST) {
             modes.make_raw();
             tcsetattr(&self.end, OptionalActions::Now, &modes)?;
         }
