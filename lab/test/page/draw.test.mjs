@@ -6,6 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { fingers } from "./hands.mjs";
 import { Lab, lamp, pictures, run, type } from "./harness.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -80,17 +81,44 @@ async function holding(page, input, meanwhile) {
   await page.mouse.up();
 }
 
+/** What the seal-in does on the board. @param {Page} page */
+async function sealsIn(page) {
+  await run(page);
+  await holding(page, 1, () => lamp(page, 1, true));
+  await page.locator('#sheet .ladder.live .element.on[data-point="Q1"]').first().waitFor();
+  await page.screenshot({ path: join(pictures, "draw-seal-in.png") });
+  await holding(page, 2, () => lamp(page, 1, false));
+}
+
+/** @param {Page} page */
+async function chains(page) {
+  await run(page);
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
+  await page.keyboard.press("Shift+1");
+  await lamp(page, 1, true);
+  await lamp(page, 2, true);
+}
+
+/** @param {Page} page */
+async function counts(page) {
+  await run(page);
+  for (let time = 0; time < 3; time++) {
+    // Shorter than a scan nothing is counted: the drawing says when the board has seen it.
+    await holding(page, 1, () => page.locator('#sheet .ladder.live .element.on[data-point="I1"]').waitFor());
+    await page.locator('#sheet .ladder.live .element:not(.on)[data-point="I1"]').waitFor();
+  }
+  await lamp(page, 1, true);
+  await holding(page, 2, () => lamp(page, 1, false));
+}
+
 test("seal-in with a branch, by the keyboard alone", async () => {
   const page = await empty();
   await page.focus("#sheet");
   await keys(page, "c =I1_start Enter k =I2_stop Enter l =Q1_motor Enter ArrowLeft ArrowLeft Shift+C =motor Enter");
   assert.deepEqual(await codes(page), SEAL_IN);
   await page.locator("#live", { hasText: "contact Q1, normally open motor, rung 1" }).waitFor({ state: "attached" });
-  await run(page);
-  await holding(page, 1, () => lamp(page, 1, true));
-  await page.locator('#sheet .ladder.live .element.on[data-point="Q1"]').first().waitFor();
-  await page.screenshot({ path: join(pictures, "draw-seal-in.png") });
-  await holding(page, 2, () => lamp(page, 1, false));
+  await sealsIn(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -102,12 +130,7 @@ test("a chain of timers, by the keyboard alone", async () => {
   await page.locator('#sheet .rung[data-rung="2"]').waitFor();
   await keys(page, "c =T1 Enter o =Q2 Tab Tab =1000 Enter");
   assert.deepEqual(await codes(page), TON_CHAIN);
-  await run(page);
-  await page.keyboard.press("Escape");
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement)?.blur());
-  await page.keyboard.press("Shift+1");
-  await lamp(page, 1, true);
-  await lamp(page, 2, true);
+  await chains(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -121,14 +144,7 @@ test("an up-down counter with a comparison, by the keyboard alone", async () => 
   await page.locator('#sheet .rung[data-rung="3"]').waitFor();
   await keys(page, ". =C1 Tab =3 Enter l =Q1 Enter");
   assert.deepEqual(await codes(page), COUNTER);
-  await run(page);
-  for (let time = 0; time < 3; time++) {
-    // Shorter than a scan nothing is counted: the drawing says when the board has seen it.
-    await holding(page, 1, () => page.locator('#sheet .ladder.live .element.on[data-point="I1"]').waitFor());
-    await page.locator('#sheet .ladder.live .element:not(.on)[data-point="I1"]').waitFor();
-  }
-  await lamp(page, 1, true);
-  await holding(page, 2, () => lamp(page, 1, false));
+  await counts(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -146,11 +162,22 @@ async function place(page, what, fields) {
   await fill(page, fields);
 }
 
-/** Drags an element of the palette onto the sheet. @param {Page} page @param {string} what @param {import("playwright-core").Locator} onto
+/** Where the first of these is: brought into view and measured at once, for the sheet may be drawn anew between the two.
+ * @param {Page} page @param {string} selector @returns {Promise<{ x: number, y: number, width: number, height: number }>} */
+async function boxOf(page, selector) {
+  const box = await page.waitForFunction((selector) => {
+    const found = document.querySelector(selector);
+    found?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    const { x, y, width, height } = found?.getBoundingClientRect() ?? new DOMRect();
+    return width > 0 && { x, y, width, height };
+  }, selector);
+  return /** @type {Promise<any>} */ (box.jsonValue());
+}
+
+/** Drags an element of the palette onto the sheet. @param {Page} page @param {string} what @param {string} onto
  * @param {[number, number]} at of its size @param {string} picture */
 async function drag(page, what, onto, at, picture = "") {
-  const box = await onto.boundingBox();
-  assert.ok(box);
+  const box = await boxOf(page, onto);
   await page.locator(`.palette [data-what="${what}"]`).hover();
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * at[0], box.y + box.height * at[1], { steps: 4 });
@@ -161,15 +188,15 @@ async function drag(page, what, onto, at, picture = "") {
 
 test("seal-in with a branch, by mouse: dragged onto places that light up", async () => {
   const page = await empty();
-  const element = (/** @type {string} */ point) => page.locator(`#sheet .element[data-point="${point}"] .area`).first();
-  await drag(page, "contact", page.locator("#sheet .rung"), [0.3, 0.8]);
+  const element = (/** @type {string} */ point) => `#sheet .element[data-point="${point}"] .area`;
+  await drag(page, "contact", "#sheet .rung", [0.3, 0.8]);
   await fill(page, { point: "I1", name: "start" });
   await drag(page, "coil", element("I1"), [1.1, 0.4]);
   await fill(page, { point: "Q1", name: "motor" });
   await drag(page, "contact", element("I1"), [0.5, 0.9], "draw-drag.png");
   await fill(page, { point: "motor" });
   // The coil is the one with arcs.
-  const coil = page.locator('#sheet .element[data-point="Q1"]:has(path[d*="A11"]) .area');
+  const coil = '#sheet .element[data-point="Q1"]:has(path[d*="A11"]) .area';
   await drag(page, "closed", coil, [-0.05, 0.4]);
   await fill(page, { point: "I2", name: "stop" });
   assert.deepEqual(await codes(page), SEAL_IN);
@@ -187,33 +214,39 @@ test("seal-in with a branch, by mouse: dragged onto places that light up", async
   await page.context().close();
 });
 
-test("a chain of timers and a counter, by mouse", async () => {
+/** A new rung behind the last, by the menu. @param {Page} page @param {number} rung */
+async function below(page, rung) {
+  await page.click("#menu-drawEdit");
+  await page.locator(".draw-bar .menu button", { hasText: "New rung below" }).click();
+  await page.locator(`#sheet .rung[data-rung="${rung}"]`).waitFor();
+}
+
+test("a chain of timers, by mouse", async () => {
   const page = await empty();
   await place(page, "contact", { point: "I1" });
   await place(page, "ton", { point: "Q1", line0: "2000" });
-  const below = async () => {
-    await page.click("#menu-drawEdit");
-    await page.locator(".draw-bar .menu button", { hasText: "New rung below" }).click();
-  };
-  await below();
-  await page.locator('#sheet .rung[data-rung="2"]').waitFor();
+  await below(page, 2);
   await place(page, "contact", { point: "T1" });
   await place(page, "ton", { point: "Q2", line0: "1000" });
   assert.deepEqual(await codes(page), TON_CHAIN);
-  await page.click("#menu-fileMenu");
-  await page.locator(".menu button", { hasText: /^New$/ }).click();
-  await page.locator("#sheet .element").first().waitFor({ state: "detached" });
+  await chains(page);
+  assert.deepEqual(await undone(page), { elements: 0, text: "" });
+  await page.context().close();
+});
+
+test("an up-down counter with a comparison, by mouse", async () => {
+  const page = await empty();
   await place(page, "contact", { point: "I1" });
   await place(page, "ctu", { point: "C1", line0: "5" });
-  await below();
-  await page.locator('#sheet .rung[data-rung="2"]').waitFor();
+  await below(page, 2);
   await place(page, "contact", { point: "I2" });
   await place(page, "ctd", { point: "C1", line0: "5" });
-  await below();
-  await page.locator('#sheet .rung[data-rung="3"]').waitFor();
+  await below(page, 3);
   await place(page, "ge", { left: "C1", operand: "3" });
   await place(page, "coil", { point: "Q1" });
   assert.deepEqual(await codes(page), COUNTER);
+  await counts(page);
+  assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
 
@@ -235,6 +268,41 @@ test("seal-in with a branch, by a finger at 390 × 844", async () => {
   await tap("contact", "Q1");
   await page.locator("#sheet").scrollIntoViewIfNeeded();
   await page.screenshot({ path: join(pictures, "draw-phone.png") });
+  assert.deepEqual(await codes(page), SEAL_IN);
+  await run(page);
+  await fingers.hold(page, 1);
+  await lamp(page, 1, true);
+  await fingers.release(page, 1);
+  await fingers.hold(page, 2);
+  await lamp(page, 1, false);
+  await fingers.release(page, 2);
+  assert.deepEqual(await undone(page), { elements: 0, text: "" });
+  await page.context().close();
+});
+
+test("elements are carried by a finger onto places that light up, on a tablet", async () => {
+  const page = await empty({ viewport: { width: 1180, height: 820 }, hasTouch: true, isMobile: true });
+  const finger = await page.context().newCDPSession(page);
+  const touch = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, x = 0, y = 0) =>
+    finger.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
+  const carry = async (/** @type {string} */ what, /** @type {string} */ onto, /** @type {[number, number]} */ [across, down], /** @type {string} */ point) => {
+    const to = await boxOf(page, onto);
+    const from = await boxOf(page, `.palette [data-what="${what}"]`);
+    const [x, y] = [from.x + from.width / 2, from.y + from.height / 2];
+    const [toX, toY] = [to.x + to.width * across, to.y + to.height * down];
+    await touch("touchStart", x, y);
+    for (const share of [0.1, 0.4, 0.7, 1]) await touch("touchMove", x + (toX - x) * share, y + (toY - y) * share);
+    await page.locator(".places .near").waitFor();
+    await touch("touchEnd");
+    await page.fill("#field-point", point);
+    await page.keyboard.press("Enter");
+    await page.locator(".at-element").waitFor({ state: "detached" });
+  };
+  const first = '#sheet .element[data-point="I1"] .area';
+  await carry("contact", "#sheet .rung", [0.3, 0.8], "I1");
+  await carry("coil", first, [1.1, 0.4], "Q1");
+  await carry("closed", first, [0.98, 0.4], "I2");
+  await carry("contact", first, [0.5, 0.9], "Q1");
   assert.deepEqual(await codes(page), SEAL_IN);
   await page.context().close();
 });
@@ -273,9 +341,8 @@ test("elements and rungs are copied, moved, found and named", async () => {
   await settled('#sheet .rung[data-rung="1"] .element[data-point="Q2"]');
   assert.deepEqual(await codes(page), [0, -827301, 877902, 787600, 827301, 877901]);
   // What is selected is dragged to another place.
-  const from = await page.locator('#sheet .rung[data-rung="2"] .element[data-point="I1"] .area').boundingBox();
-  const to = await page.locator('#sheet .element[data-point="Q2"] .area').boundingBox();
-  assert.ok(from && to);
+  const from = await boxOf(page, '#sheet .rung[data-rung="2"] .element[data-point="I1"] .area');
+  const to = await boxOf(page, '#sheet .element[data-point="Q2"] .area');
   await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
   await page.mouse.down();
   await page.mouse.move(to.x - 4, to.y + to.height * 0.4, { steps: 4 });
@@ -390,8 +457,7 @@ for (const [locale, end, names] of /** @type {const} */ ([
     await place(page, "closed", { point: `I2 ${names[1]}` });
     await place(page, "coil", { point: "Q1 motor" });
     await shot("draw-rung", ".program");
-    const box = await page.locator('#sheet .element[data-point="I1"] .area').boundingBox();
-    assert.ok(box);
+    const box = await boxOf(page, '#sheet .element[data-point="I1"] .area');
     await page.locator('.palette [data-what="contact"]').hover();
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.9, { steps: 4 });
