@@ -120,6 +120,7 @@ export class Desk {
     } catch (error) {
       note(error instanceof Refusal ? told(error.both) : say("portBusy", { why: String(error) }));
     } finally {
+      this.show();
       await this.speak(new PortLine(this.port));
       this.put.disabled = false;
     }

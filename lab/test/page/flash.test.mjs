@@ -113,5 +113,7 @@ test("a Nano of before 2018 is another choice, which the page names where the fi
   await page.selectOption("#model", "nano-old");
   await page.click("#put-firmware");
   await noted(page, "was read back");
+  // What was written does not speak.
+  await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });
   await end();
 });
