@@ -30,6 +30,20 @@ test("a file is opened in its language and encoding", async () => {
   await page.context().close();
 });
 
+test("a project of OpenPLC Editor is opened, shown as ladder, and runs", async () => {
+  const page = await lab.open();
+  await choose(page, "plc.xml", readFileSync(new URL("plc.xml", import.meta.url)));
+  await page.locator('.ladder .element[data-point="Q4"]').waitFor();
+  assert.equal(await page.inputValue("#name"), "plc.xml");
+  await run(page);
+  await page.locator('[data-input="1"]').hover();
+  await page.mouse.down();
+  await lamp(page, 4, true);
+  await page.mouse.up();
+  await lamp(page, 4, false);
+  await page.context().close();
+});
+
 test("a file that is dropped on the page is opened", async () => {
   const page = await lab.open();
   const data = await page.evaluateHandle(() => {
