@@ -11,8 +11,6 @@ use crate::{setup, wasm};
 
 /// Where the tests of the page are.
 const TESTS: &str = "lab/test/page";
-/// What a failed test has left open ends with it, and no file of tests takes more than 20 minutes.
-const ENDS: [&str; 2] = ["--test-force-exit", "--test-timeout=1200000"];
 
 /// The words behind `cargo xtask lab`.
 #[derive(clap::Args)]
@@ -56,11 +54,7 @@ pub fn build() -> Result<()> {
 /// If one fails.
 pub fn test() -> Result<Count> {
     let tests = files(&shell::root().join(TESTS), ".test.mjs")?;
-    let mut node = Command::new("node");
-    // One browser at a time: each of them runs a whole UNO.
-    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"]);
-    node.args(ENDS);
-    count::tests(node.args(tests), count::by_node)
+    count::tests(runner().args(tests), count::by_node)
 }
 
 /// Leaves the page open for ten minutes, with a live program.
@@ -68,13 +62,22 @@ pub fn test() -> Result<Count> {
 /// # Errors
 /// If it grows.
 pub fn soak() -> Result<Count> {
-    let mut node = Command::new("node");
+    let mut node = runner();
     node.env("UNOCLP_PAGE_SECONDS", "600");
-    node.args(["--test", "--test-reporter=spec"]).args(ENDS);
     count::tests(
         node.arg(shell::root().join(TESTS).join("growth.test.mjs")),
         count::by_node,
     )
+}
+
+/// Node, for files of tests.
+fn runner() -> Command {
+    let mut node = Command::new("node");
+    // One browser at a time: each of them runs a whole UNO.
+    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"]);
+    // What a failed test has left open ends with it, and no file takes more than 20 minutes.
+    node.args(["--test-force-exit", "--test-timeout=1200000"]);
+    node
 }
 
 fn node(arguments: &[&str]) -> Result<()> {
