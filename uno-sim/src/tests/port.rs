@@ -5,9 +5,10 @@ use super::serial::{AT_115200, FORM_8N1, echo_program};
 use crate::port::{Options, Pace, Port, PortError};
 use crate::{Halt, Program, Slot};
 use rustix::fs::{Mode, OFlags};
-use rustix::termios::{OptionalActions, SpecialCodeIndex, tcgetattr, tcsetattr};
+use rustix::termios::{OptionalActions, OutputModes, SpecialCodeIndex, tcgetattr, tcsetattr};
 use std::fs::File;
 use std::io::{Read, Write};
+use std::path::Path;
 
 fn port(words: &[u16], options: Options) -> Port {
     Port::open(Program::from_words(words), Slot::Empty, options).expect("a pseudo-terminal")
@@ -15,10 +16,15 @@ fn port(words: &[u16], options: Options) -> Port {
 
 /// The port opened as a program does that talks over it. A read gives up after 5 s.
 fn user(port: &Port) -> File {
+    user_with(port.path(), OutputModes::empty())
+}
+
+fn user_with(path: &Path, output: OutputModes) -> File {
     let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
-    let user = rustix::fs::open(port.path(), flags, Mode::empty()).expect("the port");
+    let user = rustix::fs::open(path, flags, Mode::empty()).expect("the port");
     let mut modes = tcgetattr(&user).expect("a terminal");
     modes.make_raw();
+    modes.output_modes |= output;
     modes.special_codes[SpecialCodeIndex::VMIN] = 0;
     modes.special_codes[SpecialCodeIndex::VTIME] = 50;
     tcsetattr(&user, OptionalActions::Now, &modes).expect("a terminal");
@@ -57,6 +63,20 @@ fn a_user_talks_with_the_board() {
         }
         port.close().expect("it runs until then");
     }
+}
+
+#[test]
+fn a_line_feed_of_a_user_stays_one_byte() {
+    let port = port(&echo_program(AT_115200.0, FORM_8N1), Options::default());
+    start_up(&port);
+    let path = port.path().to_owned();
+    // Node's raw mode. The board stands until it is set, and then looks.
+    let node = OutputModes::OPOST | OutputModes::ONLCR;
+    let mut user = port.with(move |_| user_with(&path, node)).expect("it runs");
+    port.with(|_| ()).expect("it runs");
+    user.write_all(b"a\nb").expect("the port");
+    assert_eq!(read(&mut user, 3), b"a\nb");
+    port.close().expect("it runs until then");
 }
 
 #[test]
