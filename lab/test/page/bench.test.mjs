@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, lamp, run, state, type } from "./harness.mjs";
 
 /** @type {Lab} */
@@ -24,10 +25,7 @@ test("a card runs its program after a reset, and shows its files", async () => {
   await state(page, "RUN");
   await page.click("#tab-serial");
   await page.locator("#panel-serial", { hasText: "RUN" }).waitFor();
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 2, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 2, true));
   await page.context().close();
 });
 

@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, run, type } from "./harness.mjs";
 
 /** @type {Lab} */
@@ -80,11 +81,10 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
   // A button of the page forces the input of the board, and says so.
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await page.locator('.place.is-forced [data-input="1"]').waitFor();
-  await page.locator('[data-output="1"][data-on="true"]').waitFor();
-  await page.mouse.up();
+  await holding(page, 1, async () => {
+    await page.locator('.place.is-forced [data-input="1"]').waitFor();
+    await page.locator('[data-output="1"][data-on="true"]').waitFor();
+  });
   await page.locator('.place:not(.is-forced) [data-input="1"]').waitFor();
   await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
   await page.evaluate("port.pull()");
@@ -112,10 +112,7 @@ test("a program in a typed language goes to a board at a port without a reset, a
     new MutationObserver(() => names.push(about?.textContent)).observe(about ?? document, { childList: true, characterData: true, subtree: true });
   });
   await run(page);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await page.locator('[data-output="2"][data-on="true"]').waitFor();
-  await page.mouse.up();
+  await holding(page, 1, () => page.locator('[data-output="2"][data-on="true"]').waitFor());
   await page.locator(".ladder.live").waitFor();
   assert.deepEqual(await page.evaluate("port.did"), ["open"]);
   const names = new Set(/** @type {string[]} */ (await page.evaluate("names")));

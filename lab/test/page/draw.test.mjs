@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fingers } from "./hands.mjs";
+import { fingers, holding, mouse, touch } from "./hands.mjs";
 import { Lab, lamp, pictures, run, type } from "./harness.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -73,24 +73,16 @@ async function undone(page) {
   return { elements: await page.locator("#sheet .element").count(), text: await page.evaluate(() => JSON.parse(localStorage.getItem("program") ?? "{}").text) };
 }
 
-/** Holds a button of the board. @param {Page} page @param {number} input @param {() => Promise<void>} meanwhile */
-async function holding(page, input, meanwhile) {
-  await page.locator(`[data-input="${input}"]`).hover();
-  await page.mouse.down();
-  await meanwhile();
-  await page.mouse.up();
-}
-
 /** What the seal-in does on the board. @param {Page} page */
-async function sealsIn(page) {
+async function sealsIn(page, hand = mouse) {
   await run(page);
-  await holding(page, 1, () => lamp(page, 1, true));
+  await holding(page, 1, () => lamp(page, 1, true), hand);
   await page.locator('#sheet .ladder.live .element.on[data-point="Q1"]').first().waitFor();
-  await page.screenshot({ path: join(pictures, "draw-seal-in.png") });
-  await holding(page, 2, () => lamp(page, 1, false));
+  await page.screenshot({ path: join(pictures, `draw-seal-in-${hand.name}.png`) });
+  await holding(page, 2, () => lamp(page, 1, false), hand);
 }
 
-/** @param {Page} page */
+/** What the chain of timers does on the board. @param {Page} page */
 async function chains(page) {
   await run(page);
   await page.keyboard.press("Escape");
@@ -100,7 +92,7 @@ async function chains(page) {
   await lamp(page, 2, true);
 }
 
-/** @param {Page} page */
+/** What the counter does on the board. @param {Page} page */
 async function counts(page) {
   await run(page);
   for (let time = 0; time < 3; time++) {
@@ -269,31 +261,22 @@ test("seal-in with a branch, by a finger at 390 × 844", async () => {
   await page.locator("#sheet").scrollIntoViewIfNeeded();
   await page.screenshot({ path: join(pictures, "draw-phone.png") });
   assert.deepEqual(await codes(page), SEAL_IN);
-  await run(page);
-  await fingers.hold(page, 1);
-  await lamp(page, 1, true);
-  await fingers.release(page, 1);
-  await fingers.hold(page, 2);
-  await lamp(page, 1, false);
-  await fingers.release(page, 2);
+  await sealsIn(page, fingers);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
 
 test("elements are carried by a finger onto places that light up, on a tablet", async () => {
   const page = await empty({ viewport: { width: 1180, height: 820 }, hasTouch: true, isMobile: true });
-  const finger = await page.context().newCDPSession(page);
-  const touch = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, x = 0, y = 0) =>
-    finger.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
   const carry = async (/** @type {string} */ what, /** @type {string} */ onto, /** @type {[number, number]} */ [across, down], /** @type {string} */ point) => {
     const to = await boxOf(page, onto);
     const from = await boxOf(page, `.palette [data-what="${what}"]`);
     const [x, y] = [from.x + from.width / 2, from.y + from.height / 2];
     const [toX, toY] = [to.x + to.width * across, to.y + to.height * down];
-    await touch("touchStart", x, y);
-    for (const share of [0.1, 0.4, 0.7, 1]) await touch("touchMove", x + (toX - x) * share, y + (toY - y) * share);
+    await touch(page, "touchStart", x, y);
+    for (const share of [0.1, 0.4, 0.7, 1]) await touch(page, "touchMove", x + (toX - x) * share, y + (toY - y) * share);
     await page.locator(".places .near").waitFor();
-    await touch("touchEnd");
+    await touch(page, "touchEnd");
     await page.fill("#field-point", point);
     await page.keyboard.press("Enter");
     await page.locator(".at-element").waitFor({ state: "detached" });

@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, choose, lamp, run } from "./harness.mjs";
 
 /** @type {Lab} */
@@ -36,10 +37,7 @@ test("a project of OpenPLC Editor is opened, shown as ladder, and runs", async (
   await page.locator('.ladder .element[data-point="Q4"]').waitFor();
   assert.equal(await page.inputValue("#name"), "plc.xml");
   await run(page);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 4, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 4, true));
   await lamp(page, 4, false);
   await page.context().close();
 });
@@ -71,10 +69,7 @@ test("the program, its code, its ladder and the timing diagram are saved", async
   assert.match((await save("Save the ladder as SVG")).text, /^<svg[^]*start/);
   assert.equal((await save("Save a card image")).name, "card.img");
   await run(page);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 1, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 1, true));
   await lamp(page, 1, true);
   const csv = await downloaded(page, () => page.getByRole("button", { name: "Export CSV" }).click());
   assert.match(csv.text, /^ms,I1,I2,Q1\n[^]*,1,0,1\n/);

@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, run, type } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
@@ -51,10 +52,7 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
   await noted(page, "The firmware is on the board, and was read back.");
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await page.locator('[data-output="1"][data-on="true"]').waitFor();
-  await page.mouse.up();
+  await holding(page, 1, () => page.locator('[data-output="1"][data-on="true"]').waitFor());
   await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
 
   await type(page, "LD I1\nST Q3\n");

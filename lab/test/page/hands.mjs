@@ -54,17 +54,12 @@ export const mouse = {
 /** What sends touches to a page. @type {WeakMap<Page, Promise<import("playwright-core").CDPSession>>} */
 const touches = new WeakMap();
 
-/** @param {Page} page @param {"touchStart" | "touchEnd"} type @param {number} input */
-async function touch(page, type, input) {
-  const button = page.locator(`[data-input="${input}"]`);
-  await button.scrollIntoViewIfNeeded();
-  const box = await button.boundingBox();
-  if (!box) throw new Error(`no button ${input}`);
+/** A finger on a point of the window. @param {Page} page @param {"touchStart" | "touchMove" | "touchEnd"} type */
+export async function touch(page, type, x = 0, y = 0) {
   // One finger stays with one session.
   if (!touches.has(page)) touches.set(page, page.context().newCDPSession(page));
   const session = await touches.get(page);
-  const touchPoints = type === "touchEnd" ? [] : [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }];
-  await session?.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await session?.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
 }
 
 /** @type {Hand} */
@@ -77,8 +72,14 @@ export const fingers = {
     await at(page, what).tap();
     await replace(page, what, text);
   },
-  hold: (page, input) => touch(page, "touchStart", input),
-  release: (page, input) => touch(page, "touchEnd", input),
+  async hold(page, input) {
+    const button = page.locator(`[data-input="${input}"]`);
+    await button.scrollIntoViewIfNeeded();
+    const box = await button.boundingBox();
+    if (!box) throw new Error(`no button ${input}`);
+    await touch(page, "touchStart", box.x + box.width / 2, box.y + box.height / 2);
+  },
+  release: (page) => touch(page, "touchEnd"),
   turn: async (page, what, share) => at(page, what).tap({ position: await end(page, what, share) }),
 };
 
@@ -155,3 +156,10 @@ export const keyboard = {
 
 /** All of them. */
 export const HANDS = [mouse, fingers, keyboard];
+
+/** Holds the button of an input. @param {Page} page @param {number} input @param {() => Promise<void>} meanwhile */
+export async function holding(page, input, meanwhile, hand = mouse) {
+  await hand.hold(page, input);
+  await meanwhile();
+  await hand.release(page, input);
+}

@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, lamp, run, state, type } from "./harness.mjs";
 
 /** @type {Lab} */
@@ -34,19 +35,13 @@ test("seal-in runs on the simulated board by mouse", async () => {
   const page = await lab.open();
   await run(page);
   await lamp(page, 1, false);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 1, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 1, true));
   // The ladder is live: power comes by the seal-in contact, no longer by the button.
   await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
   await page.locator('.ladder.live .element[data-point="I1"]:not(.on)').waitFor();
   await page.locator(".cm-powered", { hasText: "OR   motor" }).waitFor();
   await lamp(page, 1, true);
-  await page.locator('[data-input="2"]').hover();
-  await page.mouse.down();
-  await lamp(page, 1, false);
-  await page.mouse.up();
+  await holding(page, 2, () => lamp(page, 1, false));
   await page.context().close();
 });
 
@@ -93,10 +88,7 @@ test("a program in a typed language runs, live", async () => {
   await page.locator('.ladder .element[data-point="Q1"]').first().waitFor();
   await run(page);
   await lamp(page, 1, false);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 1, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 1, true));
   await page.locator(".ladder.live").waitFor();
   await page.context().close();
 });

@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
 import { Lab, findings, lamp, pictures, run } from "./harness.mjs";
 
 /** @type {Lab} */
@@ -62,10 +63,7 @@ test("a browser in Portuguese gets Portuguese, and a switch changes it", async (
   assert.match((await page.textContent("#run")) ?? "", /Executar na placa/);
   await run(page);
   assert.match((await page.textContent("#status")) ?? "", /varreduras/);
-  await page.locator('[data-input="1"]').hover();
-  await page.mouse.down();
-  await lamp(page, 1, true);
-  await page.mouse.up();
+  await holding(page, 1, () => lamp(page, 1, true));
   await page.screenshot({ path: join(pictures, "portuguese.png") });
   assert.match((await page.textContent(".ladder .heading")) ?? "", /Degrau 1/);
   await page.selectOption("#speak", "en");
