@@ -4,6 +4,7 @@ import type { Sheet, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
 import { h } from "./dom";
+import { keep, kept } from "./kept";
 import { announce } from "./notes";
 import { Verdict } from "./verdict";
 
@@ -21,6 +22,14 @@ interface Exercise extends File {
   readonly verdict: Verdict;
   hints: number;
   passed: boolean;
+}
+
+const KEPT = "exercises";
+
+/** What the browser keeps of the exercises: names, since a later page may have others. */
+interface Progress {
+  readonly open: string;
+  readonly passed: readonly string[];
 }
 
 export class Exercises {
@@ -42,7 +51,9 @@ export class Exercises {
   async start(): Promise<void> {
     if (this.all.length === 0) {
       const files = (await (await fetch("exercises.json")).json()) as File[];
-      this.all = await Promise.all(files.map((file) => this.read(file)));
+      const { open, passed } = progress();
+      this.all = await Promise.all(files.map((file) => this.read(file, passed.includes(file.name))));
+      this.at = Math.max(0, this.all.findIndex(({ name }) => name === open));
     }
     this.root.hidden = false;
     this.show();
@@ -53,9 +64,14 @@ export class Exercises {
     this.root.hidden = true;
   }
 
-  private async read(file: File): Promise<Exercise> {
+  private async read(file: File, passed: boolean): Promise<Exercise> {
     const sheet = await this.tools.ask("sheet", { scenario: file.scenario, title: file.name });
-    return { ...file, sheet, verdict: new Verdict(this.tools), hints: 0, passed: false };
+    return { ...file, sheet, verdict: new Verdict(this.tools), hints: 0, passed };
+  }
+
+  private keep(): void {
+    const passed = this.all.filter((exercise) => exercise.passed).map(({ name }) => name);
+    keep(KEPT, JSON.stringify({ open: this.all[this.at]?.name ?? "", passed } satisfies Progress));
   }
 
   private show(): void {
@@ -86,6 +102,7 @@ export class Exercises {
       h("option", { value: index, selected: index === this.at }, `${index + 1}. ${told(sheet.title)}${passed ? " ✓" : ""}`));
     const change = (event: Event): void => {
       this.at = Number((event.target as HTMLSelectElement).value);
+      this.keep();
       this.show();
       this.root.querySelector("select")?.focus();
     };
@@ -105,8 +122,19 @@ export class Exercises {
     const passed = await exercise.verdict.check(this.program(), exercise.scenario, exercise.name);
     if (!passed || exercise.passed) return;
     exercise.passed = true;
+    this.keep();
     this.show();
     this.root.querySelector<HTMLElement>("#exercise-check")?.focus();
+  }
+}
+
+/** How far the student had come before. */
+function progress(): Progress {
+  try {
+    const { open, passed } = JSON.parse(kept(KEPT) ?? "{}") as Partial<Progress>;
+    return { open: String(open), passed: Array.isArray(passed) ? passed : [] };
+  } catch {
+    return { open: "", passed: [] };
   }
 }
 

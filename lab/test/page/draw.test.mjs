@@ -266,29 +266,31 @@ test("seal-in with a branch, by a finger at 390 × 844", async () => {
   await page.context().close();
 });
 
-test("elements are carried by a finger onto places that light up, on a tablet", async () => {
-  const page = await empty({ viewport: { width: 1180, height: 820 }, hasTouch: true, isMobile: true });
-  const carry = async (/** @type {string} */ what, /** @type {string} */ onto, /** @type {[number, number]} */ [across, down], /** @type {string} */ point) => {
-    const to = await boxOf(page, onto);
-    const from = await boxOf(page, `.palette [data-what="${what}"]`);
-    const [x, y] = [from.x + from.width / 2, from.y + from.height / 2];
-    const [toX, toY] = [to.x + to.width * across, to.y + to.height * down];
-    await touch(page, "touchStart", x, y);
-    for (const share of [0.1, 0.4, 0.7, 1]) await touch(page, "touchMove", x + (toX - x) * share, y + (toY - y) * share);
-    await page.locator(".places .near").waitFor();
-    await touch(page, "touchEnd");
-    await page.fill("#field-point", point);
-    await page.keyboard.press("Enter");
-    await page.locator(".at-element").waitFor({ state: "detached" });
-  };
-  const first = '#sheet .element[data-point="I1"] .area';
-  await carry("contact", "#sheet .rung", [0.3, 0.8], "I1");
-  await carry("coil", first, [1.1, 0.4], "Q1");
-  await carry("closed", first, [0.98, 0.4], "I2");
-  await carry("contact", first, [0.5, 0.9], "Q1");
-  assert.deepEqual(await codes(page), SEAL_IN);
-  await page.context().close();
-});
+for (const [device, width, height] of /** @type {[string, number, number][]} */ ([["a tablet", 1180, 820], ["a phone", 390, 844]])) {
+  test(`elements are carried by a finger onto places that light up, on ${device}`, async () => {
+    const page = await empty({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const carry = async (/** @type {string} */ what, /** @type {string} */ onto, /** @type {[number, number]} */ [across, down], /** @type {string} */ point) => {
+      const to = await boxOf(page, onto);
+      const from = await boxOf(page, `.palette [data-what="${what}"]`);
+      const [x, y] = [from.x + from.width / 2, from.y + from.height / 2];
+      const [toX, toY] = [to.x + to.width * across, to.y + to.height * down];
+      await touch(page, "touchStart", x, y);
+      for (const share of [0.1, 0.4, 0.7, 1]) await touch(page, "touchMove", x + (toX - x) * share, y + (toY - y) * share);
+      await page.locator(".places .near").waitFor();
+      await touch(page, "touchEnd");
+      await page.fill("#field-point", point);
+      await page.keyboard.press("Enter");
+      await page.locator(".at-element").waitFor({ state: "detached" });
+    };
+    const first = '#sheet .element[data-point="I1"] .area';
+    await carry("contact", "#sheet .rung", [0.3, 0.8], "I1");
+    await carry("coil", first, [1.1, 0.4], "Q1");
+    await carry("closed", first, [0.98, 0.4], "I2");
+    await carry("contact", first, [0.5, 0.9], "Q1");
+    assert.deepEqual(await codes(page), SEAL_IN);
+    await page.context().close();
+  });
+}
 
 test("elements and rungs are copied, moved, found and named", async () => {
   const page = await empty();

@@ -56,5 +56,10 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   await check("05-motor.il");
   await exercise.locator("#verdict.good").waitFor();
   assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /✓/);
+
+  await page.reload();
+  await page.click("#exercises");
+  await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
+  assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /^5\. .* ✓$/);
   await page.context().close();
 });
