@@ -46,7 +46,7 @@ const parts = {
     around,
   },
   engine: { ...node, entryPoints: ["src/engine/main.ts"] },
-  bench: { ...node, entryPoints: ["test/bench/speed.ts"] },
+  bench: { ...node, entryPoints: below("test/bench", ".ts") },
   test: { ...node, entryPoints: below("test", ".test.ts"), outbase: "test" },
 };
 
