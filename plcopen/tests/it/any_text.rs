@@ -1,31 +1,14 @@
 //! No text makes the import panic, and none takes long: mutated projects, deep ones, large ones.
 
+use crate::cases::{Case, cases};
 use crate::project;
-use serde::Deserialize;
 use unoclp_core::Profile;
 use unoclp_host_sim::random::Random;
 use unoclp_plcopen::import;
 
-#[derive(Deserialize)]
-struct Cases {
-    case: Vec<Case>,
-}
-
-#[derive(Deserialize)]
-struct Case {
-    #[serde(default)]
-    variables: String,
-    ladder: String,
-}
-
 #[test]
 fn mutated_projects_are_told_or_imported() {
-    let cases: Cases = toml::from_str(include_str!("../cases.toml")).unwrap();
-    let texts: Vec<String> = cases
-        .case
-        .iter()
-        .map(|case| project(&case.variables, &format!("<LD>{}</LD>", case.ladder)))
-        .collect();
+    let texts: Vec<String> = cases().iter().map(Case::text).collect();
     let mut random = Random::new(18);
     let mut imported = 0;
     for _ in 0..unoclp_testing::rounds(2_000) {

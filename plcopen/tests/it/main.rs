@@ -5,8 +5,43 @@ mod cases;
 mod round_trip;
 mod texts;
 
+/// A program of a project.
+struct Pou<'t> {
+    name: &'t str,
+    variables: &'t str,
+    body: &'t str,
+}
+
 /// A project of one program with these variables and this body.
 fn project(variables: &str, body: &str) -> String {
+    let name = "Main";
+    let main = Pou {
+        name,
+        variables,
+        body,
+    };
+    project_of(&[main], &[name])
+}
+
+/// A project of these programs, which its tasks name in this order.
+fn project_of(programs: &[Pou<'_>], tasks: &[&str]) -> String {
+    let pou = |pou: &Pou<'_>| {
+        let (name, variables, body) = (pou.name, pou.variables, pou.body);
+        format!(
+            r#"
+      <pou name="{name}" pouType="program">
+        <interface><localVars>{variables}</localVars></interface>
+        <body>{body}</body>
+      </pou>"#
+        )
+    };
+    let task = |(at, name): (usize, &&str)| {
+        format!(
+            r#"<task name="task{at}" priority="0" interval="T#20ms"><pouInstance name="instance{at}" typeName="{name}"/></task>"#
+        )
+    };
+    let pous: String = programs.iter().map(pou).collect();
+    let tasks: String = tasks.iter().enumerate().map(task).collect();
     format!(
         r#"<?xml version='1.0' encoding='utf-8'?>
 <project xmlns:xhtml="http://www.w3.org/1999/xhtml" xmlns="http://www.plcopen.org/xml/tc6_0201">
@@ -14,14 +49,10 @@ fn project(variables: &str, body: &str) -> String {
   <contentHeader name="Unnamed"><coordinateInfo><fbd><scaling x="10" y="10"/></fbd><ld><scaling x="10" y="10"/></ld><sfc><scaling x="10" y="10"/></sfc></coordinateInfo></contentHeader>
   <types>
     <dataTypes/>
-    <pous>
-      <pou name="Main" pouType="program">
-        <interface><localVars>{variables}</localVars></interface>
-        <body>{body}</body>
-      </pou>
+    <pous>{pous}
     </pous>
   </types>
-  <instances><configurations><configuration name="Config0"><resource name="Res0"><task name="task0" priority="0" interval="T#20ms"><pouInstance name="instance0" typeName="Main"/></task></resource></configuration></configurations></instances>
+  <instances><configurations><configuration name="Config0"><resource name="Res0">{tasks}</resource></configuration></configurations></instances>
 </project>
 "#
     )
