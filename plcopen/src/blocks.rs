@@ -15,9 +15,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let block = &network.elements[at];
         let name = block.block();
         let output = output.to_uppercase();
-        let negated =
-            |(name, negated): &(&str, bool)| *negated && name.eq_ignore_ascii_case(&output);
-        let is_negated = block.outputs.iter().any(negated);
+        let is_negated = block.is_negated(&output);
         let mut circuit = match name.split('_').next().unwrap_or_default() {
             "TON" | "TOF" | "TP" | "CTU" | "CTD" | "CTUD" | "SR" | "RS" | "R" | "F"
                 if output == "ENO" =>
@@ -109,11 +107,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             self.before.push((wire.from, call));
             self.written.insert(wire.from, true);
         }
-        let mut parts: Vec<Part> = self
-            .value(&[*wire], at)?
-            .into_iter()
-            .map(Part::from)
-            .collect();
+        let mut parts: Vec<Part> = self.value(at, "")?.into_iter().map(Part::from).collect();
         parts.push(self.store(at)?.into());
         Some(followed(Circuit::new(), leaf(at, parts)))
     }
@@ -193,12 +187,11 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
 
     /// The number at an input that presets a block; one that changes is loaded before, by this instruction.
     fn preset(&mut self, at: usize, input: &str, by: Step) -> Option<i32> {
-        let wires = self.network.elements[at].wires(input).to_vec();
-        if wires.is_empty() {
+        if self.network.elements[at].wires(input).is_empty() {
             self.tell(Code::XmlPin, at, [input.into()]);
             return None;
         }
-        let value = self.value(&wires, at)?;
+        let value = self.value(at, input)?;
         if let [load] = &value[..]
             && load.opcode() == Opcode::Load
             && load.number() == Some(0)

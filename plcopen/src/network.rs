@@ -187,6 +187,12 @@ impl<'a> Element<'a, '_> {
         says(self.node, "negated")
     }
 
+    /// Whether this output of a block is negated.
+    pub(crate) fn is_negated(&self, output: &str) -> bool {
+        let mut outputs = self.outputs.iter();
+        outputs.any(|(name, negated)| *negated && name.eq_ignore_ascii_case(output))
+    }
+
     /// Whether it is a rail at which power ends.
     pub(crate) fn is_right_rail(&self) -> bool {
         self.kind == "rightPowerRail"

@@ -2,7 +2,7 @@
 
 use crate::circuit::{Circuit, Item, Leaf, below, heads, leaves, within};
 use crate::flow::Flow;
-use crate::network::Network;
+use crate::network::{Element, Network};
 use crate::xml::{first, text};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::{Class, Opcode};
@@ -27,7 +27,19 @@ pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
     let network = flow.network;
     let mut circuits: Vec<Circuit> = Vec::new();
     let mut by_head: HashMap<usize, Vec<usize>> = HashMap::new();
+    let mut labels = labels(network).into_iter().peekable();
+    // What is drawn behind a label or a jump stands behind it: in no circuit before this one, and where that has the
+    // jump, behind that.
+    let (mut since, mut jump) = (0, None);
     for sink in sinks(flow) {
+        let top = network.elements[sink].place.0;
+        while labels.next_if(|label| *label <= top).is_some() {
+            (since, jump) = (circuits.len(), None);
+        }
+        let is_jump = matches!(network.elements[sink].kind, "jump" | "return");
+        if is_jump {
+            since = since.max(circuits.len().saturating_sub(1));
+        }
         let circuit = flow.output(sink);
         let before = std::mem::take(&mut flow.before);
         let is_alone = before.is_empty();
@@ -47,30 +59,57 @@ pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
             .filter_map(|head| by_head.get(head))
             .flatten()
             .copied()
+            .filter(|at| is_alone && *at >= since)
             .collect();
         let mut like: Vec<usize> = like.into_iter().collect();
         like.sort_unstable_by(|one, other| other.cmp(one));
-        let joined = like.into_iter().filter(|_| is_alone).find(|&at| {
-            let into = &mut circuits[at];
-            if below(into, &mut circuit) {
-                return true;
-            }
-            let is_within = within(&mut circuit, into);
-            if is_within {
-                std::mem::swap(into, &mut circuit);
-            }
-            is_within || within(into, &mut circuit)
+        let joined = like.into_iter().find(|&at| {
+            let behind = jump.filter(|_| at == since);
+            join(&mut circuits[at], &mut circuit, sink, behind)
         });
         let at = joined.unwrap_or_else(|| {
             circuits.push(circuit);
             circuits.len() - 1
         });
+        if is_jump {
+            (since, jump) = (at, Some(sink));
+        }
         for head in begins {
             by_head.entry(head).or_default().push(at);
         }
     }
     once(network, &circuits, flow);
     circuits
+}
+
+/// Makes one of two circuits that begin alike, where the output comes behind this jump; else it leaves both as they are.
+fn join(into: &mut Circuit, circuit: &mut Circuit, sink: usize, jump: Option<usize>) -> bool {
+    let before = jump.map(|jump| (jump, into.clone(), circuit.clone()));
+    let mut joined = below(into, circuit);
+    if !joined && within(circuit, into) {
+        std::mem::swap(into, circuit);
+        joined = true;
+    }
+    joined = joined || within(into, circuit);
+    let Some((jump, old, own)) = before else {
+        return joined;
+    };
+    let mut order = Vec::new();
+    leaves(into, &mut |leaf| order.push(leaf.key.0));
+    let place = |of: usize| order.iter().position(|at| *at == of);
+    if joined && place(jump) > place(sink) {
+        (*into, *circuit) = (old, own);
+        return false;
+    }
+    joined
+}
+
+/// The heights at which labels are drawn, from top to bottom.
+fn labels(network: &Network<'_, '_>) -> Vec<i64> {
+    let labels = network.elements.iter().filter(|e| e.kind == "label");
+    let mut heights: Vec<i64> = labels.map(|label| label.place.0).collect();
+    heights.sort_unstable();
+    heights
 }
 
 /// What remembers something stands once in a program.
@@ -94,7 +133,18 @@ fn once(network: &Network<'_, '_>, circuits: &[Circuit], flow: &mut Flow<'_, '_,
 fn sinks(flow: &mut Flow<'_, '_, '_>) -> Vec<usize> {
     let network = flow.network;
     let mut leads_on = vec![false; network.elements.len()];
-    for element in network.elements.iter().filter(|e| !e.is_right_rail()) {
+    let continued: HashSet<_> = network
+        .elements
+        .iter()
+        .filter(|e| e.kind == "continuation")
+        .map(|e| e.node.attribute("name"))
+        .collect();
+    // A right rail leads nowhere, nor does a connector that nothing continues.
+    let takes = |element: &&Element<'_, '_>| match element.kind {
+        "connector" => continued.contains(&element.node.attribute("name")),
+        _ => !element.is_right_rail(),
+    };
+    for element in network.elements.iter().filter(takes) {
         for wire in element.inputs.iter().flat_map(|pin| &pin.wires) {
             leads_on[wire.from] = true;
         }

@@ -2,7 +2,6 @@
 
 use crate::circuit::Part;
 use crate::flow::Flow;
-use crate::network::Wire;
 use crate::scope::{Meaning, Symbol};
 use unoclp_core::isa::{Class, Opcode, POPPED};
 use unoclp_ladder::Address;
@@ -23,14 +22,23 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         }
     }
 
-    /// The instructions that load what a wire brings.
-    pub(crate) fn value(&mut self, wires: &[Wire<'a>], at: usize) -> Option<Vec<Step>> {
-        let [wire] = wires else {
+    /// The instructions that load what the wire to this input brings.
+    pub(crate) fn value(&mut self, at: usize, input: &str) -> Option<Vec<Step>> {
+        let network = self.network;
+        let pin = network.elements[at].input(input);
+        let Some((pin, [wire])) = pin.map(|pin| (pin, &pin.wires[..])) else {
             self.tell(Code::XmlPin, at, [("a number", "um número").into()]);
             return None;
         };
-        let network = self.network;
         let from = &network.elements[wire.from];
+        if pin.negated || !pin.edge.is_empty() {
+            self.inverts(at, pin.name);
+            return None;
+        }
+        if from.negated() || from.is_negated(wire.output) {
+            self.inverts(wire.from, wire.output);
+            return None;
+        }
         let written = match from.kind {
             "inVariable" | "inOutVariable" => from.written(),
             "block" => match wire.output.to_uppercase().as_str() {
@@ -75,6 +83,15 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         Some(vec![step])
     }
 
+    /// Tells that a number is taken for a truth, which could be negated or have an edge.
+    fn inverts(&mut self, at: usize, what: &str) {
+        let what = match what {
+            "" => self.network.elements[at].written(),
+            name => name.to_owned(),
+        };
+        self.wants(at, &format!("NOT {what}"), "INT", "BOOL");
+    }
+
     /// The instructions that compute what a block gives to another.
     fn computed(&mut self, at: usize, by: usize) -> Option<Vec<Step>> {
         self.descend(at)?;
@@ -97,7 +114,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             }
         }
         let opcode = match block.block().as_str() {
-            "MOVE" => return self.value(block.wires("IN"), at),
+            "MOVE" => return self.value(at, "IN"),
             "ADD" => Opcode::Add,
             "SUB" => Opcode::Subtract,
             "MUL" => Opcode::Multiply,
@@ -111,9 +128,9 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         };
         let mut inputs = self.numbered(at).into_iter();
         let first = inputs.next().unwrap_or_else(|| "IN1".to_owned());
-        let mut steps = self.value(block.wires(&first), at)?;
+        let mut steps = self.value(at, &first)?;
         for input in inputs {
-            let right = self.value(block.wires(&input), at)?;
+            let right = self.value(at, &input)?;
             self.apply(&mut steps, opcode, right);
         }
         (steps.len() <= 200).then_some(steps).or_else(|| {
@@ -140,8 +157,8 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
 
     fn shifted(&mut self, at: usize) -> Option<Vec<Step>> {
         let block = &self.network.elements[at];
-        let mut steps = self.value(block.wires("IN"), at)?;
-        let by = self.value(block.wires("N"), at)?;
+        let mut steps = self.value(at, "IN")?;
+        let by = self.value(at, "N")?;
         let opcode = match block.block().as_str() {
             "SHL" => Opcode::ShiftLeft,
             _ => Opcode::ShiftRight,
@@ -172,7 +189,6 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             "LE" => Opcode::LessOrEqual,
             _ => Opcode::Less,
         };
-        let network = self.network;
         let inputs = self.numbered(at);
         if inputs.len() < 2 {
             self.tell(Code::XmlPin, at, ["IN2".into()]);
@@ -180,8 +196,8 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         }
         let mut parts = Vec::new();
         for pair in inputs.windows(2) {
-            let mut steps = self.value(network.elements[at].wires(&pair[0]), at)?;
-            let right = self.value(network.elements[at].wires(&pair[1]), at)?;
+            let mut steps = self.value(at, &pair[0])?;
+            let right = self.value(at, &pair[1])?;
             self.apply(&mut steps, opcode, right);
             let step = steps.pop()?;
             let load = steps.pop_if(|last| last.class() == Class::Load);
@@ -196,10 +212,13 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let network = self.network;
         let mut parts: Vec<Part> = Vec::new();
         for (index, element) in network.elements.iter().enumerate() {
-            let behind = element.kind == "outVariable"
-                && matches!(element.wires(""), [wire] if wire.from == at
-                    && self.gives_number(at, wire.output));
-            if behind {
+            let [wire] = element.wires("") else { continue };
+            let behind = element.kind == "outVariable" && wire.from == at;
+            if behind && self.gives_number(at, wire.output) {
+                if network.elements[at].is_negated(wire.output) {
+                    self.inverts(at, wire.output);
+                    return None;
+                }
                 if parts.is_empty() {
                     parts = self
                         .operation(at, None)?
@@ -215,7 +234,12 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
 
     /// The store to the variable of an element.
     pub(crate) fn store(&mut self, at: usize) -> Option<Step> {
-        let written = self.network.elements[at].written();
+        let element = &self.network.elements[at];
+        let written = element.written();
+        if element.negated() {
+            self.inverts(at, &written);
+            return None;
+        }
         match self.meaning(at, &written)? {
             Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
                 Some(Step::new(Opcode::Store).with_number(register))
