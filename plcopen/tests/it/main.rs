@@ -2,6 +2,7 @@
 
 mod any_text;
 mod cases;
+mod edited;
 mod round_trip;
 mod texts;
 

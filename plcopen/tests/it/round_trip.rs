@@ -17,7 +17,7 @@ fn document(file: &[u8]) -> Option<Document> {
 }
 
 /// Whether a document can be said in PLCopen XML; then it comes back as it was.
-fn comes_back(document: &Document) -> bool {
+pub(crate) fn comes_back(document: &Document) -> bool {
     let text = match export(document, "test") {
         Ok(text) => text,
         Err(lost) => {

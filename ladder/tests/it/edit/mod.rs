@@ -3,5 +3,6 @@
 mod canvas;
 mod cases;
 mod meaning;
+mod operations;
 mod random;
 mod together;
