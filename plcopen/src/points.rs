@@ -10,7 +10,7 @@
 //! | `%QW1` to `%QW4` | PWM of outputs 01 to 04 |
 
 use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
+use unoclp_core::isa::{ANALOGUE, COUNTERS, LABELS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
 use unoclp_ladder::Address;
 
 /// What an address names.
@@ -28,6 +28,7 @@ pub(crate) struct Points {
     markers: u128,
     registers: u128,
     counters: u32,
+    labels: u64,
     timers: u8,
 }
 
@@ -38,6 +39,7 @@ impl Points {
             markers: 0,
             registers: 0,
             counters: 0,
+            labels: 0,
             timers: 0,
         }
     }
@@ -110,6 +112,24 @@ impl Points {
             .filter(is_free)
             .or_else(|| (1..=COUNTERS).find(is_free))?;
         self.counters |= 1 << number;
+        Some(number)
+    }
+
+    /// The label with the number that its name says, L1 to L32, where it is free.
+    pub(crate) fn own_label(&mut self, name: &str) -> Option<u8> {
+        let own: u8 = name.strip_prefix(['L', 'l'])?.parse().ok()?;
+        let is_free = (1..=LABELS).contains(&own) && self.labels >> own & 1 == 0;
+        if !is_free {
+            return None;
+        }
+        self.labels |= 1 << own;
+        Some(own)
+    }
+
+    /// A label.
+    pub(crate) fn label(&mut self) -> Option<u8> {
+        let number = (1..=LABELS).find(|number| self.labels >> number & 1 == 0)?;
+        self.labels |= 1 << number;
         Some(number)
     }
 

@@ -12,7 +12,6 @@ use crate::rungs::{Rungs, circuits};
 use crate::scope::{Allotted, Scope, Symbol};
 use crate::xml::{self, first, text};
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 use std::sync::Arc;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
@@ -108,22 +107,18 @@ fn ladder(
     }
     let mut all = Allotted::new(points, &project.globals);
     let mut rungs = Rungs::default();
-    let mut labels = 0;
     for (index, (pou, network)) in project.programs.iter().zip(&networks).enumerate() {
         let mut scope = Scope::new(&pou.variables);
         let mut flow = Flow::new(index, network, &mut scope, &mut all, found);
-        for (at, element) in network.elements.iter().enumerate() {
-            if element.kind == "label" {
-                label(&mut flow, at, &mut labels);
+        labels(&mut flow);
+        let mut elements = network.elements.iter();
+        if let Some(leaves) = elements.position(|element| element.kind == "return")
+            && index + 1 < networks.len()
+        {
+            flow.end = flow.all.points.label();
+            if flow.end.is_none() {
+                no_label(&mut flow, leaves, "RETURN");
             }
-        }
-        let returns = network
-            .elements
-            .iter()
-            .any(|element| element.kind == "return");
-        if returns && index + 1 < networks.len() && labels < LABELS {
-            labels += 1;
-            flow.end = Some(labels);
         }
         let circuits = circuits(&mut flow);
         let title = (networks.len() > 1).then(|| pou.name.clone());
@@ -152,21 +147,34 @@ fn ladder(
     }
 }
 
-/// Gives a label its number.
-fn label(flow: &mut Flow<'_, '_, '_>, at: usize, labels: &mut u8) {
-    let name = flow.network.elements[at].node.attribute("label");
-    let name = name.unwrap_or_default().to_owned();
-    if *labels >= LABELS {
-        let words = [
-            ("label", "rótulo").into(),
-            name.into(),
-            LABELS.to_string().into(),
-        ];
-        flow.tell(Code::XmlNoneLeft, at, words);
-    } else if let Entry::Vacant(free) = flow.labels.entry(name) {
-        *labels += 1;
-        free.insert(*labels);
+/// Gives the labels of a program their numbers, first those whose names say one.
+fn labels(flow: &mut Flow<'_, '_, '_>) {
+    let elements = flow.network.elements.iter().enumerate();
+    let labels = elements.filter(|(_, element)| element.kind == "label");
+    let named = labels.map(|(at, e)| (at, e.node.attribute("label").unwrap_or_default()));
+    let named: Vec<(usize, &str)> = named.collect();
+    for (_, name) in &named {
+        if !flow.labels.contains_key(*name)
+            && let Some(own) = flow.all.points.own_label(name)
+        {
+            flow.labels.insert((*name).to_owned(), own);
+        }
     }
+    for (at, name) in named {
+        if flow.labels.contains_key(name) {
+            continue;
+        }
+        match flow.all.points.label() {
+            Some(free) => drop(flow.labels.insert(name.to_owned(), free)),
+            None => no_label(flow, at, name),
+        }
+    }
+}
+
+fn no_label(flow: &mut Flow<'_, '_, '_>, at: usize, name: &str) {
+    let what = ("label", "rótulo").into();
+    let words = [what, name.into(), LABELS.to_string().into()];
+    flow.tell(Code::XmlNoneLeft, at, words);
 }
 
 fn documentation(pou: &Pou<'_, '_>) -> Vec<String> {
