@@ -1,16 +1,23 @@
 //! A document as a project: each rung as contacts, coils and blocks, with the wires between them.
 //!
 //! - `xml`: the elements as XML; `names`: the variables
-//! - `draw`: rungs and what stands on their wires; `numbers`: loads, operations, comparisons and stores
+//! - `draw`: rungs and their wires; `elements`: what stands on them; `counters`, `count`: rungs that are inputs of one block
+//! - `numbers`: loads, operations, comparisons and stores
+//! - `same`: what is written is read again
 //!
 //! What PLCopen XML has no element for is told, rung by rung, and then there is no project.
 
+mod count;
+mod counters;
 mod draw;
+mod elements;
 mod names;
 mod numbers;
+mod same;
 mod xml;
 
 use draw::Draw;
+use same::not_read;
 use unoclp_ladder::edit::{Document, Id};
 use unoclp_lang::{Code, Diagnostic, Lang, Span};
 use xml::escaped;
@@ -44,14 +51,14 @@ pub fn export(document: &Document, name: &str) -> Result<String, Vec<Lost>> {
     let mut draw = Draw::new(document);
     let rungs: Vec<_> = document.rungs().collect();
     let mut at = 0;
-    while let Some(rung) = rungs.get(at) {
-        at += draw.rung(rung, rungs.get(at + 1).copied(), at + 1);
+    while let Some(behind) = rungs.get(at..).filter(|behind| !behind.is_empty()) {
+        at += draw.rung(behind, at + 1);
     }
     if !draw.lost.is_empty() {
         return Err(draw.lost);
     }
     let text = written(document, name, &draw);
-    match draw.not_read(document, &text) {
+    match not_read(document, &text) {
         lost if lost.is_empty() => Ok(text),
         lost => Err(lost),
     }

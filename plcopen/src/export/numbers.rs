@@ -1,19 +1,10 @@
 //! Loads, operations, comparisons and stores: what value holds, as blocks that compute it.
 
-use super::draw::{Draw, Wire};
+use super::draw::{Draw, Values, Wire};
 use super::xml::Source;
 use unoclp_core::isa::{Class, Kind, Opcode, POPPED};
 use unoclp_ladder::Address;
 use unoclp_ladder::edit::{Element, Step};
-
-/// What value holds, and what has been pushed; none where that is not known.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Values {
-    value: Option<Source>,
-    pushed: Vec<Source>,
-    /// The block whose result has just been stored.
-    stored: Option<Source>,
-}
 
 impl Draw {
     /// An instruction on numbers.
@@ -50,7 +41,7 @@ impl Draw {
             Opcode::LoadTimer => {
                 format!("{}.ET", self.variables.of(Address::Timer(number), "TON"))
             }
-            Opcode::LoadCount => format!("{}.CV", self.counter(number)?.0),
+            Opcode::LoadCount => format!("{}.CV", self.counted(number)?),
             _ => return None,
         };
         Some(self.value_of(&expression, wire.at))
