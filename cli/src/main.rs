@@ -11,7 +11,7 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Class, Doors, Firmware, Form, Leave, What, Wording, in_portuguese, langs,
+    At, Changes, Class, Doors, Firmware, Form, Leave, Paper, What, Wording, in_portuguese, langs,
     language, refuse,
 };
 use ratatui::crossterm::terminal;
@@ -67,6 +67,12 @@ enum Command {
         /// Draw the ladder diagram into this file, as vector graphics
         #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
+        /// On pages of this paper, for a report: OUT.svg, or OUT-1.svg and so on where it takes several
+        #[arg(long, value_name = "PAPER", value_enum, requires = "svg")]
+        paper: Option<Paper>,
+        /// The title of these pages; without it, the first comment of the program
+        #[arg(long, value_name = "TEXT", requires = "paper")]
+        title: Option<String>,
         /// The columns that a ladder diagram may take
         #[arg(long, value_name = "N", default_value_t = 80,
             value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
@@ -243,8 +249,17 @@ fn main() -> ExitCode {
             wording,
             form,
             svg,
+            paper,
+            title,
             width,
-        } => commands::list(&file, &wording, form, svg.as_deref(), width.into()),
+        } => {
+            let picture = svg.as_deref().map(|file| commands::Picture {
+                file,
+                paper: paper.map(Paper::into),
+                title: title.as_deref(),
+            });
+            commands::list(&file, &wording, form, picture, width.into())
+        }
         Command::Sim {
             file,
             scenario,

@@ -60,7 +60,8 @@ pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
 pub use listing::{Title, listing};
 pub use power::{Net, Nets, Power};
-pub use svg_page::{Area, Labels, Sheet, to_screen, to_sheet, to_svg};
+pub use svg_page::{Area, Labels, Paper, Report, Sheet};
+pub use svg_page::{to_report, to_screen, to_sheet, to_svg};
 pub use words::picture;
 
 use build::Builder;

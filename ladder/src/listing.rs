@@ -77,8 +77,8 @@ pub(crate) fn heading(
     lines
 }
 
-/// The words of a text in lines of so many columns.
-fn wrapped(text: &str, columns: usize) -> Vec<String> {
+/// The words of a text in lines of so many columns; a longer word is a line of its own.
+pub(crate) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
     for word in text.split_whitespace() {

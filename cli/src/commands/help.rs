@@ -174,6 +174,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ),
     (
         "",
+        "paper",
+        "Em páginas deste papel (a4 ou letter), para um relatório: DESENHO.svg, ou DESENHO-1.svg e assim por diante se forem várias",
+    ),
+    (
+        "",
+        "title",
+        "O título dessas páginas; sem isto, o primeiro comentário do programa",
+    ),
+    (
+        "",
         "width",
         "As colunas que um diagrama ladder pode ocupar [padrão: 80]",
     ),
@@ -274,6 +284,7 @@ const VALUES: &[(&str, &str)] = &[
     ("WHAT", "ITENS"),
     ("SECONDS", "SEGUNDOS"),
     ("OUT.svg", "DESENHO.svg"),
+    ("PAPER", "PAPEL"),
     ("OUT.html", "PÁGINA.html"),
     ("EXERCISE", "EXERCÍCIO"),
     ("FILES", "ARQUIVOS"),

@@ -1,51 +1,93 @@
 //! `unoclp list`.
 
 use super::open::{Shown, open};
-use super::output::{Kind, cannot_write, create};
+use super::output::{Kind, cannot_write, create, may_write};
 use super::wording::Wording;
 use super::words::Form;
 use crate::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
 use unoclp_source::{Diagnostic, Lang, Source, list as listing};
+
+/// A ladder diagram in a file.
+pub struct Picture<'p> {
+    /// Its name; of several pages what their names begin with.
+    pub file: &'p Path,
+    /// What its pages are; none where it is one picture, as large as it gets.
+    pub paper: Option<listing::Paper>,
+    /// The title of the pages, if not the program's own.
+    pub title: Option<&'p str>,
+}
 
 /// Shows a program in this form, or draws it into a file.
 pub fn list(
     path: &Path,
     wording: &Wording,
     form: Form,
-    svg: Option<&Path>,
+    picture: Option<Picture<'_>>,
     width: usize,
 ) -> Outcome {
-    if svg.is_some() && form != Form::Ladder {
+    if picture.is_some() && form != Form::Ladder {
         bail!(messages::svg_is_a_ladder());
     }
     let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
+    if let Some(picture) = picture {
+        return draw(path, &program, &picture, width);
+    }
     let Some(listed) = form.listed() else {
         return Ok(project(&program));
     };
-    let Some(svg) = svg else {
-        let lang = messages::spoken();
-        let listing = listing::list(&program, listed, width, lang);
-        let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
-        match form {
-            Form::Ladder => print!("{}", ascii::picture(&listing)),
-            // These are programs, which stay as they are.
-            Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{listing}"),
-        }
-        return Ok(true);
-    };
-    let drawing = listing::svg(&program, width, messages::spoken());
-    create(svg, Kind::Drawing, &[path])?
-        .write_all(drawing.as_bytes())
-        .map_err(cannot_write(svg))?;
-    println!("{}", messages::drawn(svg.display()));
+    let lang = messages::spoken();
+    let listing = listing::list(&program, listed, width, lang);
+    let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
+    match form {
+        Form::Ladder => print!("{}", ascii::picture(&listing)),
+        // These are programs, which stay as they are.
+        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{listing}"),
+    }
     Ok(true)
+}
+
+/// Draws a program into a file, or its pages into as many.
+fn draw(path: &Path, program: &Source, picture: &Picture<'_>, width: usize) -> Outcome {
+    let lang = messages::spoken();
+    let pages = match picture.paper {
+        None => vec![listing::svg(program, width, lang)],
+        Some(paper) => listing::pages(program, width, paper, picture.title, lang),
+    };
+    let files: Vec<PathBuf> = match pages.len() {
+        1 => vec![picture.file.to_owned()],
+        count => (1..=count)
+            .map(|page| numbered(picture.file, page))
+            .collect(),
+    };
+    // Nothing is written where one of them cannot be.
+    for file in &files {
+        may_write(file, Kind::Drawing, &[path])?;
+    }
+    for (file, page) in files.iter().zip(pages) {
+        create(file, Kind::Drawing, &[path])?
+            .write_all(page.as_bytes())
+            .map_err(cannot_write(file))?;
+        println!("{}", messages::drawn(file.display()));
+    }
+    Ok(true)
+}
+
+/// `motor-2.svg` of `motor.svg`.
+fn numbered(file: &Path, page: usize) -> PathBuf {
+    let mut name = file.file_stem().unwrap_or_default().to_owned();
+    name.push(format!("-{page}"));
+    if let Some(extension) = file.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    file.with_file_name(name)
 }
 
 /// `ST-221: line 7: …; list the program as …`

@@ -45,7 +45,7 @@ pub use compile::compile;
 pub use flash::{Firmware, flash};
 pub use grade::{Class, grade};
 pub use help::in_portuguese;
-pub use list::list;
+pub use list::{Picture, list};
 pub use monitor::monitor;
 pub use open::check;
 pub use refuse::refuse;
@@ -55,7 +55,7 @@ pub use settings::{Changes, settings};
 pub use sim::{Run, scenario, simulate};
 pub use upload::{Leave, upload};
 pub use wording::{Wording, langs, language};
-pub use words::Form;
+pub use words::{Form, Paper};
 
 use anyhow::anyhow;
 use clap::Args;

@@ -59,8 +59,17 @@ impl Kind {
 /// Opens a file to write something of this kind; the command reads `inputs`.
 ///
 /// # Errors
-/// If it stands there as one of the inputs or as something else, or cannot be written.
+/// As [`may_write`], or if it cannot be written.
 pub fn create(path: &Path, kind: Kind, inputs: &[&Path]) -> anyhow::Result<File> {
+    may_write(path, kind, inputs)?;
+    File::create(path).map_err(cannot_write(path))
+}
+
+/// Whether a file takes something of this kind; the command reads `inputs`.
+///
+/// # Errors
+/// If it stands there as one of the inputs or as something else, or cannot be read.
+pub fn may_write(path: &Path, kind: Kind, inputs: &[&Path]) -> anyhow::Result<()> {
     if inputs.iter().any(|input| is_same(input, path)) {
         bail!(messages::is_read(path.display()));
     }
@@ -76,7 +85,7 @@ pub fn create(path: &Path, kind: Kind, inputs: &[&Path]) -> anyhow::Result<File>
             bail!(messages::is_something_else(path.display(), kind.name()));
         }
     }
-    File::create(path).map_err(cannot_write(path))
+    Ok(())
 }
 
 /// The error of a file that cannot be written.

@@ -90,3 +90,21 @@ impl Form {
         }
     }
 }
+
+/// What a drawing is printed on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Paper {
+    /// 210 × 297 mm
+    A4,
+    /// 8.5 × 11 inches
+    Letter,
+}
+
+impl From<Paper> for unoclp_source::list::Paper {
+    fn from(word: Paper) -> unoclp_source::list::Paper {
+        match word {
+            Paper::A4 => unoclp_source::list::Paper::A4,
+            Paper::Letter => unoclp_source::list::Paper::Letter,
+        }
+    }
+}

@@ -18,6 +18,7 @@ mod list;
 mod monitor;
 mod nano;
 mod outputs;
+mod pages;
 mod plcopen;
 mod portuguese;
 #[cfg(unix)]

@@ -8,7 +8,8 @@
 //!
 //! A style sheet says how they look; nothing here has a colour.
 
-use super::{AXIS, COLUMN, Font, GAP, HEADING, MARGIN, Page, x};
+use super::page::Page;
+use super::{AXIS, COLUMN, GAP, MARGIN, x};
 use crate::listing::{Title, heading};
 use crate::{Drawing, Element, Names, Symbol};
 use svg::Document;
@@ -23,31 +24,10 @@ pub fn to_screen(
     title: Title<'_>,
     label: &str,
 ) -> String {
-    let mut page = Page {
-        drawing,
-        group: Group::new(),
-        y: MARGIN / 2.0,
-        screen: true,
-        ids: None,
-        areas: Vec::new(),
-    };
+    let mut page = Page::new(drawing, MARGIN / 2.0, true);
     let mut all = Group::new();
     for (index, picture) in drawing.rungs.iter().enumerate() {
-        for (line, text) in heading(drawing, map, names, title, index)
-            .iter()
-            .enumerate()
-        {
-            let font = if line == 0 {
-                &Font::HEADING
-            } else {
-                &Font::REMARK
-            };
-            page.text(MARGIN, page.y + 12.0, text, font);
-            page.y += HEADING;
-        }
-        page.y += 4.0;
-        page.rung(picture);
-        page.y += GAP;
+        page.headed(&heading(drawing, map, names, title, index), picture);
         let rung = &drawing.ladder().rungs[index];
         let mut group = std::mem::take(&mut page.group)
             .set("class", "rung")

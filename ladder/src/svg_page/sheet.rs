@@ -2,7 +2,8 @@
 //!
 //! Beside what `screen` names, a symbol and a rung have a `data-id`.
 
-use super::{AXIS, COLUMN, Font, GAP, HEADING, MARGIN, Page, WIRE_ROW};
+use super::page::Page;
+use super::{AXIS, COLUMN, GAP, MARGIN, WIRE_ROW};
 use crate::Drawing;
 use svg::Document;
 use svg::node::element::Group;
@@ -47,37 +48,20 @@ pub struct Labels<'l> {
 
 /// The drawing as an SVG element of a page on which it is edited.
 pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
-    let mut page = Page {
-        drawing,
-        group: Group::new(),
-        y: MARGIN / 2.0,
-        screen: true,
-        ids: Some(labels.elements),
-        areas: Vec::new(),
-    };
+    let mut page = Page::new(drawing, MARGIN / 2.0, true);
+    page.ids = Some(labels.elements);
     let width = drawing.width as f32 * COLUMN + 2.0 * MARGIN;
     let mut all = Group::new();
     let mut rungs = Vec::new();
     for (index, picture) in drawing.rungs.iter().enumerate() {
         let top = page.y;
-        for (line, text) in (labels.heading)(index).iter().enumerate() {
-            let font = if line == 0 {
-                &Font::HEADING
-            } else {
-                &Font::REMARK
-            };
-            page.text(MARGIN, page.y + 12.0, text, font);
-            page.y += HEADING;
-        }
-        page.y += 4.0;
-        page.rung(picture);
+        page.headed(&(labels.heading)(index), picture);
         rungs.push(Area {
             x: 0.0,
             y: top,
             width,
-            height: page.y - top,
+            height: page.y - GAP - top,
         });
-        page.y += GAP;
         let group = std::mem::take(&mut page.group)
             .set("class", "rung")
             .set("data-rung", index + 1)

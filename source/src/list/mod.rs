@@ -7,9 +7,11 @@ mod words;
 use crate::{BOARD, Source, names};
 use std::path::Path;
 use unoclp_ladder::edit::Document;
-use unoclp_ladder::{Drawing, Ladder, Names, Style, listing, to_svg};
+use unoclp_ladder::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
 use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
-use unoclp_plcopen::Lost;
+
+pub use unoclp_ladder::Paper;
+pub use unoclp_plcopen::Lost;
 
 /// What a program is listed as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,11 +68,54 @@ pub fn plcopen(source: &Source) -> Result<String, Vec<Lost>> {
 pub fn svg(source: &Source, width: usize, lang: Lang) -> String {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder);
-    let path = Path::new(&source.name);
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let about = source.map.title.first().map_or(&*name, String::as_str);
     let drawing = draw(&ladder, &names, width);
-    to_svg(&drawing, &source.map, &names, &title(lang), about)
+    to_svg(&drawing, &source.map, &names, &title(lang), &about(source))
+}
+
+/// A ladder diagram on pages of paper, each an SVG document: under `heading`, or under the first comment of the file, or
+/// under its name.
+pub fn pages(
+    source: &Source,
+    width: usize,
+    paper: Paper,
+    heading: Option<&str>,
+    lang: Lang,
+) -> Vec<String> {
+    let ladder = Ladder::new(source.program().steps());
+    let names = names(&source.map, &ladder);
+    let drawing = draw(&ladder, &names, width);
+    let texts = [
+        words::writer(lang),
+        words::date(lang),
+        words::points(lang),
+        words::point(lang),
+        words::name(lang),
+        words::rungs(lang),
+    ];
+    let [writer, date, points @ ..] = texts.each_ref().map(String::as_str);
+    let heading = heading.map_or_else(|| about(source), str::to_owned);
+    let report = Report {
+        paper,
+        title: &heading,
+        file: &file(source),
+        name: writer,
+        date,
+        points,
+        page: &|page, pages| words::page(lang, page, pages),
+    };
+    to_report(&drawing, &source.map, &names, &title(lang), &report)
+}
+
+/// The name of a program's file, without its folder.
+fn file(source: &Source) -> String {
+    let name = Path::new(&source.name).file_name();
+    name.unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// What a program is about: its first comment, or the name of its file.
+fn about(source: &Source) -> String {
+    let title = source.map.title.first();
+    title.cloned().unwrap_or_else(|| file(source))
 }
 
 /// What a rung is called: by its number, from 1, and its first and last line.

@@ -8,6 +8,13 @@ crate::messages! {
     rung_lines(number, from, to)
         "Rung {number}, lines {from} to {to}"
         "Degrau {number}, linhas {from} a {to}";
+    writer() "Name:" "Nome:";
+    date() "Date:" "Data:";
+    page(page, pages) "Page {page} of {pages}" "Página {page} de {pages}";
+    points() "Points" "Pontos";
+    point() "point" "ponto";
+    name() "name" "nome";
+    rungs() "rungs" "degraus";
     program_start() "program start" "início do programa";
     operand() "operand" "operando";
     register() "register XX" "registrador XX";

@@ -1,0 +1,238 @@
+//! What a drawing is drawn on, rung by rung.
+
+use super::wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
+use super::{AXIS, Area, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
+use crate::block::Cell;
+use crate::{Drawing, Net, Picture};
+use svg::node::element::{Group, Path, Rectangle, Text, Title};
+
+pub(super) const SANS: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
+pub(super) const MONO: &str = "'DejaVu Sans Mono', Consolas, Menlo, monospace";
+pub(super) const INK: &str = "#1a1a1a";
+
+/// How text is set.
+pub(super) struct Font {
+    family: &'static str,
+    size: f32,
+    bold: bool,
+    centred: bool,
+    /// What a style sheet calls it.
+    class: &'static str,
+}
+
+impl Font {
+    pub(super) const TITLE: Font = Font::new(SANS, 18.0, true, false, "title");
+    pub(super) const HEADING: Font = Font::new(SANS, 13.0, true, false, "heading");
+    pub(super) const REMARK: Font = Font::new(SANS, 13.0, false, false, "remark");
+    /// What a symbol is called.
+    pub(super) const POINT: Font = Font::new(SANS, 13.0, false, true, "point");
+    /// Within a symbol.
+    pub(super) const LETTER: Font = Font::new(SANS, 12.0, true, true, "letter");
+    /// Within a box; its width is that of the columns.
+    pub(super) const BOXED: Font = Font::new(MONO, 13.5, false, true, "boxed");
+    /// Names, notes and connections.
+    pub(super) const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");
+
+    const fn new(
+        family: &'static str,
+        size: f32,
+        bold: bool,
+        centred: bool,
+        class: &'static str,
+    ) -> Font {
+        Font {
+            family,
+            size,
+            bold,
+            centred,
+            class,
+        }
+    }
+}
+
+/// A page that fills from the top.
+pub(super) struct Page<'p> {
+    pub(super) drawing: &'p Drawing<'p>,
+    pub(super) group: Group,
+    pub(super) y: f32,
+    /// Whether a style sheet says how all of it looks, and what is live has a name.
+    pub(super) screen: bool,
+    /// What elements are known by where they are edited.
+    pub(super) ids: Option<&'p dyn Fn(usize) -> u32>,
+    /// Where elements are.
+    pub(super) areas: Vec<(usize, Area)>,
+}
+
+impl<'p> Page<'p> {
+    /// An empty page that begins at this height; on a `screen` a style sheet says how it looks.
+    pub(super) fn new(drawing: &'p Drawing<'p>, y: f32, screen: bool) -> Page<'p> {
+        Page {
+            drawing,
+            group: Group::new(),
+            y,
+            screen,
+            ids: None,
+            areas: Vec::new(),
+        }
+    }
+
+    /// A rung under its heading. What comes next is below it, with a gap between.
+    pub(super) fn headed(&mut self, heading: &[String], picture: &Picture) {
+        for (line, text) in heading.iter().enumerate() {
+            let font = if line == 0 {
+                &Font::HEADING
+            } else {
+                &Font::REMARK
+            };
+            self.text(MARGIN, self.y + 12.0, text, font);
+            self.y += HEADING;
+        }
+        self.y += 4.0;
+        self.rung(picture);
+        self.y += GAP;
+    }
+
+    pub(super) fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {
+        let text = printable(text);
+        if self.screen {
+            let text = Text::new(text).set("x", x).set("y", y);
+            return self.add(text.set("class", font.class));
+        }
+        let text = Text::new(text)
+            .set("x", x)
+            .set("y", y)
+            .set("fill", INK)
+            .set("font-family", font.family)
+            .set("font-size", font.size)
+            .set("font-weight", if font.bold { "bold" } else { "normal" })
+            .set("text-anchor", if font.centred { "middle" } else { "start" });
+        self.add(text);
+    }
+
+    pub(super) fn add(&mut self, node: impl svg::Node) {
+        self.group = std::mem::take(&mut self.group).add(node);
+    }
+
+    pub(super) fn line(&mut self, data: String, width: f32) {
+        if self.screen {
+            let path = Path::new().set("d", data).set("stroke-width", width);
+            return self.add(path.set("class", "line"));
+        }
+        let path = Path::new()
+            .set("d", data)
+            .set("fill", "none")
+            .set("stroke", INK)
+            .set("stroke-linecap", "square")
+            .set("stroke-width", width);
+        self.add(path);
+    }
+
+    /// A wire; on a screen one that its net can light.
+    pub(super) fn wire(&mut self, data: String, net: u32) {
+        if !self.screen {
+            return self.line(data, 1.4);
+        }
+        let wire = Path::new().set("d", data);
+        self.add(match net {
+            NO_NET => wire.set("class", "wire"),
+            net => wire.set("class", format!("wire n{net}")),
+        });
+    }
+
+    /// The wires on both sides of a symbol, each from one place to another.
+    pub(super) fn leads(
+        &mut self,
+        (before, behind): (Option<Net>, Net),
+        left: (f32, f32),
+        right: (f32, f32),
+        y: f32,
+    ) {
+        let left = format!("M{} {y}H{}", left.0, left.1);
+        let right = format!("M{} {y}H{}", right.0, right.1);
+        if !self.screen {
+            return self.line(left + &right, 1.4);
+        }
+        self.wire(left, before.map_or(NO_NET, Net::number));
+        self.wire(right, behind.number());
+    }
+
+    /// The edge of a box.
+    pub(super) fn edge(&self) -> Rectangle {
+        match self.screen {
+            true => Rectangle::new().set("class", "line"),
+            false => Rectangle::new().set("fill", "none").set("stroke", INK),
+        }
+    }
+
+    fn rung(&mut self, picture: &Picture) {
+        let top = self.y;
+        let mut axes = Vec::new();
+        for row in &picture.rows {
+            let wired = row
+                .iter()
+                .any(|cell| arms(*cell).iter().any(|&arm| arm) && !is_rail(cell));
+            axes.push(self.y + if wired { AXIS } else { TEXT_ROW / 2.0 });
+            self.y += if wired { WIRE_ROW } else { TEXT_ROW };
+        }
+        let mut wires = Wires::new(self.screen);
+        for (index, row) in picture.rows.iter().enumerate() {
+            self.row(row, axes[index]);
+            horizontal(row, axes[index], &mut wires);
+            if let Some(next) = picture.rows.get(index + 1) {
+                vertical(row, next, axes[index], axes[index + 1], &mut wires);
+            }
+        }
+        for (net, data) in wires.paths {
+            self.wire(data, net);
+        }
+        let right = (self.drawing.width - 1) as f32;
+        let rails = [0.0, right].map(|column| format!("M{} {top}V{}", x(column + 0.5), self.y));
+        self.line(rails.concat(), 2.6);
+    }
+
+    /// The symbols and texts of a row.
+    fn row(&mut self, row: &[Cell], axis: f32) {
+        let mut column = 0;
+        while column < row.len() {
+            let cell = row[column];
+            let mut end = column + 1;
+            if let Some(element) = cell.element {
+                while row
+                    .get(end)
+                    .is_some_and(|cell| cell.element == Some(element))
+                {
+                    end += 1;
+                }
+                let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
+                let before = column.checked_sub(1).and_then(|before| row[before].net);
+                self.element(element, &text, (column, end), axis, before);
+            } else if cell.ch == '→' {
+                let (left, right) = (x(column as f32), x(end as f32));
+                let (tip, up, down) = (right - 2.0, axis - 4.0, axis + 4.0);
+                self.line(format!("M{left} {axis}H{tip}"), 1.4);
+                let back = tip - 6.0;
+                self.line(format!("M{back} {up}L{tip} {axis}L{back} {down}"), 1.4);
+            } else if is_text(cell) {
+                // Words with single blanks between them.
+                let goes_on = |at: usize| row.get(at).is_some_and(|cell| is_text(*cell));
+                while goes_on(end) || row.get(end) == Some(&Cell::BLANK) && goes_on(end + 1) {
+                    end += 1;
+                }
+                let text: String = row[column..end].iter().map(|cell| cell.ch).collect();
+                let text = text.replace('\0', "");
+                self.text(x(column as f32), axis + 4.5, &text, &Font::NOTE);
+            }
+            column = end;
+        }
+    }
+}
+
+/// What a drawing is called, for who cannot see it.
+pub(super) fn titled(about: &str) -> Title {
+    Title::new(printable(about))
+}
+
+/// A text without control characters, which XML does not have.
+pub(super) fn printable(text: &str) -> String {
+    text.chars().filter(|ch| !ch.is_control()).collect()
+}
