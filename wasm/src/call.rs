@@ -63,6 +63,12 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             let (form, speak) = (As::of(&mut given)?, Speak::of(&mut given)?);
             json(draw::listed(text, form, given.columns("width")?, speak)?)
         }
+        // It on pages of paper.
+        "pages" => {
+            let text = Text::of(&mut given)?;
+            let (letter, speak) = (given.truth("letter")?, Speak::of(&mut given)?);
+            json(draw::paged(text, letter, given.columns("width")?, speak)?)
+        }
         // What an exercise asks.
         "sheet" => json(exercise::sheet(
             &given.text("title")?,
@@ -131,8 +137,8 @@ fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "sheet" | "exercise" | "card" | "read" | "free" | "flash" | "flashStep"
-        | "flashLose" => Err(No::More),
+        "list" | "pages" | "sheet" | "exercise" | "card" | "read" | "free" | "flash"
+        | "flashStep" | "flashLose" => Err(No::More),
         "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
         other => Err(wrong(other).into()),
     }

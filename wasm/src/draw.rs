@@ -13,7 +13,7 @@ use unoclp_host_sim::live::{Boxes, Flow};
 use unoclp_ladder::{Ladder, Style, to_screen};
 use unoclp_source::list::title;
 #[cfg(feature = "full")]
-use unoclp_source::list::{Form, list, svg};
+use unoclp_source::list::{Form, Lost, Paper, list, pages, plcopen, svg};
 use unoclp_source::{Lang, Source, names};
 
 /// The language of what is drawn.
@@ -61,6 +61,8 @@ pub enum As {
     Numeric,
     /// A ladder diagram as an SVG file, for a report.
     Svg,
+    /// A project in PLCopen XML.
+    Xml,
 }
 
 #[cfg(feature = "full")]
@@ -76,6 +78,7 @@ impl As {
             "st" => As::St,
             "numeric" => As::Numeric,
             "svg" => As::Svg,
+            "xml" => As::Xml,
             _ => return Err(wrong("as")),
         })
     }
@@ -119,7 +122,7 @@ const WIDEST: usize = 400;
 /// A program as text.
 ///
 /// # Errors
-/// Where there is no program, or Structured Text has no words for it.
+/// Where there is no program, or Structured Text or PLCopen XML has no words for it.
 #[cfg(feature = "full")]
 pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String, No> {
     let source = text.program()?;
@@ -130,7 +133,26 @@ pub fn listed(text: Text, form: As, width: usize, speak: Speak) -> Result<String
         As::St => Form::St,
         As::Numeric => Form::Numeric,
         As::Svg => return Ok(svg(&source, width, speak.into())),
+        As::Xml => return plcopen(&source).map_err(|lost| both(|lang| told(&lost, lang)).into()),
     };
     list(&source, form, width, speak.into())
         .map_err(|refused| both(|lang| refused.message(lang)).into())
+}
+
+/// A program on pages of paper, each an SVG document.
+///
+/// # Errors
+/// Where there is no program.
+#[cfg(feature = "full")]
+pub fn paged(text: Text, letter: bool, width: usize, speak: Speak) -> Result<Vec<String>, No> {
+    let source = text.program()?;
+    let paper = if letter { Paper::Letter } else { Paper::A4 };
+    Ok(pages(&source, width.min(WIDEST), paper, None, speak.into()))
+}
+
+/// What a project cannot say, a line for each.
+#[cfg(feature = "full")]
+fn told(lost: &[Lost], lang: Lang) -> String {
+    let lines: Vec<String> = lost.iter().map(|lost| lost.text(lang)).collect();
+    lines.join("\n")
 }

@@ -193,6 +193,9 @@ fn every_program_is_drawn_and_listed() {
         for form in ["ladder", "il", "st", "numeric", "svg"] {
             ok(json!({ "ask": "list", "name": name, "text": text, "as": form, "width": 80 }));
         }
+        let pages =
+            ok(json!({ "ask": "pages", "name": name, "text": text, "letter": true, "width": 80 }));
+        assert!(!pages.as_array().unwrap().is_empty(), "{name}");
         drawn += 1;
     }
     assert!(drawn > 15, "{drawn}");

@@ -2,6 +2,7 @@
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
+import { Refusal } from "../tools/tools";
 import { say, setSpeak, speak, told } from "../words/words";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
@@ -13,6 +14,8 @@ import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { linkOf } from "./share";
 import type { ProgramView } from "./programview";
+
+const SVG = "image/svg+xml";
 
 interface Parts {
   readonly program: ProgramDocument;
@@ -66,11 +69,14 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
   const text = program.text.value;
   const code = program.looked.value?.checked.program?.code;
   const stem = text.name.replace(/\.\w+$/, "");
+  const shown = { ...text, width: 80, speak: speak.value };
   const saved = code === undefined ? [] : [
     entry(say("saveCode"), () => download("PROGRAM.TXT", code)),
-    entry(say("saveDrawing"), () => {
-      void remote.ask("list", { ...text, as: "svg", width: 80, speak: speak.value }).then((svg) => download(`${stem}.svg`, svg, "image/svg+xml"));
-    }),
+    entry(say("saveDrawing"), () => void asked(remote.ask("list", { ...shown, as: "svg" }), (svg) => download(`${stem}.svg`, svg, SVG))),
+    entry(say("savePages"), () => void asked(remote.ask("pages", { ...shown, letter: navigator.language === "en-US" }), (pages) => {
+      pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
+    })),
+    entry(say("saveProject"), () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml"))),
     entry(say("saveCard"), () => {
       void slot.build(true).then((image) => {
         if (image) download("card.img", image, "application/octet-stream");
@@ -83,6 +89,16 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
     entry(say("saveFile"), () => save(text)),
     ...saved,
   ];
+}
+
+/** Saves an answer, or tells why there is none. */
+async function asked<T>(answer: Promise<T>, save: (told: T) => void): Promise<void> {
+  try {
+    save(await answer);
+  } catch (error) {
+    if (!(error instanceof Refusal)) throw error;
+    note(told(error.both));
+  }
 }
 
 function save(text: Text): void {

@@ -268,7 +268,9 @@ export interface Shelf {
 export interface Asks {
   check: { ask: Text; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
-  list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg"; width: number; speak: Speak }; answer: string };
+  list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
+  /** The ladder on pages of paper. */
+  pages: { ask: Text & { letter: boolean; width: number; speak: Speak }; answer: readonly string[] };
   sheet: { ask: { scenario: string; title: string }; answer: Sheet };
   exercise: { ask: Text & { scenario: string; title: string }; answer: Outcome };
   card: { ask: { program: string; state: boolean }; answer: CardImage };

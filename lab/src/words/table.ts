@@ -10,6 +10,8 @@ export const TABLE = {
   saveFile: ["Save", "Salvar"],
   saveCode: ["Save PROGRAM.TXT", "Salvar PROGRAM.TXT"],
   saveDrawing: ["Save the ladder as SVG", "Salvar o ladder como SVG"],
+  savePages: ["Save pages for a report", "Salvar páginas para um relatório"],
+  saveProject: ["Export as PLCopen XML", "Exportar como PLCopen XML"],
   saveCard: ["Save a card image", "Salvar a imagem do cartão"],
   share: ["Share a link", "Compartilhar um link"],
   shared: ["The link with this program is in the clipboard.", "O link com este programa foi copiado."],

@@ -36,9 +36,53 @@ test("a project of OpenPLC Editor is opened, shown as ladder, and runs", async (
   await choose(page, "plc.xml", readFileSync(new URL("plc.xml", import.meta.url)));
   await page.locator('.ladder .element[data-point="Q4"]').waitFor();
   assert.equal(await page.inputValue("#name"), "plc.xml");
+  await page.locator(".ladder text.note", { hasText: "pump" }).first().waitFor();
   await run(page);
   await holding(page, 1, () => lamp(page, 4, true));
   await lamp(page, 4, false);
+  await page.context().close();
+});
+
+test("a program that no project can hold is told so, and nothing is saved", async () => {
+  const page = await lab.open({ locale: "pt-BR" });
+  await choose(page, "08-parking.txt", readFileSync(new URL("../../../programs/tutorial/08-parking.txt", import.meta.url)));
+  await page.locator(".ladder .element").first().waitFor();
+  await page.click("#menu-fileMenu");
+  await page.getByRole("button", { name: "Exportar como PLCopen XML", exact: true }).click();
+  await page.locator("#notes", { hasText: "FI" }).waitFor();
+  await page.context().close();
+});
+
+test("a report of several pages is saved page by page, each rung on one", async () => {
+  const page = await lab.open({ locale: "pt-BR" });
+  const rungs = Array.from({ length: 30 }, (_, at) => `LD I${(at % 4) + 1}\nST M${at + 1}\n`);
+  await choose(page, "many.il", Buffer.from(rungs.join("")));
+  await page.locator('.ladder .element[data-point="M30"]').waitFor();
+  /** @type {import("playwright-core").Download[]} */
+  const came = [];
+  page.on("download", (download) => came.push(download));
+  await page.click("#menu-fileMenu");
+  await page.getByRole("button", { name: "Salvar páginas para um relatório", exact: true }).click();
+  const last = /** @type {const} */ (["many-1.svg", "many-2.svg", "many-3.svg"]);
+  while (came.length < last.length) await page.waitForEvent("download");
+  assert.deepEqual(came.map((download) => download.suggestedFilename()), last);
+  const shown = await lab.open();
+  let rung = 0;
+  for (const download of came) {
+    const text = readFileSync(await download.path(), "utf8");
+    assert.match(text, /^<svg [^>]*297mm/);
+    const drawn = await shown.evaluate((text) => {
+      document.body.innerHTML = text;
+      const paper = /** @type {SVGSVGElement} */ (document.querySelector("svg")).getBoundingClientRect();
+      return [...document.querySelectorAll(".rung")].map((one) => {
+        const at = one.getBoundingClientRect();
+        return { rung: Number(one.getAttribute("data-rung")), within: at.left >= paper.left && at.top >= paper.top && at.right <= paper.right && at.bottom <= paper.bottom };
+      });
+    }, text);
+    for (const one of drawn) assert.deepEqual(one, { rung: (rung += 1), within: true });
+  }
+  assert.equal(rung, 30);
+  await shown.context().close();
   await page.context().close();
 });
 
@@ -67,6 +111,12 @@ test("the program, its code, its ladder and the timing diagram are saved", async
   assert.match(program.text, /ANDN stop/);
   assert.match((await save("Save PROGRAM.TXT")).text, /877901/);
   assert.match((await save("Save the ladder as SVG")).text, /^<svg[^]*start/);
+  const paper = await save("Save pages for a report");
+  assert.match(paper.text, /^<svg [^>]*279.4mm[^]*start[^]*Page 1 of 1/);
+  assert.equal(paper.name, "seal-in-1.svg");
+  const project = await save("Export as PLCopen XML");
+  assert.equal(project.name, "seal-in.xml");
+  assert.match(project.text, /<project [^]*<coil [^]*motor/);
   assert.equal((await save("Save a card image")).name, "card.img");
   await run(page);
   await holding(page, 1, () => lamp(page, 1, true));

@@ -45,6 +45,8 @@ const GOOD = [
   { ask: "check", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
   { ask: "ladder", ...IL, width: 64, speak: "pt" },
   { ask: "list", ...IL, width: 64, speak: "en", as: "numeric" },
+  { ask: "list", ...IL, width: 64, speak: "en", as: "xml" },
+  { ask: "pages", ...IL, width: 64, speak: "pt", letter: false },
   { ask: "exercise", ...IL, title: "x", scenario: "until = 5" },
   { ask: "card", program: "0\n787600\n", state: true },
   { ask: "read", blocks: [[0, "00ff"]], name: "STATE.TXT" },
