@@ -40,8 +40,15 @@ pub struct Picture {
     pub axis: usize,
 }
 
+impl Ladder {
+    /// Draws it.
+    pub fn draw(&self, style: &Style<'_>) -> Drawing<'_> {
+        Drawing::new(self, style)
+    }
+}
+
 impl<'l> Drawing<'l> {
-    pub(crate) fn new(ladder: &'l Ladder, style: &Style<'_>) -> Drawing<'l> {
+    fn new(ladder: &'l Ladder, style: &Style<'_>) -> Drawing<'l> {
         let face = |element: &Element| {
             let live = element.steps.last().and_then(|&step| (style.live)(step));
             Face::new(element, style.names, live)

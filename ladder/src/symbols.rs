@@ -2,8 +2,8 @@
 
 use crate::element::Role;
 use crate::tree::Gate;
-use crate::value::{Load, VALUE};
-use crate::words::{amount, picture, words};
+use crate::value::Load;
+use crate::words::{VALUE, amount, picture, words};
 use crate::{Address, Element, Symbol};
 use unoclp_core::isa::{Class, Operand};
 use unoclp_core::{Instruction, Target};

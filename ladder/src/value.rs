@@ -1,12 +1,9 @@
 //! What is known about the value accumulator.
 
-use crate::words::words;
+use crate::words::{VALUE, words};
 use crate::{Element, Symbol};
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode};
-
-/// The value where its source is not known.
-pub(crate) const VALUE: &str = "V";
 
 /// Whether an instruction is a condition on the value accumulator.
 pub(crate) fn asks_for_value(opcode: Opcode) -> bool {

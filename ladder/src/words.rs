@@ -2,9 +2,11 @@
 
 use crate::Address;
 use crate::address::UNKNOWN;
-use crate::value::VALUE;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
+
+/// The value where its source is not known.
+pub(crate) const VALUE: &str = "V";
 
 macro_rules! pictures {
     ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal

@@ -1,7 +1,7 @@
 //! Bodies of text: Structured Text and Instruction List, with the declarations that stand in XML.
 
 use crate::found::{Found, span};
-use crate::program::Imported;
+use crate::imported::Imported;
 use crate::project::{Pou, Project, Variable};
 use crate::xml::first;
 use roxmltree::Node;

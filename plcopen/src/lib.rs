@@ -13,7 +13,7 @@
 //! - `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
 //! - `body`: bodies of text, which `unoclp-lang` compiles
 //!
-//! The way out ([`export`]): `export`.
+//! The way out ([`export()`]): `export`.
 //!
 //! What is wrong with a file is told at its place in it, with the POU and the number of the element. Nothing is left out in
 //! silence, and no file makes it panic.
@@ -27,6 +27,7 @@ mod circuit;
 mod export;
 mod flow;
 mod found;
+mod imported;
 mod network;
 mod points;
 mod program;
@@ -37,7 +38,8 @@ mod values;
 mod xml;
 
 pub use export::{Lost, export};
-pub use program::{Imported, import};
+pub use imported::Imported;
+pub use program::import;
 
 /// Whether a text is such a project, by its first words.
 pub fn is_project(text: &str) -> bool {

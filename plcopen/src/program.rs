@@ -5,6 +5,7 @@ use crate::checked::Origins;
 use crate::circuit::{Leaf, Part};
 use crate::flow::Flow;
 use crate::found::Found;
+use crate::imported::Imported;
 use crate::network::Network;
 use crate::points::Points;
 use crate::project::{Pou, Project};
@@ -13,27 +14,11 @@ use crate::scope::{Allotted, Scope, Symbol};
 use crate::xml::{self, first, text};
 use std::collections::HashMap;
 use std::sync::Arc;
-use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
 use unoclp_core::isa::{Class, Kind, LABELS, Opcode};
 use unoclp_ladder::edit::{Document, Draft, Id, Node, Series, Step};
 use unoclp_ladder::{Address, Names};
-use unoclp_lang::{Code, Span, Told, Variable};
-
-/// What has come of a project.
-#[derive(Debug)]
-pub struct Imported {
-    /// The same as numeric code, with comments; none where there are errors.
-    pub code: Option<String>,
-    /// The checked program, and where its steps stand in the XML.
-    pub program: Option<(Checked, SourceMap)>,
-    /// The document of a project of ladder diagrams.
-    pub document: Option<Document>,
-    /// The variables of a project of Structured Text.
-    pub variables: Vec<Variable>,
-    /// What was found in the project.
-    pub diagnostics: Told,
-}
+use unoclp_lang::{Code, Span, Told};
 
 /// Reads a project for a board.
 pub fn import(text: &str, board: Profile) -> Imported {

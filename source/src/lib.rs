@@ -30,13 +30,15 @@ mod text;
 pub mod used;
 mod words;
 mod written;
+mod written_in;
 
 pub use kept::Kept;
-pub use language::{NoProgram, WrittenIn, is_numeric};
+pub use language::{NoProgram, is_numeric};
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
 pub use text::decode;
 pub use written::{Refused, Written};
+pub use written_in::WrittenIn;
 
 use unoclp_core::Profile;
 

@@ -10,7 +10,8 @@ use super::document::{
 use super::emit::Emitted;
 use super::step::Step;
 use super::table::{Row, Table};
-use crate::{Address, Names, ends_between};
+use crate::ladder::ends_between;
+use crate::{Address, Names};
 use std::sync::Arc;
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;

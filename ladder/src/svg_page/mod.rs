@@ -4,6 +4,7 @@
 //! - `screen`: a drawing that shows power; `sheet`: one that is edited
 //! - `page`: what they are all drawn on; `symbol`: the elements; `wires`: what leads to them
 
+mod area;
 mod page;
 mod picture;
 mod report;
@@ -12,10 +13,11 @@ mod sheet;
 mod symbol;
 mod wires;
 
+pub use area::Area;
 pub use picture::to_svg;
 pub use report::{Paper, Report, to_report};
 pub use screen::to_screen;
-pub use sheet::{Area, Labels, Sheet, to_sheet};
+pub use sheet::{Labels, Sheet, to_sheet};
 
 /// A column of the drawing, in units of the page.
 const COLUMN: f32 = 9.0;

@@ -1,7 +1,8 @@
 //! What a drawing is drawn on, rung by rung.
 
+use super::area::Area;
 use super::wires::{NO_NET, Wires, arms, horizontal, is_rail, is_text, vertical};
-use super::{AXIS, Area, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
+use super::{AXIS, GAP, HEADING, MARGIN, TEXT_ROW, WIRE_ROW, x};
 use crate::block::Cell;
 use crate::{Drawing, Net, Picture};
 use svg::node::element::{Group, Path, Rectangle, Text, Title};
@@ -13,7 +14,7 @@ pub(super) const INK: &str = "#1a1a1a";
 /// How text is set.
 pub(super) struct Font {
     family: &'static str,
-    size: f32,
+    pub(super) size: f32,
     bold: bool,
     centred: bool,
     /// What a style sheet calls it.
@@ -33,7 +34,7 @@ impl Font {
     /// Names, notes and connections.
     pub(super) const NOTE: Font = Font::new(MONO, 13.5, false, false, "note");
 
-    const fn new(
+    pub(super) const fn new(
         family: &'static str,
         size: f32,
         bold: bool,
@@ -47,6 +48,18 @@ impl Font {
             centred,
             class,
         }
+    }
+
+    /// A text that looks so by itself, without a style sheet.
+    pub(super) fn written(&self, x: f32, y: f32, text: &str) -> Text {
+        Text::new(printable(text))
+            .set("x", x)
+            .set("y", y)
+            .set("fill", INK)
+            .set("font-family", self.family)
+            .set("font-size", self.size)
+            .set("font-weight", if self.bold { "bold" } else { "normal" })
+            .set("text-anchor", if self.centred { "middle" } else { "start" })
     }
 }
 
@@ -93,20 +106,11 @@ impl<'p> Page<'p> {
     }
 
     pub(super) fn text(&mut self, x: f32, y: f32, text: &str, font: &Font) {
-        let text = printable(text);
         if self.screen {
-            let text = Text::new(text).set("x", x).set("y", y);
+            let text = Text::new(printable(text)).set("x", x).set("y", y);
             return self.add(text.set("class", font.class));
         }
-        let text = Text::new(text)
-            .set("x", x)
-            .set("y", y)
-            .set("fill", INK)
-            .set("font-family", font.family)
-            .set("font-size", font.size)
-            .set("font-weight", if font.bold { "bold" } else { "normal" })
-            .set("text-anchor", if font.centred { "middle" } else { "start" });
-        self.add(text);
+        self.add(font.written(x, y, text));
     }
 
     pub(super) fn add(&mut self, node: impl svg::Node) {
@@ -233,6 +237,6 @@ pub(super) fn titled(about: &str) -> Title {
 }
 
 /// A text without control characters, which XML does not have.
-pub(super) fn printable(text: &str) -> String {
+fn printable(text: &str) -> String {
     text.chars().filter(|ch| !ch.is_control()).collect()
 }

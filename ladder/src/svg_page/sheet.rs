@@ -2,24 +2,12 @@
 //!
 //! Beside what `screen` names, a symbol and a rung have a `data-id`.
 
+use super::area::Area;
 use super::page::Page;
-use super::{AXIS, COLUMN, GAP, MARGIN, WIRE_ROW};
+use super::{COLUMN, GAP, MARGIN};
 use crate::Drawing;
 use svg::Document;
 use svg::node::element::Group;
-
-/// A rectangle of a sheet, in its units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Area {
-    /// Its left edge.
-    pub x: f32,
-    /// Its upper edge.
-    pub y: f32,
-    /// Its width.
-    pub width: f32,
-    /// Its height.
-    pub height: f32,
-}
 
 /// A drawing, and where everything is.
 #[derive(Clone, Debug)]
@@ -87,15 +75,5 @@ pub fn to_sheet(drawing: &Drawing<'_>, labels: &Labels<'_>) -> Sheet {
         },
         elements: page.areas,
         rungs,
-    }
-}
-
-/// The area of a symbol between two columns, whose wire is here.
-pub(super) fn area((left, right): (f32, f32), wire: f32) -> Area {
-    Area {
-        x: left,
-        y: wire - AXIS,
-        width: right - left,
-        height: WIRE_ROW,
     }
 }

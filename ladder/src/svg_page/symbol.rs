@@ -1,7 +1,8 @@
 //! The symbols of elements.
 
+use super::area::Area;
 use super::page::{Font, Page};
-use super::{COLUMN, HALF, screen, sheet, x};
+use super::{COLUMN, HALF, screen, x};
 use crate::{Element, Net, Symbol};
 
 impl Page<'_> {
@@ -27,8 +28,7 @@ impl Page<'_> {
         let mut named = screen::named(element, index, inner, columns, y);
         if let Some(ids) = self.ids {
             named = named.set("data-id", ids(index));
-            let edges = (x(columns.0 as f32), x(columns.1 as f32));
-            self.areas.push((index, sheet::area(edges, y)));
+            self.areas.push((index, Area::of_symbol(columns, y)));
         }
         self.add(named);
     }

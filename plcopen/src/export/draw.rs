@@ -1,7 +1,7 @@
 //! Rungs, and what stands on their wires.
 
-use super::Lost;
 use super::counters::Counters;
+use super::lost::Lost;
 use super::names::Variables;
 use super::xml::{At, Body, Source};
 use std::collections::HashMap;

@@ -11,36 +11,18 @@ mod count;
 mod counters;
 mod draw;
 mod elements;
+mod lost;
 mod names;
 mod numbers;
 mod same;
 mod xml;
 
+pub use lost::Lost;
+
 use draw::Draw;
 use same::not_read;
-use unoclp_ladder::edit::{Document, Id};
-use unoclp_lang::{Code, Diagnostic, Lang, Span};
+use unoclp_ladder::edit::Document;
 use xml::escaped;
-
-/// What of a document no project can say.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Lost {
-    /// The element, or the rung.
-    pub at: Id,
-    /// The number of its rung, from 1.
-    pub rung: usize,
-    /// What it is.
-    pub what: String,
-}
-
-impl Lost {
-    /// Why there is no project, with its number.
-    pub fn text(&self, lang: Lang) -> String {
-        let words = vec![self.rung.to_string().into(), self.what.as_str().into()];
-        let told = Diagnostic::new(Code::XmlLost, Span::default(), words);
-        format!("{}: {}", told.code, told.message(lang))
-    }
-}
 
 /// A document as a project of one program, which goes by this name; [`import`](crate::import) makes the same codes of it. It
 /// says no date of its own.

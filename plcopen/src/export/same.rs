@@ -1,6 +1,6 @@
 //! What is written is read again, and must be the same program.
 
-use super::Lost;
+use super::lost::Lost;
 use unoclp_core::Profile;
 use unoclp_core::isa::Opcode;
 use unoclp_ladder::edit::{Document, Id};

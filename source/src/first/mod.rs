@@ -9,7 +9,7 @@
 mod instructions;
 mod words;
 
-use crate::language::WrittenIn;
+use crate::written_in::WrittenIn;
 use instructions::{is_instruction, is_instructions};
 use unoclp_lang::TextLanguage;
 use words::{Words, without_comments};

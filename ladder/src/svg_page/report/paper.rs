@@ -1,8 +1,8 @@
 //! A page of paper: its size, its margins, and what is written on it, in millimetres.
 
-use super::super::page::{INK, MONO, SANS, printable};
 use crate::listing::wrapped;
-use svg::node::element::{Group, Path, Rectangle, Text};
+use crate::svg_page::page::{Font, INK, MONO, SANS};
+use svg::node::element::{Group, Path, Rectangle};
 
 /// What a report is printed on, upright.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,15 +46,12 @@ const FOOT: f32 = 8.0;
 
 /// How text is set on paper.
 pub(super) struct Type {
-    family: &'static str,
-    /// The size of the letters, from line to line.
-    pub(super) height: f32,
-    bold: bool,
-    /// The width of a letter, of its height.
+    font: Font,
+    /// The width of a letter, of its height. Sans serif has no one width: that of a wide text.
     letter: f32,
 }
 
-/// A report's title. Sans serif has no one width: that of a wide text.
+/// A report's title.
 pub(super) const TITLE: Type = Type::new(SANS, 5.6, true, 0.62);
 /// A heading within a report.
 pub(super) const HEAD: Type = Type::new(SANS, 4.0, true, 0.62);
@@ -66,21 +63,24 @@ pub(super) const ROW: Type = Type::new(MONO, 3.0, false, 0.61);
 impl Type {
     const fn new(family: &'static str, height: f32, bold: bool, letter: f32) -> Type {
         Type {
-            family,
-            height,
-            bold,
+            font: Font::new(family, height, bold, false, ""),
             letter,
         }
     }
 
+    /// The height of its letters.
+    pub(super) fn height(&self) -> f32 {
+        self.font.size
+    }
+
     /// From one line to the next.
     pub(super) fn line(&self) -> f32 {
-        self.height * 1.35
+        self.height() * 1.35
     }
 
     /// How many letters go into so many millimetres.
     pub(super) fn columns(&self, wide: f32) -> usize {
-        (wide / (self.height * self.letter)) as usize
+        (wide / (self.height() * self.letter)) as usize
     }
 }
 
@@ -120,19 +120,7 @@ impl Leaf {
 
     /// Writes a line, from the left.
     pub(super) fn text(&mut self, x: f32, y: f32, text: &str, set: &Type) {
-        self.written(x, y, text, set, "start");
-    }
-
-    fn written(&mut self, x: f32, y: f32, text: &str, set: &Type, anchor: &str) {
-        let text = Text::new(printable(text))
-            .set("x", x)
-            .set("y", y)
-            .set("fill", INK)
-            .set("font-family", set.family)
-            .set("font-size", set.height)
-            .set("font-weight", if set.bold { "bold" } else { "normal" })
-            .set("text-anchor", anchor);
-        self.put(text);
+        self.put(set.font.written(x, y, text));
     }
 
     /// A line across, between two edges.
@@ -148,7 +136,7 @@ impl Leaf {
     /// Words, and behind them a line to write on.
     pub(super) fn blank(&mut self, from: f32, to: f32, y: f32, words: &str) {
         self.text(from, y, words, &SMALL);
-        let wide = words.chars().count() as f32 * SMALL.height * SMALL.letter;
+        let wide = words.chars().count() as f32 * SMALL.height() * SMALL.letter;
         self.rule(from + wide + 1.0, to, y + 0.8);
     }
 
@@ -163,7 +151,12 @@ impl Leaf {
             .saturating_sub(page.chars().count() + 2);
         let file: String = file.chars().take(columns).collect();
         self.text(left, base, &file, &SMALL);
-        self.written(right, base, page, &SMALL, "end");
+        self.put(
+            SMALL
+                .font
+                .written(right, base, page)
+                .set("text-anchor", "end"),
+        );
         let sheet = Rectangle::new()
             .set("width", width)
             .set("height", height)

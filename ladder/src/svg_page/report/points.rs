@@ -1,7 +1,7 @@
 //! The table of points: what each is called, and the rungs in which it stands.
 
-use super::paper::{HEAD, Leaf, ROW, SMALL, lines};
-use super::{Report, SPACE, open};
+use super::pages::{Pages, SPACE};
+use super::paper::{HEAD, ROW, SMALL, lines};
 use crate::{Address, Drawing, Names};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,21 +13,17 @@ const NAMELESS: &[(usize, f32)] = &[(0, 0.0), (2, 0.1)];
 const NAME: f32 = 0.39;
 
 /// Writes the table behind the rungs; none where no rung has a point.
-pub(super) fn table(
-    drawing: &Drawing<'_>,
-    names: &Names,
-    report: &Report<'_>,
-    leaves: &mut Vec<Leaf>,
-) {
+pub(super) fn table(drawing: &Drawing<'_>, names: &Names, pages: &mut Pages<'_>) {
     let used = used(drawing);
     if used.is_empty() {
         return;
     }
     let named = used.keys().any(|point| names.contains_key(point));
     let columns = if named { NAMED } else { NAMELESS };
-    head(report, columns, leaves);
+    head(columns, pages);
 
-    let (left, (wide, _)) = (report.paper.margin(), report.paper.room());
+    let paper = pages.report.paper;
+    let (left, (wide, _)) = (paper.margin(), paper.room());
     let rest = 1.0 - columns.last().map_or(0.0, |(_, part)| *part);
     for (point, rungs) in used {
         let rungs: Vec<String> = rungs.iter().map(usize::to_string).collect();
@@ -38,10 +34,10 @@ pub(super) fn table(
             lines(&rungs.join(", "), ROW.columns(rest * wide)),
         ];
         for line in 0..cells.iter().map(Vec::len).max().unwrap_or(0) {
-            let leaf = open(leaves, report, ROW.line());
+            let leaf = pages.open(ROW.line());
             for (column, part) in columns {
                 if let Some(text) = cells[*column].get(line) {
-                    leaf.text(left + part * wide, leaf.y + ROW.height, text, &ROW);
+                    leaf.text(left + part * wide, leaf.y + ROW.height(), text, &ROW);
                 }
             }
             leaf.y += ROW.line();
@@ -51,18 +47,19 @@ pub(super) fn table(
 }
 
 /// What stands above the rows; not alone at the foot of a page.
-fn head(report: &Report<'_>, columns: &[(usize, f32)], leaves: &mut Vec<Leaf>) {
-    let (left, (wide, _)) = (report.paper.margin(), report.paper.room());
-    let [about, words @ ..] = report.points;
-    let leaf = open(leaves, report, HEAD.line() + 2.0 * SPACE + 3.0 * ROW.line());
+fn head(columns: &[(usize, f32)], pages: &mut Pages<'_>) {
+    let paper = pages.report.paper;
+    let (left, (wide, _)) = (paper.margin(), paper.room());
+    let [about, words @ ..] = pages.report.points;
+    let leaf = pages.open(HEAD.line() + 2.0 * SPACE + 3.0 * ROW.line());
     leaf.y += SPACE;
-    leaf.text(left, leaf.y + HEAD.height, about, &HEAD);
+    leaf.text(left, leaf.y + HEAD.height(), about, &HEAD);
     leaf.y += HEAD.line() + 2.0;
     for (column, part) in columns {
         let x = left + part * wide;
-        leaf.text(x, leaf.y + SMALL.height, words[*column], &SMALL);
+        leaf.text(x, leaf.y + SMALL.height(), words[*column], &SMALL);
     }
-    leaf.y += SMALL.height + 1.5;
+    leaf.y += SMALL.height() + 1.5;
     leaf.rule(left, left + wide, leaf.y);
     leaf.y += 2.0;
     leaf.empty = false;

@@ -1,0 +1,20 @@
+//! What has come of a project.
+
+use unoclp_checked::{Checked, SourceMap};
+use unoclp_ladder::edit::Document;
+use unoclp_lang::{Told, Variable};
+
+/// What has come of a project.
+#[derive(Debug)]
+pub struct Imported {
+    /// The same as numeric code, with comments; none where there are errors.
+    pub code: Option<String>,
+    /// The checked program, and where its steps stand in the XML.
+    pub program: Option<(Checked, SourceMap)>,
+    /// The document of a project of ladder diagrams.
+    pub document: Option<Document>,
+    /// The variables of a project of Structured Text.
+    pub variables: Vec<Variable>,
+    /// What was found in the project.
+    pub diagnostics: Told,
+}
