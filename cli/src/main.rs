@@ -40,14 +40,14 @@ struct Arguments {
 enum Command {
     /// Check a program: its size, or every fault with its line
     Check {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
     },
     /// Compile a text to numeric code
     Compile {
-        /// The text: Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
+        /// The text: Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
         /// Where to write the numeric code; to standard output without it, and for -
         #[arg(short, long, value_name = "PROGRAM.TXT")]
@@ -55,9 +55,9 @@ enum Command {
         #[command(flatten)]
         wording: Wording,
     },
-    /// Show a program as a ladder diagram, Instruction List, Structured Text, or numeric code with its meaning
+    /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
     List {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,
@@ -111,7 +111,7 @@ enum Command {
     Card {
         /// The folder of a mounted card, or a new image file (.img)
         card: PathBuf,
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
         /// With STATE.TXT, in which the board then keeps inputs and outputs
         #[arg(long)]
@@ -121,7 +121,7 @@ enum Command {
     },
     /// Put a program on a board, over its serial port, in place of a card
     Upload {
-        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); - reads it from standard input
+        /// The program: numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); - reads it from standard input
         file: PathBuf,
         #[command(flatten)]
         wording: Wording,

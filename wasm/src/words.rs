@@ -71,7 +71,7 @@ unoclp_source::messages! {
     program_empty() "there is no program yet" "ainda não há programa";
     program_binary() "this is no text" "isto não é texto";
     program_other() "this begins in none of the languages" "isto não começa em nenhuma das linguagens";
-    languages() "a program is numeric code, Instruction List, Structured Text, InterSCL or LCE" "um programa é código numérico, Lista de Instruções, Texto Estruturado, InterSCL ou LCE";
+    languages() "a program is numeric code, Instruction List, Structured Text, InterSCL, LCE or PLCopen XML" "um programa é código numérico, Lista de Instruções, Texto Estruturado, InterSCL, LCE ou PLCopen XML";
     foreign() "what answers there is not unoclp; put the firmware on" "o que responde ali não é o unoclp; grave o firmware";
     unlike() "the board runs another program than the one shown" "a placa executa outro programa, e não o mostrado";
     upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";

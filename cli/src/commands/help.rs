@@ -16,7 +16,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ("compile", "Compila um texto para código numérico"),
     (
         "list",
-        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado ou código numérico com significado",
+        "Mostra um programa como diagrama ladder, Lista de Instruções, Texto Estruturado, PLCopen XML ou código numérico com significado",
     ),
     (
         "sim",
@@ -58,7 +58,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "compile",
         "file",
-        "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); - o lê da entrada padrão",
+        "O texto: Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); - o lê da entrada padrão",
     ),
     (
         "run",
@@ -125,7 +125,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "file",
-        "O programa: código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); - o lê da entrada padrão",
+        "O programa: código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); - o lê da entrada padrão",
     ),
     (
         "",
@@ -155,7 +155,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "",
         "form",
-        "Como listar: ladder, il, st ou numeric [padrão: ladder]",
+        "Como listar: ladder, il, st, numeric ou xml (PLCopen, para o OpenPLC Editor e outros) [padrão: ladder]",
     ),
     (
         "sim",

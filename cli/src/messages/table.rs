@@ -27,8 +27,8 @@ unoclp_source::messages! {
         "{file} is no program: it begins in none of the languages. {languages}"
         "{file} não é um programa: não começa em nenhuma das linguagens. {languages}";
     languages()
-        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl) or LCE (.lce); --language says which, where the name and the first words do not"
-        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl) ou LCE (.lce); --language diz qual, se o nome e as primeiras palavras não dizem";
+        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); --language says which, where the name and the first words do not"
+        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); --language diz qual, se o nome e as primeiras palavras não dizem";
     nothing_to_run()
         "say what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
