@@ -37,7 +37,8 @@ export class Verdict {
     }
     const cases = this.came.cases.map(([one, passed]) =>
       h("li", { class: passed ? "good" : "bad" }, `${passed ? "✓" : "✗"} ${told(one.title)}`, one.hidden ? h("span", { class: "note" }, ` (${say("caseHidden")})`) : null));
-    const diagram = h("div", { class: "diagram" });
+    // It scrolls where the screen is narrow, by the keyboard too.
+    const diagram = h("div", { class: "diagram", tabindex: 0, role: "group", "aria-label": say("tabTrend") });
     const shown = this.came.failing?.shown;
     // Drawn by our own Rust, which escapes every text in it.
     if (shown) diagram.innerHTML = told(shown.svg);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { Lab, type } from "./harness.mjs";
+import { Lab, findings, type } from "./harness.mjs";
 
 /** @param {string} name of a program of programs/exercises */
 const program = (name) => readFileSync(new URL(`../../../programs/exercises/${name}`, import.meta.url), "utf8");
@@ -61,5 +61,18 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   await page.click("#exercises");
   await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
   assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /^5\. .* ✓$/);
+  await page.context().close();
+});
+
+test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
+  const page = await lab.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.tap("#exercises");
+  await page.selectOption("#exercise-list", { index: 5 });
+  await page.tap("#exercise-check");
+  const diagram = page.locator("#exercise .diagram");
+  await diagram.locator("svg").waitFor();
+  assert.ok(await diagram.evaluate((it) => it.scrollWidth > it.clientWidth && it.scrollWidth >= 640));
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.deepEqual(await findings(page), []);
   await page.context().close();
 });
