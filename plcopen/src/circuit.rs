@@ -48,9 +48,14 @@ impl From<Step> for Part {
 impl Leaf {
     /// One instruction without a memory.
     pub(crate) fn plain(key: Key, step: Step) -> Leaf {
+        Leaf::of(key, vec![step.into()])
+    }
+
+    /// These instructions, without a memory.
+    pub(crate) fn of(key: Key, parts: Vec<Part>) -> Leaf {
         Leaf {
             key,
-            parts: vec![step.into()],
+            parts,
             is_output: false,
             is_once: false,
         }
@@ -260,4 +265,10 @@ pub(crate) fn within(into: &mut Circuit, outputs: &mut Circuit) -> bool {
         outputs.append(&mut rest);
     }
     is_done
+}
+
+/// A circuit, and this behind it.
+pub(crate) fn followed(mut circuit: Circuit, leaf: Leaf) -> Circuit {
+    circuit.push(Item::Leaf(leaf));
+    circuit
 }

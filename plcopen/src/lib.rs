@@ -7,10 +7,10 @@
 //!
 //! - `xml`: text → tree, bounded; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them
-//! - `points`: which point of the board a variable is; `scope`: what a name means in a POU
+//! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
 //! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
-//! - `blocks`, `values`: what blocks and numbers become
-//! - `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
+//! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
+//! - `outputs`: the circuits of a network; `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
 //! - `body`: bodies of text, which `unoclp-lang` compiles
 //!
 //! The way out ([`export()`]): `export`.
@@ -20,20 +20,25 @@
 
 #![forbid(unsafe_code)]
 
+mod allot;
 mod blocks;
 mod body;
 mod checked;
 mod circuit;
+mod contacts;
 mod export;
 mod flow;
 mod found;
 mod imported;
+mod instances;
 mod network;
+mod outputs;
 mod points;
 mod program;
 mod project;
 mod rungs;
 mod scope;
+mod symbol;
 mod values;
 mod xml;
 

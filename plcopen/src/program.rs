@@ -1,5 +1,6 @@
 //! A project to a checked program.
 
+use crate::allot::Allotted;
 use crate::body;
 use crate::checked::Origins;
 use crate::circuit::{Leaf, Part};
@@ -7,10 +8,12 @@ use crate::flow::Flow;
 use crate::found::Found;
 use crate::imported::Imported;
 use crate::network::Network;
+use crate::outputs::circuits;
 use crate::points::Points;
 use crate::project::{Pou, Project};
-use crate::rungs::{Rungs, circuits};
-use crate::scope::{Allotted, Scope, Symbol};
+use crate::rungs::Rungs;
+use crate::scope::Scope;
+use crate::symbol::Symbol;
 use crate::xml::{self, first, text};
 use std::collections::HashMap;
 use std::sync::Arc;

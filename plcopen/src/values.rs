@@ -2,7 +2,7 @@
 
 use crate::circuit::Part;
 use crate::flow::Flow;
-use crate::scope::{Meaning, Symbol};
+use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::{Class, Opcode, POPPED};
 use unoclp_ladder::Address;
 use unoclp_ladder::edit::Step;

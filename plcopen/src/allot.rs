@@ -1,0 +1,172 @@
+//! What the variables of a project become: each gets a place on the board where it is first met.
+
+use crate::found::Found;
+use crate::points::Points;
+use crate::project::Variable;
+use crate::symbol::{Counts, Symbol, number, point, symbol_of};
+use std::collections::{BTreeMap, HashMap};
+use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, TIMERS};
+use unoclp_ladder::Address;
+use unoclp_lang::{Code, Span, Word};
+
+/// What is allotted for the whole project.
+pub(crate) struct Allotted {
+    pub points: Points,
+    /// What points are called, the first to be met.
+    pub names: BTreeMap<Address, String>,
+    /// Which timer a block calls, by its program and its element.
+    pub timers: HashMap<(usize, usize), u8>,
+    pub globals: HashMap<String, (Variable, Option<Symbol>)>,
+    /// Variables that begin with another value than 0, or are kept; in the order in which they were met.
+    pub begun: Vec<(Symbol, Option<i32>, bool, Span)>,
+}
+
+impl Allotted {
+    pub(crate) fn new(points: Points, globals: &[Variable]) -> Allotted {
+        Allotted {
+            points,
+            names: BTreeMap::new(),
+            timers: HashMap::new(),
+            globals: by_name(globals),
+            begun: Vec::new(),
+        }
+    }
+}
+
+/// Variables by their names in capitals, none allotted yet.
+pub(crate) fn by_name(variables: &[Variable]) -> HashMap<String, (Variable, Option<Symbol>)> {
+    let named = variables.iter().filter(|v| v.section != "externalVars");
+    named
+        .map(|variable| (variable.name.to_uppercase(), (variable.clone(), None)))
+        .collect()
+}
+
+/// What a variable becomes.
+pub(crate) fn allot(
+    variable: &Variable,
+    who: &Word,
+    all: &mut Allotted,
+    found: &mut Found,
+) -> Option<Symbol> {
+    let at = variable.at;
+    let kind = variable.kind.to_uppercase();
+    let initial = variable.initial.as_deref();
+    let first = initial.and_then(number);
+    if let (Some(written), None) = (initial, first) {
+        let what = (
+            "number, time or truth",
+            "um número, um tempo ou TRUE ou FALSE",
+        );
+        found.tell_at(
+            Code::XmlValue,
+            at,
+            [who.clone(), written.into(), what.into()],
+        );
+        return None;
+    }
+    let is_bit = kind == "BOOL";
+    let is_number = is_number(&kind);
+    let symbol = if let Some(address) = &variable.address {
+        let Some(point) = all.points.address(address) else {
+            found.tell_at(Code::XmlAddress, at, [who.clone(), address.as_str().into()]);
+            return None;
+        };
+        let symbol = symbol_of(point);
+        let fits = match symbol {
+            Symbol::Bit(_) => is_bit,
+            _ => is_number,
+        };
+        if !fits {
+            let wanted = match symbol {
+                Symbol::Bit(_) => "BOOL",
+                _ => "INT",
+            };
+            let words = [
+                who.clone(),
+                variable.name.as_str().into(),
+                kind.into(),
+                wanted.into(),
+            ];
+            found.tell_at(Code::XmlType, at, words);
+            return None;
+        }
+        Some(symbol)
+    } else if variable.constant && (is_bit || is_number) {
+        return Some(Symbol::Constant(first.unwrap_or(0)));
+    } else {
+        match kind.split('_').next().unwrap_or_default() {
+            _ if is_bit => {
+                let marker = all.points.marker(variable.retain);
+                marker.map(|marker| Symbol::Bit(Address::Marker(marker)))
+            }
+            _ if is_number => {
+                let register = all.points.register();
+                register.map(|register| Symbol::Number(Address::Register(register)))
+            }
+            "TON" | "TOF" | "TP" => all.points.timer().map(Symbol::Timer),
+            "CTU" => all
+                .points
+                .counter(&variable.name)
+                .map(|c| Symbol::Counter(c, Counts::Up)),
+            "CTD" => all
+                .points
+                .counter(&variable.name)
+                .map(|c| Symbol::Counter(c, Counts::Down)),
+            "CTUD" => all
+                .points
+                .counter(&variable.name)
+                .map(|c| Symbol::Counter(c, Counts::Both)),
+            "SR" | "RS" => all.points.marker(variable.retain).map(Symbol::Latch),
+            "R" | "F" if matches!(kind.as_str(), "R_TRIG" | "F_TRIG") => Some(Symbol::Edge),
+            _ => {
+                let wanted = ("BOOL or a whole number", "BOOL ou um número inteiro");
+                let words = [
+                    who.clone(),
+                    variable.name.as_str().into(),
+                    variable.kind.as_str().into(),
+                    wanted.into(),
+                ];
+                found.tell_at(Code::XmlType, at, words);
+                return None;
+            }
+        }
+    };
+    let Some(symbol) = symbol else {
+        none_left(variable, &kind, who, found);
+        return None;
+    };
+    // It would take the place of what was kept, at each start.
+    let first = first.filter(|first| *first != 0 && !variable.retain);
+    let keeps = variable.retain && matches!(symbol, Symbol::Number(Address::Register(_)));
+    if first.is_some() || keeps {
+        all.begun.push((symbol, first, keeps, at));
+    }
+    if let Some(point) = point(symbol)
+        && !variable.name.eq_ignore_ascii_case(&point.to_string())
+    {
+        all.names
+            .entry(point)
+            .or_insert_with(|| variable.name.clone());
+    }
+    Some(symbol)
+}
+
+fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
+    let (what, most) = match kind {
+        "TON" | "TOF" | "TP" => (("timer", "temporizador"), TIMERS),
+        "BOOL" | "SR" | "RS" => (("marker", "memória"), MARKERS),
+        _ if kind.starts_with("CT") => (("counter", "contador"), COUNTERS),
+        _ => (("register", "registrador"), REGISTERS),
+    };
+    let name = variable.name.as_str().into();
+    let words = [who.clone(), what.into(), name, most.to_string().into()];
+    found.tell_at(Code::XmlNoneLeft, variable.at, words);
+}
+
+/// Whether registers hold variables of this type.
+fn is_number(kind: &str) -> bool {
+    let held = [
+        "SINT", "INT", "DINT", "USINT", "UINT", "BYTE", "WORD", "TIME",
+    ];
+    held.contains(&kind)
+}
