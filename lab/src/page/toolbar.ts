@@ -12,6 +12,7 @@ import { icon } from "./icons";
 import { keep, kept } from "./kept";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
+import { isLetter } from "./paper";
 import { linkOf } from "./share";
 import type { ProgramView } from "./programview";
 
@@ -73,7 +74,7 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
   const saved = code === undefined ? [] : [
     entry(say("saveCode"), () => download("PROGRAM.TXT", code)),
     entry(say("saveDrawing"), () => void asked(remote.ask("list", { ...shown, as: "svg" }), (svg) => download(`${stem}.svg`, svg, SVG))),
-    entry(say("savePages"), () => void asked(remote.ask("pages", { ...shown, letter: navigator.language === "en-US" }), (pages) => {
+    entry(say("savePages"), () => void asked(remote.ask("pages", { ...shown, letter: isLetter() }), (pages) => {
       pages.forEach((page, at) => download(`${stem}-${at + 1}.svg`, page, SVG));
     })),
     entry(say("saveProject"), () => void asked(remote.ask("list", { ...shown, as: "xml" }), (xml) => download(`${stem}.xml`, xml, "application/xml"))),

@@ -25,8 +25,6 @@ export const DRAW = {
   asSt: ["Structured Text", "Texto Estruturado"],
   asNumeric: ["Numeric code", "Código numérico"],
   print: ["Print", "Imprimir"],
-  printDate: ["Date:", "Data:"],
-  printName: ["Name:", "Nome:"],
   operate: ["Operate: a click forces", "Operar: o clique força"],
   keys: ["Keys", "Teclas"],
   keysElements: ["Elements", "Elementos"],

@@ -1,31 +1,19 @@
-// The drawing on paper: each rung a picture of its own, so that none breaks over a page.
+// The program on paper: the pages that Rust lays out, each the drawing of a whole sheet.
 
-import { say } from "../../words/draw";
 import { h } from "../dom";
 
-/** Around a rung, in units of the drawing. */
-const MARGIN = 6;
-/** Millimetres of a unit, as long as the paper is wide enough. */
-const MILLIMETRES = 0.28;
-
-/** Prints a drawing under a title, with lines for a name and a date. */
-export function print(svg: SVGSVGElement, title: string): void {
-  const width = svg.viewBox.baseVal.width;
-  const rungs = [...svg.querySelectorAll<SVGGElement>(".rung")].map((rung) => {
-    const { y, height } = rung.getBBox();
-    const one = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    one.setAttribute("class", "ladder");
-    one.setAttribute("viewBox", `0 ${y - MARGIN} ${width} ${height + 2 * MARGIN}`);
-    one.style.width = `${width * MILLIMETRES}mm`;
-    one.append(rung.cloneNode(true));
-    return h("div", { class: "printed-rung" }, one);
-  });
-  const line = (key: "printName" | "printDate"): HTMLElement => h("span", { class: "line" }, say(key));
-  const paper = h("div", { id: "printed" }, h("h1", {}, title), h("p", {}, line("printName"), line("printDate")), ...rungs);
-  document.body.append(paper);
+/** Prints pages, each an SVG that says its size, on paper of that size. */
+export function print(pages: readonly string[]): void {
+  const paper = h("div", { id: "printed" });
+  // Drawn by our own Rust, which escapes every text in it.
+  paper.innerHTML = pages.join("");
+  const size = ["width", "height"].map((side) => paper.querySelector("svg")?.getAttribute(side) ?? "auto");
+  const sheet = h("style", {}, `@page { size: ${size.join(" ")}; margin: 0; }`);
+  document.body.append(sheet, paper);
   document.documentElement.classList.add("printing");
   addEventListener("afterprint", () => {
     paper.remove();
+    sheet.remove();
     document.documentElement.classList.remove("printing");
   }, { once: true });
   window.print();

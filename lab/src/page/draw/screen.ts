@@ -11,6 +11,7 @@ import { force, liveOf } from "../forcing";
 import { kept } from "../kept";
 import { entry, menu } from "../menu";
 import { announce, note } from "../notes";
+import { isLetter } from "../paper";
 import { ACTIONS, type Action, keyOf } from "./actions";
 import { carry } from "./carrying";
 import { ask } from "./form";
@@ -81,7 +82,7 @@ export class Screen {
       button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], act)),
       button("draw-find", "find", () => this.finder.open()),
       button("draw-texts", "asText", () => void texts(tools)),
-      button("draw-print", "print", () => this.print()),
+      button("draw-print", "print", () => void this.print()),
       button("draw-keys", "keys", () => help(shelves)),
       h("label", { class: "switch" }, this.operating, h("span", { "data-say": "operate" })));
     this.over.append(this.paper, this.sheet.ladder.zoomButtons());
@@ -259,9 +260,11 @@ export class Screen {
     });
   }
 
-  private print(): void {
-    const { svg } = this.sheet;
-    if (!svg || this.session.drawn.value?.text === null) return note(say("unfinished", { n: "?" }));
-    print(svg, this.session.drawn.value?.title.split("\n")[0] || this.around.program.text.value.name);
+  private async print(): Promise<void> {
+    const { drawn } = this.session;
+    const errors = drawn.value?.mistakes.filter((mistake) => mistake.error).length ?? 0;
+    if (drawn.value?.text === null) return note(say("unfinished", { n: errors }));
+    const shown = { ...this.around.program.text.value, width: 80, speak: speak.value };
+    print(await this.around.tools.ask("pages", { ...shown, letter: isLetter() }));
   }
 }
