@@ -2,8 +2,8 @@
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
-import { Refusal } from "../tools/tools";
 import { say, setSpeak, speak, told } from "../words/words";
+import { asked } from "./asked";
 import type { CardSlot } from "./cardslot";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
@@ -90,16 +90,6 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
     entry(say("saveFile"), () => save(text)),
     ...saved,
   ];
-}
-
-/** Saves an answer, or tells why there is none. */
-async function asked<T>(answer: Promise<T>, save: (told: T) => void): Promise<void> {
-  try {
-    save(await answer);
-  } catch (error) {
-    if (!(error instanceof Refusal)) throw error;
-    note(told(error.both));
-  }
 }
 
 function save(text: Text): void {

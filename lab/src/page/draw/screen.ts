@@ -4,6 +4,7 @@ import type { Act, Drawn, Place, Shelf, Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
 import { say } from "../../words/draw";
 import { speak, told, translate } from "../../words/words";
+import { asked } from "../asked";
 import type { Bench } from "../bench";
 import type { ProgramDocument } from "../document";
 import { byId, h } from "../dom";
@@ -82,7 +83,7 @@ export class Screen {
       button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], act)),
       button("draw-find", "find", () => this.finder.open()),
       button("draw-texts", "asText", () => void texts(tools)),
-      button("draw-print", "print", () => void this.print()),
+      button("draw-print", "print", () => this.print()),
       button("draw-keys", "keys", () => help(shelves)),
       h("label", { class: "switch" }, this.operating, h("span", { "data-say": "operate" })));
     this.over.append(this.paper, this.sheet.ladder.zoomButtons());
@@ -260,11 +261,11 @@ export class Screen {
     });
   }
 
-  private async print(): Promise<void> {
+  private print(): void {
     const { drawn } = this.session;
     const errors = drawn.value?.mistakes.filter((mistake) => mistake.error).length ?? 0;
     if (drawn.value?.text === null) return note(say("unfinished", { n: errors }));
     const shown = { ...this.around.program.text.value, width: 80, speak: speak.value };
-    print(await this.around.tools.ask("pages", { ...shown, letter: isLetter() }));
+    void asked(this.around.tools.ask("pages", { ...shown, letter: isLetter() }), print);
   }
 }
