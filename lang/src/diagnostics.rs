@@ -1,18 +1,10 @@
 //! What is wrong with a text, or worth a second look.
 
 pub use crate::messages::Code;
+pub use crate::severity::Severity;
 use std::collections::HashSet;
 use std::ops::Deref;
 use std::ops::Range;
-
-/// Whether a text can be compiled all the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Severity {
-    /// There is no program.
-    Error,
-    /// There is one, but it may not be what was meant.
-    Warning,
-}
 
 /// The language in which a diagnostic speaks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

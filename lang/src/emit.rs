@@ -3,6 +3,7 @@
 use crate::diagnostics::{Code, Found, Lang, Lines, Span};
 use crate::lacking;
 use crate::lower::Lowered;
+use crate::origin::Origin;
 use crate::places::{Places, name};
 use crate::rung::Written;
 use unoclp_checked::{Checked, SourceMap};
@@ -20,14 +21,6 @@ pub struct CodeLine {
     pub symbol: String,
     /// The line of the text it comes from, from 1; none of program start.
     pub source: Option<u32>,
-}
-
-/// What of the text a line of the program file comes from.
-#[derive(Default)]
-pub(crate) struct Origin {
-    pub span: Span,
-    /// What the text calls the point of the instruction.
-    pub name: Option<String>,
 }
 
 /// Writes out what has been compiled. The numbers of labels are decided here, and the marker that takes

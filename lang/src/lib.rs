@@ -3,7 +3,7 @@
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
 //! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
 //! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
-//! steps stand in the text). [`to_il`] and [`to_st`] go the other way.
+//! steps stand in the text); `compile` is all of it. [`to_il`] and [`to_st()`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
 //! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
@@ -21,6 +21,7 @@ mod code;
 mod colour;
 mod colours;
 mod comments;
+mod compile;
 mod decimal;
 mod diagnostics;
 mod dialect;
@@ -36,11 +37,13 @@ mod lower;
 mod messages;
 mod names;
 mod operators;
+mod origin;
 mod parser;
 mod places;
 pub mod run;
 mod rung;
 mod scanner;
+mod severity;
 mod show;
 mod small;
 mod spell;
@@ -56,6 +59,7 @@ pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Spot, Variable, compile_text};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
+pub use compile::{Compiled, Options, compile, compile_untyped};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;
 pub use emit::CodeLine;
@@ -66,121 +70,3 @@ pub use operators::is_operator;
 pub use show::show;
 pub use st::has_types;
 pub use to_st::to_st;
-
-use comments::Comments;
-use diagnostics::Found;
-use places::Places;
-use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::Profile;
-
-/// How to compile.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Whose Instruction List it is; none: what the text looks like.
-    pub dialect: Option<Dialect>,
-    /// What the program must fit.
-    pub board: Profile,
-}
-
-impl Default for Options {
-    fn default() -> Options {
-        Options {
-            dialect: None,
-            board: Profile::UNO,
-        }
-    }
-}
-
-/// What has come of a text.
-#[derive(Debug)]
-pub struct Compiled {
-    /// Whose Instruction List it was taken to be.
-    pub dialect: Dialect,
-    /// The lines of the program file; what could be compiled, where there are errors.
-    pub lines: Vec<CodeLine>,
-    /// The program, as the board's own loader has checked it, and where its steps stand in the text; none
-    /// where there are errors.
-    pub program: Option<(Checked, SourceMap)>,
-    /// What was found in the text.
-    pub diagnostics: Told,
-}
-
-impl Compiled {
-    /// Whether there is no program.
-    pub fn has_errors(&self) -> bool {
-        self.diagnostics
-            .iter()
-            .any(|d| d.severity() == Severity::Error)
-    }
-
-    /// The program file with its comments, for `PROGRAM.TXT`; none where there are errors.
-    pub fn file(&self) -> Option<String> {
-        (!self.has_errors()).then(|| emit::file(&self.lines))
-    }
-
-    /// The codes and operands in order.
-    pub fn codes(&self) -> Vec<i32> {
-        self.lines.iter().map(|line| line.code).collect()
-    }
-}
-
-/// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
-pub fn compile(text: &str, options: &Options) -> Compiled {
-    match has_types(text) {
-        true => typed(text, options.board),
-        false => compile_untyped(text, options),
-    }
-}
-
-/// The same of a text that [has no types](has_types), without what the typed languages take.
-pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
-    let mut found = Found::default();
-    let parsed = parser::parse(text, &mut found);
-    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
-    let mut lines = Vec::new();
-    let mut program = None;
-    if whole::is_readable(&mut found) && !parsed.wrong_declarations {
-        (lines, program) = translate(text, dialect, options.board, &parsed, &mut found);
-    }
-    let diagnostics = found.finish();
-    Compiled {
-        dialect,
-        lines,
-        program,
-        diagnostics,
-    }
-}
-
-/// A text with types or functions of the norm, which the typed tree has.
-fn typed(text: &str, board: Profile) -> Compiled {
-    let made = compile_text(text, TextLanguage::Il, board);
-    Compiled {
-        dialect: Dialect::Iec,
-        lines: made.lines,
-        program: made.program,
-        diagnostics: made.diagnostics,
-    }
-}
-
-/// The lines of the program file, and the program where there are no errors.
-fn translate(
-    text: &str,
-    dialect: Dialect,
-    board: Profile,
-    parsed: &parser::Parsed,
-    found: &mut Found,
-) -> (Vec<CodeLine>, Option<(Checked, SourceMap)>) {
-    let units = &parsed.units;
-    let names = || names::Names::new(text, dialect, board, units);
-    let mut lowered = lower::lower(units, names, found);
-    let starts = Lines::new(text);
-    let (lines, origins) = emit::emit(text, &starts, &mut lowered, found);
-    whole::check(text, units, lowered.writes, found);
-    let mut program = None;
-    if !found.has_errors() {
-        let comments = Comments::new(text, &starts, &parsed.comments);
-        let places = Places::new(text, &starts, places::units(text, units), comments);
-        program = emit::check(text, &lines, &origins, board, places, found);
-    }
-    (lines, program)
-}

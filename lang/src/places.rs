@@ -7,7 +7,7 @@ use crate::Dialect;
 use crate::ast::{Unit, UnitKind};
 use crate::comments::Comments;
 use crate::diagnostics::Lines;
-use crate::emit::Origin;
+use crate::origin::Origin;
 use std::ops::Range;
 use std::sync::Arc;
 use unoclp_checked::{Place, SourceMap};

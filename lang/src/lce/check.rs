@@ -3,25 +3,12 @@
 //! `slots` says what names stand for, `values` and `kinds` what expressions come to, `coils` what `aciona` does.
 
 use super::ast::{Kind, Name, Program, Statement, StatementKind};
-use super::slots::{Cells, Shown, Slot, Variable, Written};
+use super::checker::{Cells, Checker, Shown, Slot, Written};
 use super::values::{Val, place};
 use crate::diagnostics::{Code, Found, Span};
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Base, Expr, ExprKind, Stmt, StmtKind, Store, Tree, UnitKind, Value};
 use std::collections::HashMap;
-
-pub(super) struct Checker<'t, 'f> {
-    pub builder: Builder<'t, 'f>,
-    /// What each name stands for; none of a name that has been told.
-    pub names: HashMap<String, Option<Slot>>,
-    pub variables: Vec<Variable>,
-    pub shown: Vec<Shown>,
-    pub asked: u32,
-    /// Where each coil stands.
-    pub coils: HashMap<Slot, Span>,
-    /// How many statements turn off the coils of what is not reached.
-    pub resets: usize,
-}
 
 pub(super) fn check(text: &str, program: &Program, found: &mut Found) -> Option<Tree> {
     let mut checker = Checker {

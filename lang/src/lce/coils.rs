@@ -4,8 +4,7 @@
 //! of a `se` also turns off the coils of the other half.
 
 use super::ast::{Bit, Name, Node, Statement, StatementKind};
-use super::check::Checker;
-use super::slots::Slot;
+use super::checker::{Checker, Slot};
 use super::values::Val;
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Stmt, StmtKind, Value};

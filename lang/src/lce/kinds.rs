@@ -3,7 +3,7 @@
 //! Owns R, D, W and B of expressions. Must not know what is stored where.
 
 use super::ast::{Kind, Node, NodeKind, Op};
-use super::check::Checker;
+use super::checker::Checker;
 use super::values::Val;
 use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind};

@@ -1,10 +1,11 @@
 //! LCE, the language of SimuPLC: from a text to the typed tree.
 //!
 //! `words` (its signs and keywords), `parser` (words → `ast`), `check` (what names stand for, and as what each value
-//! is taken). It knows no board and no files, and no text makes it panic.
+//! is taken, on what `checker` holds). It knows no board and no files, and no text makes it panic.
 
 mod ast;
 mod check;
+mod checker;
 mod coils;
 mod command;
 mod expression;

@@ -3,9 +3,9 @@
 //! Owns which places there are and in which cells a variable lives. Must not know expressions.
 
 use super::ast::{Kind, Name};
-use super::check::Checker;
+use super::checker::{Cells, Checker, Shown, Slot, Variable, Written};
 use crate::address::{Address, parse};
-use crate::diagnostics::{Code, Span};
+use crate::diagnostics::Code;
 use crate::dialect::Dialect;
 use crate::names::near::nearest;
 use crate::typed::build::both;
@@ -15,48 +15,6 @@ use unoclp_core::isa::{ANALOGUE, MARKERS};
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;
-
-/// What a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Slot {
-    /// A variable, by its number here.
-    Variable(usize),
-    /// A point of the board.
-    Point(Point),
-}
-
-/// What is written to a variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Written {
-    Bit,
-    Whole,
-    Real,
-}
-
-/// A variable: as what it is written, and where it lives.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Variable {
-    pub bit: bool,
-    pub whole: bool,
-    pub real: bool,
-    pub cells: Option<Cells>,
-}
-
-/// The cells of a variable.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Cells {
-    /// One kind alone is written to it.
-    One(u32, Base),
-    /// Mixed kinds: a marker says which of two cells holds what was last written.
-    Two { flag: u32, real: u32, whole: u32 },
-}
-
-/// A name that is shown.
-pub(super) struct Shown {
-    pub name: String,
-    pub slot: Slot,
-    pub at: Span,
-}
 
 /// Whether it is written like a place: `V0`, `I0.0`, `AIW1`.
 pub(super) fn is_place(text: &str) -> bool {

@@ -4,8 +4,7 @@
 //! marker says. Must not know operators.
 
 use super::ast::Kind;
-use super::check::Checker;
-use super::slots::{Cells, Slot};
+use super::checker::{Cells, Checker, Slot};
 use crate::diagnostics::{Code, Span};
 use crate::typed::{Base, Convert, Expr, ExprKind, Place, Root, TypeId, Value};
 

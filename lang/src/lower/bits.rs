@@ -1,7 +1,7 @@
 //! What works on the accumulator: loads, operations, and their deferral.
 
 use super::again::Edge;
-use super::push::POP;
+use super::said::{POP, name};
 use super::{ACCUMULATOR, Acc, Lower, OPERAND, numbered};
 use crate::ast::{Instr, Stmt, UnitKind};
 use crate::diagnostics::{Code, Span};
@@ -283,18 +283,5 @@ impl Lower<'_, '_> {
     /// Writes an instruction with a number, and leaves the accumulator as it is.
     pub(super) fn write(&mut self, opcode: Opcode, number: u8, span: Span) {
         self.rungs.write(numbered(opcode, number), span);
-    }
-}
-
-/// What messages call an operation.
-pub(super) fn name(op: Op) -> &'static str {
-    match op {
-        Op::And => "AND",
-        Op::Or => "OR",
-        Op::Xor => "XOR",
-        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) | Op::Table(opcode) => {
-            operator(opcode)
-        }
-        _ => "",
     }
 }

@@ -1,6 +1,6 @@
 //! Operations that are deferred: from `(` to `)`.
 
-use super::bits::name;
+use super::said::name;
 use super::{Acc, Frame, Lower, MOST_FRAMES, Waiting, loads};
 use crate::ast::{Instr, Open, Stmt};
 use crate::diagnostics::{Code, Span};

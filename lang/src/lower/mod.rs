@@ -22,6 +22,7 @@ mod makers;
 mod parts;
 mod push;
 mod run;
+mod said;
 mod shared;
 mod stack;
 mod stores;

@@ -2,7 +2,7 @@
 //!
 //! Here the board's own stack is used as the text says, so numbers are worked out at once.
 
-use super::bits::name;
+use super::said::name;
 use super::{ACCUMULATOR, Acc, Lower};
 use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
@@ -10,9 +10,6 @@ use crate::names::Place;
 use crate::rung::Written;
 use crate::tree::{Expr, Num, Number};
 use unoclp_core::isa::{Class, Opcode, REGISTERS, Value};
-
-/// The operand that stands for what was pushed.
-pub(super) const POP: &str = "POP";
 
 impl Lower<'_, '_> {
     /// PUSH: the number waits on the board's stack, and stays where it is.

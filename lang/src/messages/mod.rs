@@ -24,7 +24,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-use crate::diagnostics::Severity;
+use crate::severity::Severity;
 
 /// The words of a diagnostic in one language; the help is empty where there is none.
 pub(crate) struct Words {

@@ -1,16 +1,11 @@
 //! `VAR … END_VAR`.
 
 use super::Parser;
+use super::types::TYPES;
 use crate::ast::{Init, Section, Unit, Var, Word};
 use crate::diagnostics::Code;
 use crate::lexer::{Kind, SECTIONS, Token};
 use crate::operators;
-
-/// Words that are types, so that what stands before them is a name.
-pub(super) const TYPES: [&str; 22] = [
-    "BOOL", "SINT", "INT", "DINT", "USINT", "UINT", "UDINT", "BYTE", "WORD", "DWORD", "TIME",
-    "TON", "TOF", "TP", "TONR", "CTU", "CTD", "CTUD", "R_TRIG", "F_TRIG", "SR", "RS",
-];
 
 impl Parser<'_, '_> {
     /// The section that this word opens.

@@ -5,8 +5,9 @@ mod foreign;
 mod operand;
 mod points;
 mod statement;
+mod types;
 
-use declare::TYPES;
+use types::TYPES;
 
 use crate::ast::{Unit, UnitKind, Word};
 use crate::diagnostics::{Code, Found, Lines, Severity, Span, Word as Said};

@@ -1,0 +1,125 @@
+//! The way of a text in Instruction List to a checked program.
+
+use crate::code::compile_text;
+use crate::comments::Comments;
+use crate::diagnostics::{Found, Lines, Severity, Told};
+use crate::dialect::Dialect;
+use crate::emit::{self, CodeLine};
+use crate::languages::TextLanguage;
+use crate::places::{self, Places};
+use crate::st::has_types;
+use crate::{lower, names, parser, whole};
+use unoclp_checked::{Checked, SourceMap};
+use unoclp_core::Profile;
+
+/// How to compile.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Whose Instruction List it is; none: what the text looks like.
+    pub dialect: Option<Dialect>,
+    /// What the program must fit.
+    pub board: Profile,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            dialect: None,
+            board: Profile::UNO,
+        }
+    }
+}
+
+/// What has come of a text.
+#[derive(Debug)]
+pub struct Compiled {
+    /// Whose Instruction List it was taken to be.
+    pub dialect: Dialect,
+    /// The lines of the program file; what could be compiled, where there are errors.
+    pub lines: Vec<CodeLine>,
+    /// The program, as the board's own loader has checked it, and where its steps stand in the text; none
+    /// where there are errors.
+    pub program: Option<(Checked, SourceMap)>,
+    /// What was found in the text.
+    pub diagnostics: Told,
+}
+
+impl Compiled {
+    /// Whether there is no program.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics
+            .iter()
+            .any(|d| d.severity() == Severity::Error)
+    }
+
+    /// The program file with its comments, for `PROGRAM.TXT`; none where there are errors.
+    pub fn file(&self) -> Option<String> {
+        (!self.has_errors()).then(|| emit::file(&self.lines))
+    }
+
+    /// The codes and operands in order.
+    pub fn codes(&self) -> Vec<i32> {
+        self.lines.iter().map(|line| line.code).collect()
+    }
+}
+
+/// Compiles a text. It takes a time in proportion to the text's size, whatever the text is.
+pub fn compile(text: &str, options: &Options) -> Compiled {
+    match has_types(text) {
+        true => of_types(text, options.board),
+        false => compile_untyped(text, options),
+    }
+}
+
+/// The same of a text that [has no types](has_types), without what the typed languages take.
+pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
+    let mut found = Found::default();
+    let parsed = parser::parse(text, &mut found);
+    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let mut lines = Vec::new();
+    let mut program = None;
+    if whole::is_readable(&mut found) && !parsed.wrong_declarations {
+        (lines, program) = translate(text, dialect, options.board, &parsed, &mut found);
+    }
+    let diagnostics = found.finish();
+    Compiled {
+        dialect,
+        lines,
+        program,
+        diagnostics,
+    }
+}
+
+/// A text with types or functions of the norm, which the typed tree has.
+fn of_types(text: &str, board: Profile) -> Compiled {
+    let made = compile_text(text, TextLanguage::Il, board);
+    Compiled {
+        dialect: Dialect::Iec,
+        lines: made.lines,
+        program: made.program,
+        diagnostics: made.diagnostics,
+    }
+}
+
+/// The lines of the program file, and the program where there are no errors.
+fn translate(
+    text: &str,
+    dialect: Dialect,
+    board: Profile,
+    parsed: &parser::Parsed,
+    found: &mut Found,
+) -> (Vec<CodeLine>, Option<(Checked, SourceMap)>) {
+    let units = &parsed.units;
+    let names = || names::Names::new(text, dialect, board, units);
+    let mut lowered = lower::lower(units, names, found);
+    let starts = Lines::new(text);
+    let (lines, origins) = emit::emit(text, &starts, &mut lowered, found);
+    whole::check(text, units, lowered.writes, found);
+    let mut program = None;
+    if !found.has_errors() {
+        let comments = Comments::new(text, &starts, &parsed.comments);
+        let places = Places::new(text, &starts, places::units(text, units), comments);
+        program = emit::check(text, &lines, &origins, board, places, found);
+    }
+    (lines, program)
+}

@@ -1,0 +1,10 @@
+//! How bad it is.
+
+/// Whether a text can be compiled all the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// There is no program.
+    Error,
+    /// There is one, but it may not be what was meant.
+    Warning,
+}
