@@ -194,6 +194,16 @@ fn points_are_listed_with_their_names_and_rungs() {
 }
 
 #[test]
+fn a_table_that_goes_on_has_its_columns_named_again() {
+    let rungs = (1..=56).map(|number| format!("LD M{number}\nST Q1\n"));
+    let program = program("many.il", &rungs.collect::<String>()).unwrap();
+    let pages = pages(&program, 80, Paper::Letter, None, Lang::Pt);
+    let with = |text: &str| pages.iter().filter(|page| page.contains(text)).count();
+    assert_eq!(with("\nPontos\n"), 1);
+    assert_eq!(with("\ndegraus\n"), 2, "{} pages", pages.len());
+}
+
+#[test]
 fn pages_are_written_each_into_a_file_and_over_no_other() {
     let folder = empty_folder("pages");
     let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();

@@ -1,7 +1,7 @@
 //! The table of points: what each is called, and the rungs in which it stands.
 
-use super::pages::{Pages, SPACE};
-use super::paper::{HEAD, ROW, SMALL, lines};
+use super::pages::{Pages, Report, SPACE};
+use super::paper::{HEAD, Leaf, ROW, SMALL, lines};
 use crate::{Address, Drawing, Names};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,10 +20,16 @@ pub(super) fn table(drawing: &Drawing<'_>, names: &Names, pages: &mut Pages<'_>)
     }
     let named = used.keys().any(|point| names.contains_key(point));
     let columns = if named { NAMED } else { NAMELESS };
-    head(columns, pages);
+    let report = pages.report;
+    let (left, (wide, _)) = (report.paper.margin(), report.paper.room());
 
-    let paper = pages.report.paper;
-    let (left, (wide, _)) = (paper.margin(), paper.room());
+    // The heading is not left alone at the foot of a page.
+    let leaf = pages.open(HEAD.line() + 2.0 * SPACE + 3.0 * ROW.line());
+    leaf.y += SPACE;
+    leaf.text(left, leaf.y + HEAD.height(), report.points[0], &HEAD);
+    leaf.y += HEAD.line() + 2.0;
+    head(leaf, report, columns);
+
     let rest = 1.0 - columns.last().map_or(0.0, |(_, part)| *part);
     for (point, rungs) in used {
         let rungs: Vec<String> = rungs.iter().map(usize::to_string).collect();
@@ -35,26 +41,23 @@ pub(super) fn table(drawing: &Drawing<'_>, names: &Names, pages: &mut Pages<'_>)
         ];
         for line in 0..cells.iter().map(Vec::len).max().unwrap_or(0) {
             let leaf = pages.open(ROW.line());
+            if leaf.empty {
+                head(leaf, report, columns);
+            }
             for (column, part) in columns {
                 if let Some(text) = cells[*column].get(line) {
                     leaf.text(left + part * wide, leaf.y + ROW.height(), text, &ROW);
                 }
             }
             leaf.y += ROW.line();
-            leaf.empty = false;
         }
     }
 }
 
-/// What stands above the rows; not alone at the foot of a page.
-fn head(columns: &[(usize, f32)], pages: &mut Pages<'_>) {
-    let paper = pages.report.paper;
-    let (left, (wide, _)) = (paper.margin(), paper.room());
-    let [about, words @ ..] = pages.report.points;
-    let leaf = pages.open(HEAD.line() + 2.0 * SPACE + 3.0 * ROW.line());
-    leaf.y += SPACE;
-    leaf.text(left, leaf.y + HEAD.height(), about, &HEAD);
-    leaf.y += HEAD.line() + 2.0;
+/// What stands above the rows of a page.
+fn head(leaf: &mut Leaf, report: &Report<'_>, columns: &[(usize, f32)]) {
+    let (left, (wide, _)) = (report.paper.margin(), report.paper.room());
+    let [_, words @ ..] = report.points;
     for (column, part) in columns {
         let x = left + part * wide;
         leaf.text(x, leaf.y + SMALL.height(), words[*column], &SMALL);
