@@ -1,7 +1,7 @@
 //! Why a firmware is not on a board.
 
 use crate::model::Model;
-use crate::script::Stage;
+use crate::stage::Stage;
 use crate::words;
 use unoclp_source::Lang;
 

@@ -15,11 +15,12 @@ mod failure;
 mod image;
 mod model;
 mod script;
+mod stage;
 mod words;
 mod writer;
 
 pub use failure::{Failure, Trouble, Unfit};
 pub use image::Image;
 pub use model::Model;
-pub use script::Stage;
+pub use stage::Stage;
 pub use writer::{Next, Progress, Step, Writer};

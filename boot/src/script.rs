@@ -5,6 +5,7 @@
 
 use crate::image::Image;
 use crate::model::{PAGE, SIGNATURE};
+use crate::stage::Stage;
 
 /// Bytes of STK500v1 (Atmel's AVR061, section 7).
 pub(crate) const IN_SYNC: u8 = 0x14;
@@ -21,19 +22,6 @@ const FLASH: u8 = b'F';
 
 /// `nop` and `rjmp .-4`, for ever: a jump to itself alone is what simulators take for a crash.
 const STALL: [u8; 4] = [0x00, 0x00, 0xFE, 0xCF];
-
-/// How far the writing of an image is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
-    /// The boot loader is called, and asked which chip it is on.
-    Meeting,
-    /// Pages are written.
-    Writing,
-    /// They are read back.
-    Comparing,
-    /// The first page makes a firmware of them, and it is started.
-    Finishing,
-}
 
 /// A request and the answer to it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -36,7 +36,8 @@
 
 use crate::failure::{self, Failure, Trouble};
 use crate::image::Image;
-use crate::script::{Exchange, IN_SYNC, OK, SYNC, SYNCED, Stage, script};
+use crate::script::{Exchange, IN_SYNC, OK, SYNC, SYNCED, script};
+use crate::stage::Stage;
 use std::time::Duration;
 use unoclp_source::Lang;
 

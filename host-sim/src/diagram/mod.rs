@@ -14,7 +14,7 @@ mod words;
 use crate::scenario::{Both, Report, Scenario};
 use lanes::{Lane, lanes};
 use std::collections::BTreeMap;
-use stroke::{Scale, label, line, stroke};
+use stroke::{ROW, Scale, label, line, stroke};
 use svg::Document;
 use svg::node::element::{Group, Rectangle, Title};
 use unoclp_core::Millis;
@@ -35,8 +35,6 @@ const MARGIN: f32 = 16.0;
 /// Where time begins.
 const LEFT: f32 = 250.0;
 const PLOT: f32 = WIDTH - LEFT - 2.0 * MARGIN;
-/// From one course to the next.
-const ROW: f32 = 24.0;
 /// Between lanes.
 const GAP: f32 = 6.0;
 

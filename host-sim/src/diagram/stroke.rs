@@ -2,10 +2,12 @@
 //!
 //! Owns the form of a single course. Must not know what it means.
 
-use super::ROW;
 use crate::scenario::Course;
 use svg::node::element::{Group, Line, Path, Rectangle, Text, path::Data};
 use unoclp_core::Millis;
+
+/// From one course to the next.
+pub(super) const ROW: f32 = 24.0;
 
 /// Where a time stands on the page.
 #[derive(Clone, Copy, Debug)]

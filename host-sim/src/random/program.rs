@@ -1,6 +1,6 @@
 //! The instructions of a random program.
 
-use super::Random;
+use super::stream::Random;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
 use unoclp_core::{Delay, Instruction, KEPT, Target, TimerBlock};
 use unoclp_source::BOARD;

@@ -1,6 +1,6 @@
 //! A program file, in one of the many ways to write it.
 
-use super::Random;
+use super::stream::Random;
 use unoclp_core::{Instruction, isa};
 
 /// Writes a program file, in one of the many ways to do so (NC-2, NC-3).

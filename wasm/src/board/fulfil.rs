@@ -5,9 +5,10 @@ use super::news::{Kept, News};
 use super::order::Order;
 #[cfg(feature = "full")]
 use super::settle::settle;
+use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::Text;
-use crate::words::{self, Both, No, both};
+use crate::words::{self, Both, both};
 use unoclp_board::diagnostics;
 use unoclp_board::map::{Command, State, holding};
 use unoclp_board::point::Point;
@@ -16,39 +17,6 @@ use unoclp_board::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
 use unoclp_board::watch::{Side, Wish};
 use unoclp_board::{Client, Failure};
 use unoclp_modbus::Exception;
-
-/// Why something was not done.
-pub(super) enum Undone {
-    /// It is told; the board is still there.
-    Told(Both),
-    /// The board is lost.
-    Lost(Failure),
-}
-
-impl From<Failure> for Undone {
-    fn from(failure: Failure) -> Undone {
-        match failure {
-            Failure::Refused(_) => Undone::Told(both(|lang| words::failure(lang, &failure))),
-            failure => Undone::Lost(failure),
-        }
-    }
-}
-
-impl From<Both> for Undone {
-    fn from(told: Both) -> Undone {
-        Undone::Told(told)
-    }
-}
-
-impl From<No> for Undone {
-    fn from(no: No) -> Undone {
-        match no {
-            No::Told(told) => Undone::Told(told),
-            // It was asked for before.
-            No::More => Undone::Told(both(words::faulty)),
-        }
-    }
-}
 
 /// Does what is ordered; gives what there is to say behind it.
 pub(super) async fn fulfil(

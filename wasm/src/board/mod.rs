@@ -2,7 +2,7 @@
 //!
 //! - `watched`: the program that a board is said to run, and what of it is shown live
 //! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
-//! - `order`, `fulfil`, `settle`: what may be ordered, and how it is done
+//! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`: how it is done; `undone`: why not
 //! - `news`: what a page is told
 //! - `desk`: what lies between a conversation and its page
 //!
@@ -15,6 +15,9 @@ mod order;
 #[cfg(feature = "full")]
 mod settle;
 mod talk;
+mod undone;
+#[cfg(feature = "full")]
+mod wanted;
 mod watched;
 
 pub use order::Order;

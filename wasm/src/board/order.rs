@@ -1,7 +1,7 @@
 //! What may be ordered of a board.
 
 #[cfg(feature = "full")]
-use super::settle::Wanted;
+use super::wanted::Wanted;
 use crate::given::{Given, wrong};
 use crate::program::Text;
 use crate::words::No;

@@ -1,9 +1,10 @@
 //! What is said to a board.
 
 use super::desk::Desk;
-use super::fulfil::{Undone, fulfil};
+use super::fulfil::fulfil;
 use super::news::{News, Seen};
 use super::order::Order;
+use super::undone::Undone;
 use super::watched::Watched;
 use crate::words::{self, both};
 use std::time::Duration;

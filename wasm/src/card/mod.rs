@@ -4,6 +4,7 @@ mod room;
 
 use crate::given::{Given, wrong};
 use crate::words::{self, Both, both};
+use room::BLOCK;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -12,9 +13,6 @@ use unoclp_card::{Block, Device, File};
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../programs/STATE.TXT");
-
-/// Bytes of a block.
-const BLOCK: usize = 512;
 
 /// A card.
 #[derive(Debug, Serialize)]

@@ -1,8 +1,9 @@
 //! How much room is left on a card: what its FAT says, whatever stands in it.
 
-use super::BLOCK;
 use unoclp_card::{Block, Device};
 
+/// Bytes of a block.
+pub(super) const BLOCK: usize = 512;
 /// Clusters from which on a volume is FAT32, and below which it is FAT12, which no board reads.
 const FAT32: u32 = 65_525;
 const FAT16: u32 = 4_085;
