@@ -5,8 +5,8 @@
 //! could not be carried out.
 
 mod commands;
+mod outcome;
 
-use annotate_snippets::Renderer;
 use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -14,10 +14,9 @@ use commands::{
     At, Changes, Class, Doors, Firmware, Form, Leave, Paper, What, Wording, in_portuguese, langs,
     language, refuse,
 };
-use ratatui::crossterm::terminal;
 use std::env;
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, stdout};
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unoclp_cli::messages;
@@ -228,9 +227,6 @@ fn end_with_the_pipe() {
     }
 }
 
-/// Whether what the command was asked about is well.
-type Outcome = anyhow::Result<bool>;
-
 fn main() -> ExitCode {
     messages::speak(asked().unwrap_or_else(environment));
     let command = arguments().command;
@@ -316,15 +312,4 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// How excerpts of a program are shown.
-fn renderer() -> Renderer {
-    let mut renderer = Renderer::styled();
-    if stdout().is_terminal()
-        && let Ok((width, _)) = terminal::size()
-    {
-        renderer = renderer.term_width(width.into());
-    }
-    renderer
 }

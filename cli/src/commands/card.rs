@@ -3,7 +3,7 @@
 use super::open::{Shown, open};
 use super::output::{cannot_write, is_same};
 use super::wording::Wording;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
 use std::fs::{self, File, OpenOptions};

@@ -3,7 +3,7 @@
 use super::open::{Shown, open};
 use super::output::{Kind, cannot_write, create, is_same};
 use super::wording::Wording;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::{eprintln, print};
 use anyhow::bail;
 use std::io::Write;

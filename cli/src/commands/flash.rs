@@ -3,7 +3,7 @@
 use super::interrupt::{Interrupt, Interrupted};
 use super::progress::{self, hide};
 use super::words::models;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use std::fs::File;

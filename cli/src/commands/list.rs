@@ -4,7 +4,7 @@ use super::open::{Shown, open};
 use super::output::{Kind, cannot_write, create, may_write};
 use super::wording::Wording;
 use super::words::Form;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::io::Write;

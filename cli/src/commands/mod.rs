@@ -22,6 +22,7 @@ macro_rules! say {
 
 mod card;
 mod compile;
+mod excerpt;
 mod flash;
 mod grade;
 mod help;

@@ -2,7 +2,7 @@
 
 use super::open::{Shown, open};
 use super::wording::Wording;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};

@@ -1,7 +1,8 @@
 //! Reading a program, whichever of its languages it is written in.
 
+use super::excerpt::renderer;
 use super::wording::Wording;
-use crate::{Outcome, renderer};
+use crate::outcome::Outcome;
 use anstream::{eprint, eprintln, println};
 use anyhow::{anyhow, bail};
 use std::io::{Read, stdin};

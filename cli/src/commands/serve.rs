@@ -1,7 +1,7 @@
 //! `unoclp serve`.
 
 use super::Spoken;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use clap::Args;
 use std::net::SocketAddr;
 

@@ -2,7 +2,7 @@
 
 use super::words::{Lock, Parity};
 use super::{failed, meet, not_stopped};
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
 use unoclp_board::diagnostics::Diagnostics;

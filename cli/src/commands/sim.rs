@@ -3,7 +3,7 @@
 use super::open::{Shown, check_written, open, read, running};
 use super::output::{Kind, cannot_write, create};
 use super::wording::Wording;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
 use std::collections::BTreeMap;

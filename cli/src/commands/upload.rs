@@ -5,7 +5,7 @@ use super::open::{Shown, faulty, open, running};
 use super::progress::{hide, show};
 use super::wording::Wording;
 use super::{failed, meet, not_stopped};
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use std::cell::Cell;

@@ -15,7 +15,7 @@ mod table;
 use super::open::unreadable;
 use super::output::{Kind, cannot_write, create};
 use super::wording::Wording;
-use crate::Outcome;
+use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::anyhow;
 use clap::Args;

@@ -1,7 +1,8 @@
 //! Instruction List and numeric code, run as the board runs them.
 
 use super::super::open::{check_written, running};
-use super::{Ran, Row, What, find};
+use super::ran::{Ran, Row};
+use super::what::{What, find};
 use anstream::eprintln;
 use anyhow::anyhow;
 use std::collections::{BTreeMap, BTreeSet};

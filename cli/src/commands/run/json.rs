@@ -1,6 +1,6 @@
 //! What a run has come to, for a program: one object.
 
-use super::{Ran, Row};
+use super::ran::{Ran, Row};
 use unoclp_lang::typed::{Base, Value};
 
 pub(super) fn json(ran: &Ran) -> String {

@@ -1,5 +1,6 @@
 //! `unoclp run`: runs a program on this PC, and shows what its variables hold at the end.
 //!
+//! - `what`: what is run, and how; `ran`: what it has come to
 //! - `tree`: a text in a typed language, with all types
 //! - `core`: Instruction List and numeric code, as the board runs them
 //! - `table`: the symbols as a table
@@ -7,70 +8,19 @@
 
 mod core;
 mod json;
+mod ran;
 mod table;
 mod tree;
+mod what;
 
-use super::open::{Shown, no_program, read};
-use super::wording::Wording;
-use crate::Outcome;
+use super::open::no_program;
+use crate::outcome::Outcome;
 use anstream::print;
 use anyhow::bail;
-use clap::Args;
-use std::path::PathBuf;
-use unoclp_cli::messages;
-use unoclp_lang::typed::{Base, Value};
-use unoclp_source::{Written, WrittenIn};
+use unoclp_source::WrittenIn;
+use what::program;
 
-/// What to run, and how.
-#[derive(Args)]
-pub struct What {
-    /// The program, in any of the languages; - reads it from standard input
-    file: Option<PathBuf>,
-    /// The program itself, in place of a file
-    #[arg(long, conflicts_with = "file", allow_hyphen_values = true)]
-    text: Option<String>,
-    #[command(flatten)]
-    wording: Wording,
-    /// How often the program runs
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    scans: u32,
-    /// How much later each scan begins than the one before, in ms
-    #[arg(long, value_name = "MS", default_value_t = 1)]
-    every: u32,
-    /// Set a variable before the first scan, like an input
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
-    /// Print one object in JSON
-    #[arg(long)]
-    json: bool,
-}
-
-/// What a run has come to.
-struct Ran {
-    scans: u32,
-    printed: Vec<(Value, Base)>,
-    symbols: Vec<Row>,
-}
-
-/// A variable at the end of a run.
-struct Row {
-    name: String,
-    type_name: String,
-    value: Value,
-    base: Base,
-    /// The name of the value of an enumeration.
-    named: Option<String>,
-    /// Where the board keeps it.
-    place: Option<String>,
-}
-
-impl Row {
-    /// The value as a person reads it.
-    fn shown(&self) -> String {
-        let shown = || self.value.shown(self.base);
-        self.named.clone().unwrap_or_else(shown)
-    }
-}
+pub use what::What;
 
 /// `unoclp run`.
 pub fn run(arguments: What) -> Outcome {
@@ -88,61 +38,4 @@ pub fn run(arguments: What) -> Outcome {
         false => print!("{}", table::table(&ran)),
     }
     Ok(true)
-}
-
-impl What {
-    /// What --set says: names, and what they become.
-    fn settings(&self) -> anyhow::Result<Vec<(&str, &str)>> {
-        let setting = |given| match str::split_once(given, '=') {
-            Some((name, written)) => Ok((name.trim(), written.trim_start_matches(['=', ' ']))),
-            None => bail!(messages::set_form(given)),
-        };
-        self.set.iter().map(|given| setting(given)).collect()
-    }
-
-    /// The time of a scan, in ms.
-    fn time(&self, scan: u32) -> i64 {
-        i64::from(scan) * i64::from(self.every)
-    }
-
-    /// Where the errors of the program are told: standard output is for the object in JSON alone.
-    fn shown(&self) -> Shown {
-        match self.json {
-            true => Shown::Beside,
-            false => Shown::Here,
-        }
-    }
-}
-
-/// The program, wherever the arguments have it.
-fn program(arguments: &What) -> anyhow::Result<Written> {
-    let (name, bytes) = match (&arguments.text, &arguments.file) {
-        (Some(text), _) => (messages::the_text(), text.clone().into_bytes()),
-        (None, Some(path)) => {
-            let file = read(path)?;
-            (file.name, file.bytes)
-        }
-        (None, None) => bail!(messages::nothing_to_run()),
-    };
-    Ok(arguments.wording.of(name, bytes))
-}
-
-/// The one of these names that is meant: exactly so, or else in whatever case.
-fn find(names: &[String], name: &str) -> anyhow::Result<usize> {
-    let exact = names.iter().position(|of| of == name);
-    let alike = || names.iter().position(|of| of.eq_ignore_ascii_case(name));
-    match exact.or_else(alike) {
-        Some(at) => Ok(at),
-        None if names.is_empty() => bail!(messages::no_variables(name)),
-        None => {
-            let some = names.iter().take(12).map(String::as_str);
-            let some: Vec<&str> = some.collect();
-            let more = if names.len() > some.len() {
-                ", …"
-            } else {
-                ""
-            };
-            bail!(messages::no_variable(name, some.join(", ") + more))
-        }
-    }
 }

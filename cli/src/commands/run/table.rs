@@ -1,6 +1,6 @@
 //! What a run has come to, for a person: what was printed, and the symbols in columns.
 
-use super::Ran;
+use super::ran::Ran;
 use unoclp_cli::messages;
 use unoclp_lang::typed::{Base, Value};
 

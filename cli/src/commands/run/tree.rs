@@ -1,8 +1,10 @@
 //! A text in a typed language, run by the interpreter of the typed tree.
 
+use super::super::excerpt::renderer;
 use super::super::open::count;
-use super::{Ran, Row, What, find, table};
-use crate::renderer;
+use super::ran::{Ran, Row};
+use super::table;
+use super::what::{What, find};
 use anstream::{eprint, eprintln, print};
 use anyhow::anyhow;
 use unoclp_cli::messages;

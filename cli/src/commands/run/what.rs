@@ -1,0 +1,90 @@
+//! What is run: its arguments, and its variables by their names.
+
+use super::super::open::{Shown, read};
+use super::super::wording::Wording;
+use anyhow::bail;
+use clap::Args;
+use std::path::PathBuf;
+use unoclp_cli::messages;
+use unoclp_source::Written;
+
+/// What to run, and how.
+#[derive(Args)]
+pub struct What {
+    /// The program, in any of the languages; - reads it from standard input
+    file: Option<PathBuf>,
+    /// The program itself, in place of a file
+    #[arg(long, conflicts_with = "file", allow_hyphen_values = true)]
+    text: Option<String>,
+    #[command(flatten)]
+    pub(super) wording: Wording,
+    /// How often the program runs
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(super) scans: u32,
+    /// How much later each scan begins than the one before, in ms
+    #[arg(long, value_name = "MS", default_value_t = 1)]
+    every: u32,
+    /// Set a variable before the first scan, like an input
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Print one object in JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+impl What {
+    /// What --set says: names, and what they become.
+    pub(super) fn settings(&self) -> anyhow::Result<Vec<(&str, &str)>> {
+        let setting = |given| match str::split_once(given, '=') {
+            Some((name, written)) => Ok((name.trim(), written.trim_start_matches(['=', ' ']))),
+            None => bail!(messages::set_form(given)),
+        };
+        self.set.iter().map(|given| setting(given)).collect()
+    }
+
+    /// The time of a scan, in ms.
+    pub(super) fn time(&self, scan: u32) -> i64 {
+        i64::from(scan) * i64::from(self.every)
+    }
+
+    /// Where the errors of the program are told: standard output is for the object in JSON alone.
+    pub(super) fn shown(&self) -> Shown {
+        match self.json {
+            true => Shown::Beside,
+            false => Shown::Here,
+        }
+    }
+}
+
+/// The program, wherever the arguments have it.
+pub(super) fn program(arguments: &What) -> anyhow::Result<Written> {
+    let (name, bytes) = match (&arguments.text, &arguments.file) {
+        (Some(text), _) => (messages::the_text(), text.clone().into_bytes()),
+        (None, Some(path)) => {
+            let file = read(path)?;
+            (file.name, file.bytes)
+        }
+        (None, None) => bail!(messages::nothing_to_run()),
+    };
+    Ok(arguments.wording.of(name, bytes))
+}
+
+/// The one of these names that is meant: exactly so, or else in whatever case.
+pub(super) fn find(names: &[String], name: &str) -> anyhow::Result<usize> {
+    let exact = names.iter().position(|of| of == name);
+    let alike = || names.iter().position(|of| of.eq_ignore_ascii_case(name));
+    match exact.or_else(alike) {
+        Some(at) => Ok(at),
+        None if names.is_empty() => bail!(messages::no_variables(name)),
+        None => {
+            let some = names.iter().take(12).map(String::as_str);
+            let some: Vec<&str> = some.collect();
+            let more = if names.len() > some.len() {
+                ", …"
+            } else {
+                ""
+            };
+            bail!(messages::no_variable(name, some.join(", ") + more))
+        }
+    }
+}
