@@ -1,6 +1,6 @@
 //! Declared variables, and the places that they get.
 
-use super::{Counter, DeclaredInput, Instance, Names, Place, Timer};
+use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
 use crate::address::parse;
 use crate::ast::{Init, Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};

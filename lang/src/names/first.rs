@@ -1,6 +1,6 @@
 //! First values: each is given to what can take it, or told; none is dropped.
 
-use super::{Initial, Names, Place};
+use super::meaning::{Initial, Names, Place};
 use crate::ast::{Init, Var};
 use crate::diagnostics::{Code, Found};
 use crate::literal;

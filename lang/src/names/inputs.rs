@@ -1,20 +1,8 @@
 //! Inputs of blocks that a text stores to before it calls them: `ST T1.IN`. Each is a marker, and keeps what it was
 //! given last, as the norm has it.
 
-use super::{Names, Place};
+use super::meaning::{Block, Names, Place};
 use crate::tree::Bit;
-
-/// A block and one of its inputs.
-pub(super) type Input = (Block, &'static str);
-
-/// What has inputs: a timer or counter by its index, an edge or a latch by its marker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Block {
-    Timer(usize),
-    Counter(usize),
-    Edge(u8),
-    Latch(u8),
-}
 
 /// The spellings of an input; the first is its own.
 fn spellings(place: Place) -> &'static [&'static [&'static str]] {

@@ -3,125 +3,28 @@
 pub(crate) mod declare;
 mod first;
 mod inputs;
+mod meaning;
 pub(crate) mod near;
 mod points;
 mod retain;
 mod shared;
 
 use crate::Dialect;
-use crate::address::{Address, Spelling, parse};
-use crate::ast::{Init, Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind};
+use crate::address::{Address, parse};
+use crate::ast::{Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind};
 use crate::diagnostics::{Code, Found, Span, Word as Said};
 use crate::literal;
 use crate::operators::Op;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
-use retain::Retained;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Profile;
-use unoclp_core::isa::{Kind, MARKER_OPERAND, Opcode, REGISTERS, Row, TABLE};
+use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
+
+use meaning::Retained;
+pub(crate) use meaning::{Initial, Instance, Names, Place};
 
 const LAST_REGISTER: u32 = REGISTERS as u32;
-
-/// What an operand means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
-    Bit(Bit),
-    Always(bool),
-    Number(Num),
-    /// A timer as a whole, by its index.
-    Timer(usize),
-    /// A counter as a whole, by its index.
-    Counter(usize),
-    /// R_TRIG or F_TRIG: its Q.
-    Trigger(Opcode, u8),
-    /// SR, where to set wins, or RS: its Q1.
-    Latch(bool, u8),
-    /// An instance of a function block of the file, by its index.
-    Instance(usize),
-    /// Something was wrong with it, and has been told.
-    Unknown,
-}
-
-/// A timer of the text.
-#[derive(Debug)]
-pub(crate) struct Timer {
-    pub name: String,
-    pub kind: Option<Opcode>,
-    pub preset: Option<i32>,
-    /// The calls that led to its first call, the innermost first.
-    pub called: Option<Vec<Span>>,
-    /// Where its Q or its time is first read.
-    pub read: Option<Span>,
-}
-
-/// A counter of the text.
-#[derive(Debug)]
-pub(crate) struct Counter {
-    pub name: String,
-    /// C 01 to C 16.
-    pub number: u8,
-    pub kind: Option<Opcode>,
-    pub preset: Option<i32>,
-}
-
-/// An instance of a function block of the file, or what its functions keep.
-#[derive(Debug)]
-pub(crate) struct Instance {
-    /// The unit's index.
-    pub unit: usize,
-    pub names: HashMap<String, Place>,
-    /// The instance that it is declared in.
-    pub within: Option<usize>,
-    /// Where it is declared, and the first values that its declaration gives its inputs.
-    pub span: Span,
-    pub inits: Vec<Init>,
-}
-
-/// An input that has been declared.
-#[derive(Debug)]
-pub(crate) struct DeclaredInput {
-    pub name: String,
-    pub span: Span,
-    pub input: u8,
-}
-
-/// A variable that begins with another value than 0.
-#[derive(Debug)]
-pub(crate) struct Initial {
-    pub place: Place,
-    pub value: i32,
-    pub span: Span,
-}
-
-pub(crate) struct Names<'t> {
-    pub text: &'t str,
-    pub dialect: Dialect,
-    pub board: Profile,
-    pub timers: Vec<Timer>,
-    pub counters: Vec<Counter>,
-    pub instances: Vec<Instance>,
-    pub inputs: Vec<DeclaredInput>,
-    pub initials: Vec<Initial>,
-    pub retained: Retained,
-    pub temps: Temps,
-    /// Names that hold in the whole file: those that nothing declares, timers and counters.
-    global: HashMap<String, Place>,
-    /// What VAR_GLOBAL declares somewhere in the file.
-    globals: HashSet<String>,
-    /// Function blocks of the file.
-    blocks: HashMap<String, usize>,
-    /// The inputs of each unit that may begin with a value of an instance's own.
-    inputs_of: HashSet<(usize, String)>,
-    /// The markers of inputs that the text stores to: `T1.IN`.
-    block_inputs: HashMap<inputs::Input, u8>,
-    counters_used: u16,
-    /// Bit 0 is input 01.
-    pub inputs_read: u16,
-    /// How each point of the board is written where it is first named.
-    points: HashMap<Address, (Spelling, Span)>,
-    near: near::Near,
-}
 
 impl<'t> Names<'t> {
     /// Looks through the whole text, so that no name gets what an address of the text means.

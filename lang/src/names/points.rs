@@ -1,6 +1,7 @@
 //! The points of the board that addresses name, and the parts of timers and counters.
 
-use super::{ADDRESS_HELP, Counter, Names, Place};
+use super::ADDRESS_HELP;
+use super::meaning::{Counter, Names, Place};
 use crate::address::{Address, spelling};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::tree::{Bit, Num};

@@ -1,7 +1,7 @@
 //! `VAR RETAIN`: what a variable keeps over a power cut (NC-12, NC-21), or why it cannot.
 
 use super::declare::is_new;
-use super::{Initial, Names, Place};
+use super::meaning::{Names, Place};
 use crate::ast::{UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
@@ -36,17 +36,6 @@ const TOO_MANY: Why = (
     "16 registers and counters are kept at most, and first values take a register too",
     "no máximo 16 registradores e contadores são retidos, e os valores iniciais também ocupam um registrador",
 );
-
-/// What a text keeps.
-#[derive(Debug, Default)]
-pub(crate) struct Retained {
-    /// Registers and counters, each once, and where they are declared.
-    pub numbers: Vec<(Number, Span)>,
-    /// The values that variables begin with where nothing has been kept yet.
-    pub initials: Vec<Initial>,
-    /// The register that is not 0 where something has been kept, and where it is first needed.
-    pub begun: Option<(u8, Span)>,
-}
 
 impl Names<'_> {
     /// Keeps a variable. Its first values are those behind the first `before`.

@@ -1,6 +1,6 @@
 //! Variables that stand elsewhere: those of the caller, and those of the whole file.
 
-use super::{Names, Place};
+use super::meaning::{Names, Place};
 use crate::ast::{Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found};
 

@@ -3,7 +3,7 @@
 //! An expression is read again at each use, so whatever may change what it reads has to find it put aside: in a
 //! variable that is new at each call.
 
-use super::{Acc, Walk};
+use super::walk::{Acc, Walk};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Section, Target, Traits};
 use crate::typed::{Expr, ExprKind, Place, Root, Stmt, StmtKind, TypeId};

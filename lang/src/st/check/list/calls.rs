@@ -4,7 +4,7 @@ use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
 use super::super::Checker;
 use super::accumulator::Changes;
 use super::operators::accumulated;
-use super::{Acc, Walk};
+use super::walk::{Acc, Walk};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 use crate::typed::build::{Argument, Given, Section, Target, Traits};

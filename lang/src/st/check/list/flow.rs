@@ -5,42 +5,14 @@
 
 use super::super::super::ast::{Instruction, Line, Name};
 use super::accumulator::Changes;
-use super::{Acc, Walk};
+use super::walk::{Acc, If, Walk};
 use crate::diagnostics::{Code, Span};
 use crate::names::near::nearest;
 use crate::operators::Op;
-use crate::typed::build::{Section, Target, both};
+use crate::typed::build::{Section, both};
 use crate::typed::{Expr, Stmt, StmtKind};
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
-
-/// The labels of a unit.
-#[derive(Default)]
-pub(super) struct Labels {
-    /// In which line each stands, by its name in upper case.
-    lines: HashMap<String, usize>,
-    /// The statement that each leads to; those behind the text's own labels are of IF.
-    places: HashMap<usize, usize>,
-    /// Where the accumulator waits that is needed behind a label.
-    carried: HashMap<usize, Target>,
-    /// Jumps whose statement is not known yet: the jump, and the label.
-    open: Vec<(usize, usize)>,
-    /// Labels of IF so far.
-    of_ifs: usize,
-    /// Variables of the compiler's own so far.
-    pub own: u32,
-}
-
-/// An IF that is open.
-pub(super) struct If {
-    span: Span,
-    condition: Option<Expr>,
-    /// What is done where the condition holds, once ELSE has come.
-    first: Option<Vec<Stmt>>,
-    /// With jumps: the labels behind its first part, and behind it.
-    labels: Option<(usize, usize)>,
-    other: bool,
-}
 
 impl Walk<'_, '_, '_, '_> {
     pub(super) fn find_labels(&mut self) {

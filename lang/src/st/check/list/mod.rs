@@ -2,6 +2,7 @@
 //!
 //! The lines are run once on expressions in place of values, so that `LD a`, `ADD b`, `ST c` come to `c := a + b`.
 //!
+//! - `walk`: what is held on the way
 //! - `accumulator`: what the accumulator holds, and what is put aside of it
 //! - `flow`: jumps, labels, IF; what the accumulator is needed for behind a line
 //! - `operators`: what each line does
@@ -11,6 +12,7 @@ mod accumulator;
 mod calls;
 mod flow;
 mod operators;
+mod walk;
 
 use super::super::ast::Line;
 use super::Checker;
@@ -18,56 +20,8 @@ use crate::address;
 use crate::diagnostics::{Code, Span};
 use crate::dialect::Dialect;
 use crate::operators::Op;
-use crate::typed::build::Target;
-use crate::typed::{Expr, Stmt};
-use flow::{If, Labels};
-
-/// What the accumulator holds.
-#[derive(Clone, Debug)]
-enum Acc {
-    Empty,
-    /// What is wrong has been told.
-    Wrong,
-    Value(Expr),
-    /// An array or a structure.
-    Whole(Target),
-}
-
-/// An operation that waits for its `)`.
-struct Frame {
-    name: String,
-    acc: Acc,
-    negated: bool,
-    at: Span,
-}
-
-struct Walk<'c, 'a, 't, 'f> {
-    c: &'c mut Checker<'a, 't, 'f>,
-    lines: &'c [Line],
-    /// Whether the accumulator is needed before each line, and behind the last.
-    needs: Vec<bool>,
-    /// The line that is run, and how many edges it has had.
-    line: usize,
-    edges: usize,
-    acc: Acc,
-    /// Operations in the accumulator's expression.
-    links: u32,
-    frames: Vec<Frame>,
-    /// Operations that waited may be lost to an error.
-    lost: bool,
-    /// What MPS has kept.
-    kept: Vec<Acc>,
-    /// `(N`: the load that follows is inverted.
-    inverts: bool,
-    /// The result that nothing has used yet.
-    unused: Option<Span>,
-    /// Nothing comes here.
-    unreachable: bool,
-    labels: Labels,
-    ifs: Vec<If>,
-    /// The statements, of the unit and of each IF that is open.
-    made: Vec<Vec<Stmt>>,
-}
+use crate::typed::Stmt;
+use walk::{Acc, Labels, Walk};
 
 /// Operations in one expression, before a part of it is put aside.
 const MOST_LINKS: u32 = 40;

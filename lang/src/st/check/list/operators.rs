@@ -1,7 +1,8 @@
 //! What each line does with the accumulator.
 
 use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
-use super::{Acc, Frame, MOST_FRAMES, Walk, is_load};
+use super::walk::{Acc, Frame, Walk};
+use super::{MOST_FRAMES, is_load};
 use crate::diagnostics::{Code, Span};
 use crate::operators::{self, Op};
 use crate::typed::build::{Argument, Given, Named, Target, both};
