@@ -75,7 +75,10 @@ pub fn run() -> Result<()> {
 }
 
 /// The root files of the libraries and programs in the folders of the workspace.
-fn roots() -> Result<Vec<PathBuf>> {
+///
+/// # Errors
+/// If a folder cannot be read.
+pub fn roots() -> Result<Vec<PathBuf>> {
     let mut roots = Vec::new();
     for folder in fs::read_dir(shell::root())? {
         let source = folder?.path().join("src");
