@@ -1,6 +1,7 @@
 //! From the paths in the code to the files that define what they name.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::source::{Modules, Name, Named};
 
@@ -8,7 +9,7 @@ use super::source::{Modules, Name, Named};
 const DEPTH: u8 = 8;
 
 /// What a path leads to.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Found {
     /// The module with this index.
     Module(usize),
@@ -18,13 +19,17 @@ enum Found {
 
 /// Which file needs which other one, by their indexes, and a path for each that shows it.
 pub fn needs(modules: &Modules) -> BTreeMap<(usize, usize), String> {
+    let names = Names {
+        modules,
+        known: RefCell::default(),
+    };
     let mut needs = BTreeMap::new();
     for (index, module) in modules.all.iter().enumerate() {
         for named in &module.paths {
             let (files, path) = match named {
-                Named::Path(path) => (modules.defining(index, path), path.join("::")),
-                Named::All(path) => (modules.whole(index, path), path.join("::") + "::*"),
-                Named::Macro(name) => (modules.of_macro(index, name), format!("{name}!")),
+                Named::Path(path) => (names.defining(index, path), path.join("::")),
+                Named::All(path) => (names.whole(index, path), path.join("::") + "::*"),
+                Named::Macro(name) => (names.of_macro(index, name), format!("{name}!")),
             };
             for file in files.into_iter().filter(|file| *file != module.file) {
                 needs
@@ -36,7 +41,14 @@ pub fn needs(modules: &Modules) -> BTreeMap<(usize, usize), String> {
     needs
 }
 
-impl Modules {
+/// Names of modules as they are looked up.
+struct Names<'m> {
+    modules: &'m Modules,
+    /// What a name in a module has been found to stand for: many ways lead to each.
+    known: RefCell<HashMap<(usize, String, u8), Vec<Found>>>,
+}
+
+impl Names<'_> {
     /// The files that define what this path names in this module. What a module is named for, the paths
     /// through it say.
     fn defining(&self, module: usize, path: &[String]) -> Vec<usize> {
@@ -55,7 +67,7 @@ impl Modules {
         found
             .map(|found| match found {
                 Found::In(file) => file,
-                Found::Module(module) => self.all[module].file,
+                Found::Module(module) => self.modules.all[module].file,
             })
             .collect()
     }
@@ -64,7 +76,7 @@ impl Modules {
     fn of_macro(&self, module: usize, name: &str) -> Vec<usize> {
         let found = self.defining(module, &[name.to_owned()]);
         if found.is_empty() {
-            self.macros.get(name).cloned().unwrap_or_default()
+            self.modules.macros.get(name).cloned().unwrap_or_default()
         } else {
             found
         }
@@ -77,7 +89,7 @@ impl Modules {
             module = match first.as_str() {
                 "crate" => 0,
                 "self" => module,
-                "super" => match self.all[module].parent {
+                "super" => match self.modules.all[module].parent {
                     Some(parent) => parent,
                     None => return Vec::new(),
                 },
@@ -85,41 +97,64 @@ impl Modules {
             };
             rest = others;
         }
-        let [first, others @ ..] = rest else {
-            return vec![Found::Module(module)];
-        };
-        let mut found = self.named(module, first, depth);
-        for name in others {
+        let mut found = vec![Found::Module(module)];
+        for (at, name) in rest.iter().enumerate() {
+            let leads_on = at + 1 < rest.len();
             let next = found.into_iter().flat_map(|found| match found {
+                Found::Module(module) if leads_on => self.leading_on(module, name, depth),
                 Found::Module(module) => self.named(module, name, depth),
                 // A variant, or what belongs to a type.
                 item => vec![item],
             });
-            found = next.collect();
+            found = once(next);
         }
         found
     }
 
+    /// What a name stands for that another follows: where it is a module's, a function of the same name is not meant.
+    fn leading_on(&self, module: usize, name: &str, depth: u8) -> Vec<Found> {
+        let names = self.modules.all[module].names.get(name);
+        let own = names.into_iter().flatten().find_map(|name| match name {
+            Name::Module(module) => Some(Found::Module(*module)),
+            _ => None,
+        });
+        own.map_or_else(|| self.named(module, name, depth), |own| vec![own])
+    }
+
     /// All that a name may stand for in this module.
     fn named(&self, module: usize, name: &str, depth: u8) -> Vec<Found> {
+        let key = (module, name.to_owned(), depth);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return known.clone();
+        }
+        let found = self.look_up(module, name, depth);
+        self.known.borrow_mut().insert(key, found.clone());
+        found
+    }
+
+    fn look_up(&self, module: usize, name: &str, depth: u8) -> Vec<Found> {
         let Some(depth) = depth.checked_sub(1) else {
             return Vec::new();
         };
-        let Some(names) = self.all[module].names.get(name) else {
-            let globs = self.all[module].globs.iter();
+        let Some(names) = self.modules.all[module].names.get(name) else {
+            let globs = self.modules.all[module].globs.iter();
             let brought = globs.flat_map(|path| self.find(module, path, depth));
-            return brought
-                .flat_map(|found| match found {
-                    Found::Module(from) if from != module => self.named(from, name, depth),
-                    _ => Vec::new(),
-                })
-                .collect();
+            return once(brought.flat_map(|found| match found {
+                Found::Module(from) if from != module => self.named(from, name, depth),
+                _ => Vec::new(),
+            }));
         };
         let stands_for = |name: &Name| match name {
             Name::Module(module) => vec![Found::Module(*module)],
-            Name::Here => vec![Found::In(self.all[module].file)],
+            Name::Here => vec![Found::In(self.modules.all[module].file)],
             Name::Alias(path) => self.find(module, path, depth),
         };
-        names.iter().flat_map(stands_for).collect()
+        once(names.iter().flat_map(stands_for))
     }
+}
+
+/// Each once: names that several ways lead to would multiply on every way that goes on from there.
+fn once(found: impl Iterator<Item = Found>) -> Vec<Found> {
+    let found: BTreeSet<Found> = found.collect();
+    found.into_iter().collect()
 }

@@ -121,3 +121,16 @@ fn a_module_without_its_file_is_an_error() {
     let error = circles_of(Path::new("lib.rs"), read).expect_err("there is no such file");
     assert!(error.to_string().contains("no file of a"), "{error}");
 }
+
+#[test]
+fn a_function_is_not_what_a_path_through_its_module_names() {
+    let files = [
+        (
+            "lib.rs",
+            "mod house; mod yard; pub fn house() { house::door(); }",
+        ),
+        ("house.rs", "pub fn door() {} pub fn wall() {}"),
+        ("yard.rs", "use crate::house::wall;"),
+    ];
+    assert_eq!(circles(&files), []);
+}
