@@ -1,13 +1,13 @@
 //! `unoclp list`.
 
 use super::open::{Shown, open};
-use super::output::{Kind, cannot_write, create, may_write};
+use super::output::{Kind, cannot_write, may_write};
 use super::wording::Wording;
 use super::words::Form;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
-use std::io::Write;
+use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
 use unoclp_source::{Diagnostic, Lang, Source, list as listing};
@@ -71,9 +71,7 @@ fn draw(path: &Path, program: &Source, picture: &Picture<'_>, width: usize) -> O
         may_write(file, Kind::Drawing, &[path])?;
     }
     for (file, page) in files.iter().zip(pages) {
-        create(file, Kind::Drawing, &[path])?
-            .write_all(page.as_bytes())
-            .map_err(cannot_write(file))?;
+        fs::write(file, page).map_err(cannot_write(file))?;
         println!("{}", messages::drawn(file.display()));
     }
     Ok(true)

@@ -55,7 +55,7 @@ impl Draw {
                 } else {
                     ""
                 };
-                match step.class() == Class::Leave && opcode.row().kind == Kind::Jump {
+                match opcode.row().kind == Kind::Jump {
                     true => {
                         let attributes = format!(" label=\"L{number:02}\"{negated}");
                         self.body.leave("jump", &attributes, &wire.from, wire.at);

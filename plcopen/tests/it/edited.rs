@@ -5,7 +5,7 @@ mod operations;
 
 use crate::round_trip::comes_back;
 use operations::operation;
-use unoclp_core::{Loader, Profile};
+use unoclp_core::Profile;
 use unoclp_ladder::edit::{Document, Editor};
 use unoclp_testing::{Random, rounds};
 
@@ -17,14 +17,7 @@ const EVERY: usize = 5;
 /// Whether a board takes it.
 fn compiles(document: &Document) -> bool {
     let mistakes = document.check(Profile::UNO);
-    if mistakes.iter().any(|mistake| mistake.what.is_error()) {
-        return false;
-    }
-    let codes = document.codes().unwrap();
-    let mut memory = vec![0; 2_000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
-    let text: Vec<String> = codes.iter().map(|code| format!("{code}\n")).collect();
-    text.concat().bytes().all(|byte| loader.push(byte).is_ok()) && loader.finish().is_ok()
+    !mistakes.iter().any(|mistake| mistake.what.is_error())
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! From the paths in the code to the files that define what they name.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 
 use super::source::{Modules, Name, Named};
 
@@ -9,7 +9,7 @@ use super::source::{Modules, Name, Named};
 const DEPTH: u8 = 8;
 
 /// What a path leads to.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 enum Found {
     /// The module with this index.
     Module(usize),
@@ -106,7 +106,7 @@ impl Names<'_> {
                 // A variant, or what belongs to a type.
                 item => vec![item],
             });
-            found = once(next);
+            found = next.collect();
         }
         found
     }
@@ -139,22 +139,18 @@ impl Names<'_> {
         let Some(names) = self.modules.all[module].names.get(name) else {
             let globs = self.modules.all[module].globs.iter();
             let brought = globs.flat_map(|path| self.find(module, path, depth));
-            return once(brought.flat_map(|found| match found {
-                Found::Module(from) if from != module => self.named(from, name, depth),
-                _ => Vec::new(),
-            }));
+            return brought
+                .flat_map(|found| match found {
+                    Found::Module(from) if from != module => self.named(from, name, depth),
+                    _ => Vec::new(),
+                })
+                .collect();
         };
         let stands_for = |name: &Name| match name {
             Name::Module(module) => vec![Found::Module(*module)],
             Name::Here => vec![Found::In(self.modules.all[module].file)],
             Name::Alias(path) => self.find(module, path, depth),
         };
-        once(names.iter().flat_map(stands_for))
+        names.iter().flat_map(stands_for).collect()
     }
-}
-
-/// Each once: names that several ways lead to would multiply on every way that goes on from there.
-fn once(found: impl Iterator<Item = Found>) -> Vec<Found> {
-    let found: BTreeSet<Found> = found.collect();
-    found.into_iter().collect()
 }

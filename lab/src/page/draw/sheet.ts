@@ -24,7 +24,7 @@ export class Sheet implements Carried {
     this.ladder = new LadderView(paper, { line: () => undefined, point: () => undefined });
   }
 
-  get svg(): SVGSVGElement | null {
+  private get svg(): SVGSVGElement | null {
     return this.paper.querySelector("svg");
   }
 
