@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: runs a target of `fuzz/`, with AddressSanitizer, guided by the code that inputs reach.
+//! `cargo xtask fuzz`: runs a target of `proof/fuzz/`, with AddressSanitizer, guided by the code that inputs reach.
 //!
 //! Everything is compiled by the Rust that runs this: RUSTC_BOOTSTRAP lets a stable compiler take
 //! `-Zsanitizer`. What is found stands under `target/fuzz/`; the corpus in the repository, which runs as plain
@@ -48,7 +48,7 @@ pub struct Args {
     /// For how long
     #[arg(long, default_value_t = 60)]
     seconds: u32,
-    /// Put the smallest inputs that reach the same code into fuzz/corpus/ at the end
+    /// Put the smallest inputs that reach the same code into proof/fuzz/corpus/ at the end
     #[arg(long)]
     keep: bool,
 }
@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> Result<()> {
         Ok(folder)
     };
     let (work, found) = (folder("work")?, folder("found")?);
-    let corpus = shell::root().join("fuzz/corpus").join(target);
+    let corpus = shell::root().join("proof/fuzz/corpus").join(target);
 
     say(&format!("fuzz: {} s", args.seconds));
     let mut fuzz = Command::new(&program);
@@ -104,7 +104,11 @@ fn build(target: &str) -> Result<PathBuf> {
         .context("rustc does not say what it compiles for")?;
     let folder = shell::root().join("target/fuzz");
     let mut build = cargo();
-    build.args(["build", "--release", "--manifest-path=fuzz/Cargo.toml"]);
+    build.args([
+        "build",
+        "--release",
+        "--manifest-path=proof/fuzz/Cargo.toml",
+    ]);
     // With --target the flags are not for build scripts and macros.
     build.args([&format!("--target={host}"), &format!("--bin={target}")]);
     build.arg("--target-dir").arg(&folder);

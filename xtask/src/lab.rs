@@ -10,7 +10,7 @@ use crate::shell::{self, say};
 use crate::{setup, wasm};
 
 /// Where the tests of the page are.
-const TESTS: &str = "lab/test/page";
+const TESTS: &str = "page/web/test/page";
 
 /// The words behind `cargo xtask lab`.
 #[derive(clap::Args)]

@@ -11,23 +11,24 @@ use crate::count::{self, Count};
 use crate::shell::{self, say};
 
 /// Programs that the tests of the board put into its slot.
-const PROGRAMS: &str = "lab/test/board/programs";
+const PROGRAMS: &str = "page/web/test/board/programs";
 /// Where they lie as images of cards, one for each.
 const CARDS: &str = "target/lab/cards";
 /// The bundles of the tests.
 const TESTS: &str = "target/lab/test";
 /// Tests of files of the repository, which are run as they are.
-const FILES: &str = "lab/test/files";
+const FILES: &str = "page/web/test/files";
 
 /// The command npm, which is a script on Windows.
 pub const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
 
-/// Installs the packages that `lab/package-lock.json` names, unless they are there.
+/// Installs the packages that `page/web/package-lock.json` names, unless they are there.
 ///
 /// # Errors
 /// If npm cannot.
 pub fn install() -> Result<()> {
-    let lock = fs::read(folder().join("package-lock.json")).context("no lab/package-lock.json")?;
+    let lock =
+        fs::read(folder().join("package-lock.json")).context("no page/web/package-lock.json")?;
     let mark = folder().join("node_modules/.installed");
     if fs::read(&mark).is_ok_and(|installed| installed == lock) {
         return Ok(());
@@ -78,7 +79,7 @@ fn npm() -> Command {
 
 /// Where the lab stands.
 pub fn folder() -> PathBuf {
-    shell::root().join("lab")
+    shell::root().join("page/web")
 }
 
 /// The files below a folder whose names end so, in order.

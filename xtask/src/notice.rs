@@ -123,7 +123,7 @@ fn packages() -> Result<BTreeSet<Part>> {
     let mut build = Command::new("node");
     let build = build.current_dir(node::folder());
     let text = shell::output(build.args(["build.mjs", "--packages"]));
-    let text = text.context("`node build.mjs --packages` fails in lab/")?;
+    let text = text.context("`node build.mjs --packages` fails in page/web/")?;
     let all: Value = serde_json::from_str(&text).context("packages of the page")?;
     let all = all.as_array().context("packages of the page")?;
     all.iter()

@@ -100,7 +100,7 @@ const LAB: &[Need] = &[
     need("npm", "the packages of the lab", |_| exists(node::NPM)),
 ];
 
-/// Where Debian's Arduino core has its boot loaders; `uno-sim/tests/it/boot_loaders.rs` reads two of them.
+/// Where Debian's Arduino core has its boot loaders; `proof/uno-sim/tests/it/boot_loaders.rs` reads two of them.
 const BOOT_LOADERS: &str = "/usr/share/arduino/hardware/arduino/avr/bootloaders";
 
 /// What the tests of the page drive.

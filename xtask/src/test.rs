@@ -128,7 +128,7 @@ fn is_random(name: &str) -> bool {
 
 fn format() -> Result<()> {
     shell::run(cargo().args(["fmt", "--all", "--check"]))?;
-    let fuzz = ["fmt", "--manifest-path=fuzz/Cargo.toml", "--check"];
+    let fuzz = ["fmt", "--manifest-path=proof/fuzz/Cargo.toml", "--check"];
     shell::run(cargo().args(fuzz))
 }
 

@@ -58,7 +58,7 @@ fn comes_back(name: &str, program: &Program<'_>) {
 fn every_program_of_the_project_comes_back() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut count = 0;
-    for folder in ["programs", "suite"] {
+    for folder in ["programs", "proof/suite"] {
         for path in files(&root.join(folder)) {
             let end = path.extension().and_then(|end| end.to_str());
             if !matches!(end, Some("txt" | "il" | "st" | "iscl" | "lce")) {

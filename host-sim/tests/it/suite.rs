@@ -1,4 +1,4 @@
-//! Every scenario of the project on the core: the samples in `programs/`, the tests in `suite/`.
+//! Every scenario of the project on the core: the samples in `programs/`, the tests in `proof/suite/`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -25,7 +25,7 @@ fn every_scenario_passes_on_the_core() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut failures = Vec::new();
     let mut count = 0;
-    for folder in ["programs", "suite"] {
+    for folder in ["programs", "proof/suite"] {
         let paths = scenarios(&root.join(folder));
         assert!(!paths.is_empty(), "no scenario in {folder}");
         count += paths.len();
@@ -53,7 +53,7 @@ fn every_scenario_passes_on_the_core() {
 
 #[test]
 fn every_instruction_has_a_scenario() {
-    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
+    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../proof/suite");
     let mut seen = BTreeSet::new();
     for path in scenarios(&suite) {
         let scenario = Scenario::load(&path).unwrap();
@@ -63,5 +63,8 @@ fn every_instruction_has_a_scenario() {
         }
     }
     let missing: Vec<&Opcode> = Opcode::ALL.iter().filter(|o| !seen.contains(o)).collect();
-    assert!(missing.is_empty(), "no scenario in suite/ runs {missing:?}");
+    assert!(
+        missing.is_empty(),
+        "no scenario in proof/suite/ runs {missing:?}"
+    );
 }

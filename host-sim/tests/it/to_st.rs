@@ -149,7 +149,7 @@ fn programs(folder: &Path, into: &mut Vec<PathBuf>) {
 fn samples_and_tests_do_the_same() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut all = Vec::new();
-    for folder in ["programs", "suite"] {
+    for folder in ["programs", "proof/suite"] {
         programs(&root.join(folder), &mut all);
     }
     let mut ran = 0;

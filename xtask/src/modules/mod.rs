@@ -79,14 +79,26 @@ pub fn run() -> Result<()> {
 /// # Errors
 /// If a folder cannot be read.
 pub fn roots() -> Result<Vec<PathBuf>> {
-    let mut roots = Vec::new();
-    for folder in fs::read_dir(shell::root())? {
-        let source = folder?.path().join("src");
-        roots.extend(["lib.rs", "main.rs"].map(|name| source.join(name)));
+    let floors = folders(shell::root())?;
+    let mut rooms = floors.clone();
+    for floor in floors.iter().filter(|floor| !floor.ends_with("target")) {
+        rooms.extend(folders(floor)?);
     }
+    let sources = rooms.iter().map(|room| room.join("src"));
+    let mut roots: Vec<PathBuf> = sources
+        .flat_map(|source| ["lib.rs", "main.rs"].map(|name| source.join(name)))
+        .collect();
     roots.retain(|root| root.is_file());
     roots.sort();
     Ok(roots)
+}
+
+/// The folders in a folder.
+fn folders(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut paths = entries.collect::<Result<Vec<_>>>()?;
+    paths.retain(|path| path.is_dir());
+    Ok(paths)
 }
 
 /// The circles of the crate with this root file, whose folder all paths begin in.

@@ -1,0 +1,188 @@
+//! What an instruction is: its code, its letters, its stored form and its effect.
+//!
+//! The rows of [`instructions!`](crate::instructions) say it once. Decoding, encoding, listings, the engine's
+//! list of handlers, the words of Instruction List, the symbols of a ladder and the constants of the assembly
+//! come from them.
+//!
+//! # To add an instruction
+//!
+//! Of a [`Kind`] and a [`Class`] that exist, it takes five places; what is forgotten is named by what stands
+//! behind each:
+//!
+//! 1. its row in `device/core/src/isa/table.rs`: whatever comes next does not know the name before;
+//! 2. its effect in `device/core/src/plc/effect.rs`: a match without a wildcard;
+//! 3. its handler in `firmware/src/engine/*.s`, in `more.s` where it begins: the linker asks for its label;
+//! 4. its text for people: the row of the table in `docs/numeric-code.md`, and where Instruction List has a word
+//!    for it, that word in `docs/instruction-list.md` and its translation: tests that print what is missing;
+//! 5. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/naive`. A test
+//!    names each instruction that no scenario runs; the naive interpreter stops at what it does not know.
+//!
+//! A new kind or class is one more variant of its enum, and the compiler then asks for it everywhere.
+//!
+//! # Stored form
+//!
+//! An instruction is stored as the byte of its row. Of the rows from 0x10 to 0x9F the low four bits
+//! of that byte hold the index of the point. Of the others that have an XX, a byte with XX follows;
+//! then the [operand lines](Line), each in as many bytes as [`Line::bytes`] says, the low one first.
+
+mod class;
+mod instruction;
+mod kind;
+mod packed;
+mod table;
+
+pub use class::Class;
+pub use instruction::{Instruction, Operand, Value};
+pub use kind::{Kind, Line};
+pub(crate) use packed::{By, Entry, find, stored_size};
+pub use packed::{KIND_IN_ROW, PACKED, ROW, ROW_BEHIND_POINTS, ROW_OF_FIRST_POINT};
+pub use table::{Opcode, TABLE};
+
+/// One row of the instruction table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The code; where it has an XX, with XX = 00.
+    pub code: i32,
+    /// What each pair of digits spells in ASCII.
+    pub letters: &'static str,
+    /// What the instruction works on.
+    pub kind: Kind,
+    /// The part it plays in a rung.
+    pub class: Class,
+    /// The byte that stores it.
+    pub stored: u8,
+    /// Bytes of run memory, its data among them. More for what [`Line::more_run_bytes`] and [`operand_run_bytes`] tell,
+    /// one for inputs from 05 on, two for a store to a register beyond [`NEAR_REGISTERS`], and each counter's data.
+    pub run: u8,
+    /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
+    /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
+    /// integration whether it goes on, a time stamp, and the thousandths that are left; of a number that is kept
+    /// its snapshot, 4 bytes, and for a board's engine where the number stands, 2.
+    pub own: u8,
+    /// The effect in one line.
+    pub effect: &'static str,
+}
+
+/// A stored target of a timer from this byte on is a marker, below it an output.
+pub const MARKER_TARGET: u8 = 0x40;
+
+/// The first stored byte of the rows whose bytes hold a point, and the first behind them.
+pub const FIRST_POINT: u8 = 0x10;
+/// See [`FIRST_POINT`].
+pub const BEHIND_POINTS: u8 = 0xA0;
+
+/// Inputs 01 to this number take one byte of run memory, those beyond two.
+pub const FAST_INPUTS: u8 = 4;
+/// The branch points of a rung are 01 to this number (NC-8).
+pub const BRANCH_POINTS: u8 = 8;
+/// The deepest nesting of branches and blocks (NC-8).
+pub const DEEPEST: u8 = 8;
+/// Markers M 01 to this number (NC-12).
+pub const MARKERS: u8 = 64;
+/// The markers from this one on are retentive (NC-12).
+pub const RETENTIVE: u8 = 57;
+/// System markers S 01 to this number (NC-12).
+pub const SYSTEM_MARKERS: u8 = 4;
+/// Counters C 01 to this number (NC-15).
+pub const COUNTERS: u8 = 16;
+/// Registers D 01 to this number (NC-16).
+pub const REGISTERS: u8 = 98;
+/// Registers D 01 to this number are always there; those beyond take run memory, 4 bytes each up to the highest that
+/// is named (NC-27).
+pub const NEAR_REGISTERS: u8 = 32;
+/// XX of an operation whose left operand is what was pushed (NC-22).
+pub const POPPED: u8 = 99;
+/// As XX is stored: of a constant of one byte, and of two; of one of four it is 0.
+pub const BYTE_CONSTANT: u8 = 100;
+/// See [`BYTE_CONSTANT`].
+pub const WORD_CONSTANT: u8 = 101;
+/// Labels 01 to this number (NC-19).
+pub const LABELS: u8 = 32;
+/// Analogue inputs A 00 to below this number (NC-18).
+pub const ANALOGUE: u8 = 5;
+/// A program has at most so many timers, because a code names them by two digits.
+pub const TIMERS: u8 = 99;
+
+/// Program start, the first code of a file. It is checked and not stored.
+pub const START: i32 = 0;
+/// The code of an output as an operand line: `79XX` with XX = 00.
+pub const OUTPUT_OPERAND: i32 = 7900;
+/// The code of a marker as an operand line: `77XX` with XX = 00.
+pub const MARKER_OPERAND: i32 = 7700;
+/// The code of a register as an operand line: `68XX` with XX = 00.
+pub const REGISTER_OPERAND: i32 = 6800;
+
+/// Bytes of a timer's data in run memory: its state, a time stamp, its preset.
+pub const TIMER_DATA: usize = 9;
+/// Bytes of a counter's data in run memory: its value, its preset, its inputs as they were.
+pub const COUNTER_DATA: usize = 9;
+
+/// Bytes of a register in run memory.
+pub const REGISTER_BYTES: usize = 4;
+
+/// How many bytes store a constant whose XX is stored so; 0 where XX is no constant's.
+pub const fn constant_bytes(xx: u8) -> u8 {
+    if xx == 0 {
+        4
+    } else {
+        xx.saturating_sub(BYTE_CONSTANT - 1)
+    }
+}
+
+/// How XX of this constant is stored.
+pub const fn stored_constant(number: i32) -> u8 {
+    let (high, low) = ((number >> 16) as i16, number as i16);
+    if high != low >> 15 {
+        0
+    } else if low as i8 as i16 == low {
+        BYTE_CONSTANT
+    } else {
+        WORD_CONSTANT
+    }
+}
+
+/// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
+pub const fn operand_run_bytes(xx: u8) -> u8 {
+    let bytes = constant_bytes(xx);
+    if bytes > 0 {
+        1 + bytes
+    } else if xx == POPPED {
+        1
+    } else if xx > NEAR_REGISTERS {
+        3
+    } else {
+        2
+    }
+}
+
+/// What a jump back may cost in all in one scan: each costs the stored bytes from its label to itself
+/// (NC-19).
+pub const JUMP_BUDGET: u16 = 2_000;
+
+/// The last two digits of a code, where all before them are those of `base`.
+///
+/// By subtraction: a division of 32 bits would take 1.5 KB of the firmware.
+#[inline(never)]
+pub(crate) fn xx(code: i32, base: i32) -> Option<u8> {
+    let xx = if base < 0 {
+        base.wrapping_sub(code)
+    } else {
+        code.wrapping_sub(base)
+    };
+    (0..100).contains(&xx).then_some(xx as u8)
+}
+
+/// Whether an instruction that is stored so is one of REAL numbers (NC-23).
+pub const fn is_real(stored: u8) -> bool {
+    stored >= Opcode::RealAdd as u8 && stored <= Opcode::RealComparable as u8
+}
+
+/// The byte of the row that a first stored byte belongs to.
+pub(crate) const fn first_of(byte: u8) -> u8 {
+    if holds_point(byte) { byte & 0xF0 } else { byte }
+}
+
+/// Whether the low four bits of a first stored byte are the index of a point.
+pub const fn holds_point(byte: u8) -> bool {
+    byte >= FIRST_POINT && byte < BEHIND_POINTS
+}

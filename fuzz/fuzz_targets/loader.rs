@@ -1,8 +1,0 @@
-//! A program file, and a stored program: core/tests/it/fuzzed.rs.
-
-#![no_main]
-
-#[path = "../../core/tests/it/fuzzed.rs"]
-mod fuzzed;
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| fuzzed::hold(data));

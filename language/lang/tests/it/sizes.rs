@@ -1,0 +1,27 @@
+//! The programs in Instruction List take no more of the board than they did.
+
+use std::fs;
+use std::path::Path;
+use unoclp_lang::{Options, compile};
+
+/// Each program with the bytes of program memory that it took, when types and functions of the norm came.
+#[test]
+fn no_program_takes_more_bytes() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let table = fs::read_to_string(root.join("tests/sizes.txt")).unwrap();
+    let rows: Vec<(&str, usize)> = table
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .map(|line| line.rsplit_once(' ').unwrap())
+        .map(|(name, bytes)| (name, bytes.parse().unwrap()))
+        .collect();
+    assert!(rows.len() >= 60, "{}", rows.len());
+    let larger = rows.into_iter().filter_map(|(name, least)| {
+        let text = fs::read_to_string(root.join("../../programs").join(name)).unwrap();
+        let program = compile(&text, &Options::default()).program;
+        let bytes = program.map(|(checked, _)| checked.program().stored_bytes());
+        let holds = bytes.is_some_and(|bytes| bytes <= least);
+        (!holds).then(|| format!("{name} {bytes:?}, not {least}"))
+    });
+    assert_eq!(larger.collect::<Vec<_>>(), [""; 0]);
+}

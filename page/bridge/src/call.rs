@@ -1,0 +1,150 @@
+//! The requests of a page.
+
+use crate::board::{Boards, Open, Order};
+use crate::draw;
+#[cfg(feature = "full")]
+use crate::draw::As;
+use crate::draw::Speak;
+use crate::given::{Given, wrong};
+use crate::program::{self, Text};
+use crate::words::No;
+#[cfg(feature = "full")]
+use crate::words::both;
+#[cfg(feature = "full")]
+use crate::{card, edit, edit::Drawing, exercise};
+use serde::Serialize;
+
+/// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `page/web/src/tools/answers.ts`
+/// has the types of both.
+///
+/// # Errors
+/// Why there is no answer.
+pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
+    let ask = given.text("ask")?;
+    Ok(match ask.as_str() {
+        // What there is to say of a text: its problems, or its program.
+        "check" => json(program::check(Text::of(&mut given)?)?),
+        // Its ladder, for a page that shows it live, in so many columns where that is enough.
+        "ladder" => {
+            let text = Text::of(&mut given)?;
+            let speak = Speak::of(&mut given)?;
+            json(draw::ladder(text, given.columns("width")?, speak)?)
+        }
+        // A conversation with a board.
+        "open" => json(boards.open(Open::of(&mut given)?)?),
+        // A step of it: what has come since the last one, at this time in ms since any moment.
+        "step" => {
+            let (board, now) = (given.number("board")?, given.real("now")?);
+            json(boards.step(board, now, &given.bytes("came")?)?)
+        }
+        // Something to be done by the board.
+        "order" => {
+            let order = Order::of(given.below("order")?)?;
+            json(boards.order(given.number("board")?, order)?)
+        }
+        // The line is gone, and why.
+        "lose" => json(boards.lose(given.number("board")?, given.text("why")?)?),
+        // The end of a conversation.
+        "close" => {
+            boards.close(given.number("board")?);
+            json(())
+        }
+        other => more(other, given, boards)?,
+    })
+}
+
+/// What takes the module that has everything.
+#[cfg(feature = "full")]
+fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> {
+    Ok(match ask {
+        // Its program in another form. Instruction List that is made is compiled again, by all that there is.
+        "list" => {
+            let text = Text::of(&mut given)?;
+            let (form, speak) = (As::of(&mut given)?, Speak::of(&mut given)?);
+            json(draw::listed(text, form, given.columns("width")?, speak)?)
+        }
+        // It on pages of paper.
+        "pages" => {
+            let text = Text::of(&mut given)?;
+            let (letter, speak) = (given.truth("letter")?, Speak::of(&mut given)?);
+            json(draw::paged(text, letter, given.columns("width")?, speak)?)
+        }
+        // What an exercise asks.
+        "sheet" => json(exercise::sheet(
+            &given.text("title")?,
+            &given.text("scenario")?,
+        )?),
+        // Whether its program does what the cases of a scenario file expect.
+        "exercise" => {
+            let text = Text::of(&mut given)?;
+            let (title, scenario) = (given.text("title")?, given.text("scenario")?);
+            json(exercise::exercise(text, &title, &scenario)?)
+        }
+        // The image of a card with this PROGRAM.TXT.
+        "card" => json(card::card(&given.text("program")?, given.truth("state")?)?),
+        // A file of a card, by its name, from the blocks that are not empty.
+        "read" => json(card::read(card::blocks(&mut given)?, &given.text("name")?)),
+        // Bytes that are free on a card, from the blocks that are not empty.
+        "free" => json(card::free(card::blocks(&mut given)?)),
+        // Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
+        "flash" => {
+            let hex = given.text("hex")?;
+            json(boards.flash.begin(&hex, &given.text("model")?)?)
+        }
+        // A step of that.
+        "flashStep" => {
+            let now = given.real("now")?;
+            json(boards.flash.step(now, &given.bytes("came")?)?)
+        }
+        // The line is gone meanwhile, and why.
+        "flashLose" => {
+            boards.flash.lose(given.text("why")?);
+            json(())
+        }
+        // The elements that can be drawn.
+        "palette" => json(edit::palette()),
+        // A drawing, of a text and what was done to it.
+        "draw" => {
+            let mut drawing = Drawing::open(&mut given)?;
+            let view = json(drawing.view(&mut given)?);
+            boards.drawing = Some(drawing);
+            view
+        }
+        // Something done to it; what a page shows of it then.
+        "edit" => {
+            let drawing = drawing(boards)?;
+            if let Some(act) = given.below_if("act")? {
+                drawing.act(edit::Act::of(act)?)?;
+            }
+            json(drawing.view(&mut given)?)
+        }
+        // Its text in another form.
+        "drawn" => json(drawing(boards)?.text(&given.text("as")?)?),
+        // What of it has these words in it.
+        "find" => json(drawing(boards)?.find(&given.text("words")?)),
+        other => return Err(wrong(other).into()),
+    })
+}
+
+/// The drawing that is open.
+#[cfg(feature = "full")]
+fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
+    let none = || both(edit::no_drawing).into();
+    boards.drawing.as_mut().ok_or_else(none)
+}
+
+/// What takes the module that has everything.
+#[cfg(not(feature = "full"))]
+fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
+    match ask {
+        "list" | "pages" | "sheet" | "exercise" | "card" | "read" | "free" | "flash"
+        | "flashStep" | "flashLose" => Err(No::More),
+        "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
+        other => Err(wrong(other).into()),
+    }
+}
+
+/// As JSON. What is answered has no keys but texts, and so always is.
+fn json(answer: impl Serialize) -> String {
+    serde_json::to_string(&answer).unwrap_or_default()
+}

@@ -1,0 +1,127 @@
+// Bundles what the lab is made of into target/lab: `node build.mjs [part…]`, all parts without a word. `node build.mjs
+// --packages` writes no bundle, and says of which npm packages the page consists.
+//
+// A part is a folder in target/lab with bundles in it, made of the entry points named here.
+
+import { build, transform } from "esbuild";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
+import { createHash } from "node:crypto";
+import { examples, exercises, lessons } from "./build/lessons.mjs";
+import { packages } from "./build/packages.mjs";
+
+const lab = dirname(fileURLToPath(import.meta.url));
+const target = join(lab, "../../target/lab");
+
+/** The files below a folder of the lab whose names end so. */
+function below(folder, end) {
+  const names = readdirSync(join(lab, folder), { recursive: true }).map(String);
+  return names.filter((name) => name.endsWith(end)).map((name) => join(folder, name));
+}
+
+// avr8js as modules: behind the accessors of its other form it runs at half the speed.
+const node = { platform: "node", target: "node18", mainFields: ["module", "main"] };
+const browser = { platform: "browser", target: "es2022", minify: true, mainFields: ["module", "main"], outExtension: { ".js": ".js" } };
+/** Spares the first view the syntax trees: src/page/untreed.ts says how. */
+const untreed = {
+  name: "untreed",
+  setup({ onResolve }) {
+    const path = join(lab, "src/page/untreed.ts");
+    onResolve({ filter: /^@(codemirror\/language|lezer\/common)$/ }, ({ importer }) => (/@codemirror.commands/.test(importer) ? { path } : undefined));
+  },
+};
+const parts = {
+  page: {
+    ...browser,
+    entryPoints: [
+      { in: "src/page/main.ts", out: "page" },
+      { in: "src/tools/worker.ts", out: "tools" },
+      { in: "src/board/worker.ts", out: "board" },
+    ],
+    splitting: true,
+    chunkNames: "part-[hash]",
+    loader: { ".css": "text" },
+    plugins: [untreed],
+    around,
+  },
+  engine: { ...node, entryPoints: ["src/engine/main.ts"] },
+  bench: { ...node, entryPoints: below("test/bench", ".ts") },
+  test: { ...node, entryPoints: below("test", ".test.ts"), outbase: "test" },
+};
+
+/** The file that was built, or the one that the repository has. */
+function found(...files) {
+  const file = files.map((file) => join(lab, "../..", file)).find(existsSync);
+  if (!file) throw new Error(`none of ${files.join(", ")} is there; \`cargo xtask lab\` builds it`);
+  return file;
+}
+
+/** The bytes of a hex file, as the flash holds them: compressed they are two thirds of the text. */
+async function binary(file) {
+  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["src/board/hex.ts"] };
+  const { outputFiles } = await build(read);
+  const { readHex } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
+  const words = readHex(readFileSync(file, "utf8"));
+  if (!words) throw new Error(`${file} is no Intel hex for this chip`);
+  const bytes = new Uint8Array(words.buffer);
+  return bytes.subarray(0, bytes.findLastIndex((byte) => byte !== 0xff) + 1);
+}
+
+/** What the page loads besides its bundles, and the list by which it works without a network. */
+async function around(outdir) {
+  mkdirSync(outdir, { recursive: true });
+  cpSync(join(lab, "static"), outdir, { recursive: true });
+  const uplot = readFileSync(join(lab, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
+  const css = await transform(readFileSync(join(lab, "static/page.css"), "utf8") + uplot, { loader: "css", minify: true });
+  writeFileSync(join(outdir, "page.css"), css.code);
+  for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
+  cpSync(found("firmware/unoclp-uno.hex"), join(outdir, "unoclp.hex"));
+  writeFileSync(join(outdir, "unoclp.bin"), await binary(found("firmware/unoclp-uno.hex")));
+  cpSync(found("firmware/unoclp-nano.hex"), join(outdir, "unoclp-nano.hex"));
+  const root = join(lab, "../..");
+  writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
+  writeFileSync(join(outdir, "exercises.json"), JSON.stringify(exercises(root)));
+  writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));
+  const files = readdirSync(outdir).filter((name) => !name.endsWith(".map") && name !== "sw.js");
+  const sum = createHash("sha256");
+  for (const file of files) sum.update(file).update(readFileSync(join(outdir, file)));
+  const define = { FILES: JSON.stringify(["./", ...files]), VERSION: JSON.stringify(sum.digest("hex").slice(0, 12)) };
+  await build({ ...browser, absWorkingDir: lab, bundle: true, format: "iife", define, entryPoints: ["src/offline/sw.ts"], outfile: join(outdir, "sw.js") });
+}
+
+/** Bundles a part; `more` are further options of esbuild. */
+function bundle(part, outdir, more) {
+  const { around, ...options } = part;
+  return build({
+    absWorkingDir: lab,
+    bundle: true,
+    format: "esm",
+    outExtension: { ".js": ".mjs" },
+    logLevel: "warning",
+    sourcemap: "linked",
+    outdir,
+    ...options,
+    ...more,
+  });
+}
+
+const asked = process.argv.slice(2);
+if (asked[0] === "--packages") {
+  const { metafile } = await bundle(parts.page, join(target, "page"), { metafile: true, write: false });
+  console.log(JSON.stringify(packages(metafile, lab)));
+  process.exit();
+}
+for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
+  const part = parts[name];
+  if (!part) {
+    console.error(`no part ${name}; there are ${Object.keys(parts).join(", ")}`);
+    process.exit(2);
+  }
+  const outdir = join(target, name);
+  rmSync(outdir, { recursive: true, force: true });
+  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry.in ?? entry)));
+  await bundle(part, outdir, { entryPoints });
+  await part.around?.(outdir);
+  console.log(`${relative(process.cwd(), outdir)}: ${entryPoints.length} bundles`);
+}

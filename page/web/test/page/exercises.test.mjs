@@ -1,0 +1,78 @@
+// The exercises: chosen, solved and checked, by keyboard, in both languages.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { Lab, findings, type } from "./harness.mjs";
+
+/** @param {string} name of a program of programs/exercises */
+const program = (name) => readFileSync(new URL(`../../../../programs/exercises/${name}`, import.meta.url), "utf8");
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+test("an exercise shows its task and hints, and the first failing case as a timing diagram", async () => {
+  const page = await lab.open();
+  await page.focus("#exercises");
+  await page.keyboard.press("Enter");
+  const exercise = page.locator("#exercise");
+  await page.locator("#exercise-list:focus").waitFor();
+  await page.keyboard.type("5.");
+  await exercise.locator("h3", { hasText: "A motor starts and stops" }).waitFor();
+  assert.match((await exercise.locator(".task").textContent()) ?? "", /stop wins/);
+  assert.match((await exercise.locator(".names").textContent()) ?? "", /I2 stop \(NC\)/);
+  for (const [hints, key] of [[1, "Enter"], [2, " "]]) {
+    await page.focus("#exercise-hint");
+    await page.keyboard.press(String(key));
+    await exercise.locator(`.hints li:nth-child(${hints})`).waitFor();
+  }
+  assert.equal(await page.locator("#exercise-hint").count(), 0, "no hint is left");
+
+  const check = async (/** @type {string} */ name) => {
+    await type(page, program(name), "05-motor.il");
+    await page.focus("#exercise-check");
+    await page.keyboard.press("Enter");
+  };
+  await check("wrong/05-motor.il");
+  await exercise.locator("#verdict.bad", { hasText: "At 400 ms Q1 is 0; expected is 1." }).waitFor();
+  const diagram = exercise.locator(".diagram svg");
+  for (const text of ["Start and let go", "I1 start", "Q1 motor", "expected", "came"]) await diagram.getByText(text, { exact: true }).first().waitFor();
+
+  // Of a hidden case nothing is seen but its title.
+  await check("wrong/05-motor-2.il");
+  await exercise.locator("#verdict.bad", { hasText: "Stop wins" }).waitFor();
+  assert.equal(await diagram.count(), 0);
+
+  await page.selectOption("#speak", "pt");
+  await exercise.locator("#verdict.bad", { hasText: "A parada vence" }).waitFor();
+  await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
+  await check("wrong/05-motor.il");
+  await diagram.getByText("esperado", { exact: true }).first().waitFor();
+  await check("05-motor.il");
+  await exercise.locator("#verdict.good").waitFor();
+  assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /✓/);
+
+  await page.reload();
+  await page.click("#exercises");
+  await exercise.locator("h3", { hasText: "Partida e parada de um motor" }).waitFor();
+  assert.match((await page.locator("#exercise-list option:checked").textContent()) ?? "", /^5\. .* ✓$/);
+  await page.context().close();
+});
+
+test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
+  const page = await lab.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.tap("#exercises");
+  await page.selectOption("#exercise-list", { index: 5 });
+  await page.tap("#exercise-check");
+  const diagram = page.locator("#exercise .diagram");
+  await diagram.locator("svg").waitFor();
+  assert.ok(await diagram.evaluate((it) => it.scrollWidth > it.clientWidth && it.scrollWidth >= 640));
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  assert.deepEqual(await findings(page), []);
+  await page.context().close();
+});

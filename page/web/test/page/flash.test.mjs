@@ -1,0 +1,117 @@
+// The firmware through the page: the real boot loaders on simavr, behind the pseudo-terminal of `unoclp-uno-sim serve`.
+// @ts-check
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { holding } from "./hands.mjs";
+import { Lab, run, type } from "./harness.mjs";
+import { Cable } from "./port.mjs";
+import { Served } from "./served.mjs";
+
+/** A firmware of four pages that does nothing: it is written in a moment. */
+const SMALL = readFileSync(new URL("../../../../proof/uno-sim/tests/data/loop.hex", import.meta.url), "utf8");
+
+/** @type {Lab} */
+let lab;
+before(async () => {
+  lab = await Lab.begin();
+});
+after(() => lab.end());
+
+/** A page at a board out of its box; the small firmware stands for both, if so.
+ * @param {string} bootLoader @param {boolean} isSmall */
+async function boxed(bootLoader, isSmall) {
+  const board = await Served.begin("--boot-loader", bootLoader);
+  const page = await lab.open({ serviceWorkers: "block" });
+  const cable = await Cable.between(page, board);
+  // The simulated board has taken its own before.
+  if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
+  await page.click("#connect");
+  await page.locator("#put-firmware").waitFor();
+  const end = async () => {
+    await page.context().close();
+    await board.end();
+  };
+  return { page, cable, end };
+}
+
+/** @param {import("playwright-core").Page} page @param {string | RegExp} text */
+async function noted(page, text) {
+  const note = page.locator("#notes div", { hasText: text }).last();
+  await note.waitFor();
+  const said = (await note.textContent()) ?? "";
+  await note.getByRole("button").last().click();
+  return said;
+}
+
+test("a board out of its box gets the firmware, runs a program live, and comes back where it was unplugged", async () => {
+  const { page, cable, end } = await boxed("optiboot", false);
+  await page.click("#put-firmware");
+  await page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
+  await noted(page, "The firmware is on the board, and was read back.");
+  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  await run(page);
+  await holding(page, 1, () => page.locator('[data-output="1"][data-on="true"]').waitFor());
+  await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
+
+  await type(page, "LD I1\nST Q3\n");
+  await page.locator('.ladder .element[data-point="Q3"]').waitFor();
+  // A block of the upload is on its way.
+  let bytes = 0;
+  cable.fate = (way, byte) => {
+    if (way === "to the board" && (bytes += 1) === 60) void cable.pull();
+    return cable.isIn ? byte : null;
+  };
+  await page.click("#run");
+  const lost = page.locator("#notes div", { hasText: "The line to the board is gone" });
+  await lost.waitFor();
+  cable.plugIn();
+  await lost.getByRole("button", { name: "Connect" }).click();
+  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  await run(page);
+  await page.locator('.ladder.live .element[data-point="Q3"]').first().waitFor();
+  await end();
+});
+
+test("what goes wrong on the way is told with what to do, and the next try works", async () => {
+  const { page, cable, end } = await boxed("optiboot", true);
+  // From the byte on that stands first.
+  /** @type {[number, "to the board" | "to the page", (byte: number) => number | null, RegExp, RegExp][]} */
+  const troubles = [
+    [400, "to the board", () => null, /FW-24: .*check the cable, and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
+    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*and try again/, /FW-25: .*tente de novo/],
+    [400, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*ligue a placa de novo/],
+  ];
+  for (const [from, where, what, english, portuguese] of troubles) {
+    for (const [speak, words, closed, done] of /** @type {const} */ ([
+      ["en", english, "The port does not open", "was read back"],
+      ["pt", portuguese, "A porta não abre", "foi conferido"],
+    ])) {
+      await page.selectOption("#speak", speak);
+      let left = from;
+      cable.fate = (way, byte) => (way === where && left-- <= 0 ? what(byte) : byte);
+      await page.click("#put-firmware");
+      assert.match(await noted(page, "FW-"), words);
+      if (!cable.isIn) await noted(page, closed);
+      cable.plugIn();
+      if (!(await page.isVisible("#put-firmware"))) await page.click("#connect");
+      await page.click("#put-firmware");
+      await noted(page, done);
+    }
+  }
+  await end();
+});
+
+test("a Nano of before 2018 is another choice, which the page names where the first does not answer", async () => {
+  const { page, end } = await boxed("old", true);
+  await page.click("#put-firmware");
+  assert.match(await noted(page, "FW-2"), /FW-2[12]: .*nano-old/);
+  await page.locator("#put-firmware:enabled").waitFor();
+  await page.selectOption("#model", "nano-old");
+  await page.click("#put-firmware");
+  await noted(page, "was read back");
+  // What was written does not speak.
+  await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });
+  await end();
+});

@@ -1,0 +1,123 @@
+// The page in a real Chromium: served from its folder of static files, and driven without a pause that waits for time.
+// @ts-check
+
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "../../serve.mjs";
+
+const here = dirname(fileURLToPath(import.meta.url));
+/** Where pictures of the page go, to be looked at. */
+export const pictures = join(here, "../../../../target/lab/pictures");
+
+/** How long a state is waited for: a machine that tests much else is slow. */
+export const PATIENCE = 120_000;
+
+function browserPath() {
+  const names = [process.env["CHROMIUM"], "/usr/bin/chromium-headless-shell", "/usr/bin/chromium", "/usr/bin/google-chrome"];
+  const found = names.find((name) => name && existsSync(name));
+  if (!found) throw new Error("no Chromium is here: install chromium-headless-shell, or name one in CHROMIUM");
+  return found;
+}
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe-core finds, in short. @param {import("playwright-core").Page} page */
+export async function findings(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    // @ts-expect-error axe-core has put itself there.
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);
+  });
+}
+
+/** A browser, the page's server, and pages that fail their test where the page throws. */
+export class Lab {
+  /** @param {import("playwright-core").Browser} browser @param {Awaited<ReturnType<typeof serve>>} server */
+  constructor(browser, server) {
+    this.browser = browser;
+    this.server = server;
+    /** @type {string[]} */
+    this.errors = [];
+  }
+
+  static async begin() {
+    const root = process.getuid?.() === 0;
+    const browser = await chromium.launch({ executablePath: browserPath(), args: root ? ["--no-sandbox"] : [] });
+    return new Lab(browser, await serve());
+  }
+
+  /** A page in a browser that knows nothing of us yet; it is ready to run a program.
+   * @param {import("playwright-core").BrowserContextOptions} options @param {string} address of another server */
+  async open(options = {}, fragment = "", address = this.server.url) {
+    const page = await this.other(options, {}, address + fragment);
+    await page.locator("#run:enabled").waitFor();
+    return page;
+  }
+
+  /** A page in a browser that has kept this; its board need not answer.
+   * @param {import("playwright-core").BrowserContextOptions} options @param {Readonly<Record<string, string>>} kept */
+  async other(options = {}, kept = {}, address = this.server.url) {
+    const context = await this.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US", ...options });
+    const origin = new URL(address).origin;
+    const localStorage = Object.entries(kept).map(([name, value]) => ({ name, value }));
+    if (localStorage.length > 0) await context.setStorageState({ cookies: [], origins: [{ origin, localStorage }] });
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE);
+    page.on("pageerror", (error) => this.errors.push(String(error.stack)));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.errors.push(message.text());
+    });
+    await page.goto(address);
+    await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+    return page;
+  }
+
+  /** Ends; fails where a page has thrown. */
+  async end() {
+    await this.browser.close();
+    await this.server.end();
+    if (this.errors.length > 0) throw new Error(this.errors.join("\n"));
+  }
+}
+
+/** Replaces the program in the editor, as somebody does who types.
+ * @param {import("playwright-core").Page} page @param {string} text */
+export async function type(page, text, name = "") {
+  if (name) {
+    await page.fill("#name", name);
+    await page.press("#name", "Enter");
+  }
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.insertText(text);
+}
+
+/** Opens a file by the menu. @param {import("playwright-core").Page} page @param {string} name @param {Buffer} buffer */
+export async function choose(page, name, buffer) {
+  const chooser = page.waitForEvent("filechooser");
+  await page.click("#menu-fileMenu");
+  await page.locator("#menu-fileMenu + div button").nth(1).click();
+  await (await chooser).setFiles({ name, mimeType: "text/plain", buffer });
+}
+
+/** Puts the program on the board, by the button, and waits until it runs.
+ * @param {import("playwright-core").Page} page */
+export async function run(page) {
+  await page.locator("#problem-count:not(.bad)").waitFor();
+  await page.click("#run");
+  await state(page, "RUN");
+}
+
+/** Waits until the board is in this state. @param {import("playwright-core").Page} page @param {string} name */
+export async function state(page, name) {
+  await page.locator(`#status[data-state="${name}"]`).waitFor();
+}
+
+/** Waits until a lamp is lit or dark. @param {import("playwright-core").Page} page @param {number} output @param {boolean} on */
+export async function lamp(page, output, on) {
+  await page.locator(`[data-output="${output}"][data-on="${on}"]`).waitFor();
+}

@@ -1,0 +1,58 @@
+// Every text of the page says the same in both languages, and every text that the page names is there.
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { DRAW } from "../../src/words/drawtable";
+import { TABLE } from "../../src/words/table";
+
+/** That of the page, and that of the drawing screen, which is loaded later. */
+const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...DRAW };
+
+/** The files of a folder and of those in it. */
+const below = (folder: string): string[] => readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.\w+$/.test(name)).map((name) => join(folder, name));
+
+// npm runs the tests in the folder of the lab, xtask above it.
+const lab = existsSync("src/page") ? "." : "page/web";
+/** Words that are the same in both languages. */
+const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "languageXml", "ok"];
+
+const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
+
+test("no table takes the words of another", () => {
+  assert.deepEqual(Object.keys(DRAW).filter((key) => key in TABLE), []);
+});
+
+test("no text is without its twin", () => {
+  for (const [key, [en, pt]] of Object.entries(ALL)) {
+    assert.ok(en.trim() && pt.trim(), key);
+    assert.deepEqual(values(en), values(pt), key);
+    assert.ok(en !== pt || SAME.includes(key), `${key} is English in both`);
+  }
+});
+
+test("what the page names is there", () => {
+  const page = join(lab, "src/page");
+  const files = [join(lab, "static/index.html"), ...below(page)];
+  const named = files.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/data-say(?:-label|-title)?"?[=:]\s*"(\w+)"/g)].map((match) => match[1] ?? ""));
+  assert.ok(named.length > 30, String(named.length));
+  for (const key of named) assert.ok(key in ALL, key);
+});
+
+test("the rates that the page offers are those of Rust", () => {
+  const rates = (file: string): number[] => {
+    const list = /RATES(?:: \[u32; \d+\])? = \[([^\]]+)\]/.exec(readFileSync(join(lab, file), "utf8"))?.[1] ?? "";
+    return list.replaceAll("_", "").split(",").map(Number).filter(Boolean);
+  };
+  assert.ok(rates("src/page/settings.ts").length > 5);
+  assert.deepEqual(rates("src/page/settings.ts"), rates("../../tools/client/src/settings.rs"));
+});
+
+test("no text is without a use", () => {
+  const folders = ["src/page", "src/words", "static"].map((folder) => join(lab, folder));
+  const tables = ["src/words/table.ts", "src/words/drawtable.ts"].map((file) => join(lab, file));
+  const all = folders.flatMap(below).filter((file) => !tables.includes(file)).map((file) => readFileSync(file, "utf8")).join("\n");
+  const idle = Object.keys(ALL).filter((key) => !all.includes(`"${key}"`));
+  assert.deepEqual(idle, []);
+});

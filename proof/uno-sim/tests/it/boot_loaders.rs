@@ -1,0 +1,218 @@
+//! The firmware through the real boot loaders: Optiboot, which UNOs and newer Nanos have, and the one that Nanos had
+//! before.
+
+use crate::common;
+use crate::common::line::{talk, write};
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Duration;
+use unoclp_board::start::find;
+use unoclp_boot::{Failure, Image, Model, Stage, Trouble, Writer};
+use unoclp_cli::port::Port as SerialPort;
+use unoclp_lang::Lang;
+use unoclp_uno_sim::port::{Options, Pace, Port};
+use unoclp_uno_sim::{BootLoader, Line, Program, Slot, Uno};
+
+/// Input 01 is output 01.
+const FOLLOW: &str = "0\n827301\n877901\n";
+
+/// A chip with the boot loader of this board and a sketch, and its reset button just pressed.
+fn chip(model: Model, slot: Slot) -> Uno {
+    let mut uno = Uno::with_program(boot_loader(model), slot).unwrap();
+    uno.reset();
+    uno.set_serial_line(Line {
+        baud: model.rate(),
+        ..Line::default()
+    });
+    uno
+}
+
+fn boot_loader(model: Model) -> Program {
+    let boot_loader = match model {
+        Model::Uno | Model::Nano => BootLoader::Optiboot,
+        Model::NanoOld => BootLoader::Old,
+    };
+    assert_eq!(boot_loader.rate(), model.rate());
+    boot_loader.program().unwrap()
+}
+
+/// The tested firmware of a board.
+fn firmware(model: Model) -> Image {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware");
+    let hex = folder.join(format!("unoclp-{}.hex", model.firmware().name()));
+    Image::read(&std::fs::read(hex).unwrap(), model).unwrap()
+}
+
+/// A firmware of four pages: vectors, and then a loop.
+fn small(model: Model) -> Image {
+    Image::read(include_bytes!("../data/loop.hex"), model).unwrap()
+}
+
+fn flash(uno: &mut Uno, image: &Image) -> Result<(), Failure> {
+    write(uno, image, &mut |_, byte| Some((byte, Duration::ZERO)))
+}
+
+#[track_caller]
+fn holds(uno: &Uno, image: &Image) {
+    assert_eq!(
+        uno.read_flash(0, image.bytes().len()).unwrap(),
+        image.bytes()
+    );
+}
+
+#[test]
+fn the_firmware_goes_through_each_boot_loader_and_runs_a_program() {
+    for model in Model::ALL {
+        let mut uno = chip(model, Slot::Card(common::card(FOLLOW)));
+        let kept = [0x5A; 16];
+        uno.write_eeprom(0x3E0, &kept).unwrap();
+        let image = firmware(model);
+        assert_eq!(flash(&mut uno, &image), Ok(()), "{model:?}");
+        holds(&uno, &image);
+        assert_eq!(uno.read_eeprom(0x3E0, 16).unwrap(), kept);
+        uno.set_serial_line(Line::default());
+        let said = common::to_run(&mut uno);
+        assert!(said.contains("unoclp 0."), "{said}");
+        uno.set_inputs(1);
+        uno.run_ms(50).unwrap();
+        assert_eq!(uno.outputs(), 1);
+        let found = talk(&mut uno, async |client| find(client, false).await);
+        let product = match model {
+            Model::Uno => "unoclp UNO",
+            Model::Nano | Model::NanoOld => "unoclp Nano",
+        };
+        assert_eq!(found.unwrap().product, product);
+    }
+}
+
+#[test]
+fn a_firmware_is_written_over_the_one_that_runs() {
+    let mut uno = chip(Model::Uno, Slot::Card(common::card(FOLLOW)));
+    assert_eq!(flash(&mut uno, &small(Model::Uno)), Ok(()));
+    let image = firmware(Model::Uno);
+    assert_eq!(flash(&mut uno, &image), Ok(()));
+    common::to_run(&mut uno);
+    // And from RUN back again.
+    uno.run_ms(100).unwrap();
+    assert_eq!(flash(&mut uno, &small(Model::Uno)), Ok(()));
+    holds(&uno, &small(Model::Uno));
+}
+
+#[test]
+fn a_boot_loader_at_another_rate_is_told_as_none() {
+    let mut uno = chip(Model::NanoOld, Slot::Empty);
+    let line = uno.serial_line();
+    uno.set_serial_line(Line::default());
+    let failure = flash(&mut uno, &small(Model::Uno)).unwrap_err();
+    assert_eq!(failure.stage, Stage::Meeting);
+    assert!(matches!(
+        failure.trouble,
+        Trouble::Silent | Trouble::Foreign
+    ));
+    uno.set_serial_line(line);
+    assert_eq!(flash(&mut uno, &small(Model::NanoOld)), Ok(()));
+}
+
+/// Bytes each way of a whole conversation.
+fn length(model: Model) -> usize {
+    let mut count = 0;
+    let mut uno = chip(model, Slot::Empty);
+    let outcome = write(&mut uno, &small(model), &mut |_, byte| {
+        count += 1;
+        Some((byte, Duration::ZERO))
+    });
+    assert_eq!(outcome, Ok(()));
+    count
+}
+
+#[test]
+fn on_a_line_that_drops_delays_and_changes_bytes_the_next_try_works() {
+    for model in [Model::Uno, Model::NanoOld] {
+        let image = small(model);
+        let length = length(model);
+        for (round, hit) in (0..length).step_by(97).enumerate() {
+            let mut uno = chip(model, Slot::Empty);
+            let mut at = 0;
+            let outcome = write(&mut uno, &image, &mut |_, byte| {
+                let is_hit = at == hit;
+                at += 1;
+                match round % 4 {
+                    _ if !is_hit => Some((byte, Duration::ZERO)),
+                    0 => None,
+                    1 => Some((byte ^ 0x10, Duration::ZERO)),
+                    2 => Some((!byte, Duration::ZERO)),
+                    _ => Some((byte, Duration::from_millis(1_500))),
+                }
+            });
+            match outcome {
+                Ok(()) => holds(&uno, &image),
+                Err(failure) => assert!(
+                    matches!(
+                        failure.trouble,
+                        Trouble::BrokenOff
+                            | Trouble::Garbled
+                            | Trouble::Differs { .. }
+                            | Trouble::OtherChip(_)
+                    ),
+                    "{failure:?}"
+                ),
+            }
+            assert_eq!(flash(&mut uno, &image), Ok(()), "{model:?}, {hit}, {round}");
+            holds(&uno, &image);
+        }
+    }
+}
+
+#[test]
+fn the_firmware_goes_through_a_pseudo_terminal() {
+    let options = Options {
+        pace: Pace::RealTime,
+        // As DTR does it on a real board; a pseudo-terminal has none.
+        reset_on_open: true,
+    };
+    let model = Model::Uno;
+    let slot = Slot::Card(common::card(FOLLOW));
+    let board = Port::open(boot_loader(model), slot, options).unwrap();
+    let path = board.path().to_str().unwrap().to_owned();
+    // From the fifth answer on the board hears at this rate.
+    let write = |image: &Image, baud: u32| {
+        // Between two jobs the board looks at its port, and sees that nobody has it open.
+        for _ in 0..2 {
+            board
+                .with(|uno| uno.set_serial_line(Line::default()))
+                .unwrap();
+        }
+        let mut port = SerialPort::open_for_boot_loader(&path, model).unwrap();
+        let mut writer = Writer::new(image);
+        let attend = |writer: &Writer| {
+            let line = Line {
+                baud,
+                ..Line::default()
+            };
+            if writer.progress().done == 5 {
+                board.with(move |uno| uno.set_serial_line(line)).unwrap();
+            }
+            ControlFlow::<Infallible>::Continue(())
+        };
+        let ControlFlow::Continue(outcome) = port.flash(&mut writer, attend);
+        outcome
+    };
+    assert_eq!(write(&small(model), 115_200), Ok(()));
+    let failure = write(&small(model), 57_600).unwrap_err();
+    assert_eq!(failure.stage, Stage::Writing);
+    let text = failure.text(Lang::En);
+    assert!(text.contains("try again"), "{text}");
+    let image = firmware(model);
+    assert_eq!(write(&image, 115_200), Ok(()));
+    board
+        .with(move |uno| {
+            holds(uno, &image);
+            common::to_run(uno);
+            uno.set_inputs(1);
+            uno.run_ms(50).unwrap();
+            assert_eq!(uno.outputs(), 1);
+        })
+        .unwrap();
+    board.close().unwrap();
+}

@@ -1,0 +1,91 @@
+//! `unoclp flash`.
+
+use super::interrupt::{Interrupt, Interrupted};
+use super::progress::{self, hide};
+use super::words::models;
+use crate::outcome::Outcome;
+use anyhow::{anyhow, bail};
+use clap::Args;
+use std::fs::File;
+use std::io::{self, Read};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use unoclp_boot::{Image, Model, Progress, Writer};
+use unoclp_cli::messages;
+use unoclp_cli::port::Port;
+
+/// What is written, and where.
+#[derive(Args)]
+pub struct Firmware {
+    /// A firmware file in Intel HEX; else the tested firmware that comes with this command
+    file: Option<PathBuf>,
+    /// The serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
+    #[arg(long)]
+    port: String,
+    /// The board; nano-old is a Nano with the boot loader that it had until 2018
+    #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = models())]
+    board: Model,
+}
+
+/// The tested firmware of a board (`cargo xtask firmware --keep`).
+const fn tested(board: Model) -> &'static [u8] {
+    match board.firmware() {
+        Model::Uno => include_bytes!("../../../../firmware/unoclp-uno.hex"),
+        _ => include_bytes!("../../../../firmware/unoclp-nano.hex"),
+    }
+}
+
+/// A firmware of 32 KB is a file of 90 KB.
+const LONGEST: u64 = 1 << 20;
+
+/// Writes a firmware to a board, reads it back and compares it.
+pub fn flash(firmware: &Firmware) -> Outcome {
+    let Firmware { file, port, board } = firmware;
+    let (name, hex) = match file {
+        Some(path) => (path.display().to_string(), read(path)?),
+        None => (messages::tested_firmware(), tested(*board).to_vec()),
+    };
+    let image = Image::read(&hex, *board)
+        .map_err(|unfit| anyhow!("{name}: {}", unfit.text(messages::spoken())))?;
+    let bytes = image.bytes().len();
+    let mut line = Port::open_for_boot_loader(port, *board)?;
+    say!("{}", messages::flashing(&name, bytes, board.name(), port));
+
+    let interrupt = Interrupt::new()?;
+    let mut writer = Writer::new(&image);
+    let mut shown = None;
+    let outcome = line.flash(&mut writer, |writer| {
+        show(writer.progress(), &mut shown);
+        interrupt.attend()
+    });
+    hide();
+    match outcome {
+        ControlFlow::Continue(Ok(())) => say!("{}", messages::flashed(bytes)),
+        ControlFlow::Continue(Err(failure)) => {
+            bail!("{port}: {}", failure.text(messages::spoken()))
+        }
+        ControlFlow::Break(Interrupted) => {
+            let left = writer.left(messages::spoken());
+            bail!("{}. {left}", messages::interrupted())
+        }
+    }
+    Ok(true)
+}
+
+fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
+    let read = || -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        File::open(path)?.take(LONGEST).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    let told = |error| messages::cannot_read(path.display(), messages::io(&error));
+    read().map_err(|error| anyhow!(told(error)))
+}
+
+/// Shows the progress.
+fn show(now: Progress, shown: &mut Option<Progress>) {
+    if shown.replace(now) != Some(now) {
+        let percent = 100 * now.done / now.of.max(1);
+        progress::show(|| messages::flash_progress(messages::stage(now.stage), percent));
+    }
+}

@@ -1,0 +1,174 @@
+//! `unoclp serve`, with the page inside: it is built before (`cargo xtask lab --build`).
+#![cfg(unix)]
+
+#[path = "it/pty.rs"]
+#[allow(unused_imports, reason = "each test uses its part")]
+mod pty;
+
+use pty::{Board, Fake};
+use std::io::{BufRead, BufReader, Lines, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::process::{Child, ChildStdout, Command, Stdio};
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
+use unoclp_modbus::client::{Reply, Request};
+
+/// A server, what it has not said yet, and where it is.
+struct Server {
+    child: Child,
+    says: Lines<BufReader<ChildStdout>>,
+    address: String,
+}
+
+impl Server {
+    fn new(http: &str, more: &[&str]) -> Server {
+        let mut child = unoclp(http)
+            .args(more)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut says = BufReader::new(child.stdout.take().unwrap()).lines();
+        let first = says.next().unwrap().unwrap();
+        let (address, fragment) = first["http://".len()..].split_once('/').unwrap();
+        assert!(["", "#board"].contains(&fragment), "{first}");
+        Server {
+            child,
+            says,
+            address: address.into(),
+        }
+    }
+
+    fn line(&mut self) -> String {
+        self.says.next().unwrap().unwrap()
+    }
+
+    fn visitor(&self, token: &str) -> WebSocket<TcpStream> {
+        let port = self.address.rsplit_once(':').unwrap().1;
+        let stream = TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
+        let request = format!("ws://127.0.0.1:{port}/line").into_client_request();
+        let (mut socket, _) = tungstenite::client(request.unwrap(), stream).unwrap();
+        socket.send(Message::text(token.to_owned())).unwrap();
+        while socket.read().unwrap() != Message::text(r#"{"board":true}"#) {}
+        socket
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn unoclp(http: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+    command.args(["serve", "--http", http]).env("LC_ALL", "C");
+    command
+}
+
+/// STOP by command (docs/modbus.md).
+fn stop() -> Request {
+    Request::write_word(1, 400, 2)
+}
+
+/// The board's answer to a request.
+fn ask<T>(
+    socket: &mut WebSocket<TcpStream>,
+    request: &Request,
+    take: impl FnOnce(Reply<'_>) -> T,
+) -> Option<T> {
+    socket
+        .send(Message::binary(request.bytes().to_vec()))
+        .unwrap();
+    match socket.read().unwrap() {
+        Message::Binary(answer) => request.answer(&answer).unwrap().ok().map(take),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_page_comes_from_inside_the_program() {
+    let server = Server::new("127.0.0.1:0", &[]);
+    let mut stream = TcpStream::connect(&server.address).unwrap();
+    let request = format!(
+        "GET / HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n",
+        server.address
+    );
+    stream.write_all(request.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200 OK"), "{answer}");
+    assert!(answer.contains("<html"), "{answer}");
+}
+
+#[test]
+fn the_board_at_a_port_is_read_and_stopped_from_this_pc() {
+    let fake = Fake::new(Board::default());
+    let mut server = Server::new("127.0.0.1:0", &["--port", fake.path()]);
+    let alone = format!("the board at {} is shared with this PC alone", fake.path());
+    assert_eq!(server.line(), alone);
+    let mut visitor = server.visitor("");
+    let product = ask(&mut visitor, &Request::identify(1), |reply| {
+        reply.texts().nth(1).map(<[u8]>::to_vec)
+    });
+    assert_eq!(product.flatten().as_deref(), Some(&b"unoclp UNO"[..]));
+    assert!(ask(&mut visitor, &stop(), |_| ()).is_some());
+    assert_eq!(fake.board().state, pty::STOP);
+}
+
+#[test]
+fn in_a_network_each_token_lets_do_its_own() {
+    let fake = Fake::new(Board::default());
+    let mut server = Server::new("0.0.0.0:0", &["--port", fake.path()]);
+    let mut token = |begin: &str| {
+        let line = server.line();
+        let (before, token) = line.split_once("#board=").unwrap();
+        assert!(before.starts_with(begin), "{line}");
+        token.to_owned()
+    };
+    let [watch, control] = [token("to watch:   http://"), token("to control: http://")];
+    assert!(ask(&mut server.visitor(&watch), &stop(), |_| ()).is_none());
+    assert_ne!(fake.board().state, pty::STOP);
+    assert!(ask(&mut server.visitor(&control), &stop(), |_| ()).is_some());
+    assert_eq!(fake.board().state, pty::STOP);
+}
+
+/// In a real Chromium: what the page makes of a board that is shared.
+#[test]
+fn a_browser_watches_or_controls_the_board() {
+    let visit = |address: &str, role: &str| {
+        let visited = Command::new("node")
+            .arg(concat!(
+                env!("CARGO_MANIFEST_DIR"),
+                "/../../page/web/test/shared/visit.mjs"
+            ))
+            .args([address, role])
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&visited.stderr);
+        assert!(visited.status.success(), "{role}: {said}");
+    };
+    let fake = Fake::new(Board::default());
+    let here = Server::new("127.0.0.1:0", &["--port", fake.path()]);
+    visit(&format!("http://{}/#board", here.address), "control");
+    assert_eq!(fake.board().state, pty::STOP);
+    drop(here);
+    fake.board().state = pty::RUN;
+    let mut open = Server::new("0.0.0.0:0", &["--port", fake.path()]);
+    let watch = open.line().replace("to watch:   ", "");
+    visit(&watch.replace("0.0.0.0", "127.0.0.1"), "watch");
+    assert_eq!(fake.board().state, pty::RUN);
+}
+
+#[test]
+fn an_address_that_is_taken_is_told_with_what_to_do() {
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = taken.local_addr().unwrap().to_string();
+    let refused = unoclp(&address).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        said.contains(&address) && said.contains("--http 127.0.0.1:0"),
+        "{said}"
+    );
+}

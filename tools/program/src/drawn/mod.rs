@@ -1,0 +1,140 @@
+//! A program that is drawn, and its text: one becomes the other.
+//!
+//! Owns what of a text a document keeps – title, comments, names – and how a document is written as a text again.
+//! Must not know which operations there are, nor screens.
+
+mod il;
+mod numeric;
+mod parts;
+
+use crate::{BOARD, Source, load, names, point_names};
+use unoclp_ladder::edit::{Document, Mistake};
+use unoclp_ladder::{Address, Ladder};
+
+pub use il::is_name;
+
+/// What a document is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WriteAs {
+    /// Numeric code: comments, but no names.
+    Numeric,
+    /// Instruction List, with declared names and comments.
+    Il,
+}
+
+/// The document of a program: its rungs, and what its text says of them.
+pub fn document(source: &Source) -> Document {
+    let steps = source.program().steps();
+    let mut names = names(&source.map, &Ladder::new(source.program().steps()));
+    for (point, name) in point_names(source) {
+        if let Some(point) = Address::parse(&point) {
+            names.insert(point, name);
+        }
+    }
+    // Members of a function block have no name of their own that a declaration could give them.
+    names.retain(|_, name| is_name(name));
+    let document = Document::of_steps(steps);
+    document.with_text(&source.map).with_names(names)
+}
+
+/// The text of a document, which compiles to its codes.
+///
+/// # Errors
+/// What is wrong in it, where a board takes no such program.
+pub fn text(document: &Document, form: WriteAs) -> Result<String, Vec<Mistake>> {
+    let codes = document.codes()?;
+    let file: String = codes.iter().map(|code| format!("{code}\n")).collect();
+    let wrong = || {
+        let mistakes = document.check(BOARD).into_iter();
+        mistakes
+            .filter(|mistake| mistake.what.is_error())
+            .collect::<Vec<_>>()
+    };
+    let checked = load(file.as_bytes()).map_err(|_| wrong())?;
+    let program = checked.program();
+    Ok(match form {
+        WriteAs::Numeric => numeric::text(document, program),
+        WriteAs::Il => il::text(document, program),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Written;
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    fn programs() -> Vec<PathBuf> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs");
+        let folders = [root.clone(), root.join("tutorial"), root.join("il")];
+        let files = folders
+            .iter()
+            .flat_map(|folder| fs::read_dir(folder).unwrap());
+        let files = files.map(|entry| entry.unwrap().path());
+        let ends = |path: &PathBuf| {
+            path.extension()
+                .is_some_and(|end| end == "il" || end == "txt")
+        };
+        let is_program = |path: &PathBuf| ends(path) && !path.ends_with("STATE.TXT");
+        files.filter(is_program).collect()
+    }
+
+    fn read(name: &str, text: &str) -> Source {
+        let written = Written::new(name.to_owned(), text.as_bytes().to_vec());
+        let Ok(source) = written.check(None) else {
+            panic!("{name}:\n{text}");
+        };
+        source
+    }
+
+    #[test]
+    fn each_program_is_the_same_when_its_drawing_is_written_again() {
+        let mut seen = 0;
+        for path in programs() {
+            let text = crate::decode(&fs::read(&path).unwrap());
+            let written = Written::new(path.display().to_string(), text.into_bytes());
+            let Ok(source) = written.check(None) else {
+                continue;
+            };
+            let document = document(&source);
+            let codes = document.codes().unwrap();
+            // Instruction List keeps the words of a comment, not its blanks and empty lines.
+            let words = |lines: &[String]| -> Vec<String> {
+                let words = lines.iter().map(|line| line.trim().to_owned());
+                words.filter(|line| !line.is_empty()).collect()
+            };
+            let about = |document: &Document| -> Vec<Vec<String>> {
+                document.rungs().map(|rung| words(&rung.comment)).collect()
+            };
+            for (form, name) in [(WriteAs::Il, "a.il"), (WriteAs::Numeric, "a.txt")] {
+                let text = super::text(&document, form).unwrap();
+                let again = super::document(&read(name, &text));
+                let place = path.display();
+                assert_eq!(again.codes().unwrap(), codes, "{place}:\n{text}");
+                assert_eq!(
+                    words(again.title()),
+                    words(document.title()),
+                    "{place}:\n{text}"
+                );
+                assert_eq!(about(&again), about(&document), "{place}:\n{text}");
+                if form == WriteAs::Il {
+                    let names = |document: &Document| document.table().names();
+                    assert_eq!(names(&again), names(&document), "{place}:\n{text}");
+                }
+            }
+            seen += 1;
+        }
+        assert!(seen > 40, "{seen}");
+    }
+
+    #[test]
+    fn what_the_language_has_for_itself_is_no_name() {
+        for name in ["motor", "_a", "pressao", "start_2"] {
+            assert!(is_name(name), "{name}");
+        }
+        for name in ["", "I1", "2a", "a b", "END_VAR", "a.b", "x; END_VAR"] {
+            assert!(!is_name(name), "{name}");
+        }
+    }
+}

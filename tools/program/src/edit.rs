@@ -1,0 +1,106 @@
+//! What the ladder editor refuses and what it finds wrong, in words. `docs/editor-messages.md` and its translation say
+//! under each number what to do.
+
+use crate::diagnosis::cause;
+use unoclp_ladder::edit::{Refusal, Wrong};
+use unoclp_lang::Lang;
+
+crate::messages! {
+    not_there() "what is selected is no longer there" "o que está selecionado já não existe";
+    not_one_series() "select elements that stand in one series" "selecione elementos que estejam na mesma série";
+    select_elements() "select an element first" "selecione antes um elemento";
+    select_one() "select one element alone" "selecione um único elemento";
+    no_opposite() "this element has no opposite" "este elemento não tem oposto";
+    no_such_coil() "this point has no such coil" "este ponto não tem uma bobina assim";
+    not_that_address() "this element cannot have that address" "este elemento não aceita esse endereço";
+    contacts_only() "only a contact can wait for an edge" "só um contato pode esperar uma borda";
+    if_ends_rung() "an IF is the last of its rung and stands in no branch" "um IF é o último do seu degrau e não fica em um ramo";
+    not_an_element() "this is no element that can be inserted" "isto não é um elemento que se possa inserir";
+    too_deep() "branches stand too deep in each other" "há ramos demais uns dentro dos outros";
+    nothing_copied() "nothing has been copied" "nada foi copiado";
+    into_itself() "what is moved cannot go into itself" "o que se move não pode ir para dentro de si mesmo";
+    no_further() "it goes no further there" "dali não passa";
+    cannot_join() "there is no rung below that this one can go on with" "não há abaixo um degrau com que este possa continuar";
+    out_of_range() "the number is out of its range" "o número está fora da faixa";
+    nothing_to_undo() "nothing is left to undo" "não há mais nada a desfazer";
+    nothing_to_redo() "nothing is left to do again" "não há mais nada a refazer";
+    name_taken() "another point has that name" "outro ponto já tem esse nome";
+    select_block() "select a block first" "selecione antes um bloco";
+    missing() "an address or an operand is missing" "falta um endereço ou um operando";
+    no_point_left() "more than 8 branch points are needed here" "são necessários aqui mais de 8 pontos de ramificação";
+    bridge() "nothing stands on this path, so what stands beside it has no effect" "não há nada neste caminho; o que está ao lado dele não tem efeito";
+}
+
+/// Why an operation is refused.
+pub fn refusal(lang: Lang, refusal: Refusal) -> String {
+    match refusal {
+        Refusal::NotThere => not_there(lang),
+        Refusal::NotOneSeries => not_one_series(lang),
+        Refusal::SelectElements => select_elements(lang),
+        Refusal::SelectOne => select_one(lang),
+        Refusal::NoOpposite => no_opposite(lang),
+        Refusal::NoSuchCoil => no_such_coil(lang),
+        Refusal::NotThatAddress => not_that_address(lang),
+        Refusal::ContactsOnly => contacts_only(lang),
+        Refusal::IfEndsRung => if_ends_rung(lang),
+        Refusal::NotAnElement => not_an_element(lang),
+        Refusal::TooDeep => too_deep(lang),
+        Refusal::NothingCopied => nothing_copied(lang),
+        Refusal::IntoItself => into_itself(lang),
+        Refusal::NoFurther => no_further(lang),
+        Refusal::CannotJoin => cannot_join(lang),
+        Refusal::OutOfRange => out_of_range(lang),
+        Refusal::NothingToUndo => nothing_to_undo(lang),
+        Refusal::NothingToRedo => nothing_to_redo(lang),
+        Refusal::NameTaken => name_taken(lang),
+        Refusal::SelectBlock => select_block(lang),
+    }
+}
+
+/// What is wrong with an element.
+pub fn wrong(lang: Lang, wrong: Wrong) -> String {
+    match wrong {
+        Wrong::Missing => missing(lang),
+        Wrong::NoPointLeft => no_point_left(lang),
+        Wrong::Bridge => bridge(lang),
+        Wrong::Fault(of) => cause(of, lang).to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lang, Refusal, Wrong, refusal, wrong};
+
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(crate::messages::gaps(super::ALL), [""; 0]);
+    }
+
+    #[test]
+    fn both_pages_have_every_number_with_its_text() {
+        let pages = [
+            (Lang::En, include_str!("../../../docs/editor-messages.md")),
+            (
+                Lang::Pt,
+                include_str!("../../../docs/editor-messages.pt-BR.md"),
+            ),
+        ];
+        for (lang, page) in pages {
+            let rows = page.lines().filter(|line| line.starts_with("| ")).count();
+            let own = [Wrong::Missing, Wrong::NoPointLeft, Wrong::Bridge];
+            let own = own.map(|of| (of.number(), wrong(lang, of)));
+            let refused = Refusal::ALL
+                .iter()
+                .map(|of| (of.number(), refusal(lang, *of)));
+            let all: Vec<_> = refused.chain(own).collect();
+            for (number, text) in &all {
+                assert!(
+                    page.contains(&format!("| {number} | {text} | ")),
+                    "{number} {text}"
+                );
+            }
+            // Two tables, each with a heading and a line below it.
+            assert_eq!(rows, all.len() + 4);
+        }
+    }
+}
