@@ -19,6 +19,15 @@ unoclp_source::messages! {
     a_text()
         "`text` must be a text, or a list of texts and repeated texts"
         "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
+    both_languages()
+        "a text is written \"…\", {{ en = \"…\", pt = \"…\" }}, or in one of the two alone"
+        "um texto se escreve \"…\", {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas";
+    no_file()
+        "is no file with a text, but a folder, a device or a pipe; name a file, or - for standard input"
+        "não é um arquivo com um texto, e sim uma pasta, um dispositivo ou um pipe; indique um arquivo, ou - para a entrada padrão";
+    too_many_scans(scans, most)
+        "this comes to {scans} scans, and a file may have {most} in all its cases; end it earlier (`until`), or make `scan_ms` longer"
+        "isto dá {scans} varreduras, e um arquivo pode ter {most} em todos os seus casos; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()
