@@ -1,16 +1,15 @@
 //! `unoclp list`.
 
 use super::open::{Shown, open};
-use super::output::{Kind, cannot_write, may_write};
+use super::output::{Kind, Over, may_write, write};
 use super::wording::Wording;
 use super::words::Form;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
-use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
-use unoclp_source::{Diagnostic, Lang, Source, list as listing};
+use unoclp_source::{Diagnostic, Lang, Source, list as listing, shown};
 
 /// A ladder diagram in a file.
 pub struct Picture<'p> {
@@ -20,6 +19,8 @@ pub struct Picture<'p> {
     pub paper: Option<listing::Paper>,
     /// The title of the pages, if not the program's own.
     pub title: Option<&'p str>,
+    /// What may be overwritten.
+    pub over: Over,
 }
 
 /// Shows a program in this form, or draws it into a file.
@@ -68,11 +69,17 @@ fn draw(path: &Path, program: &Source, picture: &Picture<'_>, width: usize) -> O
     };
     // Nothing is written where one of them cannot be.
     for file in &files {
-        may_write(file, Kind::Drawing, &[path])?;
+        may_write(file, Kind::Drawing, &[path], picture.over)?;
     }
     for (file, page) in files.iter().zip(pages) {
-        fs::write(file, page).map_err(cannot_write(file))?;
-        println!("{}", messages::drawn(file.display()));
+        write(
+            file,
+            page.into_bytes(),
+            Kind::Drawing,
+            &[path],
+            picture.over,
+        )?;
+        println!("{}", messages::drawn(shown(file)));
     }
     Ok(true)
 }

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
-use unoclp_source::WrittenIn;
+use unoclp_source::{WrittenIn, shown};
 
 /// What a class has handed in.
 #[derive(Debug, Default)]
@@ -31,7 +31,7 @@ pub fn find(named: &[PathBuf]) -> anyhow::Result<Found> {
         let before = found.programs.len();
         walk(path, &mut found)?;
         if found.programs.len() == before {
-            bail!(messages::no_programs(path.display(), messages::languages()));
+            bail!(messages::no_programs(shown(path), messages::languages()));
         }
     }
     Ok(found)
@@ -66,6 +66,6 @@ fn is_program(path: &Path) -> bool {
 }
 
 fn cannot_read(path: &Path) -> impl Fn(io::Error) -> anyhow::Error {
-    let name = path.display().to_string();
+    let name = shown(path);
     move |error| anyhow!(messages::cannot_read(&name, messages::io(&error)))
 }

@@ -4,7 +4,7 @@ use super::super::excerpt::renderer;
 use super::super::open::count;
 use super::ran::{Ran, Row};
 use super::table;
-use super::what::{What, find};
+use super::what::{What, Work, find};
 use anstream::{eprint, eprintln, print};
 use anyhow::anyhow;
 use unoclp_cli::messages;
@@ -51,6 +51,7 @@ pub(super) fn run(
         set(&mut machine, &tree, name, written)?;
     }
     let mut printed = Vec::new();
+    let mut work = Work::default();
     for scan in 0..arguments.scans {
         let ran = machine.scan(arguments.time(scan));
         let told = machine.printed().into_iter();
@@ -64,6 +65,7 @@ pub(super) fn run(
             eprintln!("{}", stopped(&text, stop));
             return Ok(None);
         }
+        work.scanned(machine.steps())?;
     }
     if let Some(at) = machine.failed() {
         eprintln!("{}", placed(&text, at, messages::not_computed));

@@ -56,6 +56,34 @@ impl What {
     }
 }
 
+/// The most steps of all scans together. So every run comes to an end, whatever it is asked for.
+const MOST_STEPS: u64 = 1_000_000_000;
+
+/// As many steps as beginning a scan is worth.
+const BEGINNING: u64 = 50;
+
+/// How much has been done of a run.
+#[derive(Default)]
+pub(super) struct Work {
+    steps: u64,
+    scans: u32,
+}
+
+impl Work {
+    /// Counts a scan of so many steps.
+    ///
+    /// # Errors
+    /// If that is all that a run may do.
+    pub(super) fn scanned(&mut self, steps: u64) -> anyhow::Result<()> {
+        self.steps += BEGINNING + steps;
+        self.scans += 1;
+        if self.steps > MOST_STEPS {
+            bail!(messages::run_too_long(self.scans, MOST_STEPS));
+        }
+        Ok(())
+    }
+}
+
 /// The program, wherever the arguments have it.
 pub(super) fn program(arguments: &What) -> anyhow::Result<Written> {
     let (name, bytes) = match (&arguments.text, &arguments.file) {
