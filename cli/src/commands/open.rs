@@ -41,7 +41,7 @@ pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
 /// That a file of this name cannot be read, and why.
 pub fn unreadable(name: &str, why: &Unreadable) -> String {
     match why {
-        Unreadable::TooLong | Unreadable::NoFile => {
+        Unreadable::TooLong | Unreadable::Folder | Unreadable::NoFile => {
             format!("{name} {}", why.text(messages::spoken()))
         }
         Unreadable::System { kind, told } => {

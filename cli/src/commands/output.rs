@@ -186,8 +186,11 @@ impl Draft {
             use std::os::unix::fs::PermissionsExt;
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
-        let beside = builder.tempfile_in(folder.unwrap_or(Path::new(".")));
-        let beside = beside.map_err(|error| of_system(&error))?;
+        let folder = folder.unwrap_or(Path::new("."));
+        fs::metadata(folder)?;
+        // Told without the name of the file beside, which nobody knows.
+        let beside = builder.tempfile_in(folder);
+        let beside = beside.map_err(|error| io::Error::from(error.kind()))?;
         let file = beside.as_file().try_clone()?;
         if let Some(there) = there {
             // A card has none to be kept.
@@ -231,21 +234,6 @@ impl Draft {
         }
         Ok(())
     }
-}
-
-/// The same error without the name of the file beside, which nobody knows.
-fn of_system(error: &io::Error) -> io::Error {
-    let mut cause: Option<&(dyn std::error::Error + 'static)> = Some(error);
-    while let Some(this) = cause {
-        let number = this
-            .downcast_ref::<io::Error>()
-            .and_then(io::Error::raw_os_error);
-        if let Some(number) = number {
-            return io::Error::from_raw_os_error(number);
-        }
-        cause = this.source();
-    }
-    error.kind().into()
 }
 
 /// The error of a file that cannot be written.

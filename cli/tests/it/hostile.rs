@@ -78,23 +78,29 @@ fn what_would_run_for_ever_is_refused_or_stopped() {
             assert!(code == 2 && err.contains("long.toml:") && err.contains("scans, and a file may have 2000000"), "{err}");
         }
     }
-    for folder in ["/dev/zero", folder.to_str().unwrap()]
-        .iter()
-        .filter(|_| cfg!(unix))
-    {
+    let folder = folder.to_str().unwrap();
+    for (file, told) in [
+        ("/dev/zero", "is a device or a pipe"),
+        (folder, "is a folder"),
+    ] {
+        if cfg!(not(unix)) {
+            continue;
+        }
         for words in [
-            &["check", folder][..],
-            &["grade", folder, &il],
-            &["sim", "--scenario", folder],
-            &["flash", folder, "--port", "x"],
+            &["check", file][..],
+            &["grade", file, &il],
+            &["sim", "--scenario", file],
+            &["flash", file, "--port", "x"],
         ] {
             let (code, _, err) = outcome(words);
-            assert!(
-                code == 2 && err.contains("is no file with a text"),
-                "{words:?}: {err}"
-            );
+            assert!(code == 2 && err.contains(told), "{words:?}: {err}");
         }
     }
+    let (code, _, err) = outcome(&["run", &il, "--scans", "1000000000"]);
+    assert!(
+        code == 2 && err.contains("Ask for fewer with --scans"),
+        "{err}"
+    );
 }
 
 #[test]

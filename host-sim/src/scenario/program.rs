@@ -22,7 +22,9 @@ pub const LONGEST: u64 = 1 << 20;
 pub enum Unreadable {
     /// It has more than [`LONGEST`] bytes.
     TooLong,
-    /// It is no file: a folder, a device, or a pipe, which may never end.
+    /// It is a folder.
+    Folder,
+    /// It is a device or a pipe, which may never end.
     NoFile,
     /// The system does not let it.
     System {
@@ -58,8 +60,10 @@ impl ProgramFile {
 /// The bytes of a text, of which there are not more than [`LONGEST`].
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Unreadable> {
     // A pipe without a writer would not even open.
-    if !fs::metadata(path)?.is_file() {
-        return Err(Unreadable::NoFile);
+    match fs::metadata(path)? {
+        there if there.is_file() => {}
+        there if there.is_dir() => return Err(Unreadable::Folder),
+        _ => return Err(Unreadable::NoFile),
     }
     let mut bytes = Vec::new();
     let file = File::open(path)?;

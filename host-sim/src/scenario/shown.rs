@@ -23,7 +23,11 @@ impl LoadError {
             wrong: what,
         } = self;
         let line = line.map_or_else(String::new, |line| format!(":{line}"));
-        format!("{file}{line}: {}", wrong(what, lang))
+        let mut told = wrong(what, lang);
+        if matches!(what, Wrong::Toml { .. }) && !file.ends_with(".toml") {
+            told = no_scenario(lang, told);
+        }
+        format!("{file}{line}: {told}")
     }
 }
 
@@ -32,6 +36,7 @@ impl Unreadable {
     pub fn text(&self, lang: Lang) -> String {
         match self {
             Unreadable::TooLong => too_long(lang, LONGEST),
+            Unreadable::Folder => is_a_folder(lang),
             Unreadable::NoFile => no_file(lang),
             Unreadable::System { kind, told } => not_read(lang, system(lang, *kind, told)),
         }

@@ -22,9 +22,13 @@ unoclp_source::messages! {
     both_languages()
         "a text is written \"…\", {{ en = \"…\", pt = \"…\" }}, or in one of the two alone"
         "um texto se escreve \"…\", {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas";
+    is_a_folder() "is a folder; name a file in it" "é uma pasta; indique um arquivo dela";
     no_file()
-        "is no file with a text, but a folder, a device or a pipe; name a file, or - for standard input"
-        "não é um arquivo com um texto, e sim uma pasta, um dispositivo ou um pipe; indique um arquivo, ou - para a entrada padrão";
+        "is a device or a pipe, which may never end; name a file"
+        "é um dispositivo ou um pipe, que talvez nunca termine; indique um arquivo";
+    no_scenario(told)
+        "{told}; a scenario is a file in TOML (.toml)"
+        "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
         "this comes to {scans} scans, and a file may have {most} in all its cases; end it earlier (`until`), or make `scan_ms` longer"
         "isto dá {scans} varreduras, e um arquivo pode ter {most} em todos os seus casos; termine antes (`until`) ou aumente `scan_ms`";

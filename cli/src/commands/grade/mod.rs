@@ -60,7 +60,9 @@ pub fn grade(class: &Class) -> Outcome {
         Ok(ProgramFile { name, bytes }) => Row::of(class.wording.of(name, bytes), &exercise),
         Err(why) => Row::unreadable(path, unreadable(&shown(path), &why)),
     };
-    let rows: Vec<Row> = found.programs.iter().map(row).collect();
+    let unreadable = found.unreadable.into_iter();
+    let unreadable = unreadable.map(|(path, why)| Row::unreadable(&path, why));
+    let rows: Vec<Row> = found.programs.iter().map(row).chain(unreadable).collect();
     match class.csv {
         true => print!("{}", sheet::csv(&rows, &exercise)?),
         false => println!("{}", table::table(&rows, &exercise)),
