@@ -37,7 +37,7 @@ mod written_in;
 pub use kept::Kept;
 pub use language::{NoProgram, is_numeric};
 pub use seal::{Seal, is_ours, sealed};
-pub use shown::{harmless, shown};
+pub use shown::{harmless, harmless_lines, shown};
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
 pub use text::decode;

@@ -12,6 +12,17 @@ pub fn shown(path: &Path) -> String {
 
 /// A text on one line, in which nothing acts on a terminal; see [`shown`].
 pub fn harmless(text: &str) -> String {
+    escaped(text, acts)
+}
+
+/// The same of a text whose lines and tabs stay.
+pub fn harmless_lines(text: &str) -> String {
+    escaped(text, |letter| {
+        acts(letter) && !matches!(letter, '\n' | '\t')
+    })
+}
+
+fn escaped(text: &str, acts: impl Fn(char) -> bool) -> String {
     let mut made = String::with_capacity(text.len());
     for letter in text.chars() {
         match acts(letter) {
@@ -43,5 +54,6 @@ mod tests {
         ] {
             assert_eq!(shown(Path::new(name)), is);
         }
+        assert_eq!(harmless_lines("a\tb\n\u{1b}c\r\n"), "a\tb\n\\u{1b}c\\r\n");
     }
 }

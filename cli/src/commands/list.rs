@@ -9,7 +9,7 @@ use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
-use unoclp_source::{Diagnostic, Lang, Source, list as listing, shown};
+use unoclp_source::{Diagnostic, Lang, Source, harmless_lines, list as listing, shown};
 
 /// A ladder diagram in a file.
 pub struct Picture<'p> {
@@ -48,8 +48,8 @@ pub fn list(
     let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
     match form {
         Form::Ladder => print!("{}", ascii::picture(&listing)),
-        // These are programs, which stay as they are.
-        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{listing}"),
+        // These are programs, whose characters stay as they are.
+        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{}", harmless_lines(&listing)),
     }
     Ok(true)
 }
@@ -104,7 +104,7 @@ fn said(refused: &Diagnostic, lang: Lang) -> String {
 /// Prints a program as a project in PLCopen XML, or why it is none.
 fn project(program: &Source) -> bool {
     match listing::plcopen(program) {
-        Ok(text) => print!("{text}"),
+        Ok(text) => print!("{}", harmless_lines(&text)),
         Err(lost) => {
             for lost in &lost {
                 eprintln!("{}", lost.text(messages::spoken()));

@@ -171,3 +171,51 @@ fn a_name_forges_neither_rows_nor_formulas() {
     }
     let _ = exercise;
 }
+
+/// What stands in a program or an exercise does not act on the terminal that shows it.
+#[test]
+fn words_of_a_file_do_not_act_on_a_terminal() {
+    let folder = empty_folder("hostile-words");
+    let il = put(
+        &folder,
+        "lamp.il",
+        "(* \u{1b}[2J \u{202e}t *)\nLD I1 (* \u{7} *)\nST Q1\n",
+    );
+    let st = put(
+        &folder,
+        "print.st",
+        "VAR s : STRING := '$1B[2J'; END_VAR\ns := CONCAT(s, s);\n",
+    );
+    let words = "title = \"a\\u001b[2J\\nforged.il  1/1  passed\"\n";
+    let exercise = put(
+        &folder,
+        "words.toml",
+        &EXERCISE.replace("title = \"Lamp\"\n", words),
+    );
+    for (words, lines) in [
+        (&["list", &il][..], None),
+        (&["list", &il, "--as", "numeric"], None),
+        (&["list", &il, "--as", "il"], None),
+        (&["run", &st], Some(2)),
+        (&["grade", &exercise, &il], Some(3)),
+        (&["sim", &il, "--scenario", &exercise], None),
+    ] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_unoclp"));
+        // As to a terminal: elsewhere escape codes are left out.
+        let command = command
+            .args(words)
+            .env("CLICOLOR_FORCE", "1")
+            .env("LC_ALL", "C.UTF-8");
+        let out = String::from_utf8(command.output().unwrap().stdout).unwrap();
+        assert!(!out.is_empty(), "{words:?}");
+        assert!(
+            !out.contains(['\u{1b}', '\u{7}', '\u{202e}']),
+            "{words:?}: {}",
+            out.escape_debug()
+        );
+        assert!(
+            lines.is_none_or(|lines| out.lines().count() == lines),
+            "{words:?}: {out}"
+        );
+    }
+}

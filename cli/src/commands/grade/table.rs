@@ -39,7 +39,8 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     for [file, passed, why] in &lines {
         text += &format!("{file:files$}  {passed:cases$}  {why}\n");
     }
+    let title = exercise.title.text(messages::spoken());
     let passed = rows.iter().filter(|row| row.is_passed()).count();
-    text += &messages::programs_passed(exercise.title.text(messages::spoken()), passed, rows.len());
-    ascii::picture(&text).into_owned()
+    text += &messages::programs_passed(harmless(title), passed, rows.len());
+    ascii::picture(&text)
 }

@@ -11,7 +11,7 @@ use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{self as lang, CheckedText, Holding, Lines, Span, TextLanguage, Variable};
-use unoclp_source::{BOARD, Written, decode};
+use unoclp_source::{BOARD, Written, decode, harmless_lines};
 
 /// A text by its name.
 struct Text {
@@ -59,7 +59,7 @@ pub(super) fn run(
         match arguments.json {
             true => printed.extend(told),
             // At once: nothing of it is lost where a later scan does not end.
-            false => print!("{}", table::lines(&told)),
+            false => print!("{}", harmless_lines(&table::lines(&told))),
         }
         if let Err(stop) = ran {
             eprintln!("{}", stopped(&text, stop));
