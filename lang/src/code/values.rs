@@ -126,16 +126,18 @@ impl Inliner<'_, '_> {
     }
 
     fn all(&mut self, from: &[Expr], frame: &Frame) -> Vec<Expr> {
+        // Of each, whether one behind it may change something: asked once, from the last to the first.
+        let mut changes = false;
+        let later = from.iter().rev().map(|operand| {
+            let later = changes;
+            changes |= pure::may_change(&self.pure, operand);
+            later
+        });
+        let later: Vec<bool> = later.collect();
         let mut made = Vec::with_capacity(from.len());
-        for (at, operand) in from.iter().enumerate() {
+        for (operand, later) in from.iter().zip(later.into_iter().rev()) {
             let value = self.expr(operand, frame);
-            let later = from.get(at + 1..).unwrap_or_default();
-            made.push(
-                match later.iter().any(|l| pure::may_change(&self.pure, l)) {
-                    true => self.aside(value),
-                    false => value,
-                },
-            );
+            made.push(if later { self.aside(value) } else { value });
         }
         made
     }

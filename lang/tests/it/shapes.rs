@@ -53,7 +53,7 @@ pub const IL: [(&str, Shape); 11] = [
     }),
 ];
 
-pub const ST: [(&str, Shape); 41] = [
+pub const ST: [(&str, Shape); 44] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -146,6 +146,22 @@ pub const ST: [(&str, Shape); 41] = [
         "IF x THEN y := 1; ELSE IF x THEN y := 2; END_IF;\n".repeat(n)
     }),
     ("braces", |n| "IF x { y++; } ".repeat(n)),
+    ("a long name of many elements", |n| {
+        let name = "a".repeat(n);
+        format!("VAR {name} : ARRAY[1..99999] OF INT; x : INT; END_VAR x := 1;")
+    }),
+    ("names of a large structure", |n| {
+        let members: String = (0..n).map(|i| format!("a{i} : INT;\n")).collect();
+        let names: String = (0..n).map(|i| format!("T{i} : S;\n")).collect();
+        format!(
+            "TYPE S : STRUCT {members} END_STRUCT;\n{names} END_TYPE VAR x : INT; END_VAR x := 1;"
+        )
+    }),
+    ("names of names of a type", |n| {
+        let names: String = (1..n).map(|i| format!("T{i} : T{};\n", i - 1)).collect();
+        let uses: String = (0..n).map(|i| format!("v{i} : T{};\n", n - 1)).collect();
+        format!("TYPE T0 : INT; {names} END_TYPE VAR {uses} x : INT; END_VAR x := 1;")
+    }),
     ("ELSIF", |n| {
         let arms = "ELSIF x = 2 THEN x := 3;\n".repeat(n);
         format!("VAR x : INT; END_VAR IF x = 1 THEN x := 2;\n{arms}END_IF;")
