@@ -93,9 +93,11 @@ fn cases(keys: &FileKeys, about: &Both) -> Result<Vec<Case>, Slip> {
         if has_steps || keys.fault.is_some() {
             return Err(slip(Some(first.span()), Wrong::CasesAndSteps));
         }
+        let mut scans = 0;
         let case = |case: &Spanned<CaseKeys>| {
             let keys = case.get_ref();
             let timeline = rhythm.timeline(&keys.step, keys.until.as_ref(), None);
+            let timeline = timeline.and_then(|timeline| timeline.within(&mut scans));
             Ok(Case {
                 title: keys.title.clone(),
                 hidden: keys.hidden,
@@ -106,7 +108,15 @@ fn cases(keys: &FileKeys, about: &Both) -> Result<Vec<Case>, Slip> {
     }
     let goal = match &keys.fault {
         Some(fault) => Goal::Refusal(refusal(fault, keys)?),
-        None => Goal::Run(rhythm.timeline(&keys.step, keys.until.as_ref(), keys.stops.as_ref())?),
+        None => {
+            let timeline = rhythm.timeline(&keys.step, keys.until.as_ref(), keys.stops.as_ref())?;
+            let place = keys.until.as_ref().map(Spanned::span);
+            let within = timeline.within(&mut 0);
+            Goal::Run(within.map_err(|slip| match place {
+                Some(place) => slip.or_in(place),
+                None => slip,
+            })?)
+        }
     };
     Ok(vec![Case {
         title: about.clone(),

@@ -9,7 +9,7 @@ use super::{Exercise, LONGEST, LoadError, ProgramFile, Scenario, Unreadable, Wro
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use toml::Spanned;
-use unoclp_source::{Source, Written};
+use unoclp_source::{Source, Written, shown};
 
 impl Exercise {
     /// Reads a scenario file, but not the program that it names.
@@ -81,7 +81,7 @@ fn with_keys<T>(
     path: &Path,
     make: impl FnOnce(&str, &FileKeys, &Path) -> Result<T, Slip>,
 ) -> Result<T, LoadError> {
-    let name = path.display().to_string();
+    let name = shown(path);
     let folder = path.parent().unwrap_or(Path::new(""));
     let (source, result) = match text(path) {
         Ok(source) => {
@@ -140,7 +140,7 @@ fn program_file(
     folder: &Path,
 ) -> Result<ProgramFile, Slip> {
     let file = folder.join(path.get_ref());
-    let name = file.display().to_string();
+    let name = shown(&file);
     let bytes = bytes(&file).map_err(|why| {
         let name = name.clone();
         slip(Some(path.span()), Wrong::Program { name, why })

@@ -54,6 +54,10 @@ enum Goal {
     Refusal(Refusal),
 }
 
+/// The most scans that a file may ask for, in all its cases: 33 minutes of scans each millisecond. So whatever a file
+/// says, running it comes to an end.
+pub const MOST_SCANS: u64 = 2_000_000;
+
 /// The scans of a run, what they see and what they must give.
 #[derive(Clone, Debug)]
 struct Timeline {

@@ -1,8 +1,9 @@
 //! Program files, and how long a text may be.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use unoclp_source::shown;
 
 /// A program file: what to call it, and its bytes as they stand on a card.
 #[derive(Clone, Debug)]
@@ -21,6 +22,10 @@ pub const LONGEST: u64 = 1 << 20;
 pub enum Unreadable {
     /// It has more than [`LONGEST`] bytes.
     TooLong,
+    /// It is a folder.
+    Folder,
+    /// It is a device or a pipe, which may never end.
+    NoFile,
     /// The system does not let it.
     System {
         /// What kind of error it is.
@@ -46,7 +51,7 @@ impl ProgramFile {
     /// [`Unreadable`]. Of a file that is too long no more is read than shows it.
     pub fn read(path: &Path) -> Result<ProgramFile, Unreadable> {
         Ok(ProgramFile {
-            name: path.display().to_string(),
+            name: shown(path),
             bytes: bytes(path)?,
         })
     }
@@ -54,6 +59,12 @@ impl ProgramFile {
 
 /// The bytes of a text, of which there are not more than [`LONGEST`].
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Unreadable> {
+    // A pipe without a writer would not even open.
+    match fs::metadata(path)? {
+        there if there.is_file() => {}
+        there if there.is_dir() => return Err(Unreadable::Folder),
+        _ => return Err(Unreadable::NoFile),
+    }
     let mut bytes = Vec::new();
     let file = File::open(path)?;
     file.take(LONGEST + 1).read_to_end(&mut bytes)?;

@@ -5,7 +5,8 @@
 
 use super::words::*;
 use super::{
-    Change, Columns, LONGEST, LoadError, Refusal, Report, Unmet, Unreadable, Verdict, Wrong,
+    Change, Columns, LONGEST, LoadError, MOST_SCANS, Refusal, Report, Unmet, Unreadable, Verdict,
+    Wrong,
 };
 use std::fmt;
 use unoclp_core::Millis;
@@ -22,7 +23,11 @@ impl LoadError {
             wrong: what,
         } = self;
         let line = line.map_or_else(String::new, |line| format!(":{line}"));
-        format!("{file}{line}: {}", wrong(what, lang))
+        let mut told = wrong(what, lang);
+        if matches!(what, Wrong::Toml { .. }) && !file.ends_with(".toml") {
+            told = no_scenario(lang, told);
+        }
+        format!("{file}{line}: {told}")
     }
 }
 
@@ -31,6 +36,8 @@ impl Unreadable {
     pub fn text(&self, lang: Lang) -> String {
         match self {
             Unreadable::TooLong => too_long(lang, LONGEST),
+            Unreadable::Folder => is_a_folder(lang),
+            Unreadable::NoFile => no_file(lang),
             Unreadable::System { kind, told } => not_read(lang, system(lang, *kind, told)),
         }
     }
@@ -113,6 +120,7 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::NoPeriod => no_period(lang),
         Wrong::EndsEarly { last } => ends_early(lang, last),
         Wrong::NoTitle => toml("missing field `about`", lang),
+        Wrong::TooManyScans { scans } => too_many_scans(lang, scans, MOST_SCANS),
         Wrong::CasesAndSteps => cases_and_steps(lang),
         Wrong::SeveralCases { count } => several_cases(lang, count),
         Wrong::NotNamed { name } => not_named(
@@ -154,6 +162,7 @@ fn toml(told: &str, lang: Lang) -> String {
     match told {
         _ if lang == Lang::En => told.to_owned(),
         _ if told == a_text(Lang::En) => a_text(lang),
+        _ if told == both_languages(Lang::En) => both_languages(lang),
         _ if told.starts_with("unknown field") => {
             let key = quoted_first();
             let valid: Vec<String> = quoted.map(|key| format!("`{key}`")).collect();

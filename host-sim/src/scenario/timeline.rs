@@ -3,7 +3,7 @@
 //! Owns which steps, settings and expectations are right. Must not know files, nor what a run is for.
 
 use super::keys::{FileKeys, Slip, StepKeys, StopKeys, slip};
-use super::{Cell, Place, Refusal, Setting, Step, Stop, Timeline, Wrong, within};
+use super::{Cell, MOST_SCANS, Place, Refusal, Setting, Step, Stop, Timeline, Wrong, within};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
@@ -93,6 +93,20 @@ impl Rhythm {
             until,
             stop,
         })
+    }
+}
+
+impl Timeline {
+    /// The same, whose scans are added to those of the runs before.
+    ///
+    /// # Errors
+    /// If all of them come to more than [`MOST_SCANS`].
+    pub(super) fn within(self, scans: &mut u64) -> Result<Timeline, Slip> {
+        *scans += u64::from(self.until / self.period) + 1;
+        match *scans > MOST_SCANS {
+            true => Err(slip(None, Wrong::TooManyScans { scans: *scans })),
+            false => Ok(self),
+        }
     }
 }
 

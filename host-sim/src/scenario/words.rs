@@ -19,6 +19,19 @@ unoclp_source::messages! {
     a_text()
         "`text` must be a text, or a list of texts and repeated texts"
         "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
+    both_languages()
+        "a text is written \"…\", {{ en = \"…\", pt = \"…\" }}, or in one of the two alone"
+        "um texto se escreve \"…\", {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas";
+    is_a_folder() "is a folder; name a file in it" "é uma pasta; indique um arquivo dela";
+    no_file()
+        "is a device or a pipe, which may never end; name a file"
+        "é um dispositivo ou um pipe, que talvez nunca termine; indique um arquivo";
+    no_scenario(told)
+        "{told}; a scenario is a file in TOML (.toml)"
+        "{told}; um cenário é um arquivo em TOML (.toml)";
+    too_many_scans(scans, most)
+        "this comes to {scans} scans, and a file may have {most} in all its cases; end it earlier (`until`), or make `scan_ms` longer"
+        "isto dá {scans} varreduras, e um arquivo pode ter {most} em todos os seus casos; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()

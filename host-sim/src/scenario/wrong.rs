@@ -70,6 +70,11 @@ pub enum Wrong {
         /// The last step, in ms after the first scan.
         last: Millis,
     },
+    /// Its runs take too long.
+    TooManyScans {
+        /// How many scans they come to, up to there.
+        scans: u64,
+    },
     /// It has neither a title, nor what it is about.
     NoTitle,
     /// It has cases, and steps beside them.

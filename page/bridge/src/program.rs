@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
 use unoclp_source::used::Used;
-use unoclp_source::{BOARD, Language, Refused, Source, Written, WrittenIn, point_names};
+use unoclp_source::{BOARD, Language, Refused, Seal, Source, Written, WrittenIn, point_names};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
@@ -207,7 +207,8 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 problems,
                 more,
                 colours,
-                program: Some(made(source)),
+                // What is cut off is no program that anybody has written.
+                program: (source.seal() != Seal::Cut).then(|| made(source)),
             }
         }
         Err(refused) => {
@@ -246,6 +247,6 @@ fn made(source: Source) -> Made {
         },
         uses: Uses::of(&source),
         kept: Kept::of(source.program()).into(),
-        code: String::from_utf8_lossy(&source.code).into_owned(),
+        code: String::from_utf8_lossy(&source.file()).into_owned(),
     }
 }

@@ -4,7 +4,7 @@ use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_lang::{Colour, Diagnostic, Lines, Severity, Span, Told};
 use unoclp_source::diagnosis::tell;
-use unoclp_source::{Lang, Refused, Source};
+use unoclp_source::{Lang, Refused, Seal, Source};
 
 /// What is wrong with a text, or worth a second look.
 #[derive(Debug, Serialize)]
@@ -71,12 +71,38 @@ pub fn problems(text: &str, refused: &Refused) -> (Vec<Problem>, usize) {
     }
 }
 
-/// What is worth a second look in a program.
+/// What is worth a second look in a program, and how much more of it there is.
 pub fn warnings(source: &Source) -> (Vec<Problem>, usize) {
     match source.language.warnings() {
         Some(warnings) => told(&source.text, warnings),
-        None => (Vec::new(), 0),
+        None => (seal(source).into_iter().collect(), 0),
     }
+}
+
+/// That the seal of a program file does not hold, told in its last line.
+fn seal(source: &Source) -> Option<Problem> {
+    let seal = source.seal();
+    let [en, pt] = [Lang::En, Lang::Pt].map(|lang| seal.told(lang));
+    let ([en, en_help], [pt, pt_help]) = (en?, pt?);
+    let line = source.text.lines().count().max(1) as u32;
+    let (from, to) = LineStarts::new(&source.text).span(line, 0, usize::MAX);
+    Some(Problem {
+        number: String::new(),
+        severity: if seal == Seal::Cut {
+            "error"
+        } else {
+            "warning"
+        },
+        line,
+        column: 1,
+        from,
+        to,
+        message: Both { en, pt },
+        help: Both {
+            en: en_help,
+            pt: pt_help,
+        },
+    })
 }
 
 /// Parts of a text, each by three numbers: the units since the end of the one before, its own units, and what it is: 0 a

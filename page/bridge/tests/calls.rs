@@ -53,6 +53,24 @@ fn a_fault_of_numeric_code_is_told_with_its_place() {
     assert!(help.contains("827301"), "{help}");
 }
 
+/// What the page saves and puts on a card has a seal, and a file whose end is missing is no program.
+#[test]
+fn a_program_file_is_sealed_and_one_that_was_cut_is_told() {
+    let text = "LD I1\nST Q1\nLD I2\nST Q2\n";
+    let checked = ok(json!({ "ask": "check", "name": "a.il", "text": text }));
+    let code = checked["program"]["code"].as_str().unwrap();
+    let check = |text: &str| ok(json!({ "ask": "check", "name": "PROGRAM.TXT", "text": text }));
+    assert_eq!(check(code)["problems"], json!([]));
+    let end = code.find("877901").unwrap();
+    let end = end + code[end..].find('\n').unwrap() + 1;
+    let cut = check(&code[..end]);
+    assert_eq!(cut["program"], Value::Null);
+    assert_eq!(cut["problems"][0]["severity"], "error");
+    let changed = check(&code.replace("877902", "877903"));
+    assert!(changed["program"].is_object());
+    assert_eq!(changed["problems"][0]["severity"], "warning");
+}
+
 #[test]
 fn a_program_comes_with_its_code_names_and_map() {
     let text = file("motor.il");

@@ -1,7 +1,7 @@
 //! What stands for other characters where the locale has no UTF-8.
 
-use std::borrow::Cow;
 use std::env;
+use unoclp_source::harmless_lines;
 
 /// Whether the locale has no UTF-8. Windows has it always.
 pub fn is_ascii() -> bool {
@@ -11,11 +11,13 @@ pub fn is_ascii() -> bool {
     cfg!(unix) && !(locale.contains("utf-8") || locale.contains("utf8"))
 }
 
-/// A picture as text, for those who read it by this locale: in ASCII where that has nothing else.
-pub fn picture(text: &str) -> Cow<'_, str> {
+/// A picture as text, for those who read it by this locale: in ASCII where that has nothing else. Words of a program
+/// stand in it, in which nothing acts on a terminal.
+pub fn picture(text: &str) -> String {
+    let text = harmless_lines(text);
     match is_ascii() && !text.is_ascii() {
         true => text.chars().map(in_ascii).collect(),
-        false => text.into(),
+        false => text,
     }
 }
 

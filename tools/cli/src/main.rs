@@ -11,8 +11,8 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Class, Doors, Firmware, Form, Leave, Paper, What, Wording, in_portuguese, langs,
-    language, refuse,
+    At, Changes, Class, Doors, Firmware, Form, Leave, Over, Paper, What, Wording, in_portuguese,
+    langs, language, refuse,
 };
 use std::env;
 use std::ffi::OsString;
@@ -52,6 +52,8 @@ enum Command {
         #[arg(short, long, value_name = "PROGRAM.TXT")]
         output: Option<PathBuf>,
         #[command(flatten)]
+        over: Over,
+        #[command(flatten)]
         wording: Wording,
     },
     /// Show a program as a ladder diagram, Instruction List, Structured Text, PLCopen XML, or numeric code with its meaning
@@ -72,6 +74,8 @@ enum Command {
         /// The title of these pages; without it, the first comment of the program
         #[arg(long, value_name = "TEXT", requires = "paper")]
         title: Option<String>,
+        #[command(flatten)]
+        over: Over,
         /// The columns that a ladder diagram may take
         #[arg(long, value_name = "N", default_value_t = 80,
             value_parser = clap::value_parser!(u16).range(NARROWEST as i64..=1000))]
@@ -94,6 +98,8 @@ enum Command {
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
         #[command(flatten)]
+        over: Over,
+        #[command(flatten)]
         wording: Wording,
     },
     /// Run the programs of a class through the cases of an exercise
@@ -115,6 +121,8 @@ enum Command {
         /// With STATE.TXT, in which the board then keeps inputs and outputs
         #[arg(long)]
         state: bool,
+        #[command(flatten)]
+        over: Over,
         #[command(flatten)]
         wording: Wording,
     },
@@ -238,8 +246,9 @@ fn main() -> ExitCode {
         Command::Compile {
             file,
             output,
+            over,
             wording,
-        } => commands::compile(&file, output.as_deref(), &wording),
+        } => commands::compile(&file, output.as_deref(), over, &wording),
         Command::List {
             file,
             wording,
@@ -247,12 +256,14 @@ fn main() -> ExitCode {
             svg,
             paper,
             title,
+            over,
             width,
         } => {
             let picture = svg.as_deref().map(|file| commands::Picture {
                 file,
                 paper: paper.map(Paper::into),
                 title: title.as_deref(),
+                over,
             });
             commands::list(&file, &wording, form, picture, width.into())
         }
@@ -262,6 +273,7 @@ fn main() -> ExitCode {
             case,
             svg,
             vcd,
+            over,
             wording,
         } => match (file, scenario) {
             (file, Some(scenario)) => {
@@ -270,10 +282,11 @@ fn main() -> ExitCode {
                     case: case.map(usize::from),
                     vcd: vcd.as_deref(),
                     svg: svg.as_deref(),
+                    over,
                 };
                 commands::scenario(&scenario, run, &wording)
             }
-            (Some(file), None) => commands::simulate(&file, vcd.as_deref(), &wording),
+            (Some(file), None) => commands::simulate(&file, vcd.as_deref(), over, &wording),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
         Command::Grade { class } => commands::grade(&class),
@@ -282,8 +295,9 @@ fn main() -> ExitCode {
             card,
             file,
             state,
+            over,
             wording,
-        } => commands::card(&card, &file, state, &wording),
+        } => commands::card(&card, &file, state, over, &wording),
         Command::Upload {
             file,
             wording,

@@ -24,6 +24,8 @@ mod kept;
 mod language;
 pub mod list;
 pub mod messages;
+mod seal;
+mod shown;
 mod size;
 mod source;
 mod text;
@@ -34,6 +36,8 @@ mod written_in;
 
 pub use kept::Kept;
 pub use language::{NoProgram, is_numeric};
+pub use seal::{Seal, is_ours, sealed};
+pub use shown::{harmless, harmless_lines, shown};
 pub use size::Size;
 pub use source::{Language, Source, load, names, point_names};
 pub use text::decode;

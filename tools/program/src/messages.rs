@@ -77,6 +77,8 @@ pub fn system(lang: Lang, kind: ErrorKind, told: &str) -> String {
         ErrorKind::AlreadyExists => "já existe",
         ErrorKind::InvalidData => "não é texto em UTF-8",
         ErrorKind::StorageFull => "o disco está cheio",
+        ErrorKind::QuotaExceeded => "o espaço deste usuário no disco acabou",
+        ErrorKind::FileTooLarge => "o arquivo ficaria grande demais",
         ErrorKind::ReadOnlyFilesystem => "o disco só permite leitura",
         ErrorKind::BrokenPipe => "ninguém lê do outro lado",
         ErrorKind::UnexpectedEof => "terminou antes da hora",

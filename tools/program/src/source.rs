@@ -3,6 +3,7 @@
 //! Owns what belongs together from here on: the text, the checked program, and the map from one to the other.
 //! Must not know how the program was checked, nor how it runs.
 
+use crate::seal::{Seal, sealed};
 use crate::{BOARD, Size};
 use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
@@ -82,6 +83,19 @@ impl Source {
         let line = self.map.of_code(code)?.line;
         let text = self.text.lines().nth(line.checked_sub(1)?)?;
         Some((line, text.trim()))
+    }
+
+    /// The program file that a person keeps or puts on a card: the numeric code with its seal.
+    pub fn file(&self) -> Vec<u8> {
+        sealed(&self.code)
+    }
+
+    /// What the seal of a program file in numeric code says; no other text has one.
+    pub fn seal(&self) -> Seal {
+        match self.language {
+            Language::Numeric => Seal::of(&self.code),
+            _ => Seal::None,
+        }
     }
 
     /// Whether it was written in a language that is compiled.

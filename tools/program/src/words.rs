@@ -25,6 +25,18 @@ crate::messages! {
     registers(count) "{count} registers" "{count} registradores";
     marker() "1 marker" "1 memória";
     markers(count) "{count} markers" "{count} memórias";
+    seal_changed()
+        "this file was changed after unoclp had written it: its last line gives another length or check sum"
+        "este arquivo mudou depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
+    seal_changed_help()
+        "if you changed it yourself, delete that line"
+        "se foi você que o mudou, apague essa linha";
+    seal_cut()
+        "the end of this file is missing, and a part of the program with it; a full disk or card does that"
+        "falta o fim deste arquivo, e com ele uma parte do programa; um disco ou cartão cheio faz isso";
+    seal_cut_help()
+        "write the file again; if you shortened it yourself, delete the remark [unoclp: …] in its first line"
+        "grave o arquivo de novo; se foi você que o encurtou, apague a observação [unoclp: …] na primeira linha";
     more_faults(count) "… and {count} more" "… e mais {count}";
     one_fault(name)
         "{name}: 1 fault; the board will not run any of it"

@@ -10,6 +10,10 @@ use std::collections::HashMap;
 
 /// More steps than this fit no board.
 pub(super) const MOST_STEPS: usize = 4_000;
+/// Statements stand in one another no deeper, with all calls in it: more labels than a board has.
+const MOST_DEEP: u32 = 250;
+/// Nor do expressions: more than one alone may have, and more operands than fit a board.
+pub(super) const MOST_HIGH: u32 = 400;
 
 /// The cells of a call.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +50,10 @@ pub(super) struct Inliner<'t, 'f> {
     /// The innermost loop's number.
     pub inner: Option<usize>,
     pub steps: usize,
+    /// How many statements are open around this one, those of the callers among them.
+    pub deep: u32,
+    /// The same of expressions.
+    pub high: u32,
     pub too_large: Option<Span>,
     pub found: &'f mut Found,
 }
@@ -66,6 +74,8 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
         loops: Vec::new(),
         inner: None,
         steps: 0,
+        deep: 0,
+        high: 0,
         too_large: None,
         found,
     };
@@ -122,10 +132,24 @@ impl Inliner<'_, '_> {
     }
 
     pub(super) fn statement(&mut self, statement: &Stmt, frame: &mut Frame) {
-        let at = statement.at;
+        self.nested(statement.at, |this| this.any_statement(statement, frame));
+    }
+
+    /// Makes what stands in another statement; nothing where that goes too deep, or the program is too large.
+    fn nested(&mut self, at: Span, make: impl FnOnce(&mut Self)) {
+        if self.deep >= MOST_DEEP {
+            self.too_large.get_or_insert(at);
+        }
         if self.too_large.is_some() {
             return;
         }
+        self.deep += 1;
+        make(self);
+        self.deep -= 1;
+    }
+
+    fn any_statement(&mut self, statement: &Stmt, frame: &mut Frame) {
+        let at = statement.at;
         match &statement.kind {
             StmtKind::Assign(to, value, store) => {
                 let value = self.expr(value, frame);
@@ -214,7 +238,7 @@ impl Inliner<'_, '_> {
             true => this.statements(otherwise, frame),
             false => {
                 let at = rest.first().map_or(at, |(condition, _)| condition.at);
-                this.choice(rest, otherwise, at, frame);
+                this.nested(at, |this| this.choice(rest, otherwise, at, frame));
             }
         });
         self.push(Does::If(condition, then, otherwise), at);

@@ -3,7 +3,7 @@
 //! Owns the order in which operands and the calls in them are computed.
 
 use super::flat::{Does, constant, place, read};
-use super::inline::{Frame, Inliner};
+use super::inline::{Frame, Inliner, MOST_HIGH};
 use super::pure;
 use super::ranges::ANALOGUE;
 use crate::diagnostics::Span;
@@ -36,7 +36,21 @@ impl Inliner<'_, '_> {
         made
     }
 
+    /// The same expression of the program; 0 where it is too large, which is told.
     pub(super) fn expr(&mut self, from: &Expr, frame: &Frame) -> Expr {
+        if self.high >= MOST_HIGH {
+            self.too_large.get_or_insert(from.at);
+        }
+        if self.too_large.is_some() {
+            return constant(Value::zero(from.base), from.base, from.at);
+        }
+        self.high += 1;
+        let made = self.any_expr(from, frame);
+        self.high -= 1;
+        made
+    }
+
+    fn any_expr(&mut self, from: &Expr, frame: &Frame) -> Expr {
         let kind = match &from.kind {
             ExprKind::Constant(_) | ExprKind::Wrong => from.kind.clone(),
             ExprKind::Read(place) => {
@@ -112,16 +126,18 @@ impl Inliner<'_, '_> {
     }
 
     fn all(&mut self, from: &[Expr], frame: &Frame) -> Vec<Expr> {
+        // Of each, whether one behind it may change something: asked once, from the last to the first.
+        let mut changes = false;
+        let later = from.iter().rev().map(|operand| {
+            let later = changes;
+            changes |= pure::may_change(&self.pure, operand);
+            later
+        });
+        let later: Vec<bool> = later.collect();
         let mut made = Vec::with_capacity(from.len());
-        for (at, operand) in from.iter().enumerate() {
+        for (operand, later) in from.iter().zip(later.into_iter().rev()) {
             let value = self.expr(operand, frame);
-            let later = from.get(at + 1..).unwrap_or_default();
-            made.push(
-                match later.iter().any(|l| pure::may_change(&self.pure, l)) {
-                    true => self.aside(value),
-                    false => value,
-                },
-            );
+            made.push(if later { self.aside(value) } else { value });
         }
         made
     }

@@ -6,6 +6,7 @@ use super::seats::{Seat, Seats};
 use crate::typed::{Base, Expr, ExprKind, Holds, Root, Stmt, StmtKind, Symbol, Tree, Value, Width};
 use std::collections::HashSet;
 use std::fmt;
+use std::sync::Arc;
 
 /// Where the board keeps a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -82,7 +83,7 @@ pub struct Variable {
     /// Its type, as a person writes it.
     pub type_name: String,
     /// The name behind an enumeration's number, in order of the numbers.
-    pub values: Vec<String>,
+    pub values: Arc<Vec<String>>,
     /// How the board holds it.
     pub holding: Holding,
     /// Whether PRINT asks to show it.

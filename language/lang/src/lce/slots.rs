@@ -199,7 +199,7 @@ impl Checker<'_, '_> {
                 type_name,
                 holds,
                 at,
-                values: Vec::new(),
+                values: Default::default(),
             }
         };
         shown.into_iter().map(symbol).collect()

@@ -103,6 +103,16 @@ macro_rules! st_rows {
         "write PROGRAM main, its statements, and END_PROGRAM"
         "não há programa: {0}"
         "escreva PROGRAM principal, os comandos e END_PROGRAM";
+    121 StLongIf Error
+        "this IF has too many ELSIF"
+        "choose with CASE, or write several IF: at most {0} of both stand in one another"
+        "este IF tem ELSIF demais"
+        "escolha com CASE ou escreva vários IF: no máximo {0} deles, ELSIF incluídos, ficam um dentro do outro";
+    122 StLongNames Error
+        "the names of all parts of `{0}` are too long together"
+        "take shorter names, or a smaller array"
+        "os nomes de todas as partes de `{0}` são longos demais juntos"
+        "use nomes mais curtos, ou uma matriz menor";
     130 StUndeclared Error
         "nothing declares `{0}`"
         "{1}"

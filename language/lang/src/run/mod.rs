@@ -114,6 +114,11 @@ impl<'t> Machine<'t> {
         Ok(())
     }
 
+    /// How many steps the last scan took.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
     fn system_markers(&mut self) {
         // The board's clock has 32 bits.
         self.clocks.scan(self.scans == 0, self.now as u32);

@@ -56,6 +56,7 @@ pub use expression::{
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, For, Stmt, StmtKind};
 pub use tree::{Cell, Holds, Point, Symbol, Tree, Unit, UnitKind};
+pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};
 pub(crate) use width::narrow;

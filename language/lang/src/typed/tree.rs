@@ -7,6 +7,7 @@ use super::statement::Stmt;
 use super::types::Types;
 use super::value::Value;
 use crate::diagnostics::Span;
+use std::sync::Arc;
 
 /// A program as any of the languages has written it.
 #[derive(Clone, Debug, Default)]
@@ -85,7 +86,7 @@ pub struct Symbol {
     /// Its declaration.
     pub at: Span,
     /// The name behind an enumeration's number, in order of the numbers.
-    pub values: Vec<String>,
+    pub values: Arc<Vec<String>>,
 }
 
 /// Where the value of a symbol is.

@@ -35,7 +35,7 @@ pub enum Kind {
         most: u32,
     },
     /// Named values, from 0.
-    Enum(Vec<String>),
+    Enum(Arc<Vec<String>>),
     /// A part of an integer type.
     Range {
         /// The type.
@@ -89,8 +89,8 @@ pub enum Initial {
 pub struct Type {
     /// Its name; none of a type that stands where it is used.
     pub name: Option<String>,
-    /// What it is.
-    pub kind: Kind,
+    /// What it is; another name of it shares this.
+    pub kind: Arc<Kind>,
     /// The cells that a value of it takes.
     pub cells: u32,
     /// With what its variables begin, if it says so.
@@ -103,19 +103,22 @@ pub struct Type {
 #[derive(Clone, Debug)]
 pub struct Types {
     all: Vec<Type>,
+    /// Of each, how many types stand in one another in it; 0 of one without parts.
+    depths: Vec<u32>,
 }
 
 impl Default for Types {
     fn default() -> Types {
         let one = |&base: &Base| Type {
             name: None,
-            kind: Kind::Base(base),
+            kind: Arc::new(Kind::Base(base)),
             cells: 1,
             initial: None,
             alias: None,
         };
         Types {
             all: Base::ALL.iter().map(one).collect(),
+            depths: vec![0; Base::ALL.len()],
         }
     }
 }
@@ -123,15 +126,44 @@ impl Default for Types {
 impl Types {
     /// Adds a type.
     pub fn add(&mut self, ty: Type) -> TypeId {
+        let depth = match (&*ty.kind, ty.alias) {
+            // A name of a name is one more step; the first name of a type is none.
+            (_, Some(of)) => self.depth(of) + u32::from(self.get(of).name.is_some()),
+            (Kind::Array { of, .. }, None) => self.depth(*of) + 1,
+            (Kind::Struct(members), None) => {
+                self.deepest(members.iter().map(|member| member.ty)) + 1
+            }
+            _ => 0,
+        };
         self.all.push(ty);
+        self.depths.push(depth);
         TypeId(self.all.len() as u32 - 1)
+    }
+
+    /// How many types stand in one another in it; 0 of one without parts.
+    pub fn depth(&self, id: TypeId) -> u32 {
+        self.depths.get(id.0 as usize).copied().unwrap_or(0)
+    }
+
+    /// The depth of the deepest of these; 0 of none.
+    fn deepest(&self, parts: impl Iterator<Item = TypeId>) -> u32 {
+        parts.map(|part| self.depth(part)).max().unwrap_or(0)
+    }
+
+    /// Says of what the instances of a block consist, once its declarations are known: so many cells, of these types.
+    pub fn close_block(&mut self, id: TypeId, cells: u32, parts: impl Iterator<Item = TypeId>) {
+        let depth = self.deepest(parts) + 1;
+        let at = id.0 as usize;
+        if let (Some(ty), Some(known)) = (self.all.get_mut(at), self.depths.get_mut(at)) {
+            (ty.cells, *known) = (cells, depth);
+        }
     }
 
     /// Adds a type without a name.
     pub fn add_kind(&mut self, kind: Kind, cells: u32) -> TypeId {
         self.add(Type {
             name: None,
-            kind,
+            kind: Arc::new(kind),
             cells,
             initial: None,
             alias: None,
@@ -141,11 +173,6 @@ impl Types {
     /// The type; that of BOOL where there is none.
     pub fn get(&self, id: TypeId) -> &Type {
         self.all.get(id.0 as usize).unwrap_or(&self.all[0])
-    }
-
-    /// To change what was not known when it was added.
-    pub fn get_mut(&mut self, id: TypeId) -> Option<&mut Type> {
-        self.all.get_mut(id.0 as usize)
     }
 
     /// What it is.
@@ -227,13 +254,14 @@ impl Types {
         if let Some(name) = &ty.name {
             return name.clone();
         }
-        match &ty.kind {
+        match &*ty.kind {
             Kind::Base(base) => base.name().to_owned(),
             Kind::Text { base, most } => format!("{base}[{most}]"),
-            Kind::Enum(names) => format!("({})", names.join(", ")),
+            Kind::Enum(names) => format!("({})", some_of(names)),
             Kind::Range { base, low, high } => format!("{base}({low}..{high})"),
             Kind::Array { bounds, of } => {
-                let bounds: Vec<String> = bounds.iter().map(|(a, b)| format!("{a}..{b}")).collect();
+                let bounds = bounds.iter().take(MOST_NAMED);
+                let bounds: Vec<String> = bounds.map(|(a, b)| format!("{a}..{b}")).collect();
                 let of = match depth {
                     0 => "…".to_owned(),
                     _ => self.name_within(*of, depth - 1),
@@ -245,4 +273,13 @@ impl Types {
             Kind::Block(_) => "FUNCTION_BLOCK".to_owned(),
         }
     }
+}
+
+/// More values of an enumeration, or dimensions of an array, than these are not named in a message.
+const MOST_NAMED: usize = 12;
+
+/// The first of these names, for a message: `Red, Green`.
+pub(crate) fn some_of(names: &[String]) -> String {
+    let some = names.get(..MOST_NAMED).map(|some| some.join(", ") + " …");
+    some.unwrap_or_else(|| names.join(", "))
 }

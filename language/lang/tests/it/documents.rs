@@ -134,6 +134,8 @@ fn examples() {
                     Code::NoneLeft,
                     Code::DoesNotFit,
                     Code::StTooDeep,
+                    Code::StLongIf,
+                    Code::StLongNames,
                     Code::BoardNoneLeft,
                     Code::BoardLabels,
                     Code::BoardTooLarge,

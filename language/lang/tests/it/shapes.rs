@@ -53,7 +53,7 @@ pub const IL: [(&str, Shape); 11] = [
     }),
 ];
 
-pub const ST: [(&str, Shape); 33] = [
+pub const ST: [(&str, Shape); 44] = [
     ("parentheses", |n| {
         format!("x := {}1{};", "(".repeat(n), ")".repeat(n))
     }),
@@ -146,6 +146,87 @@ pub const ST: [(&str, Shape); 33] = [
         "IF x THEN y := 1; ELSE IF x THEN y := 2; END_IF;\n".repeat(n)
     }),
     ("braces", |n| "IF x { y++; } ".repeat(n)),
+    ("a long name of many elements", |n| {
+        let name = "a".repeat(n);
+        format!("VAR {name} : ARRAY[1..99999] OF INT; x : INT; END_VAR x := 1;")
+    }),
+    ("names of a large structure", |n| {
+        let members: String = (0..n).map(|i| format!("a{i} : INT;\n")).collect();
+        let names: String = (0..n).map(|i| format!("T{i} : S;\n")).collect();
+        format!(
+            "TYPE S : STRUCT {members} END_STRUCT;\n{names} END_TYPE VAR x : INT; END_VAR x := 1;"
+        )
+    }),
+    ("names of names of a type", |n| {
+        let names: String = (1..n).map(|i| format!("T{i} : T{};\n", i - 1)).collect();
+        let uses: String = (0..n).map(|i| format!("v{i} : T{};\n", n - 1)).collect();
+        format!("TYPE T0 : INT; {names} END_TYPE VAR {uses} x : INT; END_VAR x := 1;")
+    }),
+    ("ELSIF", |n| {
+        let arms = "ELSIF x = 2 THEN x := 3;\n".repeat(n);
+        format!("VAR x : INT; END_VAR IF x = 1 THEN x := 2;\n{arms}END_IF;")
+    }),
+    ("structures in structures, each behind what it holds", |n| {
+        let all: String = (1..n)
+            .map(|i| format!("T{i} : STRUCT a : T{}; END_STRUCT;\n", i - 1))
+            .collect();
+        format!(
+            "TYPE T0 : STRUCT a : INT; END_STRUCT; {all} END_TYPE VAR x : T{}; y : INT; END_VAR y := 1;",
+            n - 1
+        )
+    }),
+    ("arrays in arrays, each behind what it holds", |n| {
+        let all: String = (1..n)
+            .map(|i| format!("T{i} : ARRAY[1..1] OF T{};\n", i - 1))
+            .collect();
+        format!(
+            "TYPE T0 : INT; {all} END_TYPE VAR x : T{}; y : INT; END_VAR y := 1;",
+            n - 1
+        )
+    }),
+    ("blocks in blocks, each behind what it holds", |n| {
+        let all: String = (1..n)
+            .map(|i| {
+                format!(
+                    "FUNCTION_BLOCK B{i} VAR b : B{}; END_VAR b(); END_FUNCTION_BLOCK\n",
+                    i - 1
+                )
+            })
+            .collect();
+        format!(
+            "FUNCTION_BLOCK B0 VAR x : INT; END_VAR x := 1; END_FUNCTION_BLOCK {all} PROGRAM p VAR b : B{}; END_VAR b(); END_PROGRAM",
+            n - 1
+        )
+    }),
+    ("IF in functions in functions", |n| {
+        let (calls, deep) = (n.min(50), n.min(190));
+        let (open, close) = ("IF x > 0 THEN ".repeat(deep), "END_IF; ".repeat(deep));
+        let all: String = (0..calls)
+            .map(|i| format!("FUNCTION F{i} : INT VAR_INPUT x : INT; END_VAR {open} F{i} := F{}(x); {close} END_FUNCTION\n", i + 1))
+            .collect();
+        format!(
+            "{all}FUNCTION F{calls} : INT VAR_INPUT x : INT; END_VAR F{calls} := x; END_FUNCTION PROGRAM p VAR x : INT; END_VAR x := F0(x); END_PROGRAM"
+        )
+    }),
+    ("sums in functions in functions", |n| {
+        let (calls, terms) = (n.min(50), n.min(140));
+        let sum = " + x".repeat(terms);
+        let all: String = (0..calls)
+            .map(|i| format!("FUNCTION F{i} : INT VAR_INPUT x : INT; END_VAR F{i} := F{}(x{sum}){sum}; END_FUNCTION\n", i + 1))
+            .collect();
+        format!(
+            "{all}FUNCTION F{calls} : INT VAR_INPUT x : INT; END_VAR F{calls} := x{sum}; END_FUNCTION PROGRAM p VAR x : INT; END_VAR x := F0(x); END_PROGRAM"
+        )
+    }),
+    ("operands of a comparison", |n| {
+        format!(
+            "VAR x : INT; b : BOOL; END_VAR b := GT(x{});",
+            ", x".repeat(n)
+        )
+    }),
+    ("operands of MUX", |n| {
+        format!("VAR x : INT; END_VAR x := MUX(x{});", ", x".repeat(n + 1))
+    }),
 ];
 
 pub const ISCL: [(&str, Shape); 16] = [

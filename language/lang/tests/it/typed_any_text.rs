@@ -10,12 +10,13 @@ use unoclp_lang::run::Machine;
 use unoclp_lang::{Diagnostic, Severity, TextLanguage, check, compile_text};
 
 /// Shapes of which each piece is a mistake of its own.
-const MANY_IN_ST: [&str; 11] = [
+const MANY_IN_ST: [&str; 12] = [
     "names of nothing",
     "open texts",
     "large arrays",
     "types in a row",
     "blocks in blocks",
+    "blocks in blocks, each behind what it holds",
     "functions in functions",
     "units without their words",
     "names of one length",
@@ -78,6 +79,25 @@ fn anything_is_compiled_for_the_board_or_told_why_not() {
             assert_eq!(made.program.is_none(), told, "{language:?} {name} {size}");
         }
     }
+}
+
+/// Whatever its shape, and however deep: a thread of this test has the stack that a page's module has.
+#[test]
+fn any_shape_is_compiled_on_a_stack_of_a_megabyte() {
+    let compiled = || {
+        for (language, name, shape) in shapes() {
+            for size in [190, 809, 26_000] {
+                // Shown where the stack is too small, which ends the test without a word of its own.
+                println!("{language:?} {name} {size}");
+                let made = compile_text(&shape(size), language, large());
+                if let Some(tree) = &made.tree {
+                    let _ = Machine::new(tree).with_steps(100_000).scan(0);
+                }
+            }
+        }
+    };
+    let thread = std::thread::Builder::new().stack_size(1 << 20);
+    thread.spawn(compiled).unwrap().join().unwrap();
 }
 
 /// As deep as may be, on the stack that WebAssembly has.

@@ -1,17 +1,16 @@
 //! `unoclp compile`.
 
 use super::open::{Shown, open};
-use super::output::{Kind, cannot_write, create, is_same};
+use super::output::{Kind, Over, is_same, write};
 use super::wording::Wording;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print};
 use anyhow::bail;
-use std::io::Write;
 use std::path::Path;
 use unoclp_cli::messages;
 
 /// Compiles a text to numeric code, into this file or to standard output.
-pub fn compile(path: &Path, output: Option<&Path>, wording: &Wording) -> Outcome {
+pub fn compile(path: &Path, output: Option<&Path>, over: Over, wording: &Wording) -> Outcome {
     let Some(program) = open(path, wording, Shown::Beside)? else {
         return Ok(false);
     };
@@ -22,11 +21,9 @@ pub fn compile(path: &Path, output: Option<&Path>, wording: &Wording) -> Outcome
         bail!(messages::is_numeric(name))
     };
     match output.filter(|output| *output != Path::new("-")) {
-        None => print!("{}", String::from_utf8_lossy(&program.code)),
+        None => print!("{}", String::from_utf8_lossy(&program.file())),
         Some(output) if is_same(path, output) => bail!(messages::is_compiled(name)),
-        Some(output) => create(output, Kind::Program, &[])?
-            .write_all(&program.code)
-            .map_err(cannot_write(output))?,
+        Some(output) => write(output, program.file(), Kind::Program, &[], over)?,
     }
     let codes = program.size.codes;
     let compiled = messages::compiled(told, codes, warnings.len());

@@ -1,15 +1,14 @@
 //! `unoclp flash`.
 
 use super::interrupt::{Interrupt, Interrupted};
+use super::open::read;
 use super::progress::{self, hide};
 use super::words::models;
 use crate::outcome::Outcome;
 use anyhow::{anyhow, bail};
 use clap::Args;
-use std::fs::File;
-use std::io::{self, Read};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use unoclp_boot::{Image, Model, Progress, Writer};
 use unoclp_cli::messages;
 use unoclp_cli::port::Port;
@@ -35,14 +34,14 @@ const fn tested(board: Model) -> &'static [u8] {
     }
 }
 
-/// A firmware of 32 KB is a file of 90 KB.
-const LONGEST: u64 = 1 << 20;
-
 /// Writes a firmware to a board, reads it back and compares it.
 pub fn flash(firmware: &Firmware) -> Outcome {
     let Firmware { file, port, board } = firmware;
     let (name, hex) = match file {
-        Some(path) => (path.display().to_string(), read(path)?),
+        Some(path) => {
+            let file = read(path)?;
+            (file.name, file.bytes)
+        }
         None => (messages::tested_firmware(), tested(*board).to_vec()),
     };
     let image = Image::read(&hex, *board)
@@ -70,16 +69,6 @@ pub fn flash(firmware: &Firmware) -> Outcome {
         }
     }
     Ok(true)
-}
-
-fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
-    let read = || -> io::Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        File::open(path)?.take(LONGEST).read_to_end(&mut bytes)?;
-        Ok(bytes)
-    };
-    let told = |error| messages::cannot_read(path.display(), messages::io(&error));
-    read().map_err(|error| anyhow!(told(error)))
 }
 
 /// Shows the progress.

@@ -129,6 +129,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ),
     (
         "",
+        "force",
+        "Grava por cima de um arquivo que já existe, mesmo que não tenha sido gravado pelo unoclp",
+    ),
+    (
+        "",
         "output",
         "Onde gravar o código numérico; sem isto, ou com -, na saída padrão",
     ),

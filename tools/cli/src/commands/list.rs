@@ -1,16 +1,15 @@
 //! `unoclp list`.
 
 use super::open::{Shown, open};
-use super::output::{Kind, cannot_write, may_write};
+use super::output::{Kind, Over, may_write, write};
 use super::wording::Wording;
 use super::words::Form;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
-use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
-use unoclp_source::{Diagnostic, Lang, Source, list as listing};
+use unoclp_source::{Diagnostic, Lang, Source, harmless_lines, list as listing, shown};
 
 /// A ladder diagram in a file.
 pub struct Picture<'p> {
@@ -20,6 +19,8 @@ pub struct Picture<'p> {
     pub paper: Option<listing::Paper>,
     /// The title of the pages, if not the program's own.
     pub title: Option<&'p str>,
+    /// What may be overwritten.
+    pub over: Over,
 }
 
 /// Shows a program in this form, or draws it into a file.
@@ -47,8 +48,8 @@ pub fn list(
     let listing = listing.map_err(|refused| anyhow!(said(&refused, lang)))?;
     match form {
         Form::Ladder => print!("{}", ascii::picture(&listing)),
-        // These are programs, which stay as they are.
-        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{listing}"),
+        // These are programs, whose characters stay as they are.
+        Form::Il | Form::St | Form::Numeric | Form::Xml => print!("{}", harmless_lines(&listing)),
     }
     Ok(true)
 }
@@ -68,11 +69,17 @@ fn draw(path: &Path, program: &Source, picture: &Picture<'_>, width: usize) -> O
     };
     // Nothing is written where one of them cannot be.
     for file in &files {
-        may_write(file, Kind::Drawing, &[path])?;
+        may_write(file, Kind::Drawing, &[path], picture.over)?;
     }
     for (file, page) in files.iter().zip(pages) {
-        fs::write(file, page).map_err(cannot_write(file))?;
-        println!("{}", messages::drawn(file.display()));
+        write(
+            file,
+            page.into_bytes(),
+            Kind::Drawing,
+            &[path],
+            picture.over,
+        )?;
+        println!("{}", messages::drawn(shown(file)));
     }
     Ok(true)
 }
@@ -97,7 +104,7 @@ fn said(refused: &Diagnostic, lang: Lang) -> String {
 /// Prints a program as a project in PLCopen XML, or why it is none.
 fn project(program: &Source) -> bool {
     match listing::plcopen(program) {
-        Ok(text) => print!("{text}"),
+        Ok(text) => print!("{}", harmless_lines(&text)),
         Err(lost) => {
             for lost in &lost {
                 eprintln!("{}", lost.text(messages::spoken()));

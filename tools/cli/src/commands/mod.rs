@@ -49,6 +49,7 @@ pub use help::in_portuguese;
 pub use list::{Picture, list};
 pub use monitor::monitor;
 pub use open::check;
+pub use output::Over;
 pub use refuse::refuse;
 pub use run::{What, run};
 pub use serve::{Doors, serve};

@@ -13,7 +13,7 @@ use unoclp_core::Fault;
 use unoclp_host_sim::scenario::{LONGEST, ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Severity, Told};
 use unoclp_source::messages::system;
-use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis};
+use unoclp_source::{NoProgram, Refused, Seal, Source, Written, diagnosis, shown};
 
 /// Where the errors of a text are shown.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -35,13 +35,15 @@ pub fn read(path: &Path) -> anyhow::Result<ProgramFile> {
         }
         return Ok(ProgramFile { name, bytes });
     }
-    ProgramFile::read(path).map_err(|why| anyhow!(unreadable(&path.display().to_string(), &why)))
+    ProgramFile::read(path).map_err(|why| anyhow!(unreadable(&shown(path), &why)))
 }
 
 /// That a file of this name cannot be read, and why.
 pub fn unreadable(name: &str, why: &Unreadable) -> String {
     match why {
-        Unreadable::TooLong => format!("{name} {}", why.text(messages::spoken())),
+        Unreadable::TooLong | Unreadable::Folder | Unreadable::NoFile => {
+            format!("{name} {}", why.text(messages::spoken()))
+        }
         Unreadable::System { kind, told } => {
             messages::cannot_read(name, system(messages::spoken(), *kind, told))
         }
@@ -69,6 +71,18 @@ pub fn check_written(
                 let Source { name, text, .. } = &source;
                 let shown = lang::show(name, text, warnings, messages::spoken(), &renderer());
                 eprint!("{shown}");
+            }
+            let seal = source.seal();
+            if let Some([what, help]) = seal.told(messages::spoken()) {
+                let told = format!("{}: {what}; {help}", source.name);
+                match seal {
+                    // A part of a program may move a machine as nobody has meant it.
+                    Seal::Cut => {
+                        say!("{told}");
+                        return Ok(None);
+                    }
+                    _ => eprintln!("{}", messages::warning(told)),
+                }
             }
             Some(source)
         }

@@ -1,7 +1,7 @@
 //! `unoclp sim`: by hand in this terminal, or by a scenario.
 
 use super::open::{Shown, check_written, open, read, running};
-use super::output::{Kind, cannot_write, create};
+use super::output::{Draft, Kind, Over, cannot_write, may_write, write};
 use super::wording::Wording;
 use crate::outcome::Outcome;
 use anstream::println;
@@ -17,10 +17,10 @@ use unoclp_host_sim::scenario::{
     Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
 };
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
-use unoclp_source::{Source, Written, WrittenIn, point_names};
+use unoclp_source::{Source, Written, WrittenIn, point_names, shown};
 
 /// Simulates a program in this terminal.
-pub fn simulate(path: &Path, vcd: Option<&Path>, wording: &Wording) -> Outcome {
+pub fn simulate(path: &Path, vcd: Option<&Path>, over: Over, wording: &Wording) -> Outcome {
     let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
@@ -29,10 +29,13 @@ pub fn simulate(path: &Path, vcd: Option<&Path>, wording: &Wording) -> Outcome {
     }
     let names = point_names(&program);
     let mut app = App::new(program);
-    if let Some(vcd) = vcd {
-        app.record_to(Recorder::new(trace(vcd, &[path])?).with_names(names));
+    let draft = vcd.map(|vcd| Draft::new(vcd, Kind::Trace, &[path], over));
+    let draft = draft.transpose()?;
+    if let (Some(vcd), Some(draft)) = (vcd, &draft) {
+        app.record_to(Recorder::new(trace(draft, vcd)?).with_names(names));
     }
     panel::run(app)?;
+    draft.map_or(Ok(()), Draft::finish)?;
     Ok(true)
 }
 
@@ -47,6 +50,8 @@ pub struct Run<'a> {
     pub vcd: Option<&'a Path>,
     /// Where the timing diagram goes.
     pub svg: Option<&'a Path>,
+    /// What may be overwritten.
+    pub over: Over,
 }
 
 /// Runs a scenario.
@@ -80,24 +85,27 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let count = scenarios.len();
     if let Some(case) = run.case {
         if case > count {
-            bail!(messages::no_case(case, path.display(), count));
+            bail!(messages::no_case(case, shown(path), count));
         }
         scenarios = scenarios.split_off(case - 1);
         scenarios.truncate(1);
     }
     if run.vcd.is_some() && scenarios.len() > 1 {
-        bail!(messages::trace_of_one(path.display(), count));
+        bail!(messages::trace_of_one(shown(path), count));
     }
     let inputs: Vec<&Path> = [Some(path), program, named].into_iter().flatten().collect();
-    let drawing = run.svg.map(|svg| create(svg, Kind::Drawing, &inputs));
-    let drawing = drawing.transpose()?;
+    if let Some(svg) = run.svg {
+        may_write(svg, Kind::Drawing, &inputs, run.over)?;
+    }
     let reports = match (run.vcd, &scenarios[..]) {
         (Some(vcd), [scenario]) => {
             let names = source.as_ref().map(point_names).unwrap_or_default();
-            let recorder = Recorder::new(trace(vcd, &inputs)?).with_names(names);
+            let draft = Draft::new(vcd, Kind::Trace, &inputs, run.over)?;
+            let recorder = Recorder::new(trace(&draft, vcd)?).with_names(names);
             let mut engine = RecordedEngine::new(recorder);
             let report = check(scenario, &mut engine);
             engine.finish().map_err(cannot_write(vcd))?;
+            draft.finish()?;
             vec![report]
         }
         (_, all) => {
@@ -112,16 +120,15 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
         println!("{}", ascii::picture(&report.text(messages::spoken())));
         stopped_at(report, &scenarios[index], source.as_ref());
     }
-    if let (Some(svg), Some(mut drawing)) = (run.svg, drawing) {
+    if let Some(svg) = run.svg {
         let runs = scenarios.iter().zip(&reports);
         let runs: Vec<_> = runs
             .map(|(scenario, report)| diagram::Run { scenario, report })
             .collect();
         let names = names(exercise.names, source.as_ref());
         let picture = diagram::svg(&runs, &names, messages::spoken());
-        let written = drawing.write_all(picture.as_bytes());
-        written.map_err(cannot_write(svg))?;
-        println!("{}", messages::drawn(svg.display()));
+        write(svg, picture.into_bytes(), Kind::Drawing, &inputs, run.over)?;
+        println!("{}", messages::drawn(shown(svg)));
     }
     Ok(reports.iter().all(Report::passed))
 }
@@ -158,8 +165,8 @@ fn is_text(path: &Path) -> bool {
     WrittenIn::of_name(path).is_some() || read().is_ok_and(|written| written.is_text())
 }
 
-/// Opens a file for the trace of a run; the command reads `inputs`.
-fn trace(path: &Path, inputs: &[&Path]) -> anyhow::Result<Box<dyn Write>> {
-    let file = create(path, Kind::Trace, inputs)?;
+/// What writes the trace of a run into this file.
+fn trace(draft: &Draft, path: &Path) -> anyhow::Result<Box<dyn Write>> {
+    let file = draft.writer().map_err(cannot_write(path))?;
     Ok(Box::new(BufWriter::new(file)))
 }

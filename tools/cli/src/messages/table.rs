@@ -49,6 +49,9 @@ unoclp_source::messages! {
     scan_endless(place, steps)
         "{place}: this scan does not end: it was stopped here after {steps} steps. Does the condition of the loop ever change?"
         "{place}: esta varredura não termina: parou aqui depois de {steps} passos. A condição do laço muda alguma vez?";
+    run_too_long(scans, steps)
+        "the run was stopped after {scans} scans: they took {steps} steps, which is all that one run may do. Ask for fewer with --scans"
+        "a execução parou depois de {scans} varreduras: elas deram {steps} passos, o máximo de uma execução. Peça menos com --scans";
     calls_too_deep(place)
         "{place}: calls go too deep here; take the expression apart"
         "{place}: as chamadas vão fundo demais aqui; divida a expressão";
@@ -66,11 +69,11 @@ unoclp_source::messages! {
         "a trace is of one run, and {file} has {count} cases; choose one with --case"
         "um registro é de uma execução, e {file} tem {count} casos; escolha um com --case";
     is_something_else(file, kind)
-        "{file} is there already, and is not {kind}; it is left as it is. Name another file, or delete it"
-        "{file} já existe e não é {kind}; ficou como estava. Indique outro arquivo ou apague-o";
+        "{file} is there already, and is not {kind} that unoclp has written; it is left as it is. Name another file, or overwrite it with --force"
+        "{file} já existe e não é {kind} que o unoclp gravou; ficou como estava. Indique outro arquivo, ou use --force para gravar por cima dele";
     a_drawing() "an SVG drawing" "um desenho SVG";
     a_trace() "a VCD trace" "um registro VCD";
-    a_program() "numeric code" "código numérico";
+    a_program() "numeric code" "um código numérico";
     a_page() "a page in HTML" "uma página em HTML";
     no_programs(folder, languages)
         "{folder} has no program in it. {languages}"

@@ -183,7 +183,7 @@ fn a_listing_shows_names_lines_and_comments_of_the_text() {
     }
     let (_, out, _) = outcome(&["list", &lamp, "--as", "numeric"]);
     assert!(out.starts_with("/ Lamp with two switches\n"), "{out}");
-    let svg = folder().join("lamp.svg");
+    let svg = empty_folder("listed").join("lamp.svg");
     let (code, _, _) = outcome(&["list", &lamp, "--svg", svg.to_str().unwrap()]);
     assert_eq!(code, 0);
     assert!(fs::read_to_string(svg).unwrap().contains("stairs"));
@@ -255,7 +255,7 @@ fn a_mounted_card_gets_the_program_and_nothing_else_changes() {
         "old, and longer than what comes\n".repeat(99),
     )
     .unwrap();
-    let (code, out, err) = outcome(&["card", path, &lamp]);
+    let (code, out, err) = outcome(&["card", path, &lamp, "--force"]);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
     assert!(
         out.starts_with(&format!("{lamp}: on {path} as PROGRAM.TXT, ")),
@@ -267,11 +267,22 @@ fn a_mounted_card_gets_the_program_and_nothing_else_changes() {
     assert_eq!(read("NOTES.TXT"), "mine");
     assert_eq!(fs::read_dir(&card).unwrap().count(), 2, "no STATE.TXT");
 
-    // Numeric code is copied byte for byte.
+    // Numeric code is copied as it is, with a seal.
     let text = "/ as it is\r\n0\r\n827301\r\n877901\r\n";
     let numeric = file("card.txt", text);
     assert_eq!(outcome(&["card", path, &numeric, "--state"]).0, 0);
-    assert_eq!(read("PROGRAM.TXT"), text);
+    let sealed = read("PROGRAM.TXT");
+    let sealed: Vec<&str> = sealed.split_inclusive("\r\n").collect();
+    assert_eq!(
+        sealed[0],
+        "/ as it is [unoclp: length and check sum in the last line]\r\n"
+    );
+    assert_eq!(sealed[1..4].concat(), "0\r\n827301\r\n877901\r\n");
+    assert!(
+        sealed[4].starts_with("/ unoclp: ") && sealed.len() == 5,
+        "{sealed:?}"
+    );
+    let sealed = sealed.concat();
     assert!(
         read("STATE.TXT").starts_with("unoclp state"),
         "{}",
@@ -289,7 +300,7 @@ fn a_mounted_card_gets_the_program_and_nothing_else_changes() {
     // A program that is wrong leaves the card as it was.
     let wrong = file("wrong-card.il", WRONG);
     assert_eq!(outcome(&["card", path, &wrong]).0, 1);
-    assert_eq!(read("PROGRAM.TXT"), text);
+    assert_eq!(read("PROGRAM.TXT"), sealed);
 }
 
 #[test]
@@ -301,8 +312,10 @@ fn an_image_of_a_card_is_made_new() {
         let image = path(name);
         let (code, out, err) = outcome(&[&["card", &image, &numeric], options].concat());
         assert_eq!(code, 0, "{out}{err}");
-        let mut expected = unoclp_card::image::Image::new(unoclp_card::image::Fat::Fat16)
-            .file("PROGRAM.TXT", fs::read(&numeric).unwrap());
+        let mut expected = unoclp_card::image::Image::new(unoclp_card::image::Fat::Fat16).file(
+            "PROGRAM.TXT",
+            unoclp_source::sealed(&fs::read(&numeric).unwrap()),
+        );
         if !options.is_empty() {
             let state = concat!(env!("CARGO_MANIFEST_DIR"), "/../../programs/STATE.TXT");
             expected = expected.file("STATE.TXT", fs::read(state).unwrap());

@@ -10,6 +10,7 @@ mod common;
 #[cfg(unix)]
 mod exercises;
 mod flash;
+mod hostile;
 mod instruction_list;
 mod kept;
 mod languages;

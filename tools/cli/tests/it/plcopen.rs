@@ -22,7 +22,7 @@ fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
         let codes = outcome(&["compile", &project]).1;
         let codes: Vec<&str> = codes
             .lines()
-            .filter_map(|line| line.split_whitespace().next())
+            .filter_map(|line| line.split('/').next()?.split_whitespace().next())
             .collect();
         assert_eq!(
             codes,

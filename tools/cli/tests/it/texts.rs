@@ -26,6 +26,13 @@ const NAMES: &[&str] = &[
     "cases passed",
     "first failing case",
     "<!doctype html",
+    // Marks of the tools' own files: what reads them knows them by these words.
+    "<!-- unoclp: this file is overwritten without a question -->",
+    "unoclp ",
+    "[unoclp: length and check sum in the last line]",
+    "/ unoclp: ",
+    "0         / program start",
+    "{bytes} bytes, check sum {:04X}",
     // What the register map calls it.
     "no reset",
     // The fonts and the dashes of a drawing.

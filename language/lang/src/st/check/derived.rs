@@ -4,7 +4,7 @@
 
 use super::super::ast::{Name, Node, SpecKind, TypeSpec};
 use super::{Checker, MOST_WITHIN, State};
-use crate::diagnostics::Code;
+use crate::diagnostics::{Code, Span};
 use crate::typed::build::MOST_CELLS;
 use crate::typed::{Base, Kind, Member, TypeId, UnitKind};
 use std::collections::HashSet;
@@ -96,7 +96,21 @@ impl Checker<'_, '_, '_> {
             return None;
         }
         let kind = Kind::Array { bounds: known, of };
-        Some(self.builder.tree.types.add_kind(kind, cells as u32))
+        self.made_of_others(kind, cells as u32, spec)
+    }
+
+    /// A type that consists of others; told where these stand in one another too deeply.
+    fn made_of_others(&mut self, kind: Kind, cells: u32, spec: &TypeSpec) -> Option<TypeId> {
+        let ty = self.builder.tree.types.add_kind(kind, cells);
+        self.not_too_deep(ty, spec.span)
+    }
+
+    pub(super) fn not_too_deep(&mut self, ty: TypeId, at: Span) -> Option<TypeId> {
+        if self.builder.tree.types.depth(ty) > MOST_WITHIN {
+            self.builder.tell(Code::StTooDeep, at, []);
+            return None;
+        }
+        Some(ty)
     }
 
     fn told_too_large(&mut self, spec: &TypeSpec, cells: u64) {
@@ -156,12 +170,10 @@ impl Checker<'_, '_, '_> {
             self.told_too_large(spec, cells);
             return None;
         }
-        right.then(|| {
-            self.builder
-                .tree
-                .types
-                .add_kind(Kind::Struct(members), cells as u32)
-        })
+        if !right {
+            return None;
+        }
+        self.made_of_others(Kind::Struct(members), cells as u32, spec)
     }
 
     /// The type of a block's instances, whose declarations are made out first.
@@ -183,6 +195,8 @@ impl Checker<'_, '_, '_> {
             State::Done(_) => {}
         }
         let draft = self.builder.draft(unit)?;
-        (draft.unit.kind == UnitKind::Block).then_some(draft.block)
+        let is_block = draft.unit.kind == UnitKind::Block;
+        let ty = is_block.then_some(draft.block)?;
+        self.not_too_deep(ty, used.span)
     }
 }

@@ -4,7 +4,7 @@ use super::super::ast::{Arg, Name, Node, NodeKind, Op, Part, Path};
 use super::{Checker, State};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Argument, Given, Named, Target, both};
-use crate::typed::{Base, Compare, Expr, Kind, TypeId, Value};
+use crate::typed::{Base, Compare, Expr, Kind, TypeId, Value, some_of};
 
 impl Checker<'_, '_, '_> {
     /// An expression; where one of this type is needed, the values of an enumeration are looked for there first.
@@ -108,7 +108,7 @@ impl Checker<'_, '_, '_> {
             return expr;
         }
         let names = match self.builder.tree.types.kind(id) {
-            Kind::Enum(names) => names.join(", "),
+            Kind::Enum(names) => some_of(names),
             _ => String::new(),
         };
         let help = match names.is_empty() {

@@ -147,6 +147,7 @@ impl Checker<'_, '_, '_> {
             alias: Some(of),
         });
         let name = &declaration.name;
+        let ty = self.not_too_deep(ty, name.span)?;
         self.builder.name_type(&name.text, ty, name.span);
         if matches!(declaration.spec.kind, SpecKind::Enum(_)) {
             self.builder.name_values(ty);
@@ -178,8 +179,9 @@ impl Checker<'_, '_, '_> {
                         return None;
                     }
                 }
-                let names = names.iter().map(|name| name.text.clone()).collect();
-                Some(self.builder.tree.types.add_kind(Kind::Enum(names), 1))
+                let names: Vec<String> = names.iter().map(|name| name.text.clone()).collect();
+                let kind = Kind::Enum(std::sync::Arc::new(names));
+                Some(self.builder.tree.types.add_kind(kind, 1))
             }
             SpecKind::Range(name, bounds) => self.range(name, bounds),
             SpecKind::Array(bounds, of) => self.array(spec, bounds, of),

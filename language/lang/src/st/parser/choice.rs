@@ -3,7 +3,7 @@
 use super::super::ast::{Arm, Statement, StatementKind};
 use super::super::token::Kind;
 use super::super::words::Keyword;
-use super::{Parsed, Parser, Told};
+use super::{MOST_OPEN, Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
 
 impl Parser<'_, '_> {
@@ -14,6 +14,7 @@ impl Parser<'_, '_> {
         );
         let mut arms = Vec::new();
         let mut otherwise = Vec::new();
+        let open = self.open;
         self.next();
         let mut condition = self.condition(Keyword::Then, THEN);
         loop {
@@ -28,6 +29,7 @@ impl Parser<'_, '_> {
             arms.push((node, body));
             let keyword = self.keyword();
             if keyword == Keyword::Elsif {
+                self.one_more_arm()?;
                 self.next();
                 condition = self.condition(Keyword::Then, THEN);
                 continue;
@@ -37,6 +39,7 @@ impl Parser<'_, '_> {
                 if self.keyword() == Keyword::If && !self.on_new_line() && !self.closed_twice() {
                     let span = at.to(self.token().span);
                     self.tell_other_word(span, Keyword::Elsif);
+                    self.one_more_arm()?;
                     self.next();
                     condition = self.condition(Keyword::Then, THEN);
                     continue;
@@ -53,6 +56,7 @@ impl Parser<'_, '_> {
             }
             break;
         }
+        self.open = open;
         if !self.accept_keyword(Keyword::EndIf) {
             self.not_closed(start, Keyword::EndIf);
         }
@@ -60,6 +64,19 @@ impl Parser<'_, '_> {
         let kind = StatementKind::If(arms, otherwise);
         let span = start.to(self.behind());
         Ok(Statement { kind, span })
+    }
+
+    /// Each ELSIF is an IF in the ELSE before it, so it counts as one that is open until END_IF.
+    fn one_more_arm(&mut self) -> Parsed<()> {
+        self.open += 1;
+        if self.open <= MOST_OPEN {
+            return Ok(());
+        }
+        let span = self.token().span;
+        let most = MOST_OPEN.to_string();
+        self.tell(Code::StLongIf, span, [most.into()]);
+        self.end_here();
+        Err(Told)
     }
 
     /// Whether behind `ELSE IF` two END_IF follow one another, so that it is an IF of its own: looked for as far as a

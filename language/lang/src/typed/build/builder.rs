@@ -146,7 +146,7 @@ impl<'t, 'f> Builder<'t, 'f> {
         let number = self.drafts.len() as u32;
         let block = self.tree.types.add(Type {
             name: Some(name.to_owned()),
-            kind: Kind::Block(number),
+            kind: Kind::Block(number).into(),
             cells: 0,
             initial: None,
             alias: None,

@@ -106,9 +106,11 @@ impl Builder<'_, '_> {
         };
         draft.closed = true;
         let (ty, cells) = (draft.block, draft.unit.own.len() as u32);
-        if let Some(ty) = self.tree.types.get_mut(ty) {
-            ty.cells = cells;
-        }
+        let parts = draft.names.values().filter_map(|named| match named {
+            Named::Variable(variable) if variable.root == Root::Own => Some(variable.ty),
+            _ => None,
+        });
+        self.tree.types.close_block(ty, cells, parts);
     }
 
     /// Whether a variable of this type keeps something from one call to the next.

@@ -77,9 +77,9 @@ impl<'t, 'f> Builder<'t, 'f> {
         let Kind::Enum(names) = self.tree.types.kind(ty).clone() else {
             return;
         };
-        for (number, name) in (0..).zip(names) {
+        for (number, name) in (0..).zip(names.iter()) {
             let named = Named::Constant(Value::Int(number), ty);
-            let key = self.key(&name);
+            let key = self.key(name);
             let before = self.globals.get(&key);
             let named = match before {
                 None => named,

@@ -37,6 +37,10 @@ impl Builder<'_, '_> {
                 _ => self.wrong(at),
             };
         }
+        if operands.len() > MOST_OPERANDS {
+            self.tell(Code::StTooDeep, at, []);
+            return self.wrong(at);
+        }
         let operands = operands.into_iter().map(|one| self.settled(one)).collect();
         let Some((operands, _)) = self.alike("GT", operands, at) else {
             return self.wrong(at);

@@ -1,20 +1,28 @@
 //! The symbols of a finished tree: each member and each element by its own name.
 
 use super::builder::Builder;
-use crate::diagnostics::Span;
+use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;
 use crate::typed::{Holds, Kind, Symbol, TypeId};
+use std::cell::Cell;
+use std::sync::Arc;
 
 /// Where a symbol comes from.
 struct Whole<'n> {
     at: Span,
     /// Its name is that of the variable and of the parts that lead to it.
     name: &'n str,
+    /// The bytes that are left for names of symbols.
+    room: &'n Cell<usize>,
 }
+
+/// The most bytes that the names of all symbols and of their types may have.
+const MOST_TEXT: usize = 64 << 20;
 
 impl Builder<'_, '_> {
     pub(super) fn make_symbols(&mut self) {
         let shown = std::mem::take(&mut self.shown);
+        let room = Cell::new(MOST_TEXT);
         let many = self.tree.programs.len() > 1;
         for (name, variable, program) in shown {
             let program = program.filter(|_| many).and_then(|unit| self.draft(unit));
@@ -26,8 +34,14 @@ impl Builder<'_, '_> {
             let whole = Whole {
                 at: variable.at,
                 name: &name,
+                room: &room,
             };
             self.push_symbols(&whole, "", variable.ty, variable.offset, &mut symbols);
+            if room.get() == 0 {
+                let written = self.written(variable.at);
+                self.tell(Code::StLongNames, variable.at, [written.into()]);
+                return;
+            }
             self.tree.symbols.append(&mut symbols);
         }
     }
@@ -40,13 +54,20 @@ impl Builder<'_, '_> {
         offset: u32,
         symbols: &mut Vec<Symbol>,
     ) {
-        let one = |part: &str, type_name: String, values: Vec<String>, cell| Symbol {
-            name: format!("{}{part}", whole.name),
-            type_name,
-            holds: Holds::Cell(cell),
-            at: whole.at,
-            values,
+        let one = |part: &str, type_name: String, values: Arc<Vec<String>>, cell| {
+            let text = whole.name.len() + part.len() + type_name.len();
+            whole.room.set(whole.room.get().saturating_sub(text));
+            Symbol {
+                name: format!("{}{part}", whole.name),
+                type_name,
+                holds: Holds::Cell(cell),
+                at: whole.at,
+                values,
+            }
         };
+        if whole.room.get() == 0 {
+            return;
+        }
         match self.tree.types.kind(ty) {
             Kind::Array { bounds, of } => {
                 let size = self.tree.types.get(*of).cells;
@@ -78,7 +99,7 @@ impl Builder<'_, '_> {
                     if *role != Role::Hidden {
                         let part = format!("{part}.{name}");
                         let type_name = base.name().to_owned();
-                        symbols.push(one(&part, type_name, Vec::new(), offset + at));
+                        symbols.push(one(&part, type_name, Arc::default(), offset + at));
                     }
                 }
             }
@@ -94,7 +115,7 @@ impl Builder<'_, '_> {
             kind => {
                 let values = match kind {
                     Kind::Enum(names) => names.clone(),
-                    _ => Vec::new(),
+                    _ => Arc::default(),
                 };
                 symbols.push(one(part, self.tree.types.name(ty), values, offset));
             }

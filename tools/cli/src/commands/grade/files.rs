@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
-use unoclp_source::WrittenIn;
+use unoclp_source::{WrittenIn, shown};
 
 /// What a class has handed in.
 #[derive(Debug, Default)]
@@ -14,6 +14,8 @@ pub struct Found {
     pub programs: Vec<PathBuf>,
     /// Files of folders that are not called like a program.
     pub left_out: Vec<PathBuf>,
+    /// Folders and files of folders that cannot be looked at, and why.
+    pub unreadable: Vec<(PathBuf, String)>,
 }
 
 /// The files that were named, and those below folders.
@@ -29,24 +31,38 @@ pub fn find(named: &[PathBuf]) -> anyhow::Result<Found> {
             continue;
         }
         let before = found.programs.len();
-        walk(path, &mut found)?;
-        if found.programs.len() == before {
-            bail!(messages::no_programs(path.display(), messages::languages()));
+        walk(path, &mut found);
+        if found.programs.len() == before && found.unreadable.is_empty() {
+            bail!(messages::no_programs(shown(path), messages::languages()));
         }
     }
     Ok(found)
 }
 
 /// What is in a folder and those below it. A link to a folder may lead back, so none is followed.
-fn walk(folder: &Path, found: &mut Found) -> anyhow::Result<()> {
+fn walk(folder: &Path, found: &mut Found) {
     let entries = fs::read_dir(folder).and_then(|entries| entries.collect::<io::Result<Vec<_>>>());
-    let mut entries = entries.map_err(cannot_read(folder))?;
+    let mut entries = match entries {
+        Ok(entries) => entries,
+        Err(error) => {
+            let why = why(folder, &error);
+            found.unreadable.push((folder.to_owned(), why));
+            return;
+        }
+    };
     entries.sort_by_key(fs::DirEntry::path);
     for entry in entries {
         let path = entry.path();
-        let kind = entry.file_type().map_err(cannot_read(&path))?;
+        let kind = match entry.file_type() {
+            Ok(kind) => kind,
+            Err(error) => {
+                let why = why(&path, &error);
+                found.unreadable.push((path, why));
+                continue;
+            }
+        };
         if kind.is_dir() {
-            walk(&path, found)?;
+            walk(&path, found);
         } else if !entry.file_name().as_encoded_bytes().starts_with(b".") && !path.is_dir() {
             match is_program(&path) {
                 true => found.programs.push(path),
@@ -54,7 +70,6 @@ fn walk(folder: &Path, found: &mut Found) -> anyhow::Result<()> {
             }
         }
     }
-    Ok(())
 }
 
 /// Whether a file is called like a program.
@@ -66,6 +81,10 @@ fn is_program(path: &Path) -> bool {
 }
 
 fn cannot_read(path: &Path) -> impl Fn(io::Error) -> anyhow::Error {
-    let name = path.display().to_string();
-    move |error| anyhow!(messages::cannot_read(&name, messages::io(&error)))
+    move |error| anyhow!(why(path, &error))
+}
+
+/// That it cannot be read, and why.
+fn why(path: &Path, error: &io::Error) -> String {
+    messages::cannot_read(shown(path), messages::io(error))
 }

@@ -13,17 +13,17 @@ mod sheet;
 mod table;
 
 use super::open::unreadable;
-use super::output::{Kind, cannot_write, create};
+use super::output::{Kind, Over, may_write, write};
 use super::wording::Wording;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
 use anyhow::anyhow;
 use clap::Args;
 use row::Row;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
 use unoclp_host_sim::scenario::{Exercise, ProgramFile};
+use unoclp_source::shown;
 
 /// What is graded, and how that is told.
 #[derive(Args)]
@@ -40,6 +40,8 @@ pub struct Class {
     #[arg(long, value_name = "OUT.html")]
     html: Option<PathBuf>,
     #[command(flatten)]
+    over: Over,
+    #[command(flatten)]
     wording: Wording,
 }
 
@@ -48,31 +50,32 @@ pub fn grade(class: &Class) -> Outcome {
     let exercise = Exercise::load(&class.exercise);
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
     let found = files::find(&class.files)?;
-    let page = class.html.as_deref().map(|html| {
-        let inputs = found.programs.iter().map(PathBuf::as_path);
-        let inputs: Vec<&Path> = inputs.chain([class.exercise.as_path()]).collect();
-        create(html, Kind::Page, &inputs)
-    });
-    let page = page.transpose()?;
+    let inputs = found.programs.iter().map(PathBuf::as_path);
+    let inputs: Vec<&Path> = inputs.chain([class.exercise.as_path()]).collect();
+    if let Some(html) = &class.html {
+        // Told at once, and not after a class has been graded.
+        may_write(html, Kind::Page, &inputs, class.over)?;
+    }
     let row = |path: &PathBuf| match ProgramFile::read(path) {
         Ok(ProgramFile { name, bytes }) => Row::of(class.wording.of(name, bytes), &exercise),
-        Err(why) => Row::unreadable(path, unreadable(&path.display().to_string(), &why)),
+        Err(why) => Row::unreadable(path, unreadable(&shown(path), &why)),
     };
-    let rows: Vec<Row> = found.programs.iter().map(row).collect();
+    let unreadable = found.unreadable.into_iter();
+    let unreadable = unreadable.map(|(path, why)| Row::unreadable(&path, why));
+    let rows: Vec<Row> = found.programs.iter().map(row).chain(unreadable).collect();
     match class.csv {
         true => print!("{}", sheet::csv(&rows, &exercise)?),
         false => println!("{}", table::table(&rows, &exercise)),
     }
     if !found.left_out.is_empty() {
-        let names = found.left_out.iter().map(|path| path.display().to_string());
+        let names = found.left_out.iter().map(|path| shown(path));
         let names = names.collect::<Vec<_>>().join(", ");
         eprintln!("{}", messages::left_out(names));
     }
-    if let (Some(html), Some(mut page)) = (&class.html, page) {
-        let text = page::html(&rows, &exercise);
-        page.write_all(text.as_bytes())
-            .map_err(cannot_write(html))?;
-        eprintln!("{}", messages::written(html.display()));
+    if let Some(html) = &class.html {
+        let page = page::html(&rows, &exercise).into_bytes();
+        write(html, page, Kind::Page, &inputs, class.over)?;
+        eprintln!("{}", messages::written(shown(html)));
     }
     Ok(rows.iter().all(Row::is_passed))
 }

@@ -7,7 +7,7 @@ use unoclp_host_sim::diagram;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_lang::{self as lang, Lines, Severity, Told};
-use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis};
+use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis, shown};
 
 /// How a program does.
 #[derive(Debug)]
@@ -57,7 +57,7 @@ impl Shown {
 impl Row {
     /// That of a file that cannot be read.
     pub fn unreadable(path: &Path, why: String) -> Row {
-        Row::refused(path.display().to_string(), why, String::new())
+        Row::refused(shown(path), why, String::new())
     }
 
     /// That of a program, which is compiled and run through all cases.

@@ -2,6 +2,7 @@
 
 use super::row::Row;
 use unoclp_host_sim::scenario::Exercise;
+use unoclp_source::harmless;
 
 /// The columns, in both languages: what reads them knows them by these names.
 const COLUMNS: [&str; 6] = [
@@ -22,13 +23,23 @@ pub fn csv(rows: &[Row], exercise: &Exercise) -> anyhow::Result<String> {
     writer.write_record(COLUMNS)?;
     for row in rows {
         writer.write_record([
-            row.file.as_str(),
-            exercise.name.as_str(),
+            cell(&row.file).as_str(),
+            &cell(&exercise.name),
             if row.is_passed() { "yes" } else { "no" },
             &row.passed.to_string(),
             &exercise.cases().len().to_string(),
-            row.fail.as_ref().map_or("", |fail| fail.case.as_str()),
+            &cell(row.fail.as_ref().map_or("", |fail| fail.case.as_str())),
         ])?;
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+/// A text as a cell. A spreadsheet takes one that begins with one of these signs for a formula and runs it, so an
+/// apostrophe comes before it (OWASP, "CSV Injection").
+fn cell(text: &str) -> String {
+    let text = harmless(text);
+    match text.starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠']) {
+        true => format!("'{text}"),
+        false => text,
+    }
 }

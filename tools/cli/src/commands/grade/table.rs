@@ -3,6 +3,10 @@
 use super::row::Row;
 use unoclp_cli::{ascii, messages};
 use unoclp_host_sim::scenario::Exercise;
+use unoclp_source::harmless;
+
+/// A reason is cut behind so many characters.
+const MOST_WHY: usize = 400;
 
 /// A line for each program, and how many passed.
 pub fn table(rows: &[Row], exercise: &Exercise) -> String {
@@ -15,7 +19,14 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     lines.extend(rows.iter().map(|row| {
         let why = match &row.fail {
             None => messages::passed(),
-            Some(fail) => format!("{}: {}", fail.case, fail.why),
+            // What a student's text is quoted with is to stay on its line too.
+            Some(fail) => {
+                let why = format!("{}: {}", fail.case, fail.why);
+                match why.char_indices().nth(MOST_WHY) {
+                    Some((end, _)) => harmless(&why[..end]) + "…",
+                    None => harmless(&why),
+                }
+            }
         };
         [row.file.clone(), format!("{}/{count}", row.passed), why]
     }));
@@ -28,7 +39,8 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     for [file, passed, why] in &lines {
         text += &format!("{file:files$}  {passed:cases$}  {why}\n");
     }
+    let title = exercise.title.text(messages::spoken());
     let passed = rows.iter().filter(|row| row.is_passed()).count();
-    text += &messages::programs_passed(exercise.title.text(messages::spoken()), passed, rows.len());
-    ascii::picture(&text).into_owned()
+    text += &messages::programs_passed(harmless(title), passed, rows.len());
+    ascii::picture(&text)
 }

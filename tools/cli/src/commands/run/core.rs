@@ -2,7 +2,7 @@
 
 use super::super::open::{check_written, running};
 use super::ran::{Ran, Row};
-use super::what::{What, find};
+use super::what::{What, Work, find};
 use anstream::eprintln;
 use anyhow::anyhow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,15 +35,18 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
         let set = bits.and_then(|bits| point.set(bits, &mut machine, &mut inputs));
         set.ok_or_else(|| anyhow!(messages::no_value(written, name, point.type_name())))?;
     }
+    let mut work = Work::default();
     for scan in 0..arguments.scans {
         let now = arguments.time(scan) as Millis;
-        if let Err(fault) = machine.scan_observed(inputs, now, |_, _| ()) {
+        let mut steps = 0;
+        if let Err(fault) = machine.scan_observed(inputs, now, |_, _| steps += 1) {
             // The program that runs has no text any more.
             if let Ok(source) = again.check(arguments.wording.dialect) {
                 eprintln!("{}", running(&source, fault));
             }
             return Ok(None);
         }
+        work.scanned(steps)?;
     }
     let last = arguments.scans.saturating_sub(1);
     let now = arguments.time(last) as Millis;

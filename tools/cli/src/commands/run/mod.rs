@@ -17,7 +17,7 @@ use super::open::no_program;
 use crate::outcome::Outcome;
 use anstream::print;
 use anyhow::bail;
-use unoclp_source::WrittenIn;
+use unoclp_source::{WrittenIn, harmless_lines};
 use what::program;
 
 pub use what::What;
@@ -35,7 +35,7 @@ pub fn run(arguments: What) -> Outcome {
     };
     match arguments.json {
         true => print!("{}", json::json(&ran)),
-        false => print!("{}", table::table(&ran)),
+        false => print!("{}", harmless_lines(&table::table(&ran))),
     }
     Ok(true)
 }

@@ -4,14 +4,14 @@ use super::super::excerpt::renderer;
 use super::super::open::count;
 use super::ran::{Ran, Row};
 use super::table;
-use super::what::{What, find};
+use super::what::{What, Work, find};
 use anstream::{eprint, eprintln, print};
 use anyhow::anyhow;
 use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{self as lang, CheckedText, Holding, Lines, Span, TextLanguage, Variable};
-use unoclp_source::{BOARD, Written, decode};
+use unoclp_source::{BOARD, Written, decode, harmless_lines};
 
 /// A text by its name.
 struct Text {
@@ -51,6 +51,7 @@ pub(super) fn run(
         set(&mut machine, &tree, name, written)?;
     }
     let mut printed = Vec::new();
+    let mut work = Work::default();
     for scan in 0..arguments.scans {
         let ran = machine.scan(arguments.time(scan));
         let told = machine.printed().into_iter();
@@ -58,12 +59,13 @@ pub(super) fn run(
         match arguments.json {
             true => printed.extend(told),
             // At once: nothing of it is lost where a later scan does not end.
-            false => print!("{}", table::lines(&told)),
+            false => print!("{}", harmless_lines(&table::lines(&told))),
         }
         if let Err(stop) = ran {
             eprintln!("{}", stopped(&text, stop));
             return Ok(None);
         }
+        work.scanned(machine.steps())?;
     }
     if let Some(at) = machine.failed() {
         eprintln!("{}", placed(&text, at, messages::not_computed));

@@ -56,6 +56,34 @@ impl What {
     }
 }
 
+/// The most steps of all scans together. So every run comes to an end, whatever it is asked for.
+const MOST_STEPS: u64 = 1_000_000_000;
+
+/// As many steps as a scan is worth besides its own: so a run has 2,000,000 scans at most, as a scenario has.
+const BEGINNING: u64 = 500;
+
+/// How much has been done of a run.
+#[derive(Default)]
+pub(super) struct Work {
+    steps: u64,
+    scans: u32,
+}
+
+impl Work {
+    /// Counts a scan of so many steps.
+    ///
+    /// # Errors
+    /// If that is all that a run may do.
+    pub(super) fn scanned(&mut self, steps: u64) -> anyhow::Result<()> {
+        self.steps += BEGINNING + steps;
+        self.scans += 1;
+        if self.steps > MOST_STEPS {
+            bail!(messages::run_too_long(self.scans, MOST_STEPS));
+        }
+        Ok(())
+    }
+}
+
 /// The program, wherever the arguments have it.
 pub(super) fn program(arguments: &What) -> anyhow::Result<Written> {
     let (name, bytes) = match (&arguments.text, &arguments.file) {
@@ -77,13 +105,12 @@ pub(super) fn find(names: &[String], name: &str) -> anyhow::Result<usize> {
         Some(at) => Ok(at),
         None if names.is_empty() => bail!(messages::no_variables(name)),
         None => {
-            let some = names.iter().take(12).map(String::as_str);
-            let some: Vec<&str> = some.collect();
-            let more = if names.len() > some.len() {
-                ", …"
-            } else {
-                ""
-            };
+            // What has no name of its own is called by its address twice.
+            let mut some: Vec<&str> = names.iter().map(String::as_str).collect();
+            some.dedup();
+            let count = some.len();
+            some.truncate(12);
+            let more = if count > some.len() { ", …" } else { "" };
             bail!(messages::no_variable(name, some.join(", ") + more))
         }
     }
