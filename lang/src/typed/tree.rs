@@ -47,7 +47,7 @@ pub enum Point {
     Output(u32),
     /// `%MX1`
     Marker(u32),
-    /// `%SX1`, a system marker, which is only read.
+    /// `%S1`, a system marker, which is only read.
     System(u32),
     /// `%IW0`
     Analogue(u32),

@@ -4,6 +4,7 @@
 
 use super::named::{Letters, Named, Param, Variable};
 use crate::diagnostics::{Code, Found, Span, Word};
+use crate::points::Spellings;
 use crate::typed::{
     Base, Expr, ExprKind, Kind, Point, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind,
 };
@@ -59,6 +60,7 @@ pub(crate) struct Builder<'t, 'f> {
     /// Who calls whom, and where.
     pub(super) edges: Vec<(u32, u32, Span)>,
     pub(super) points: HashMap<Point, u32>,
+    pub(super) spellings: Spellings,
     pub(super) shown: Vec<(String, Variable, Option<u32>)>,
     pub(super) cells: u64,
     pub(super) asked: u32,
@@ -88,6 +90,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             current: None,
             edges: Vec::new(),
             points: HashMap::new(),
+            spellings: Spellings::default(),
             shown: Vec::new(),
             cells: 0,
             asked: 0,
