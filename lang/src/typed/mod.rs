@@ -55,7 +55,7 @@ pub use expression::{
 };
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, For, Stmt, StmtKind};
-pub use tree::{Cell, Holds, Point, Symbol, Tree, Unit, UnitKind};
+pub use tree::{Cell, Declared, Holds, Point, Symbol, Tree, Unit, UnitKind};
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};
 pub(crate) use width::narrow;

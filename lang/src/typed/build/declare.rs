@@ -4,7 +4,7 @@ use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
+use crate::typed::{Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
 use std::sync::Arc;
 
 impl Builder<'_, '_> {
@@ -42,6 +42,14 @@ impl Builder<'_, '_> {
             (Root::Static, Some(point)) => self.point_with(point, &traits),
             _ => self.room(name, at, ty, section, root, &traits)?,
         };
+        if !traits.unseen {
+            self.tree.declared.push(Declared {
+                unit: self.current.map(|unit| unit as u32),
+                name: name.to_owned(),
+                ty,
+                at,
+            });
+        }
         let lent = matches!(root, Root::Lent(_));
         let variable = Variable {
             name: name.to_owned(),
