@@ -52,6 +52,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub found: &'f mut Found,
     pub tree: Tree,
     pub(super) letters: Letters,
+    /// A division by a constant 0 is no mistake of the text: it gives 0, and sets S 04.
+    pub divides_by_zero: bool,
     /// The text is in Instruction List.
     pub is_list: bool,
     pub(super) globals: HashMap<String, Named>,
@@ -84,6 +86,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             found,
             tree: Tree::default(),
             letters,
+            divides_by_zero: false,
             is_list: false,
             globals: HashMap::new(),
             drafts: Vec::new(),

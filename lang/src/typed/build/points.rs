@@ -4,7 +4,7 @@ use super::builder::Builder;
 use super::named::Traits;
 use crate::diagnostics::{Code, Span};
 use crate::points;
-use crate::typed::{Base, Cell, Initial, Point, TypeId, Value};
+use crate::typed::{Base, Cell, Point, TypeId, Value};
 use unoclp_core::Profile;
 use unoclp_point::{Kind, Maker, read};
 
@@ -16,12 +16,17 @@ fn point_base(point: Point) -> Base {
 }
 
 impl Builder<'_, '_> {
-    /// The cell of a point that begins so.
-    pub(super) fn point_with(&mut self, point: Point, traits: &Traits) -> u32 {
+    /// The cell of a point that begins as its variable of this type does.
+    pub(super) fn point_with(&mut self, point: Point, ty: TypeId, traits: &Traits) -> u32 {
         let offset = self.point(point);
+        let first = self.initial_cells(ty, traits).into_iter().next();
+        let first = first.filter(|first| {
+            point.is_written()
+                && (traits.initial.is_some() || first.initial != Value::zero(first.base))
+        });
         if let Some(cell) = self.tree.cells.get_mut(offset as usize) {
-            if let Some(Initial::Value(value)) = traits.initial.as_deref() {
-                cell.initial = value.clone();
+            if let Some(first) = first {
+                cell.initial = first.initial;
             }
             cell.retain |= traits.retain;
         }
