@@ -1,9 +1,9 @@
 //! The syntax tree: what a text says, each part with its place, before anything is known of its names.
 
-use crate::address::is_block;
 use crate::diagnostics::Span;
 use crate::operators::Op;
 use unoclp_core::isa::Opcode;
+use unoclp_point::is_block;
 
 /// A name as it is written, in upper case and without blanks.
 #[derive(Clone, Debug, PartialEq, Eq)]

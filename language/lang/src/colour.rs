@@ -3,9 +3,8 @@
 //! Owns which parts there are to tell apart. Must not know where a word ends: the lexers say so. What a lexer passes
 //! over between two words is a comment, or means nothing.
 
-use crate::address;
 use crate::diagnostics::Span;
-use crate::dialect::Dialect;
+use unoclp_point::{Maker, read};
 
 /// What a part of a text is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +24,7 @@ pub enum Colour {
 /// Whether this is the address of a point, in upper case.
 pub(crate) fn is_point(word: &str) -> bool {
     let word: String = word.chars().filter(|c| !c.is_whitespace()).collect();
-    address::parse(&word, Dialect::Iec).is_some()
+    read(&word, Maker::Iec).is_some()
 }
 
 /// How a comment begins, in one language or another.

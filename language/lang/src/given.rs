@@ -1,7 +1,6 @@
 //! Values as a person gives them to a symbol: `TRUE`, `5`, `T#20s`, `Red`, `'text'`.
 
-use crate::st::literal;
-use crate::typed::{Base, Value, convert_given};
+use crate::typed::{Base, Value, literal};
 
 /// The value of this text for a symbol of this type, whose enumeration has these values; none if it is none.
 pub fn given(text: &str, base: Base, values: &[String]) -> Option<Value> {
@@ -22,34 +21,7 @@ pub fn given(text: &str, base: Base, values: &[String]) -> Option<Value> {
         };
         return literal::characters(inner).map(Value::Text);
     }
-    if base == Base::Bool {
-        return match text.to_ascii_uppercase().as_str() {
-            "TRUE" | "1" | "BOOL#TRUE" | "BOOL#1" => Some(Value::truth(true)),
-            "FALSE" | "0" | "BOOL#FALSE" | "BOOL#0" => Some(Value::truth(false)),
-            _ => None,
-        };
-    }
-    let (sign, size) = match text.strip_prefix('-') {
-        Some(size) => (-1, size),
-        None => (1, text),
-    };
-    match literal::typed(text) {
-        Some(read) => {
-            let (from, value) = read.ok()?;
-            let fits =
-                from == base || base.is_real() && from.is_num() || base.is_int() && from.is_int();
-            convert_given(value, base).filter(|_| fits || base.is_bits() && from.is_bits())
-        }
-        None => {
-            let (_, value) = literal::number(size).ok()?;
-            let value = match value {
-                Value::Int(number) => Value::Int(number * i128::from(sign)),
-                Value::Real(number) => Value::Real(number * f64::from(sign)),
-                other => other,
-            };
-            convert_given(value, base)
-        }
-    }
+    literal::spelled(text, base)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The languages: Instruction List to the numeric code and back, the typed languages to the typed tree.
 //!
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
-//! tree), `names` and `address` (what names mean), `lower` (a run of the program on expressions, which
+//! tree), `names` and `points` (what names mean), `lower` (a run of the program on expressions, which
 //! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
 //! steps stand in the text); `compile` is all of it. [`to_il`] and [`to_st()`] go the other way.
 //!
@@ -14,7 +14,6 @@
 
 #![forbid(unsafe_code)]
 
-mod address;
 mod ast;
 mod back;
 mod code;
@@ -40,6 +39,7 @@ mod operators;
 mod origin;
 mod parser;
 mod places;
+mod points;
 pub mod run;
 mod rung;
 mod scanner;

@@ -45,6 +45,20 @@ fn a_mistake_in_a_body_is_told_at_its_place_in_the_file() {
 }
 
 #[test]
+fn addresses_in_a_body_count_as_in_every_language() {
+    for (body, code, written) in [
+        ("q := %IX1.0;\n", "ST-138", "%IX1.0"),
+        ("q := a AND %IX1;\n", "ST-142", "%IX1"),
+    ] {
+        let text = of("ST", body);
+        let made = import(&text, Profile::UNO);
+        let told = made.diagnostics.first().unwrap();
+        assert_eq!(told.code.to_string(), code, "{body}");
+        assert_eq!(&text[told.span.range()], written);
+    }
+}
+
+#[test]
 fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
     for (body, code) in [("<SFC/>", "XML-504"), ("<FBD/>", "XML-504")] {
         let made = import(&project("", body), Profile::UNO);

@@ -24,7 +24,6 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
         found,
         told: false,
     };
-    allotter.types();
     allotter.points(tree, uses);
     allotter.blocks(flat, uses);
     allotter.rows(flat, uses);
@@ -130,12 +129,6 @@ impl Allotter<'_> {
 
     /// A place for a cell of its own.
     fn seat(&mut self, cell: u32, base: Base, retain: bool) -> Option<Seat> {
-        if !base.is_on_board() {
-            let (name, at) = self.place(cell);
-            self.told_type(&name, base, at);
-            self.seats.of.insert(cell, Seat::Register(1));
-            return None;
-        }
         let (seat, words, most) = match base {
             Base::Bool if retain => (self.seats.marker(RETENTIVE..65), RETENTIVE_MARKER, 8),
             Base::Bool => (
@@ -167,17 +160,6 @@ impl Allotter<'_> {
         for row in &uses.rows {
             let length = row.end - row.start;
             let first = self.seats.row(length);
-            let cells = flat.cells.get(row.start as usize..row.end as usize);
-            if let Some(wrong) = cells
-                .unwrap_or_default()
-                .iter()
-                .find(|held| !held.base.is_on_board())
-            {
-                if !self.seats.of.contains_key(&row.start) {
-                    self.seat(row.start, wrong.base, false);
-                }
-                continue;
-            }
             let Some(first) = first else {
                 let (name, at) = self.place(row.start);
                 let free = REGISTERS as u32 - self.seats.registers.count_ones();

@@ -1,9 +1,9 @@
-//! What the board lacks or has too little of, told at the declaration.
+//! What the board has too little of, told at the declaration.
 //!
 //! Owns the words for it; which place a cell gets, `allot` knows.
 
 use super::flat::Flat;
-use super::seats::{Seat, Seats};
+use super::seats::Seats;
 use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::typed::{Base, Holds, Tree};
@@ -36,20 +36,6 @@ pub(super) struct Allotter<'a> {
     pub told: bool,
 }
 
-/// What to take in place of a type that the board lacks.
-pub(super) fn instead(base: Base) -> (&'static str, &'static str) {
-    match base {
-        Base::Lreal => ("take REAL", "use REAL"),
-        Base::Lint => ("take DINT", "use DINT"),
-        Base::Ulint => ("take UDINT", "use UDINT"),
-        Base::Lword => ("take DWORD", "use DWORD"),
-        _ => (
-            "show numbers in place of texts, for example an enumeration",
-            "mostre números em vez de textos, por exemplo uma enumeração",
-        ),
-    }
-}
-
 impl Allotter<'_> {
     /// What a person calls a cell, and where it is declared: of what a call has, the unit that is called.
     pub(super) fn place(&self, cell: u32) -> (String, Span) {
@@ -64,30 +50,6 @@ impl Allotter<'_> {
         let unit = unit.and_then(|unit| self.tree.units.get(unit as usize));
         unit.map(|unit| (unit.name.clone(), unit.at))
             .unwrap_or_default()
-    }
-
-    /// Variables of types that the board lacks: each declaration is told once.
-    pub(super) fn types(&mut self) {
-        let mut told = None;
-        for symbol in &self.tree.symbols {
-            let Holds::Cell(cell) = symbol.holds else {
-                continue;
-            };
-            let base = self.flat.cells.get(cell as usize).map(|held| held.base);
-            let Some(base) = base.filter(|base| !base.is_on_board()) else {
-                continue;
-            };
-            self.seats.of.insert(cell, Seat::Register(1));
-            if told.replace(symbol.at) != Some(symbol.at) {
-                let name = symbol.name.split('[').next().unwrap_or_default();
-                self.told_type(name, base, symbol.at);
-            }
-        }
-    }
-
-    pub(super) fn told_type(&mut self, name: &str, base: Base, at: Span) {
-        let words = [name.into(), base.name().into(), instead(base).into()];
-        self.found.tell(Code::BoardType, at, words);
     }
 
     pub(super) fn none_left(&mut self, words: (&str, &str), most: u32, cell: u32) {

@@ -1,10 +1,10 @@
 //! Conversions that no instruction does in one piece.
 //!
-//! Owns what a BOOL is as a number, and which REAL fits an integer.
+//! Owns what a BOOL is as a number, which REAL fits an integer, and which integer a date.
 
 use super::coder::Coder;
 use super::flat::{both, compare, constant, expr, whole};
-use super::ranges::real_bounds;
+use super::ranges::{bounds, real_bounds};
 use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Value};
 use unoclp_core::isa::Opcode;
@@ -47,6 +47,9 @@ impl Coder<'_, '_> {
                 _ => held,
             };
         }
+        if how == Convert::Fit {
+            return self.fitting(a, base, at);
+        }
         if !matches!(how, Convert::Round | Convert::Cut) {
             return made(a);
         }
@@ -66,6 +69,22 @@ impl Coder<'_, '_> {
         let above = compare(Compare::Greater, held.clone(), whole(most, Base::Dint, at));
         let below = compare(Compare::Less, held.clone(), whole(least, Base::Dint, at));
         self.zero_where(&both(Binary::Or, above, below), &held);
+        Expr { base, ..held }
+    }
+
+    /// A whole number as a TOD or DATE: 0 where it is none.
+    fn fitting(&mut self, a: Expr, base: Base, at: Span) -> Expr {
+        let as_it_is =
+            |a: Expr, base| expr(ExprKind::Convert(Convert::Keep, Box::new(a)), base, at);
+        let (least, most) = base.range().unwrap_or((0, 0));
+        let (low, high) = bounds(&a);
+        if least <= low && high <= most {
+            return as_it_is(a, base);
+        }
+        // As a number without a sign, what is below 0 is above all others.
+        let held = self.keep(as_it_is(a, Base::Udint));
+        let beyond = compare(Compare::Greater, held.clone(), whole(most, Base::Udint, at));
+        self.zero_where(&beyond, &held);
         Expr { base, ..held }
     }
 

@@ -18,7 +18,7 @@ fn may_fail_itself(expr: &Expr) -> bool {
         ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Compare(..) => false,
         ExprKind::Ordered(..) | ExprKind::Select(_) => false,
         ExprKind::Read(place) => !place.indices.is_empty(),
-        ExprKind::Convert(how, _) => matches!(how, Convert::Round | Convert::Cut),
+        ExprKind::Convert(how, _) => matches!(how, Convert::Round | Convert::Cut | Convert::Fit),
         ExprKind::Unary(op, _) => *op == Unary::Sqrt,
         ExprKind::Binary(Binary::DtMinusDt | Binary::DateMinusDate | Binary::Power, ..) => true,
         ExprKind::Binary(Binary::Divide | Binary::Modulo, _, by) if !by.base.is_real() => {

@@ -9,6 +9,7 @@
 //! Tree ─inline─► Flat (no calls) ─merge─► Flat ─seats─► places ─coder─► instructions ─finish─► lines of a file
 //! ```
 //!
+//! - `lacks`: types and functions that the board lacks, told before all else
 //! - `flat`: steps without calls; `inline`, `calls`, `values`, `loops`, `pure`: the way there
 //! - `merge`: what is put aside and used once goes where it is used; inputs of timers and counters to their calls
 //! - `counts`: numbers of counters, which are wider than their type
@@ -41,6 +42,7 @@ mod finish;
 mod flat;
 mod inline;
 mod keep;
+mod lacks;
 mod logic;
 mod loops;
 mod merge;
@@ -122,6 +124,9 @@ pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> Compi
 }
 
 fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut CompiledText) {
+    if lacks::told(tree, found) {
+        return;
+    }
     let own = tree.cells.len() as u32;
     let mut flat = inline::inline(tree, found);
     if found.has_errors() {

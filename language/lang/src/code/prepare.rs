@@ -5,8 +5,8 @@
 use super::coder::Coder;
 use super::flat::constant;
 use super::ranges::bounds;
-use crate::diagnostics::{Code, Span, Word};
-use crate::typed::{Base, Expr, ExprKind, Extra, Unary, Value};
+use crate::diagnostics::{Code, Span};
+use crate::typed::{Base, Expr, ExprKind, Unary, Value};
 
 /// Values that wait at once, at most; one is left for a table.
 pub(super) const MOST_WAITING: u32 = 7;
@@ -16,12 +16,6 @@ pub(super) const MOST_DEEP: u32 = 6;
 impl Coder<'_, '_> {
     pub(super) fn prepare(&mut self, from: Expr) -> Expr {
         let Expr { kind, base, ty, at } = from;
-        let is_known = matches!(kind, ExprKind::Constant(_));
-        if !base.is_on_board() && !base.is_any() && !is_known {
-            let name = base.name();
-            self.lacking(at, (name, name), super::allotter::instead(base));
-            return constant(Value::Int(0), Base::Dint, at);
-        }
         let again = |kind| Expr { kind, base, ty, at };
         match kind {
             ExprKind::Constant(_) | ExprKind::Wrong | ExprKind::Call(_) => again(kind),
@@ -70,28 +64,9 @@ impl Coder<'_, '_> {
                 self.select(which, no, yes, base, at)
             }
             ExprKind::Mux(which, all) => self.mux(*which, all, base, at),
-            ExprKind::Extra(function, _) => {
-                self.lacking_function(function, at);
-                constant(Value::zero(base), base, at)
-            }
+            // Told before.
+            ExprKind::Extra(..) => constant(Value::zero(base), base, at),
         }
-    }
-
-    fn lacking_function(&mut self, function: Extra, at: Span) {
-        let what = match function {
-            Extra::Power => Word::from(("a power of a REAL exponent", "potência de expoente REAL")),
-            _ => format!("{function:?}").to_uppercase().into(),
-        };
-        let is_text = matches!(function, Extra::Len | Extra::Find);
-        let instead = match is_text {
-            true => super::allotter::instead(Base::Str),
-            false => (
-                "it runs on a PC alone, with unoclp run; on the board use a table of values or a straight line between two points",
-                "só roda no PC, com unoclp run; na placa, use uma tabela de valores ou uma reta entre dois pontos",
-            ),
-        };
-        self.found
-            .tell(Code::BoardLacks, at, [what, instead.into()]);
     }
 
     pub(super) fn lacking(&mut self, at: Span, what: (&str, &str), instead: (&str, &str)) {

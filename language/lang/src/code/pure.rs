@@ -22,7 +22,7 @@ fn changed<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place)) {
     }
 }
 
-fn within(statement: &Stmt) -> Vec<&Stmt> {
+pub(super) fn within(statement: &Stmt) -> Vec<&Stmt> {
     match &statement.kind {
         StmtKind::If(arms, otherwise) => {
             let bodies = arms.iter().flat_map(|(_, body)| body);
@@ -39,7 +39,7 @@ fn within(statement: &Stmt) -> Vec<&Stmt> {
 }
 
 /// The expressions that a statement computes itself.
-fn expressions(statement: &Stmt) -> Vec<&Expr> {
+pub(super) fn expressions(statement: &Stmt) -> Vec<&Expr> {
     fn subscripts(place: &Place) -> impl Iterator<Item = &Expr> {
         place.indices.iter().map(|index| &index.subscript)
     }
@@ -60,7 +60,7 @@ fn expressions(statement: &Stmt) -> Vec<&Expr> {
     }
 }
 
-fn given(call: &crate::typed::Call) -> Vec<&Expr> {
+pub(super) fn given(call: &crate::typed::Call) -> Vec<&Expr> {
     let mut all = Vec::new();
     for input in &call.inputs {
         match input {
@@ -85,7 +85,7 @@ fn each<'e>(expr: &'e Expr, visit: &mut dyn FnMut(&'e Expr)) {
     }
 }
 
-fn calls(statement: &Stmt) -> Vec<&crate::typed::Call> {
+pub(super) fn calls(statement: &Stmt) -> Vec<&crate::typed::Call> {
     let mut all = Vec::new();
     if let StmtKind::Call(call) = &statement.kind {
         all.push(call);

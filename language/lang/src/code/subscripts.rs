@@ -26,17 +26,12 @@ impl Coder<'_, '_> {
             let low_bound = i128::from(index.low);
             let stride = i128::from(index.stride);
             let far = (low - low_bound).abs().max((high - low_bound).abs()) * stride;
-            let mut number = Expr {
-                base: Base::Dint,
-                ..subscript.clone()
-            };
-            if subscript.base.width() == crate::typed::Width::Unsigned {
-                number = expr(
-                    ExprKind::Convert(Convert::Keep, Box::new(subscript)),
-                    Base::Dint,
-                    at,
-                );
-            }
+            // As a DINT, by a node of its own: another type for this one would undo a conversion that it is.
+            let mut number = expr(
+                ExprKind::Convert(Convert::Keep, Box::new(subscript)),
+                Base::Dint,
+                at,
+            );
             if index.low != 0 {
                 number = both(Binary::Subtract, number, whole(low_bound, Base::Dint, at));
             }

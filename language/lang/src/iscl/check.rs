@@ -25,6 +25,7 @@ pub(super) fn check(text: &str, program: &Program, found: &mut Found) -> Option<
         names: Vec::new(),
         asked: 0,
     };
+    checker.builder.divides_by_zero = true;
     let unit = checker
         .builder
         .unit("BLOCO", UnitKind::Program, program.span);

@@ -6,8 +6,7 @@ use super::words::Word;
 use crate::diagnostics::{Code, Span};
 use crate::small::cursor::{Keywords, Parsed, Told};
 use crate::small::rules::Sign;
-use crate::st::literal;
-use crate::typed::{Base, Binary, Compare, Value};
+use crate::typed::{Base, Binary, Compare, Value, literal};
 
 /// How tightly comparisons bind.
 const COMPARES: u32 = 3;

@@ -20,6 +20,7 @@ pub(super) fn check(text: &str, program: &Program, found: &mut Found) -> Option<
         coils: HashMap::new(),
         resets: 0,
     };
+    checker.builder.divides_by_zero = true;
     let name = program.name.as_ref();
     let title = name.map_or("clp", |name| name.text.trim_matches(['"', '\'']));
     let at = name.map_or(program.span, |name| name.span);

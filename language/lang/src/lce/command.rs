@@ -5,8 +5,11 @@ use super::parser::Parser;
 use super::slots::is_place;
 use super::words::Word;
 use crate::diagnostics::{Code, Span};
+use crate::points;
 use crate::small::cursor::{Parsed, Told};
 use crate::small::rules::Sign;
+use unoclp_core::Profile;
+use unoclp_point::Maker;
 
 impl Parser<'_, '_> {
     pub(super) fn command(&mut self) -> Parsed<Statement> {
@@ -69,7 +72,9 @@ impl Parser<'_, '_> {
     /// `%IX1`, as the norm writes a point.
     pub(super) fn address(&mut self) -> Told {
         let span = self.cursor.token().span;
-        let words = [self.cursor.short(span).into()];
+        let written = self.cursor.short(span);
+        let help = points::help(&written, Maker::Simuplc, Profile::UNO);
+        let words = [written.into(), help];
         self.cursor.tell(Code::LceNoPoint, span, words);
         Told
     }

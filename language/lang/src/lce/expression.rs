@@ -8,8 +8,7 @@ use super::words::{Word, lacking};
 use crate::diagnostics::{Code, Span};
 use crate::small::cursor::{Keywords, Parsed, Told};
 use crate::small::rules::Sign;
-use crate::st::literal;
-use crate::typed::{Binary, Compare, Value};
+use crate::typed::{Binary, Compare, Value, literal};
 
 /// How tightly comparisons bind.
 const COMPARES: u32 = 4;

@@ -4,14 +4,13 @@
 
 use super::ast::{Kind, Name};
 use super::checker::{Cells, Checker, Shown, Slot, Variable, Written};
-use crate::address::{Address, parse};
 use crate::diagnostics::Code;
-use crate::dialect::Dialect;
 use crate::names::near::nearest;
+use crate::points;
 use crate::typed::build::both;
-use crate::typed::{Base, Cell, Holds, Point, Symbol, Value};
+use crate::typed::{Base, Cell, Holds, Symbol, Value};
 use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, MARKERS};
+use unoclp_point::Maker;
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;
@@ -30,28 +29,13 @@ pub(super) fn is_place(text: &str) -> bool {
     }
 }
 
-/// The point of this name; none where the board has no such point.
-fn point(text: &str) -> Option<Point> {
-    let within = |n: u32, last: u8| (1..=u32::from(last)).contains(&n);
-    if let Some(digits) = text.strip_prefix("AIW") {
-        let number = digits.parse().ok()?;
-        return (number < u32::from(ANALOGUE)).then_some(Point::Analogue(number));
-    }
-    match parse(text, Dialect::Iec)? {
-        Address::Input(n) if within(n, Profile::UNO.inputs) => Some(Point::Input(n)),
-        Address::Output(n) if within(n, Profile::UNO.outputs) => Some(Point::Output(n)),
-        Address::Marker(n) if within(n, MARKERS) => Some(Point::Marker(n)),
-        _ => None,
-    }
-}
-
 impl Checker<'_, '_> {
     /// What a name stands for; none where that is nothing, which is told once.
     pub(super) fn slot(&mut self, name: &Name) -> Option<Slot> {
         if let Some(slot) = self.names.get(&name.text) {
             return *slot;
         }
-        let slot = self.place(&name.text);
+        let slot = self.place(name);
         if slot.is_none() {
             self.told_no_place(name);
         }
@@ -66,13 +50,16 @@ impl Checker<'_, '_> {
         slot
     }
 
-    /// The place that a text names.
-    fn place(&mut self, text: &str) -> Option<Slot> {
-        if !is_place(text) {
+    /// The place that a name is, if it is one.
+    fn place(&mut self, name: &Name) -> Option<Slot> {
+        if !is_place(&name.text) {
             return None;
         }
-        if !text.starts_with('V') {
-            return point(text).map(Slot::Point);
+        if !name.text.starts_with('V') {
+            let point = self
+                .builder
+                .address_of(&name.text, Maker::Simuplc, name.span);
+            return point.map(Slot::Point);
         }
         self.variables.push(Variable::default());
         Some(Slot::Variable(self.variables.len() - 1))
@@ -83,8 +70,9 @@ impl Checker<'_, '_> {
         let upper = text.to_uppercase();
         let pointed = text.contains('.');
         if is_place(text) || pointed && !is_place(&upper) {
+            let help = points::help(text, Maker::Simuplc, Profile::UNO);
             self.builder
-                .tell(Code::LceNoPoint, name.span, [text.into()]);
+                .tell(Code::LceNoPoint, name.span, [text.into(), help]);
             return;
         }
         self.asked += 1;

@@ -25,9 +25,9 @@ macro_rules! lce_rows {
         "{1}";
     405 LceNoPoint Error
         "there is no `{0}` on the board"
-        "inputs are I0.0 to I0.7, outputs Q0.0 to Q0.3, markers M0.0 to M7.7, analogue inputs AIW0 to AIW4, variables V0, V1, …"
+        "{1}"
         "não existe `{0}` na placa"
-        "as entradas são I0.0 a I0.7, as saídas Q0.0 a Q0.3, as memórias M0.0 a M7.7, as entradas analógicas AIW0 a AIW4, as variáveis V0, V1, …";
+        "{1}";
     406 LceInput Error
         "nothing can be stored in `{0}`: only its sensor changes an input"
         "store in an output (Q0.0), a marker (M0.0) or a variable (V0)"

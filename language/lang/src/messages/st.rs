@@ -155,9 +155,9 @@ macro_rules! st_rows {
         "para repetir comandos há os laços FOR, WHILE e REPEAT";
     138 StBadAddress Error
         "there is no point `{0}`"
-        "inputs are %IX1 to %IX8, outputs %QX1 to %QX4, markers %MX1 to %MX64, analogue inputs %IW0 to %IW4, PWM %QW1 and %QW4, registers %MW1 to %MW32"
+        "{1}"
         "não existe o ponto `{0}`"
-        "as entradas são %IX1 a %IX8, as saídas %QX1 a %QX4, as memórias %MX1 a %MX64, as entradas analógicas %IW0 a %IW4, o PWM %QW1 e %QW4, os registradores %MW1 a %MW32";
+        "{1}";
     139 StAddressType Error
         "`{0}` is {1}, and the variable is {2}"
         "declare it as {3}"
@@ -173,6 +173,11 @@ macro_rules! st_rows {
         "write its type before it: {1}#{0}"
         "`{0}` é um valor de mais de uma enumeração"
         "escreva o tipo antes dele: {1}#{0}";
+    142 StSamePoint Error
+        "`{0}` and `{1}` are the same {2}"
+        "write it in one way only, or count again which point is meant"
+        "`{0}` e `{1}` são o mesmo ponto: {2}"
+        "escreva-o de um só modo, ou conte de novo qual ponto se quer";
     150 StMismatch Error
         "`{0}` is {1}, but {2} is needed here"
         "{3}"

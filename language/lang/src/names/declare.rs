@@ -1,12 +1,12 @@
 //! Declared variables, and the places that they get.
 
 use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
-use crate::address::parse;
 use crate::ast::{Init, Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
 use unoclp_core::isa::{COUNTERS, Opcode};
+use unoclp_point::read;
 
 impl Names<'_> {
     /// Declares the variables of a unit; the names are those of one instance of it.
@@ -32,7 +32,7 @@ impl Names<'_> {
                 self.inputs.push(DeclaredInput { name, span, input });
             }
             // An address that is declared, such as %TM1, means the same in the whole file.
-            let direct = parse(&var.name.text, self.dialect).is_some();
+            let direct = read(&var.name.text, self.dialect.maker()).is_some();
             let shared = matches!(var.section, Section::Global | Section::External);
             let names = match direct || shared {
                 true => &mut self.global,

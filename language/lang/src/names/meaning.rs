@@ -2,9 +2,9 @@
 
 use super::near::Near;
 use crate::Dialect;
-use crate::address::{Address, Spelling};
 use crate::ast::Init;
 use crate::diagnostics::Span;
+use crate::points::Spellings;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
 use std::collections::{HashMap, HashSet};
@@ -107,7 +107,7 @@ pub(crate) struct Names<'t> {
     /// Bit 0 is input 01.
     pub inputs_read: u16,
     /// How each point of the board is written where it is first named.
-    pub(super) points: HashMap<Address, (Spelling, Span)>,
+    pub(super) points: Spellings,
     pub(super) near: Near,
 }
 

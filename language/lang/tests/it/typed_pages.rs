@@ -152,3 +152,33 @@ fn the_table_of_conversions_says_what_the_compiler_does() {
         }
     }
 }
+
+#[test]
+fn the_table_of_points_says_where_variables_stand() {
+    for page in ["structured-text.md", "structured-text.pt-BR.md"] {
+        let text = read(page);
+        let (_, rest) = text.split_once("<!-- addresses:begin -->").unwrap();
+        let (table, _) = rest.split_once("<!-- addresses:end -->").unwrap();
+        let rows = table.lines().filter(|line| line.starts_with("| `"));
+        let mut count = 0;
+        for row in rows {
+            let (written, points) = row.trim_matches('|').split_once(" | ").unwrap();
+            let written = written.split('`').skip(1).step_by(2);
+            let points: Vec<&str> = points.split_whitespace().collect();
+            let points = points.chunks(3).map(|point| point[..2].join(" "));
+            for (address, point) in written.zip(points) {
+                let ty = if address.contains('W') { "INT" } else { "BOOL" };
+                let program = format!("VAR x AT {address} : {ty}; y : {ty}; END_VAR y := x;");
+                let made = board::compiled(&program, TextLanguage::St);
+                assert_eq!(made.diagnostics.listed, [], "{page}: {program}");
+                assert_eq!(
+                    made.places()[0].as_deref(),
+                    Some(&*point),
+                    "{page}: {program}"
+                );
+                count += 1;
+            }
+        }
+        assert_eq!(count, 20, "{page}");
+    }
+}

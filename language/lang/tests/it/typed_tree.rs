@@ -35,6 +35,7 @@ fn expression(expr: &Expr, tree: &Tree, faults: &mut Vec<String>) {
                 Convert::Single => from.is_real() && to == Base::Real,
                 Convert::Test => to == Base::Bool,
                 Convert::Keep => from.is_real() == to.is_real() && from.is_text() == to.is_text(),
+                Convert::Fit => !from.is_real() && to.is_date(),
                 Convert::Wrap => !from.is_real() && !to.is_real(),
                 Convert::Write => to.is_text(),
                 Convert::Parse => from.is_text(),

@@ -109,6 +109,9 @@ impl Author {
     fn choice(&mut self) {
         let (of, labels) = match self.random.percent(30) {
             true => (self.color(), ["Red", "Green, Blue"]),
+            false if self.random.percent(40) => {
+                (self.narrowed(Some("INT")), ["1, 3", "-5..0, 7..90"])
+            }
             false => (self.value("INT", 1), ["1, 3", "-5..0, 7..90"]),
         };
         self.line(&format!("CASE {of} OF"));
@@ -129,6 +132,9 @@ impl Author {
         let (from, to) = (self.random.below(4), self.random.below(5));
         let to = match self.random.percent(50) {
             true => to.to_string(),
+            false if self.random.percent(50) => {
+                format!("MIN({to}, {})", self.narrowed(Some("INT")))
+            }
             false => format!("MIN({to}, {})", self.value("INT", 1)),
         };
         let (to, by) = match self.random.percent(25) {
@@ -217,6 +223,9 @@ impl Author {
     fn preset_time(&mut self) -> String {
         match self.random.percent(70) {
             true => format!("T#{}ms", 10 * self.random.below(9)),
+            false if self.random.percent(50) => {
+                format!("USINT_TO_TIME({})", self.narrowed(Some("USINT")))
+            }
             false => self.name("TIME"),
         }
     }
@@ -224,6 +233,7 @@ impl Author {
     fn preset(&mut self) -> String {
         match self.random.percent(70) {
             true => self.random.below(5).to_string(),
+            false if self.random.percent(50) => self.narrowed(Some("INT")),
             false => self.name("INT"),
         }
     }

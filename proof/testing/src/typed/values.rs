@@ -2,6 +2,19 @@
 
 use super::{Author, COLORS, MOMENTS, NUMBERS};
 
+/// Conversions to fewer bits, and after how much the result is the same again.
+const NARROWED: [(&str, &str, u32); 9] = [
+    ("DINT", "INT", 65_536),
+    ("UDINT", "INT", 65_536),
+    ("DINT", "UINT", 65_536),
+    ("UDINT", "UINT", 65_536),
+    ("INT", "SINT", 256),
+    ("DINT", "SINT", 256),
+    ("UINT", "SINT", 256),
+    ("UINT", "USINT", 256),
+    ("INT", "USINT", 256),
+];
+
 impl Author {
     /// A constant of a type of [`NUMBERS`] or [`MOMENTS`].
     pub(super) fn literal(&mut self, ty: &str) -> String {
@@ -64,18 +77,44 @@ impl Author {
 
     /// Mostly inside, of most arrays.
     pub(super) fn subscript(&mut self) -> String {
-        match self.random.below(4) {
+        match self.random.below(7) {
             0 => self.random.below(2).to_string(),
             1 => "i0 MOD 3".to_owned(),
-            2 => format!("k{}", self.random.below(2)),
+            2 | 3 => format!("k{}", self.random.below(2)),
+            4 => self.narrowed(None),
+            5 => format!("{} MOD 3", self.narrowed(None)),
             _ => "d1 + 1".to_owned(),
         }
+    }
+
+    /// A conversion to fewer bits, of a number that mostly needs more of them; to this type or to any.
+    pub(super) fn narrowed(&mut self, to: Option<&str>) -> String {
+        let fits = |&&(_, ty, _): &&(&str, &str, u32)| to.is_none_or(|to| to == ty);
+        let rows: Vec<_> = NARROWED.iter().filter(fits).copied().collect();
+        if rows.is_empty() {
+            return self.name(to.unwrap_or("INT"));
+        }
+        let (from, to, turn) = self.random.pick(&rows);
+        let prefix = NUMBERS.iter().find(|(known, _)| *known == from);
+        let name = format!(
+            "{}{}",
+            prefix.map_or("d", |(_, prefix)| prefix),
+            self.random.below(2)
+        );
+        let small = self.random.below(3);
+        let number = match self.random.below(3) {
+            0 => name,
+            1 => format!("{name} + {turn}"),
+            _ => format!("{name} * {turn} + {small}"),
+        };
+        format!("{from}_TO_{to}({number})")
     }
 
     /// A number, a bit string, a time or a date.
     pub(super) fn value(&mut self, ty: &str, deep: usize) -> String {
         let Some(next) = deep.checked_sub(1) else {
-            return match self.random.below(8) {
+            return match self.random.below(9) {
+                8 => self.narrowed(Some(ty)),
                 0..3 => self.literal(ty),
                 3 if ty == "INT" => "%IW4".to_owned(),
                 4 if ty == "INT" && self.random.percent(30) => "level".to_owned(),
@@ -94,11 +133,11 @@ impl Author {
             0 => format!("NOT ({})", self.value(ty, next)),
             1..5 => {
                 let shift = self.random.pick(&["SHL", "SHR", "ROL", "ROR"]);
-                format!(
-                    "{shift}({}, {})",
-                    self.value(ty, next),
-                    self.random.below(34)
-                )
+                let by = match self.random.percent(12) {
+                    true => self.narrowed(None),
+                    false => self.random.below(34).to_string(),
+                };
+                format!("{shift}({}, {by})", self.value(ty, next))
             }
             5 => self.converted(ty, next),
             _ => {
@@ -143,7 +182,10 @@ impl Author {
             },
             10 => format!(
                 "MUX({}, {}, {}, {})",
-                self.value("DINT", 0),
+                match self.random.percent(50) {
+                    true => self.narrowed(None),
+                    false => self.value("DINT", 0),
+                },
                 self.value(ty, next),
                 self.value(ty, 0),
                 self.value(ty, 0)
@@ -188,6 +230,14 @@ impl Author {
                 format!("({} - {})", self.value(of, next), self.value(of, next))
             }
             ("TOD", 2) => format!("DT_TO_TOD({})", self.value("DT", next)),
+            ("TOD" | "DATE", 3) => {
+                let (from, _) = self.random.pick(&NUMBERS);
+                format!("{from}_TO_{ty}({})", self.name(from))
+            }
+            ("TIME", 5) => {
+                let from = self.random.pick(&["SINT", "INT", "USINT"]);
+                format!("{from}_TO_TIME({})", self.narrowed(Some(from)))
+            }
             ("DT", 2) => format!("DATE_TO_DT({})", self.value("DATE", next)),
             ("DATE", _) => format!("DT_TO_DATE({})", self.value("DT", next)),
             _ => format!(
@@ -264,7 +314,10 @@ impl Author {
             }
             5 => format!("({} {op} {})", self.real(next), self.real(next)),
             6 => format!("({} = {})", self.color(), self.color()),
-            7 => format!("DINT_TO_BOOL({})", self.value("DINT", next)),
+            7 => match self.random.percent(50) {
+                true => format!("DINT_TO_BOOL({})", self.value("DINT", next)),
+                false => format!("INT_TO_BOOL({})", self.narrowed(Some("INT"))),
+            },
             8 => format!(
                 "SEL({}, {}, {})",
                 self.bit(),

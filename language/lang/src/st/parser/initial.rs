@@ -111,7 +111,7 @@ impl Parser<'_, '_> {
     /// A number alone.
     fn count(&mut self) -> Parsed<Node> {
         let token = self.next();
-        let read = super::super::literal::number(self.slice(token.span));
+        let read = crate::typed::literal::number(self.slice(token.span));
         match read {
             Ok((base, value)) => Ok(Node {
                 kind: super::super::ast::NodeKind::Literal(base, value),

@@ -3,13 +3,12 @@
 //! Owns what is told where a value is missing.
 
 use super::super::ast::{Name, Node, NodeKind, Path};
-use super::super::literal;
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::expression::UNARY;
 use super::{Parsed, Parser};
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Base, Value};
+use crate::typed::{Base, Value, literal};
 
 const OPERAND: (&str, &str) = ("a value", "um valor");
 

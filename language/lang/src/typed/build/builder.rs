@@ -4,6 +4,7 @@
 
 use super::named::{Letters, Named, Param, Variable};
 use crate::diagnostics::{Code, Found, Span, Word};
+use crate::points::Spellings;
 use crate::typed::{
     Base, Expr, ExprKind, Kind, Point, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind,
 };
@@ -51,6 +52,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub found: &'f mut Found,
     pub tree: Tree,
     pub(super) letters: Letters,
+    /// A division by a constant 0 is no mistake of the text: it gives 0, and sets S 04.
+    pub divides_by_zero: bool,
     /// The text is in Instruction List.
     pub is_list: bool,
     pub(super) globals: HashMap<String, Named>,
@@ -59,6 +62,7 @@ pub(crate) struct Builder<'t, 'f> {
     /// Who calls whom, and where.
     pub(super) edges: Vec<(u32, u32, Span)>,
     pub(super) points: HashMap<Point, u32>,
+    pub(super) spellings: Spellings,
     pub(super) shown: Vec<(String, Variable, Option<u32>)>,
     pub(super) cells: u64,
     pub(super) asked: u32,
@@ -82,12 +86,14 @@ impl<'t, 'f> Builder<'t, 'f> {
             found,
             tree: Tree::default(),
             letters,
+            divides_by_zero: false,
             is_list: false,
             globals: HashMap::new(),
             drafts: Vec::new(),
             current: None,
             edges: Vec::new(),
             points: HashMap::new(),
+            spellings: Spellings::default(),
             shown: Vec::new(),
             cells: 0,
             asked: 0,

@@ -28,6 +28,7 @@ pub(crate) fn conversion(from: Base, to: Base) -> Option<Convert> {
         _ if from.is_real() => Convert::Round,
         _ if to.is_real() => Convert::Float,
         _ if from == Base::Bool => Convert::Keep,
+        (_, Base::Tod | Base::Date) if number(from) => Convert::Fit,
         _ if number(from) || number(to) => {
             let (same, wider) = (from.is_signed() == to.is_signed(), from.bits() <= to.bits());
             match wider && (same || !from.is_signed() && from.bits() < to.bits()) {

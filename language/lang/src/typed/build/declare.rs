@@ -4,7 +4,7 @@ use super::builder::{Builder, MOST_CELLS};
 use super::named::{Named, Param, Section, Traits, Variable};
 use super::words::both;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
+use crate::typed::{Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId, UnitKind, Value};
 use std::sync::Arc;
 
 impl Builder<'_, '_> {
@@ -39,9 +39,23 @@ impl Builder<'_, '_> {
         }
         let root = self.root_of(section);
         let offset = match (root, traits.point) {
-            (Root::Static, Some(point)) => self.point_with(point, &traits),
+            (Root::Static, Some(point)) => {
+                if !point.is_written() && traits.initial.is_some() {
+                    self.told_read_only(name, at);
+                    return None;
+                }
+                self.point_with(point, ty, &traits)
+            }
             _ => self.room(name, at, ty, section, root, &traits)?,
         };
+        if !traits.unseen {
+            self.tree.declared.push(Declared {
+                unit: self.current.map(|unit| unit as u32),
+                name: name.to_owned(),
+                ty,
+                at,
+            });
+        }
         let lent = matches!(root, Root::Lent(_));
         let variable = Variable {
             name: name.to_owned(),
@@ -86,6 +100,14 @@ impl Builder<'_, '_> {
             self.globals.insert(key, named);
         }
         Some(variable)
+    }
+
+    /// Tells that an input cannot begin with a value.
+    fn told_read_only(&mut self, name: &str, at: Span) {
+        let why = ("only the board changes it", "só a placa muda o valor dela");
+        let help = ("leave its first value out", "retire o valor inicial");
+        let words = [name.into(), why.into(), help.into()];
+        self.tell(Code::StInitial, at, words);
     }
 
     /// Makes the result of the function that the builder is in: its first local cells.

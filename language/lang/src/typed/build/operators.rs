@@ -137,14 +137,21 @@ impl Builder<'_, '_> {
             return self.wrong(at);
         }
         let divides = matches!(op, Binary::Divide | Binary::Modulo);
-        if divides
-            && let ExprKind::Constant(divisor) = &b.kind
-            && divisor.real() == 0.0
-        {
+        let by_zero =
+            divides && matches!(&b.kind, ExprKind::Constant(divisor) if divisor.real() == 0.0);
+        if by_zero && !self.divides_by_zero {
             self.tell(Code::StDivisionByZero, at, []);
             return self.wrong(at);
         }
+        if by_zero && base.is_any() {
+            let a = self.settled(a);
+            let (base, ty) = (a.base, a.ty);
+            let b = self.coerce(b, ty);
+            return self.binary(op, base, ty, a, b, at);
+        }
         let kind = match (&a.kind, &b.kind) {
+            // Computed where it stands: 0, and S 04.
+            _ if by_zero => ExprKind::Binary(op, Box::new(a), Box::new(b)),
             (ExprKind::Constant(x), ExprKind::Constant(y)) => {
                 let (value, failed) = ops::binary(op, a.base, x, y);
                 let lost = base == Base::AnyInt

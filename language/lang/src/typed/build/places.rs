@@ -3,10 +3,10 @@
 use super::builder::{Builder, Draft};
 use super::named::{Named, Section, Variable};
 use super::words::both;
-use crate::address::is_block;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::standard::Role;
 use crate::typed::{Base, Expr, ExprKind, Kind, Place, Point, Root, TypeId, UnitKind, Value};
+use unoclp_point::is_block;
 
 /// What a name with its members and subscripts stands for.
 #[derive(Clone, Debug)]

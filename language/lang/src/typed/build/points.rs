@@ -2,12 +2,11 @@
 
 use super::builder::Builder;
 use super::named::Traits;
-use crate::address::{Address, parse};
 use crate::diagnostics::{Code, Span};
-use crate::dialect::Dialect;
-use crate::typed::{Base, Cell, Initial, Point, TypeId, Value};
+use crate::points;
+use crate::typed::{Base, Cell, Point, TypeId, Value};
 use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, SYSTEM_MARKERS};
+use unoclp_point::{Kind, Maker, read};
 
 fn point_base(point: Point) -> Base {
     match point {
@@ -17,12 +16,17 @@ fn point_base(point: Point) -> Base {
 }
 
 impl Builder<'_, '_> {
-    /// The cell of a point that begins so.
-    pub(super) fn point_with(&mut self, point: Point, traits: &Traits) -> u32 {
+    /// The cell of a point that begins as its variable of this type does.
+    pub(super) fn point_with(&mut self, point: Point, ty: TypeId, traits: &Traits) -> u32 {
         let offset = self.point(point);
+        let first = self.initial_cells(ty, traits).into_iter().next();
+        let first = first.filter(|first| {
+            point.is_written()
+                && (traits.initial.is_some() || first.initial != Value::zero(first.base))
+        });
         if let Some(cell) = self.tree.cells.get_mut(offset as usize) {
-            if let Some(Initial::Value(value)) = traits.initial.as_deref() {
-                cell.initial = value.clone();
+            if let Some(first) = first {
+                cell.initial = first.initial;
             }
             cell.retain |= traits.retain;
         }
@@ -53,31 +57,37 @@ impl Builder<'_, '_> {
 
     /// The point that an address like `%IX1` names; what is wrong with it is told.
     pub fn address(&mut self, written: &str, at: Span) -> Option<Point> {
-        let key: String = written.split_whitespace().collect();
-        let within = |n: u32, first: u32, last: u8| (first..=u32::from(last)).contains(&n);
-        let board = Profile::UNO;
-        let point = match parse(&key.to_uppercase(), Dialect::Iec) {
-            Some(Address::Input(n)) => Some(Point::Input(n)).filter(|_| within(n, 1, board.inputs)),
-            Some(Address::Output(n)) => {
-                Some(Point::Output(n)).filter(|_| within(n, 1, board.outputs))
-            }
-            Some(Address::Marker(n)) => Some(Point::Marker(n)).filter(|_| within(n, 1, MARKERS)),
-            Some(Address::System(n)) => {
-                Some(Point::System(n)).filter(|_| within(n, 1, SYSTEM_MARKERS))
-            }
-            Some(Address::Analogue(n)) => {
-                Some(Point::Analogue(n)).filter(|_| within(n, 0, ANALOGUE - 1))
-            }
-            Some(Address::Pwm(n)) => Some(Point::Pwm(n)).filter(|_| [1, 4].contains(&n)),
-            Some(Address::Register(n)) => {
-                Some(Point::Register(n)).filter(|_| within(n, 1, REGISTERS))
-            }
-            _ => None,
-        };
+        let maker = Maker::Iec;
+        let point = self.address_of(written, maker, at);
         if point.is_none() {
-            self.tell(Code::StBadAddress, at, [written.into()]);
+            let help = points::help(written, maker, Profile::UNO);
+            self.tell(Code::StBadAddress, at, [written.into(), help]);
         }
         point
+    }
+
+    /// The point that an address names in a maker's way; none where a program has no such point, which is not told.
+    pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Point> {
+        let key: String = written.to_uppercase().split_whitespace().collect();
+        let written = read(&key, maker)?;
+        let address = written.address?;
+        let number = u32::from(address.number);
+        let point = match address.kind {
+            _ if !points::exists(address, Profile::UNO) => return None,
+            Kind::Input => Point::Input(number),
+            Kind::Output => Point::Output(number),
+            Kind::Marker => Point::Marker(number),
+            Kind::System => Point::System(number),
+            Kind::Analogue => Point::Analogue(number),
+            Kind::Pwm => Point::Pwm(number),
+            Kind::Register => Point::Register(number),
+            Kind::Always | Kind::Group | Kind::Inputs | Kind::Outputs => return None,
+            Kind::Timer | Kind::Counter => return None,
+        };
+        let here = (Code::StSamePoint, at);
+        self.spellings
+            .note((address, &written), here, self.text, self.found);
+        Some(point)
     }
 
     /// The point that AT names for a variable of this type; what is wrong with it is told.

@@ -16,11 +16,10 @@ mod walk;
 
 use super::super::ast::Line;
 use super::Checker;
-use crate::address;
 use crate::diagnostics::{Code, Span};
-use crate::dialect::Dialect;
 use crate::operators::Op;
 use crate::typed::Stmt;
+use unoclp_point::{Kind, Maker, read};
 use walk::{Acc, Labels, Walk};
 
 /// Operations in one expression, before a part of it is put aside.
@@ -32,13 +31,10 @@ impl Checker<'_, '_, '_> {
     /// The name of a variable, or the address that it is where nothing declares it: `I1` is `%I1`.
     pub(super) fn address(&self, name: &str) -> String {
         let list = self.file.is_list && !name.starts_with('%') && self.builder.find(name).is_none();
-        let point = list
-            .then(|| address::parse(&name.to_uppercase(), Dialect::Iec))
-            .flatten();
-        match point {
-            Some(address::Address::Timer(..) | address::Address::Counter(..)) | None => {
-                name.to_owned()
-            }
+        let upper = name.to_uppercase();
+        let point = list.then(|| read(&upper, Maker::Iec)).flatten();
+        match point.map(|written| written.kind) {
+            Some(Kind::Timer | Kind::Counter) | None => name.to_owned(),
             Some(_) => format!("%{name}"),
         }
     }

@@ -1,7 +1,9 @@
 //! The values of literals, in every form of the norm (2.2).
 
+use super::base::Base;
+use super::value::{Value, days};
+use super::width::given;
 use crate::diagnostics::Word;
-use crate::typed::{Base, Value, days};
 
 /// What is wrong with a literal: what it was to be, in both languages, and how one is written.
 pub(crate) struct Fault {
@@ -77,6 +79,35 @@ pub(crate) fn typed(text: &str) -> Option<Read> {
         upper => Base::named(upper)?,
     };
     Some(of_type(base, rest))
+}
+
+/// The value of this type that a text without quotes spells: `-5`, `2#1010`, `T#20s`, `TRUE`; none if it is none.
+pub(crate) fn spelled(text: &str, base: Base) -> Option<Value> {
+    if base == Base::Bool {
+        return match text.to_ascii_uppercase().as_str() {
+            "TRUE" | "1" | "BOOL#TRUE" | "BOOL#1" => Some(Value::truth(true)),
+            "FALSE" | "0" | "BOOL#FALSE" | "BOOL#0" => Some(Value::truth(false)),
+            _ => None,
+        };
+    }
+    if let Some(read) = typed(text) {
+        let (from, value) = read.ok()?;
+        let fits = from == base
+            || base.is_real() && from.is_num()
+            || base.is_int() && from.is_int()
+            || base.is_bits() && from.is_bits();
+        return given(value, base).filter(|_| fits);
+    }
+    let (sign, size) = match text.strip_prefix('-') {
+        Some(size) => (-1, size),
+        None => (1, text),
+    };
+    let value = match number(size).ok()?.1 {
+        Value::Int(number) => Value::Int(number * i128::from(sign)),
+        Value::Real(number) => Value::Real(number * f64::from(sign)),
+        other => other,
+    };
+    given(value, base)
 }
 
 fn of_type(base: Base, rest: &str) -> Read {

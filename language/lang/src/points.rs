@@ -1,0 +1,240 @@
+//! Which points a board has, and what to write for one that it lacks.
+//!
+//! Owns that for every language, so that all refuse the same points with the same words. Must not know what a text does
+//! with a point; how one is written, `unoclp-point` knows.
+
+use crate::Dialect;
+use crate::diagnostics::{Code, Found, Span, Word};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use unoclp_core::Profile;
+use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, SYSTEM_MARKERS};
+use unoclp_point::{Address, Count, Kind, Maker, Spelling, Written, read};
+
+/// The outputs that have PWM.
+const PWM: [u16; 2] = [1, 4];
+
+impl Dialect {
+    /// Whose way of writing points it has.
+    pub(crate) fn maker(self) -> Maker {
+        match self {
+            Dialect::Iec | Dialect::S7200 => Maker::Iec,
+            Dialect::Mitsubishi => Maker::Mitsubishi,
+            Dialect::Omron => Maker::Omron,
+            Dialect::Twido => Maker::Twido,
+        }
+    }
+
+    /// Whether a name is an address here, such as `%IX1` or `T1.Q`, and not a name of somebody's own.
+    pub fn is_address(self, name: &str) -> bool {
+        read(&name.to_uppercase(), self.maker()).is_some()
+    }
+}
+
+/// The first and the last point of a kind; none of a kind that is not counted, or not without gaps.
+fn range(kind: Kind, board: Profile) -> Option<(u16, u16)> {
+    Some(match kind {
+        Kind::Input => (1, board.inputs.into()),
+        Kind::Output => (1, board.outputs.into()),
+        Kind::Marker => (1, MARKERS.into()),
+        Kind::System => (1, SYSTEM_MARKERS.into()),
+        Kind::Register => (1, REGISTERS.into()),
+        Kind::Analogue => (0, u16::from(ANALOGUE) - 1),
+        Kind::Group => (1, u16::from(MARKERS) / 8),
+        Kind::Pwm | Kind::Always | Kind::Inputs | Kind::Outputs | Kind::Timer | Kind::Counter => {
+            return None;
+        }
+    })
+}
+
+/// Whether a board has this point. Timers and counters are names, which the text's own order numbers.
+pub(crate) fn exists(address: Address, board: Profile) -> bool {
+    match range(address.kind, board) {
+        Some((first, last)) => (first..=last).contains(&address.number),
+        None => address.kind != Kind::Pwm || PWM.contains(&address.number),
+    }
+}
+
+/// What the points of a kind are called.
+fn plural(kind: Kind) -> (&'static str, &'static str) {
+    match kind {
+        Kind::Input => ("inputs", "as entradas"),
+        Kind::Output => ("outputs", "as saídas"),
+        Kind::Marker => ("markers", "as memórias"),
+        Kind::System => ("system markers", "as memórias do sistema"),
+        Kind::Register => ("registers", "os registradores"),
+        Kind::Analogue => ("analogue inputs", "as entradas analógicas"),
+        Kind::Group => ("bytes of markers", "os bytes de memórias"),
+        _ => ("PWM outputs", "as saídas PWM"),
+    }
+}
+
+/// What messages call a point: `input 05`.
+pub(crate) fn named(address: Address) -> Word {
+    let (en, pt) = match address.kind {
+        Kind::Input => ("input", "entrada"),
+        Kind::Output => ("output", "saída"),
+        Kind::Marker => ("marker", "memória"),
+        Kind::Register => ("register", "registrador"),
+        Kind::Analogue => ("analogue input A", "entrada analógica A"),
+        Kind::System => ("system marker", "memória do sistema"),
+        Kind::Inputs => return ("thing, all inputs", "todas as entradas").into(),
+        Kind::Outputs => return ("thing, all outputs", "todas as saídas").into(),
+        _ => return ("point", "ponto").into(),
+    };
+    let number = address.number;
+    Word::Both(format!("{en} {number:02}"), format!("{pt} {number:02}"))
+}
+
+/// How each point of a text is written where it is named first.
+#[derive(Debug, Default)]
+pub(crate) struct Spellings(HashMap<Address, (Spelling, Span)>);
+
+impl Spellings {
+    /// Notes how a point is written there. One that is written in two ways, such as `I2` and `%I0.1`, was meant to be
+    /// two, which is told by this code.
+    pub(crate) fn note(
+        &mut self,
+        (address, written): (Address, &Written),
+        (code, span): (Code, Span),
+        text: &str,
+        found: &mut Found,
+    ) {
+        let spelling = written.spelling();
+        let (first, at) = match self.0.entry(address) {
+            Entry::Vacant(none) => {
+                none.insert((spelling, span));
+                return;
+            }
+            Entry::Occupied(held) => held.get().clone(),
+        };
+        if first == spelling {
+            return;
+        }
+        let (one, other) = match at.start <= span.start {
+            true => (at, span),
+            false => (span, at),
+        };
+        let written = |span: Span| -> Word {
+            let text = text.get(span.range()).unwrap_or_default();
+            text.split_whitespace().collect::<String>().into()
+        };
+        found.tell(code, other, [written(one), written(other), named(address)]);
+    }
+}
+
+/// What to write instead of a name that is no point of the board: its kind's points in the way in which it is written.
+pub(crate) fn help(name: &str, maker: Maker, board: Profile) -> Word {
+    let upper: String = name.to_uppercase().split_whitespace().collect();
+    let of = read(&upper, maker).and_then(|written| {
+        let all = all_like(&written, board)?;
+        Some(match written.count {
+            Count::Eights => of_byte(&written, all, board),
+            _ => all,
+        })
+    });
+    let (en, pt) = of.unwrap_or_else(|| every(maker, board));
+    Word::Both(en, pt)
+}
+
+type Both = (String, String);
+
+/// `inputs 01 to 08 are %IX0.0 to %IX0.7`, as this one is written; none where there is nothing to count.
+fn all_like(written: &Written, board: Profile) -> Option<Both> {
+    let (en, pt) = plural(written.kind);
+    if written.kind == Kind::Pwm {
+        let [one, other] = PWM.map(|number| written.like(number).unwrap_or_default());
+        let english = format!("{en} are {one} and {other}");
+        return Some((english, format!("{pt} são {one} e {other}")));
+    }
+    if written.count == Count::Flags {
+        let all = ["SM0.0, SM0.1 and SM0.5", "SM0.0, SM0.1 e SM0.5"];
+        let [en, pt] = all;
+        return Some((format!("there are {en}"), format!("há {pt}")));
+    }
+    let (first, last) = range(written.kind, board)?;
+    let (one, other) = (written.like(first)?, written.like(last)?);
+    Some((
+        format!("{en} {first:02} to {last:02} are {one} to {other}"),
+        format!("{pt} {first:02} a {last:02} são {one} a {other}"),
+    ))
+}
+
+/// The same where a byte has eight bits: which point that would be, and which was meant where bytes of four were.
+fn of_byte(written: &Written, all: Both, board: Profile) -> Both {
+    let (en, pt) = all;
+    let Some(address) = written.address else {
+        return (
+            format!("the bits of a byte are 0 to 7: {en}"),
+            format!("os bits de um byte são 0 a 7: {pt}"),
+        );
+    };
+    let is = named(address);
+    let Word::Both(is_en, is_pt) = is else {
+        return (en, pt);
+    };
+    let en = format!("a byte has eight bits, so this is {is_en}: {en}");
+    let pt = format!("um byte tem oito bits, e este ponto é a {is_pt}: {pt}");
+    // The pins of a UNO are two groups of four, and so its points used to be counted.
+    let four = written.byte_and_bit().filter(|(_, bit)| *bit < 4);
+    let meant = four.and_then(|(group, bit)| {
+        let number = group.checked_mul(4)?.checked_add(bit + 1)?;
+        let meant = Address::new(written.kind, number);
+        (written.kind != Kind::Marker && exists(meant, board)).then_some(meant)
+    });
+    let meant = meant.and_then(|meant| Some((named(meant), written.like(meant.number)?)));
+    match meant {
+        Some((Word::Both(one, uma), like)) => (
+            format!("{en}; for {one} write {like}"),
+            format!("{pt}; para a {uma} escreva {like}"),
+        ),
+        _ => (en, pt),
+    }
+}
+
+/// The points that a text may name, by their first and last.
+fn every(maker: Maker, board: Profile) -> Both {
+    let letters: &[(&str, Kind)] = match maker {
+        Maker::Simuplc => &[
+            ("I0.0", Kind::Input),
+            ("Q0.0", Kind::Output),
+            ("M0.0", Kind::Marker),
+            ("AIW0", Kind::Analogue),
+        ],
+        _ => &[
+            ("%IX1", Kind::Input),
+            ("%QX1", Kind::Output),
+            ("%MX1", Kind::Marker),
+            ("%MW1", Kind::Register),
+            ("%IW0", Kind::Analogue),
+            ("%QW1", Kind::Pwm),
+        ],
+    };
+    let maker = match maker {
+        Maker::Simuplc => maker,
+        _ => Maker::Iec,
+    };
+    let mut parts: (Vec<String>, Vec<String>) = Default::default();
+    for (name, kind) in letters {
+        let Some(written) = read(name, maker) else {
+            continue;
+        };
+        let (en, pt) = plural(*kind);
+        let (en_to, pt_to, ends) = match range(*kind, board) {
+            Some((first, last)) => ("to", "a", [first, last]),
+            None => ("and", "e", PWM),
+        };
+        let [one, other] = ends.map(|number| written.like(number).unwrap_or_default());
+        let (are, sao) = match parts.0.is_empty() {
+            true => ("are ", "são "),
+            false => ("", ""),
+        };
+        parts.0.push(format!("{en} {are}{one} {en_to} {other}"));
+        parts.1.push(format!("{pt} {sao}{one} {pt_to} {other}"));
+    }
+    if maker == Maker::Simuplc {
+        parts.0.push("variables V0, V1, …".to_owned());
+        parts.1.push("as variáveis V0, V1, …".to_owned());
+    }
+    (parts.0.join(", "), parts.1.join(", "))
+}
