@@ -5,6 +5,7 @@ use crate::points::Points;
 use crate::project::Variable;
 use crate::symbol::{Counts, Symbol, number, point, symbol_of};
 use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, TIMERS};
 use unoclp_ladder::Address;
 use unoclp_lang::{Code, Span, Word};
@@ -16,7 +17,7 @@ pub(crate) struct Allotted {
     pub names: BTreeMap<Address, String>,
     /// Which timer a block calls, by its program and its element.
     pub timers: HashMap<(usize, usize), u8>,
-    pub globals: HashMap<String, (Variable, Option<Symbol>)>,
+    pub globals: HashMap<String, Place>,
     /// Variables that begin with another value than 0, or are kept; in the order in which they were met.
     pub begun: Vec<(Symbol, Option<i32>, bool, Span)>,
 }
@@ -33,11 +34,24 @@ impl Allotted {
     }
 }
 
+/// The place of a variable on the board.
+#[derive(Clone)]
+pub(crate) enum Place {
+    /// Nothing has used it yet.
+    Waits(Arc<Variable>),
+    Has(Symbol),
+    /// The board has none for it, which has been told.
+    None,
+}
+
 /// Variables by their names in capitals, none allotted yet.
-pub(crate) fn by_name(variables: &[Variable]) -> HashMap<String, (Variable, Option<Symbol>)> {
+pub(crate) fn by_name(variables: &[Variable]) -> HashMap<String, Place> {
     let named = variables.iter().filter(|v| v.section != "externalVars");
     named
-        .map(|variable| (variable.name.to_uppercase(), (variable.clone(), None)))
+        .map(|variable| {
+            let place = Place::Waits(Arc::new(variable.clone()));
+            (variable.name.to_uppercase(), place)
+        })
         .collect()
 }
 

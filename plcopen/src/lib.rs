@@ -5,7 +5,7 @@
 //!
 //! The way in ([`import`]):
 //!
-//! - `xml`: text → tree, bounded; `project`: POUs, variables, what runs and in which order
+//! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
 //! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
@@ -23,6 +23,7 @@
 mod allot;
 mod blocks;
 mod body;
+mod bounds;
 mod checked;
 mod circuit;
 mod contacts;
