@@ -4,7 +4,7 @@ use crate::found::Found;
 use crate::points::Points;
 use crate::project::Variable;
 use crate::symbol::{Counts, Symbol, number, point, symbol_of};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, TIMERS};
 use unoclp_ladder::Address;
@@ -18,6 +18,8 @@ pub(crate) struct Allotted {
     /// Which timer a block calls, by its program and its element.
     pub timers: HashMap<(usize, usize), u8>,
     pub globals: HashMap<String, Place>,
+    /// The instances that blocks call, by their names in capitals.
+    pub called: HashSet<String>,
     /// Variables that begin with another value than 0, or are kept; in the order in which they were met.
     pub begun: Vec<(Symbol, Option<i32>, bool, Span)>,
 }
@@ -29,6 +31,7 @@ impl Allotted {
             names: BTreeMap::new(),
             timers: HashMap::new(),
             globals: by_name(globals),
+            called: HashSet::new(),
             begun: Vec::new(),
         }
     }

@@ -3,9 +3,11 @@
 //! The reader looks at each attribute once for each other one of the same element, and at each prefix once for each element
 //! that declares one; whoever walks a tree goes as deep as that is.
 
-use crate::xml::LARGEST;
 use std::collections::HashSet;
 use unoclp_lang::{Span, Word};
+
+/// The largest file that is read, in bytes; those of other languages are bounded likewise.
+pub(crate) const LARGEST: usize = 1 << 20;
 
 /// The most attributes of an element.
 const ATTRIBUTES: usize = 200;

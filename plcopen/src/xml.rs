@@ -1,12 +1,9 @@
 //! The text of a file as a tree, within bounds.
 
-use crate::bounds::beyond;
+use crate::bounds::{LARGEST, beyond};
 use crate::found::Found;
 use roxmltree::{Document, Node, ParsingOptions};
 use unoclp_lang::{Code, Span};
-
-/// The largest file that is read, in bytes; those of other languages are bounded likewise.
-pub(crate) const LARGEST: usize = 1 << 20;
 
 /// The most nodes of a tree: a tag takes at least four bytes.
 const MOST_NODES: u32 = (LARGEST / 4) as u32;
