@@ -6,7 +6,7 @@ use crate::project::Variable;
 use crate::symbol::{Counts, Symbol, number, point, symbol_of};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
-use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, TIMERS};
+use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
 use unoclp_ladder::Address;
 use unoclp_lang::{Code, Span, Word};
 
@@ -154,6 +154,21 @@ pub(crate) fn allot(
     };
     // It would take the place of what was kept, at each start.
     let first = first.filter(|first| *first != 0 && !variable.retain);
+    let is_read = matches!(
+        symbol,
+        Symbol::Bit(Address::Input(_)) | Symbol::Number(Address::Analogue(_))
+    );
+    let name = || [who.clone(), variable.name.as_str().into()];
+    let first = match first {
+        Some(_) if is_read => {
+            found.tell_at(Code::XmlFirst, at, name());
+            None
+        }
+        first => first,
+    };
+    if variable.retain && !is_read && !can_be_kept(symbol) {
+        found.tell_at(Code::XmlNotKept, at, name());
+    }
     let keeps = variable.retain && matches!(symbol, Symbol::Number(Address::Register(_)));
     if first.is_some() || keeps {
         all.begun.push((symbol, first, keeps, at));
@@ -178,6 +193,15 @@ fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
     let name = variable.name.as_str().into();
     let words = [who.clone(), what.into(), name, most.to_string().into()];
     found.tell_at(Code::XmlNoneLeft, variable.at, words);
+}
+
+/// Whether a board keeps it over a power cut.
+fn can_be_kept(symbol: Symbol) -> bool {
+    match symbol {
+        Symbol::Bit(Address::Marker(marker)) | Symbol::Latch(marker) => marker >= RETENTIVE,
+        Symbol::Number(Address::Register(_)) | Symbol::Constant(_) => true,
+        _ => false,
+    }
 }
 
 /// Whether registers hold variables of this type.

@@ -14,7 +14,7 @@ use crate::project::{Pou, Project};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
 use crate::symbol::Symbol;
-use crate::xml::{self, first, text};
+use crate::xml::{self, all, first, text};
 use std::collections::HashMap;
 use std::sync::Arc;
 use unoclp_checked::Checked;
@@ -70,6 +70,11 @@ fn language<'x>(project: &Project<'_, 'x>, found: &mut Found) -> Option<&'x str>
     let mut language: Option<(&str, &Pou<'_, '_>)> = None;
     for pou in &project.programs {
         let own = pou.body.map_or("?", |(language, _)| language);
+        if all(pou.node, "body").nth(1).is_some() {
+            let sheets = ("on several sheets", "em várias folhas").into();
+            found.tell(Code::XmlBody, pou.node, [pou.name.clone().into(), sheets]);
+            continue;
+        }
         if !matches!(own, "LD" | "ST" | "IL") {
             found.tell(
                 Code::XmlBody,
@@ -228,10 +233,15 @@ fn begin(all: &Allotted, rungs: &mut Rungs) {
                 let set = Draft::coil(Some(*point), unoclp_ladder::edit::Coil::Set);
                 parts.extend(set.ok().map(|draft| Part::from(draft.step)));
             }
-            Symbol::Number(point @ Address::Register(_)) => {
+            Symbol::Number(Address::Register(_)) | Symbol::Pwm(_) => {
                 let load = Step::new(Opcode::Load).with_number(0);
                 parts.push(load.with_lines([Some(*first)]).into());
-                parts.push(Step::new(Opcode::Store).with_number(point.number()).into());
+                let store = match symbol {
+                    Symbol::Pwm(output) => Step::new(Opcode::StorePwm).with_number(*output),
+                    Symbol::Number(point) => Step::new(Opcode::Store).with_number(point.number()),
+                    _ => continue,
+                };
+                parts.push(store.into());
             }
             _ => {}
         }

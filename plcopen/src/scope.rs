@@ -56,11 +56,9 @@ impl Scope {
             }
             return number.map(|number| Meaning::Symbol(Symbol::Constant(number)));
         }
-        let (name, member) = match upper.split_once('.') {
-            Some((name, member)) => (name, Some(member)),
-            None => (upper.as_str(), None),
-        };
-        let symbol = self.symbol(name, who, at, all, found)?;
+        let member = upper.split_once('.').map(|(_, member)| member);
+        let own = written.trim().split('.').next().unwrap_or_default();
+        let symbol = self.symbol(own, who, at, all, found)?;
         let meaning = match (symbol, member) {
             (symbol, None) => Some(Meaning::Symbol(symbol)),
             (Symbol::Timer(_), Some("Q")) => Some(Meaning::Symbol(symbol)),
@@ -88,9 +86,10 @@ impl Scope {
         all: &mut Allotted,
         found: &mut Found,
     ) -> Option<Symbol> {
-        let own = match self.locals.get_mut(name) {
+        let upper = name.to_uppercase();
+        let own = match self.locals.get_mut(&upper) {
             Some(local) => Some(local),
-            None => all.globals.get_mut(name),
+            None => all.globals.get_mut(&upper),
         };
         let Some(own) = own else {
             found.tell_at(Code::XmlUndeclared, at, [who.clone(), name.into()]);
@@ -104,9 +103,9 @@ impl Scope {
         };
         let symbol = allot(&variable, who, all, found);
         let place = symbol.map_or(Place::None, Place::Has);
-        let own = match self.locals.get_mut(name) {
+        let own = match self.locals.get_mut(&upper) {
             Some(local) => Some(local),
-            None => all.globals.get_mut(name),
+            None => all.globals.get_mut(&upper),
         };
         if let Some(own) = own {
             *own = place;

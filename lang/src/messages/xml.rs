@@ -153,6 +153,16 @@ macro_rules! xml_rows {
         "draw one of the two again"
         "{0}: outro elemento também tem esse número"
         "desenhe de novo um dos dois";
+    531 XmlFirst Warning
+        "{0}: the first value of `{1}` is left out, because inputs are read before the first scan"
+        "take the first value out"
+        "{0}: o primeiro valor de `{1}` fica de fora, porque as entradas são lidas antes da primeira varredura"
+        "tire o primeiro valor";
+    532 XmlNotKept Warning
+        "{0}: `{1}` is not kept over a power cut"
+        "take a number, a BOOL without an address or %MX7.0 to %MX7.7, or take retain out"
+        "{0}: `{1}` não se conserva em uma queda de energia"
+        "use um número, um BOOL sem endereço ou %MX7.0 a %MX7.7, ou tire o retain";
         }
     };
 }

@@ -46,7 +46,8 @@ fn a_mistake_in_a_body_is_told_at_its_place_in_the_file() {
 
 #[test]
 fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
-    for (body, code) in [("<SFC/>", "XML-504"), ("<FBD/>", "XML-504")] {
+    let bodies = ["<SFC/>", "<FBD/>", "<LD/></body><body><LD/>"];
+    for (body, code) in bodies.map(|body| (body, "XML-504")) {
         let made = import(&project("", body), Profile::UNO);
         let told: Vec<String> = made
             .diagnostics
