@@ -4,8 +4,9 @@ use crate::found::Found;
 use crate::points::Points;
 use crate::project::Variable;
 use crate::symbol::{Counts, Symbol, number, point, symbol_of};
-use std::collections::{BTreeMap, HashMap};
-use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, TIMERS};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
+use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
 use unoclp_ladder::Address;
 use unoclp_lang::{Code, Span, Word};
 
@@ -16,7 +17,9 @@ pub(crate) struct Allotted {
     pub names: BTreeMap<Address, String>,
     /// Which timer a block calls, by its program and its element.
     pub timers: HashMap<(usize, usize), u8>,
-    pub globals: HashMap<String, (Variable, Option<Symbol>)>,
+    pub globals: HashMap<String, Place>,
+    /// The instances that blocks call, by their names in capitals.
+    pub called: HashSet<String>,
     /// Variables that begin with another value than 0, or are kept; in the order in which they were met.
     pub begun: Vec<(Symbol, Option<i32>, bool, Span)>,
 }
@@ -28,16 +31,30 @@ impl Allotted {
             names: BTreeMap::new(),
             timers: HashMap::new(),
             globals: by_name(globals),
+            called: HashSet::new(),
             begun: Vec::new(),
         }
     }
 }
 
+/// The place of a variable on the board.
+#[derive(Clone)]
+pub(crate) enum Place {
+    /// Nothing has used it yet.
+    Waits(Arc<Variable>),
+    Has(Symbol),
+    /// The board has none for it, which has been told.
+    None,
+}
+
 /// Variables by their names in capitals, none allotted yet.
-pub(crate) fn by_name(variables: &[Variable]) -> HashMap<String, (Variable, Option<Symbol>)> {
+pub(crate) fn by_name(variables: &[Variable]) -> HashMap<String, Place> {
     let named = variables.iter().filter(|v| v.section != "externalVars");
     named
-        .map(|variable| (variable.name.to_uppercase(), (variable.clone(), None)))
+        .map(|variable| {
+            let place = Place::Waits(Arc::new(variable.clone()));
+            (variable.name.to_uppercase(), place)
+        })
         .collect()
 }
 
@@ -137,6 +154,21 @@ pub(crate) fn allot(
     };
     // It would take the place of what was kept, at each start.
     let first = first.filter(|first| *first != 0 && !variable.retain);
+    let is_read = matches!(
+        symbol,
+        Symbol::Bit(Address::Input(_)) | Symbol::Number(Address::Analogue(_))
+    );
+    let name = || [who.clone(), variable.name.as_str().into()];
+    let first = match first {
+        Some(_) if is_read => {
+            found.tell_at(Code::XmlFirst, at, name());
+            None
+        }
+        first => first,
+    };
+    if variable.retain && !is_read && !can_be_kept(symbol) {
+        found.tell_at(Code::XmlNotKept, at, name());
+    }
     let keeps = variable.retain && matches!(symbol, Symbol::Number(Address::Register(_)));
     if first.is_some() || keeps {
         all.begun.push((symbol, first, keeps, at));
@@ -161,6 +193,15 @@ fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
     let name = variable.name.as_str().into();
     let words = [who.clone(), what.into(), name, most.to_string().into()];
     found.tell_at(Code::XmlNoneLeft, variable.at, words);
+}
+
+/// Whether a board keeps it over a power cut.
+fn can_be_kept(symbol: Symbol) -> bool {
+    match symbol {
+        Symbol::Bit(Address::Marker(marker)) | Symbol::Latch(marker) => marker >= RETENTIVE,
+        Symbol::Number(Address::Register(_)) | Symbol::Constant(_) => true,
+        _ => false,
+    }
 }
 
 /// Whether registers hold variables of this type.

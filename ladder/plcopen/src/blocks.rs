@@ -2,6 +2,7 @@
 
 use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::Flow;
+use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::Opcode;
 use unoclp_ladder::Address;
@@ -21,11 +22,14 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                 if output == "ENO" =>
             {
                 self.unconditional(at)?;
+                if block.remembers() && self.is_apart(at) {
+                    self.call(at)?;
+                }
                 Circuit::new()
             }
-            "TON" | "TOF" | "TP" => self.timer(at, &name, &output)?,
+            "TON" | "TOF" | "TP" => self.timer(at, &output)?,
             "CTU" | "CTD" | "CTUD" => self.counter(at, &output)?,
-            "SR" | "RS" => self.latch(at, &name)?,
+            "SR" | "RS" => self.latch(at)?,
             "R" | "F" if name.ends_with("_TRIG") => self.edge_block(at, &name)?,
             "GT" | "GE" | "EQ" | "NE" | "LE" | "LT" => match output.as_str() {
                 "ENO" => self.enabled(at)?,
@@ -76,7 +80,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         };
         let circuit = self.result(at, output)?;
         // What has been written before needs no contact that leads nowhere.
-        match self.written.contains_key(&at) {
+        match self.calls.contains_key(&at) {
             true => Some(Circuit::new()),
             false => Some(circuit),
         }
@@ -100,12 +104,6 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let elapsed = matches!(wire.output.to_uppercase().as_str(), "ET" | "CV");
         if !elapsed {
             return self.result(wire.from, "ENO");
-        }
-        // The block itself is called before.
-        let call = self.called_block(wire.from)?;
-        if !call.is_empty() {
-            self.before.push((wire.from, call));
-            self.written.insert(wire.from, true);
         }
         let mut parts: Vec<Part> = self.value(at, "")?.into_iter().map(Part::from).collect();
         parts.push(self.store(at)?.into());
@@ -162,7 +160,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         if from.kind != "inVariable" || !pin.edge.is_empty() || from.negated() {
             return None;
         }
-        let Meaning::Symbol(Symbol::Bit(point)) = self.meaning(wire.from, &from.written())? else {
+        let Meaning::Symbol(Symbol::Bit(point)) = self.meaning(wire.from, &from.written)? else {
             return None;
         };
         let opcode = match (point, pin.negated) {
@@ -181,10 +179,6 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     pub(crate) fn numbered(&self, at: usize) -> Vec<String> {
         let pins = self.network.elements[at].inputs.iter();
         let names = pins.map(|pin| pin.name.to_uppercase());
-        let is_numbered = |name: &String| {
-            let number = name.strip_prefix("IN").unwrap_or_default();
-            number.parse::<u8>().is_ok()
-        };
-        names.filter(is_numbered).collect()
+        names.filter(|name| is_numbered(name)).collect()
     }
 }

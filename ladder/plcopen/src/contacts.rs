@@ -14,8 +14,8 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit with the contact of this element.
     pub(crate) fn contact(&mut self, at: usize, mut circuit: Circuit) -> Option<Circuit> {
         let element = &self.network.elements[at];
-        let written = element.written();
-        let meaning = self.meaning(at, &written)?;
+        let written = &element.written;
+        let meaning = self.meaning(at, written)?;
         let negated = says(element.node, "negated");
         let zero = match negated {
             true => Opcode::ZeroContactNot,
@@ -37,13 +37,13 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                 };
                 let draft = point.and_then(|point| Draft::contact(Some(point), negated).ok());
                 let Some(draft) = draft else {
-                    self.wants(at, &written, "INT", "BOOL");
+                    self.wants(at, written, "INT", "BOOL");
                     return None;
                 };
                 Some(draft.step.into())
             }
             Meaning::Elapsed(_) | Meaning::Count(_) => {
-                self.wants(at, &written, "INT", "BOOL");
+                self.wants(at, written, "INT", "BOOL");
                 return None;
             }
         };
@@ -70,10 +70,10 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit with a coil of what is written at this element, behind an edge.
     pub(crate) fn coil(&mut self, at: usize, mut circuit: Circuit, edge: &str) -> Option<Circuit> {
         let element = &self.network.elements[at];
-        let written = element.written();
-        let meaning = self.meaning(at, &written)?;
+        let written = &element.written;
+        let meaning = self.meaning(at, written)?;
         let Meaning::Symbol(symbol) = meaning else {
-            self.tell(Code::XmlWritten, at, [written.into()]);
+            self.tell(Code::XmlWritten, at, [written.as_str().into()]);
             return None;
         };
         let mut negated = says(element.node, "negated");
@@ -90,12 +90,12 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             Symbol::Bit(_) | Symbol::Constant(_) | Symbol::Timer(_) | Symbol::Counter(..) => None,
             Symbol::Latch(_) | Symbol::Edge => None,
             Symbol::Number(_) | Symbol::Pwm(_) => {
-                self.wants(at, &written, "INT", "BOOL");
+                self.wants(at, written, "INT", "BOOL");
                 return None;
             }
         };
         let Some(step) = step else {
-            self.tell(Code::XmlWritten, at, [written.into()]);
+            self.tell(Code::XmlWritten, at, [written.as_str().into()]);
             return None;
         };
         if let Some(opcode) = edge_of(edge) {

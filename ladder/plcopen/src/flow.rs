@@ -5,7 +5,7 @@ use crate::circuit::{Circuit, Item, Leaf, followed, size, together};
 use crate::found::{Found, span};
 use crate::network::{Network, Wire, edge};
 use crate::scope::Scope;
-use crate::symbol::Meaning;
+use crate::symbol::{Meaning, Symbol};
 use crate::xml::says;
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
@@ -17,6 +17,21 @@ const DEEPEST: usize = 200;
 
 /// More instructions than this fit no board.
 const LARGEST: usize = 2_000;
+
+/// The most pieces of circuits that are looked at for one project. The largest that fits a board takes a tenth of it.
+const MOST_WORK: usize = 20_000_000;
+
+/// So many times as long takes a piece that is copied.
+pub(crate) const COPIED: usize = 50;
+
+/// How far a call of a block has come.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Call {
+    Begun,
+    Done,
+    /// Something is wrong with it, which has been told.
+    Failed,
+}
 
 /// Finds circuits.
 pub(crate) struct Flow<'f, 'a, 'x> {
@@ -30,12 +45,14 @@ pub(crate) struct Flow<'f, 'a, 'x> {
     pub before: Vec<(usize, Circuit)>,
     /// Which element calls the instance of a block.
     pub called: HashMap<String, usize>,
-    /// Blocks whose rungs have been written before.
-    pub written: HashMap<usize, bool>,
+    /// Blocks that are called in rungs of their own.
+    pub calls: HashMap<usize, Call>,
     /// The numbers of the labels of this network, by their names.
     pub labels: HashMap<String, u8>,
     /// The label behind the program, where others follow.
     pub end: Option<u8>,
+    /// How many pieces of circuits have been looked at.
+    pub work: usize,
     known: HashMap<Wire<'a>, Option<Circuit>>,
     open: Vec<usize>,
 }
@@ -56,9 +73,10 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             found,
             before: Vec::new(),
             called: HashMap::new(),
-            written: HashMap::new(),
+            calls: HashMap::new(),
             labels: HashMap::new(),
             end: None,
+            work: 0,
             known: HashMap::new(),
             open: Vec::new(),
         }
@@ -72,7 +90,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
                 from: element,
                 output: "",
             }),
-            "outVariable" => self.assigned(element),
+            "outVariable" | "inOutVariable" => self.assigned(element),
             "jump" | "return" => {
                 let circuit = self.power(element, "")?;
                 let step = self.leave(element)?;
@@ -119,7 +137,9 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         };
         let mut ways = Vec::with_capacity(pin.wires.len());
         for &wire in &pin.wires {
-            ways.push(self.source(wire)?);
+            let way = self.source(wire)?;
+            self.spend(element, COPIED * (1 + size(&way)))?;
+            ways.push(way);
         }
         let mut circuit = match ways.len() {
             1 => ways.remove(0),
@@ -152,6 +172,21 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         self.ascend();
         self.known.insert(wire, circuit.clone());
         circuit
+    }
+
+    /// Counts pieces that are looked at for an element; none where they are too many, which is told.
+    pub(crate) fn spend(&mut self, at: usize, pieces: usize) -> Option<()> {
+        self.work = self.work.saturating_add(pieces);
+        if self.work > MOST_WORK {
+            self.too_large(at);
+            return None;
+        }
+        Some(())
+    }
+
+    /// Whether the element that is looked at is this one.
+    pub(crate) fn is_at(&self, at: usize) -> bool {
+        self.open.last() == Some(&at)
     }
 
     /// Goes on at this element, where that leads in no circle and not too deep.
@@ -189,16 +224,12 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             }
             "inVariable" | "inOutVariable" => self.contact(at, Circuit::new()),
             "continuation" => {
-                let name = element.node.attribute("name");
-                let same = |kind: &str, other| kind == "connector" && other == name;
-                let mut elements = network.elements.iter();
-                match elements.position(|e| same(e.kind, e.node.attribute("name"))) {
-                    Some(connector) => self.power(connector, ""),
-                    None => {
-                        self.tell(Code::XmlPin, at, [name.unwrap_or_default().into()]);
-                        None
-                    }
-                }
+                let Some(connector) = network.connector(at) else {
+                    let name = element.node.attribute("name").unwrap_or_default();
+                    self.tell(Code::XmlPin, at, [name.into()]);
+                    return None;
+                };
+                self.power(connector, "")
             }
             "block" => self.result(at, wire.output),
             kind => {
@@ -212,8 +243,25 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
     pub(crate) fn meaning(&mut self, at: usize, written: &str) -> Option<Meaning> {
         let who = Word::from(self.network.name(at));
         let place = span(self.network.elements[at].node);
-        self.scope
-            .meaning(written, &who, place, self.all, self.found)
+        let meaning = self
+            .scope
+            .meaning(written, &who, place, self.all, self.found)?;
+        let reads_block = match meaning {
+            Meaning::Symbol(symbol) => {
+                matches!(
+                    symbol,
+                    Symbol::Timer(_) | Symbol::Counter(..) | Symbol::Latch(_)
+                )
+            }
+            Meaning::AtZero(_) | Meaning::Elapsed(_) | Meaning::Count(_) => true,
+            Meaning::Truth(_) => false,
+        };
+        let name = written.split('.').next().unwrap_or_default().trim();
+        if reads_block && !self.all.called.contains(&name.to_uppercase()) {
+            self.tell(Code::XmlNotCalled, at, [name.into()]);
+            return None;
+        }
+        Some(meaning)
     }
 
     /// Tells something of an element.

@@ -61,7 +61,7 @@ pub(crate) fn span(at: Node<'_, '_>) -> Span {
         false => all.len(),
     };
     // One line of it is enough to find it.
-    let line = all.find('\n').unwrap_or(length).min(length);
+    let line = all[..length].find('\n').unwrap_or(length);
     Span {
         start: range.start as u32,
         end: (range.start + line) as u32,

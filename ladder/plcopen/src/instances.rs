@@ -1,7 +1,7 @@
 //! Blocks that remember something: timers, counters, latches, edges.
 
 use crate::circuit::{Circuit, Item, Leaf, Part, followed};
-use crate::flow::Flow;
+use crate::flow::{Call, Flow};
 use crate::symbol::{Counts, Meaning, Symbol};
 use unoclp_core::isa::Opcode;
 use unoclp_ladder::Address;
@@ -39,29 +39,118 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         }
     }
 
-    pub(crate) fn timer(&mut self, at: usize, name: &str, output: &str) -> Option<Circuit> {
+    /// Whether a block is called by now.
+    pub(crate) fn is_called(&self, at: usize) -> bool {
+        let name = self.network.elements[at].node.attribute("instanceName");
+        let name = name.unwrap_or_default().to_uppercase();
+        self.called.get(&name) == Some(&at)
+    }
+
+    /// Whether a block is called in rungs of its own, before what takes its results: it gives a number, something
+    /// waits for its ENO alone, the file says when it runs, or it takes more than one rung.
+    pub(crate) fn is_apart(&self, at: usize) -> bool {
+        let network = self.network;
+        let block = &network.elements[at];
+        let name = block.block();
+        let is_plain = match name.split('_').next().unwrap_or_default() {
+            "CTU" => !self.is_driven(at, "R"),
+            "CTD" => !self.is_driven(at, "LD"),
+            "CTUD" | "SR" | "RS" => false,
+            _ => true,
+        };
+        if !is_plain || block.order.is_some() {
+            return true;
+        }
+        let is = |output: &str, name: &str| output.eq_ignore_ascii_case(name);
+        let takes_q = |by: usize| {
+            let mut wires = network.elements[by]
+                .inputs
+                .iter()
+                .flat_map(|pin| &pin.wires);
+            wires.any(|wire| wire.from == at && is(wire.output, "Q"))
+        };
+        let readers = network.readers[at].iter();
+        let mut others = readers.filter(|reader| !network.is_end(reader.at));
+        others.any(|reader| match reader.output {
+            output if is(output, "ENO") => !takes_q(reader.at),
+            output => !is(output, "Q") && !output.is_empty(),
+        })
+    }
+
+    /// Calls a block in rungs of its own, before what takes its results; once. None where something is wrong, which is
+    /// told.
+    pub(crate) fn call(&mut self, at: usize) -> Option<()> {
+        match self.calls.get(&at) {
+            Some(Call::Done) => return Some(()),
+            Some(Call::Failed) => return None,
+            Some(Call::Begun) => {
+                self.tell(Code::XmlLoop, at, []);
+                return None;
+            }
+            None => {}
+        }
+        // A wire from its Q has come here already.
+        let is_open = self.is_at(at);
+        if !is_open {
+            self.descend(at)?;
+        }
+        self.calls.insert(at, Call::Begun);
+        let called = self.called_apart(at);
+        if !is_open {
+            self.ascend();
+        }
+        let call = called.map_or(Call::Failed, |()| Call::Done);
+        self.calls.insert(at, call);
+        called
+    }
+
+    /// The rungs that call a block.
+    fn called_apart(&mut self, at: usize) -> Option<()> {
+        let block = self.network.elements[at].block();
+        match block.split('_').next().unwrap_or_default() {
+            "TON" | "TOF" | "TP" => {
+                let circuit = self.timed(at)?;
+                self.before.push((at, circuit));
+                Some(())
+            }
+            "CTU" | "CTD" | "CTUD" => self.counted(at),
+            "SR" | "RS" => self.latched(at),
+            _ => {
+                self.tell(Code::XmlBlock, at, [block.into()]);
+                None
+            }
+        }
+    }
+
+    pub(crate) fn timer(&mut self, at: usize, output: &str) -> Option<Circuit> {
         if !matches!(output, "Q" | "") {
             self.wants(at, output, "TIME", "BOOL");
             return None;
         }
+        if !self.is_apart(at) {
+            return self.timed(at);
+        }
+        self.call(at)?;
+        let timer = *self.all.timers.get(&(self.pou, at))?;
+        let contact = Draft::contact(Some(Address::Timer(timer)), false).ok()?;
+        Some(vec![Item::Leaf(Leaf::plain((at, 1), contact.step))])
+    }
+
+    /// The circuit that calls a timer; its power is Q.
+    fn timed(&mut self, at: usize) -> Option<Circuit> {
         self.unconditional(at)?;
-        let symbol = self.instance(at)?;
-        let Symbol::Timer(timer) = symbol else {
+        let Some(Symbol::Timer(timer)) = self.instance(at) else {
             return None;
         };
         let circuit = self.power(at, "IN")?;
         let preset = self.preset(at, "PT", Step::new(Opcode::PresetTimer).with_number(timer))?;
-        let opcode = match name {
+        let opcode = match self.network.elements[at].block().as_str() {
             "TON" => Opcode::OnDelay,
             "TOF" => Opcode::OffDelay,
             _ => Opcode::Pulse,
         };
         let step = Step::new(opcode).with_lines([Some(preset), None]);
         self.all.timers.insert((self.pou, at), timer);
-        if self.written.contains_key(&at) {
-            let contact = Draft::contact(Some(Address::Timer(timer)), false).ok()?;
-            return Some(vec![Item::Leaf(Leaf::plain((at, 1), contact.step))]);
-        }
         Some(followed(circuit, Leaf::plain((at, 0), step).once()))
     }
 
@@ -96,60 +185,70 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let Some(Symbol::Counter(counter, counts)) = self.instance(at) else {
             return None;
         };
-        self.unconditional(at)?;
         let reached = Draft::contact(Some(Address::Counter(counter)), false)
             .ok()?
             .step;
         let zero = Step::new(Opcode::ZeroContact).with_number(counter);
-        let result = match (counts, output) {
-            (Counts::Up, "Q" | "") | (Counts::Both, "QU") => reached,
-            (Counts::Down, "Q" | "") | (Counts::Both, "QD") => zero,
+        let (part, result) = match (counts, output) {
+            (Counts::Up, "Q" | "") | (Counts::Both, "QU") => (10, reached),
+            (Counts::Down, "Q" | "") | (Counts::Both, "QD") => (11, zero),
             _ => {
                 self.wants(at, output, "INT", "BOOL");
                 return None;
             }
         };
-        let preset = Step::new(Opcode::PresetCounter).with_number(counter);
-        let preset = self.preset(at, "PV", preset)?;
-        let count = |down| Draft::counter(down, Some(counter), Some(preset)).step;
-        let coil = |opcode| Step::new(opcode).with_number(counter);
-        let (up, down) = (counts != Counts::Down, counts != Counts::Up);
-        let is_reset = up && self.is_driven(at, "R");
-        let is_loaded = down && self.is_driven(at, "LD");
-        if up != down && !is_reset && !is_loaded {
-            let circuit = self.power(at, if up { "CU" } else { "CD" })?;
-            return Some(followed(circuit, Leaf::plain((at, 0), count(down)).once()));
+        if !self.is_apart(at) {
+            let input = if counts == Counts::Down { "CD" } else { "CU" };
+            self.unconditional(at)?;
+            let preset = self.preset_of(at, counter)?;
+            return self.counting(at, input, counter, preset);
         }
-        let contact = Leaf::plain((at, 10), result.clone());
-        let contact = Leaf {
-            key: (at, 10 + usize::from(result.opcode() == Opcode::ZeroContact)),
-            ..contact
+        self.call(at)?;
+        Some(vec![Item::Leaf(Leaf::plain((at, part), result))])
+    }
+
+    /// The rungs that count, load and reset.
+    fn counted(&mut self, at: usize) -> Option<()> {
+        let Some(Symbol::Counter(counter, counts)) = self.instance(at) else {
+            return None;
         };
-        if self.written.insert(at, true).is_some() {
-            return Some(vec![Item::Leaf(contact)]);
-        }
-        if up && (!down || self.is_driven(at, "CU")) {
-            let circuit = self.power(at, "CU")?;
-            let leaf = Leaf::plain((at, 0), count(false)).once();
-            self.before.push((at, followed(circuit, leaf)));
-        }
-        if down && (!up || self.is_driven(at, "CD")) {
-            let circuit = self.power(at, "CD")?;
-            let leaf = Leaf::plain((at, 1), count(true)).once();
-            self.before.push((at, followed(circuit, leaf)));
+        self.unconditional(at)?;
+        let preset = self.preset_of(at, counter)?;
+        for (input, other) in [("CU", Counts::Down), ("CD", Counts::Up)] {
+            let counts_so =
+                counts != other && (counts != Counts::Both || self.is_driven(at, input));
+            if counts_so {
+                let circuit = self.counting(at, input, counter, preset)?;
+                self.before.push((at, circuit));
+            }
         }
         // R is stronger than LD: it comes last.
-        for (is_there, input, kind, part) in [
-            (is_loaded, "LD", Opcode::LoadCounter, 2),
-            (is_reset, "R", Opcode::ResetCounter, 3),
+        for (input, other, kind, part) in [
+            ("LD", Counts::Up, Opcode::LoadCounter, 2),
+            ("R", Counts::Down, Opcode::ResetCounter, 3),
         ] {
-            if is_there {
+            if counts != other && self.is_driven(at, input) {
                 let circuit = self.power(at, input)?;
-                let leaf = Leaf::plain((at, part), coil(kind)).output();
+                let step = Step::new(kind).with_number(counter);
+                let leaf = Leaf::plain((at, part), step).output();
                 self.before.push((at, followed(circuit, leaf)));
             }
         }
-        Some(vec![Item::Leaf(contact)])
+        Some(())
+    }
+
+    /// The circuit that counts by this input; its power is whether the counter has reached its preset, or 0.
+    fn counting(&mut self, at: usize, input: &str, counter: u8, preset: i32) -> Option<Circuit> {
+        let circuit = self.power(at, input)?;
+        let is_down = input == "CD";
+        let step = Draft::counter(is_down, Some(counter), Some(preset)).step;
+        let leaf = Leaf::plain((at, usize::from(is_down)), step);
+        Some(followed(circuit, leaf.once()))
+    }
+
+    fn preset_of(&mut self, at: usize, counter: u8) -> Option<i32> {
+        let by = Step::new(Opcode::PresetCounter).with_number(counter);
+        self.preset(at, "PV", by)
     }
 
     /// Whether something else than FALSE leads to this input.
@@ -159,34 +258,38 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let is_false = |wire: &crate::network::Wire<'_>| {
             let from = &network.elements[wire.from];
             from.kind == "inVariable"
-                && matches!(from.written().to_uppercase().as_str(), "FALSE" | "0")
+                && matches!(from.written.to_uppercase().as_str(), "FALSE" | "0")
         };
         !wires.is_empty() && !wires.iter().all(is_false)
     }
 
-    pub(crate) fn latch(&mut self, at: usize, name: &str) -> Option<Circuit> {
+    pub(crate) fn latch(&mut self, at: usize) -> Option<Circuit> {
+        let Some(Symbol::Latch(marker)) = self.instance(at) else {
+            return None;
+        };
+        self.call(at)?;
+        let contact = Draft::contact(Some(Address::Marker(marker)), false).ok()?;
+        Some(vec![Item::Leaf(Leaf::plain((at, 10), contact.step))])
+    }
+
+    /// The rungs that set and reset a latch.
+    fn latched(&mut self, at: usize) -> Option<()> {
         let Some(Symbol::Latch(marker)) = self.instance(at) else {
             return None;
         };
         self.unconditional(at)?;
-        let point = Some(Address::Marker(marker));
-        let contact = Draft::contact(point, false).ok()?.step;
-        let contact = vec![Item::Leaf(Leaf::plain((at, 10), contact))];
-        if self.written.insert(at, true).is_some() {
-            return Some(contact);
-        }
         // What is stronger comes last.
-        let pins = match name {
+        let pins = match self.network.elements[at].block().as_str() {
             "SR" => [("R", Coil::Reset), ("S1", Coil::Set)],
             _ => [("S", Coil::Set), ("R1", Coil::Reset)],
         };
         for (part, (input, coil)) in pins.into_iter().enumerate() {
             let circuit = self.power(at, input)?;
-            let step = Draft::coil(point, coil).ok()?.step;
+            let step = Draft::coil(Some(Address::Marker(marker)), coil).ok()?.step;
             let leaf = Leaf::plain((at, part), step).output();
             self.before.push((at, followed(circuit, leaf)));
         }
-        Some(contact)
+        Some(())
     }
 
     pub(crate) fn edge_block(&mut self, at: usize, name: &str) -> Option<Circuit> {

@@ -5,12 +5,13 @@
 //!
 //! The way in ([`import`]):
 //!
-//! - `xml`: text → tree, bounded; `project`: POUs, variables, what runs and in which order
+//! - `bounds`: what a text may hold; `xml`: text → tree; `project`: POUs, variables, what runs and in which order
 //! - `network`: the elements of a ladder body, and the wires between them
 //! - `symbol`: what a variable can be; `points`, `allot`: which point of the board it gets; `scope`: what a name means in a POU
 //! - `circuit`: what stands in series and in parallel; `flow`: the way of the power to each output
 //! - `contacts`, `blocks`, `instances`, `values`: what stands on that way
-//! - `outputs`: the circuits of a network; `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
+//! - `pins`, `unused`: wires that lead nowhere, and what they come from
+//! - `outputs`: the circuits of a network; `effects`: which of them may change places; `rungs`: circuits to rungs of a document; `program`: all of it; `checked`: the document as a board checks it
 //! - `body`: bodies of text, which `unoclp-lang` compiles
 //!
 //! The way out ([`export()`]): `export`.
@@ -23,9 +24,11 @@
 mod allot;
 mod blocks;
 mod body;
+mod bounds;
 mod checked;
 mod circuit;
 mod contacts;
+mod effects;
 mod export;
 mod flow;
 mod found;
@@ -33,12 +36,14 @@ mod imported;
 mod instances;
 mod network;
 mod outputs;
+mod pins;
 mod points;
 mod program;
 mod project;
 mod rungs;
 mod scope;
 mod symbol;
+mod unused;
 mod values;
 mod xml;
 

@@ -11,7 +11,13 @@ pub(crate) struct Network<'a, 'x> {
     /// What the POU is called.
     pub pou: String,
     pub elements: Vec<Element<'a, 'x>>,
+    /// What the outputs of each element lead to.
+    pub readers: Vec<Vec<Reader<'a>>>,
     by_id: HashMap<&'a str, usize>,
+    /// The first connector of each name.
+    connectors: HashMap<&'a str, usize>,
+    /// The continuations of each name.
+    continued: HashMap<&'a str, Vec<usize>>,
 }
 
 /// A contact, a coil, a block, or whatever else is drawn.
@@ -20,6 +26,10 @@ pub(crate) struct Element<'a, 'x> {
     pub local: &'a str,
     /// The name of its XML element: `contact`.
     pub kind: &'x str,
+    /// The variable of a contact or a coil, the expression of a value.
+    pub written: String,
+    /// When it runs, where that is said, from 1.
+    pub order: Option<u32>,
     /// Where it stands: from top to bottom, from left to right.
     pub place: (i64, i64),
     /// What it has as inputs; the only one of a contact has no name.
@@ -38,6 +48,14 @@ pub(crate) struct Pin<'a> {
     pub wires: Vec<Wire<'a>>,
 }
 
+/// The end of a wire: the element that it leads to.
+#[derive(Clone, Copy)]
+pub(crate) struct Reader<'a> {
+    pub at: usize,
+    /// The output that leads there.
+    pub output: &'a str,
+}
+
 /// The beginning of a wire: an output of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Wire<'a> {
@@ -53,31 +71,87 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
         let mut network = Network {
             pou: pou.to_owned(),
             elements: Vec::new(),
+            readers: Vec::new(),
             by_id: HashMap::new(),
+            connectors: HashMap::new(),
+            continued: HashMap::new(),
         };
         let nodes: Vec<Node<'_, '_>> = body.children().filter(Node::is_element).collect();
         for (index, node) in nodes.iter().enumerate() {
-            if let Some(local) = node.attribute("localId") {
-                network.by_id.entry(local).or_insert(index);
+            let Some(local) = node.attribute("localId") else {
+                continue;
+            };
+            if network.by_id.insert(local, index).is_some() {
+                let who = network.named(local).into();
+                found.tell(Code::XmlSameId, *node, [who]);
             }
         }
         for node in nodes {
             let element = network.element(node, found);
             network.elements.push(element);
         }
+        network.link();
         network
+    }
+
+    /// Notes where outputs and connectors lead.
+    fn link(&mut self) {
+        self.readers.resize_with(self.elements.len(), Vec::new);
+        for (at, element) in self.elements.iter().enumerate() {
+            for pin in &element.inputs {
+                for wire in &pin.wires {
+                    let output = wire.output;
+                    self.readers[wire.from].push(Reader { at, output });
+                }
+            }
+            let name = element.node.attribute("name").unwrap_or_default();
+            match element.kind {
+                "connector" => drop(self.connectors.entry(name).or_insert(at)),
+                "continuation" => self.continued.entry(name).or_default().push(at),
+                _ => {}
+            }
+        }
+    }
+
+    /// The connector that a continuation goes on from.
+    pub(crate) fn connector(&self, continuation: usize) -> Option<usize> {
+        let name = self.elements[continuation].node.attribute("name");
+        self.connectors.get(name.unwrap_or_default()).copied()
+    }
+
+    /// What goes on from a connector: of several with one name, from the first.
+    pub(crate) fn continuations(&self, connector: usize) -> &[usize] {
+        let name = self.elements[connector].node.attribute("name");
+        let name = name.unwrap_or_default();
+        match self.connectors.get(name) == Some(&connector) {
+            true => self.continued.get(name).map_or(&[], |at| at),
+            false => &[],
+        }
+    }
+
+    /// Whether power ends at an element that drives nothing: a right rail, or a connector that nothing continues.
+    pub(crate) fn is_end(&self, at: usize) -> bool {
+        match self.elements[at].kind {
+            "rightPowerRail" => true,
+            "connector" => self.continuations(at).is_empty(),
+            _ => false,
+        }
     }
 
     /// `Main, element 12`.
     pub(crate) fn name(&self, element: usize) -> (String, String) {
-        let pou = &self.pou;
-        match self.elements.get(element).map(|element| element.local) {
-            Some(local) => (
-                format!("`{pou}`, element {local}"),
-                format!("`{pou}`, elemento {local}"),
-            ),
-            None => (format!("`{pou}`"), format!("`{pou}`")),
+        match self.elements.get(element) {
+            Some(element) => self.named(element.local),
+            None => (format!("`{}`", self.pou), format!("`{}`", self.pou)),
         }
+    }
+
+    fn named(&self, local: &str) -> (String, String) {
+        let pou = &self.pou;
+        (
+            format!("`{pou}`, element {local}"),
+            format!("`{pou}`, elemento {local}"),
+        )
     }
 
     fn element(&self, node: Node<'a, 'x>, found: &mut Found) -> Element<'a, 'x> {
@@ -89,8 +163,18 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
             number as i64
         };
         let place = first(node, "position").map_or((0, 0), |at| (number(at, "y"), number(at, "x")));
+        let written = first(node, "variable").or_else(|| first(node, "expression"));
+        let mut written = written.map_or(String::new(), text).trim().to_owned();
+        if written.len() > LONGEST {
+            let words = [&*written.len().to_string(), "bytes"].join(" ").into();
+            found.tell(Code::XmlTooLarge, node, [words]);
+            written = written.chars().take(SHOWN).collect();
+        }
+        let order = node.attribute("executionOrderId");
         let mut element = Element {
             node,
+            written,
+            order: order.and_then(|n| n.parse().ok()).filter(|n| *n > 0),
             local: node.attribute("localId").unwrap_or("?"),
             kind: node.tag_name().name(),
             place,
@@ -141,10 +225,7 @@ impl<'a, 'x: 'a> Network<'a, 'x> {
                 Some(&from) => wires.push(Wire { from, output }),
                 None => {
                     let local = element.attribute("localId").unwrap_or("?");
-                    let who = (
-                        format!("`{}`, element {local}", self.pou),
-                        format!("`{}`, elemento {local}", self.pou),
-                    );
+                    let who = self.named(local);
                     found.tell(Code::XmlWire, connection, [who.into(), id.into()]);
                 }
             }
@@ -170,12 +251,6 @@ impl<'a> Element<'a, '_> {
         self.input(name).map_or(&[], |pin| &pin.wires)
     }
 
-    /// What is written at it: the variable of a contact or a coil, the expression of a value.
-    pub(crate) fn written(&self) -> String {
-        let element = first(self.node, "variable").or_else(|| first(self.node, "expression"));
-        element.map_or(String::new(), text).trim().to_owned()
-    }
-
     /// The type of a block, in upper case.
     pub(crate) fn block(&self) -> String {
         let name = self.node.attribute("typeName").unwrap_or_default();
@@ -193,11 +268,23 @@ impl<'a> Element<'a, '_> {
         outputs.any(|(name, negated)| *negated && name.eq_ignore_ascii_case(output))
     }
 
-    /// Whether it is a rail at which power ends.
-    pub(crate) fn is_right_rail(&self) -> bool {
-        self.kind == "rightPowerRail"
+    /// Whether it is a block that remembers something which can be read elsewhere.
+    pub(crate) fn remembers(&self) -> bool {
+        let block = self.block();
+        let base = block.split('_').next().unwrap_or_default();
+        self.kind == "block"
+            && matches!(
+                base,
+                "TON" | "TOF" | "TP" | "CTU" | "CTD" | "CTUD" | "SR" | "RS"
+            )
     }
 }
+
+/// The most bytes of a variable or an expression.
+const LONGEST: usize = 1_000;
+
+/// So many characters of a longer one are shown.
+const SHOWN: usize = 40;
 
 /// `rising`, `falling`; else empty.
 pub(crate) fn edge<'a>(of: Node<'a, '_>) -> &'a str {

@@ -1,69 +1,155 @@
 //! The circuits of a network, one for each output: what they have in common stands once.
 
-use crate::circuit::{Circuit, below, heads, leaves, within};
+use crate::circuit::{Circuit, below, heads, leaves, size, within};
+use crate::effects::Effects;
 use crate::flow::Flow;
 use crate::network::{Element, Network};
-use std::collections::{HashMap, HashSet};
+use crate::{pins, unused};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use unoclp_lang::Code;
 
-/// The circuits of a network, each with its place.
+/// The circuits of a network, in the order in which they run.
 pub(crate) fn circuits(flow: &mut Flow<'_, '_, '_>) -> Vec<Circuit> {
     let network = flow.network;
-    let mut circuits: Vec<Circuit> = Vec::new();
-    let mut by_head: HashMap<usize, Vec<usize>> = HashMap::new();
+    let mut made = Made::default();
     let mut labels = labels(network).into_iter().peekable();
-    // What is drawn behind a label or a jump stands behind it: in no circuit before this one, and where that has the
-    // jump, behind that.
-    let (mut since, mut jump) = (0, None);
+    pins::check(flow);
+    unused::check(flow);
     for sink in sinks(flow) {
         let top = network.elements[sink].place.0;
         while labels.next_if(|label| *label <= top).is_some() {
-            (since, jump) = (circuits.len(), None);
+            (made.since, made.jump) = (made.circuits.len(), None);
         }
-        let is_jump = matches!(network.elements[sink].kind, "jump" | "return");
-        if is_jump {
-            since = since.max(circuits.len().saturating_sub(1));
+        made.output(sink, flow);
+    }
+    // What nothing has asked for is called all the same.
+    (made.since, made.jump) = (made.circuits.len(), None);
+    for at in (0..network.elements.len()).filter(|at| network.elements[*at].remembers()) {
+        if !flow.is_called(at) {
+            made.output(at, flow);
+        }
+    }
+    once(network, &made.circuits, flow);
+    made.circuits
+}
+
+/// Circuits as they are made.
+#[derive(Default)]
+struct Made {
+    circuits: Vec<Circuit>,
+    /// What each of them reads and writes.
+    effects: Vec<Effects>,
+    /// Those that begin with an element.
+    by_head: HashMap<usize, Vec<usize>>,
+    /// What is drawn behind a label or a jump stands behind it: in no circuit before this one, and where that has the
+    /// jump, behind that.
+    since: usize,
+    jump: Option<usize>,
+}
+
+impl Made {
+    /// Adds what ends at this element, and what has to come before it.
+    fn output(&mut self, sink: usize, flow: &mut Flow<'_, '_, '_>) {
+        let element = &flow.network.elements[sink];
+        if is_leave(element) {
+            self.since = self.since.max(self.circuits.len().saturating_sub(1));
+        }
+        if let Some(order) = element.order
+            && flow.calls.contains_key(&sink)
+        {
+            // Something that comes before it has asked for its result.
+            flow.tell(Code::XmlOrder, sink, [order.to_string().into()]);
+            return;
         }
         let circuit = flow.output(sink);
         let before = std::mem::take(&mut flow.before);
         let is_alone = before.is_empty();
         for (_, circuit) in before {
-            circuits.push(circuit);
+            self.push(circuit, flow);
         }
         if circuit.is_none() && !flow.found.has_errors() {
             flow.tell(Code::XmlTangle, sink, []);
         }
-        let Some(mut circuit) = circuit.filter(|circuit| !circuit.is_empty()) else {
-            continue;
-        };
-        let mut begins = Vec::new();
-        heads(&circuit, &mut |head| begins.push(head));
-        let like: HashSet<usize> = begins
-            .iter()
-            .filter_map(|head| by_head.get(head))
-            .flatten()
-            .copied()
-            .filter(|at| is_alone && *at >= since)
-            .collect();
-        let mut like: Vec<usize> = like.into_iter().collect();
-        like.sort_unstable_by(|one, other| other.cmp(one));
-        let joined = like.into_iter().find(|&at| {
-            let behind = jump.filter(|_| at == since);
-            join(&mut circuits[at], &mut circuit, sink, behind)
-        });
-        let at = joined.unwrap_or_else(|| {
-            circuits.push(circuit);
-            circuits.len() - 1
-        });
-        if is_jump {
-            (since, jump) = (at, Some(sink));
-        }
-        for head in begins {
-            by_head.entry(head).or_default().push(at);
+        if let Some(circuit) = circuit.filter(|circuit| !circuit.is_empty()) {
+            self.add(circuit, sink, is_alone, flow);
         }
     }
-    once(network, &circuits, flow);
-    circuits
+
+    fn push(&mut self, circuit: Circuit, flow: &Flow<'_, '_, '_>) {
+        self.effects.push(effects(&circuit, flow));
+        self.circuits.push(circuit);
+    }
+
+    /// Adds the circuit of an output, to one that begins alike where it may stand there.
+    fn add(
+        &mut self,
+        mut circuit: Circuit,
+        sink: usize,
+        may_join: bool,
+        flow: &mut Flow<'_, '_, '_>,
+    ) {
+        let mut begins = Vec::new();
+        heads(&circuit, &mut |head| begins.push(head));
+        let at = match may_join {
+            true => self.join(&mut circuit, &begins, sink, flow),
+            false => None,
+        };
+        let at = at.unwrap_or_else(|| {
+            self.push(circuit, flow);
+            self.circuits.len() - 1
+        });
+        if is_leave(&flow.network.elements[sink]) {
+            (self.since, self.jump) = (at, Some(sink));
+        }
+        for head in begins {
+            let known = self.by_head.entry(head).or_default();
+            if known.last() != Some(&at) {
+                known.push(at);
+            }
+        }
+    }
+
+    /// Puts a circuit into the last one that begins alike, unless something between them would then come too late.
+    fn join(
+        &mut self,
+        circuit: &mut Circuit,
+        begins: &[usize],
+        sink: usize,
+        flow: &mut Flow<'_, '_, '_>,
+    ) -> Option<usize> {
+        let known = begins.iter().filter_map(|head| self.by_head.get(head));
+        let like: BTreeSet<usize> = known
+            .flat_map(|at| at.iter().rev().take_while(|at| **at >= self.since))
+            .copied()
+            .collect();
+        let own = effects(circuit, flow);
+        let mut between = self.circuits.len();
+        for at in like.into_iter().rev() {
+            let looked_at = size(&self.circuits[at]) + (between - at) * own.len();
+            flow.spend(sink, looked_at)?;
+            // What is common stands where it did.
+            let mut passed = self.effects[at + 1..between].iter();
+            if passed.any(|passed| own.meet(passed)) {
+                return None;
+            }
+            between = at + 1;
+            let behind = self.jump.filter(|_| at == self.since);
+            if join(&mut self.circuits[at], circuit, sink, behind) {
+                self.effects[at].extend(own);
+                return Some(at);
+            }
+        }
+        None
+    }
+}
+
+/// Whether an element leaves what follows out.
+fn is_leave(element: &Element<'_, '_>) -> bool {
+    matches!(element.kind, "jump" | "return")
+}
+
+fn effects(circuit: &Circuit, flow: &Flow<'_, '_, '_>) -> Effects {
+    Effects::of(circuit, |at| flow.all.timers.get(&(flow.pou, at)).copied())
 }
 
 /// Makes one of two circuits that begin alike, where the output comes behind this jump; else it leaves both as they are.
@@ -113,37 +199,49 @@ fn once(network: &Network<'_, '_>, circuits: &[Circuit], flow: &mut Flow<'_, '_,
     }
 }
 
-/// The elements at which power ends, from top to bottom.
+/// The elements at which power ends, in the order in which they run: from top to bottom, between two labels or jumps
+/// those first that have an order.
 fn sinks(flow: &mut Flow<'_, '_, '_>) -> Vec<usize> {
     let network = flow.network;
-    let mut leads_on = vec![false; network.elements.len()];
-    let continued: HashSet<_> = network
-        .elements
-        .iter()
-        .filter(|e| e.kind == "continuation")
-        .map(|e| e.node.attribute("name"))
-        .collect();
-    // A right rail leads nowhere, nor does a connector that nothing continues.
-    let takes = |element: &&Element<'_, '_>| match element.kind {
-        "connector" => continued.contains(&element.node.attribute("name")),
-        _ => !element.is_right_rail(),
-    };
-    for element in network.elements.iter().filter(takes) {
-        for wire in element.inputs.iter().flat_map(|pin| &pin.wires) {
-            leads_on[wire.from] = true;
-        }
-    }
     let mut sinks = Vec::new();
     for (at, element) in network.elements.iter().enumerate() {
+        let mut readers = network.readers[at].iter();
+        let leads_on = readers.any(|reader| !network.is_end(reader.at));
         match element.kind {
-            "coil" | "contact" | "block" if !leads_on[at] => sinks.push(at),
+            "block" if element.order.is_some() && element.remembers() => sinks.push(at),
+            "coil" | "contact" | "block" if !leads_on => sinks.push(at),
             "coil" | "contact" | "block" => {}
-            "outVariable" | "jump" | "return" => sinks.push(at),
+            "inOutVariable" if element.wires("").is_empty() => {}
+            "outVariable" | "inOutVariable" | "jump" | "return" => sinks.push(at),
             "leftPowerRail" | "rightPowerRail" | "comment" | "label" | "inVariable" => {}
-            "connector" | "continuation" | "inOutVariable" => {}
+            "connector" | "continuation" => {}
             kind => flow.tell(Code::XmlElement, at, [kind.into()]),
         }
     }
-    sinks.sort_by_key(|&at| (network.elements[at].place, at));
+    let parts = |at: &usize| matches!(network.elements[*at].kind, "label" | "jump" | "return");
+    let place = |at: usize| (network.elements[at].place, at);
+    let mut parting: Vec<_> = (0..network.elements.len())
+        .filter(parts)
+        .map(place)
+        .collect();
+    parting.sort_unstable();
+    sinks.sort_by_cached_key(|&at| {
+        let part = parting.partition_point(|parting| *parting < place(at));
+        let order = order(network, at).unwrap_or(u32::MAX);
+        (part, parts(&at), order, place(at))
+    });
     sinks
+}
+
+/// The order of an output: its own, else that of the function whose result it takes.
+fn order(network: &Network<'_, '_>, at: usize) -> Option<u32> {
+    let element = &network.elements[at];
+    let [wire] = element.wires("") else {
+        return element.order;
+    };
+    let from = &network.elements[wire.from];
+    let of_function = from
+        .order
+        .filter(|_| from.kind == "block" && !from.remembers());
+    element.order.or(of_function)
 }

@@ -14,11 +14,12 @@ use crate::project::{Pou, Project};
 use crate::rungs::Rungs;
 use crate::scope::Scope;
 use crate::symbol::Symbol;
-use crate::xml::{self, first, text};
+use crate::xml::{self, all, first, text};
 use std::collections::HashMap;
 use std::sync::Arc;
+use unoclp_checked::Checked;
 use unoclp_core::Profile;
-use unoclp_core::isa::{Class, Kind, LABELS, Opcode};
+use unoclp_core::isa::{Class, Kind, LABELS, OUTPUT_OPERAND, Opcode};
 use unoclp_ladder::edit::{Document, Draft, Id, Node, Series, Step};
 use unoclp_ladder::{Address, Names};
 use unoclp_lang::{Code, Span, Told};
@@ -43,9 +44,25 @@ pub fn import(text: &str, board: Profile) -> Imported {
             }
             None => {}
         }
+        let program = imported.program.as_ref();
+        if let (Some((program, _)), Some(first)) = (program, project.programs.first())
+            && !touches_points(program)
+        {
+            found.tell(Code::XmlNoPoint, first.node, []);
+        }
     }
     imported.diagnostics = found.finish();
     imported
+}
+
+/// Whether a program reads an input of the board or drives an output.
+fn touches_points(program: &Checked) -> bool {
+    let mut steps = program.program().steps();
+    steps.any(|step| match step.opcode.row().kind {
+        Kind::Input | Kind::Output | Kind::Analogue | Kind::Pwm | Kind::Filter => true,
+        Kind::Timer => step.codes().last() >= Some(OUTPUT_OPERAND),
+        _ => false,
+    })
 }
 
 /// The language of all programs.
@@ -53,6 +70,11 @@ fn language<'x>(project: &Project<'_, 'x>, found: &mut Found) -> Option<&'x str>
     let mut language: Option<(&str, &Pou<'_, '_>)> = None;
     for pou in &project.programs {
         let own = pou.body.map_or("?", |(language, _)| language);
+        if all(pou.node, "body").nth(1).is_some() {
+            let sheets = ("on several sheets", "em várias folhas").into();
+            found.tell(Code::XmlBody, pou.node, [pou.name.clone().into(), sheets]);
+            continue;
+        }
         if !matches!(own, "LD" | "ST" | "IL") {
             found.tell(
                 Code::XmlBody,
@@ -85,19 +107,32 @@ fn ladder(
         .chain(&project.globals)
         .filter_map(|v| v.address.as_deref());
     addresses.for_each(|address| points.take(address));
-    let networks: Vec<Network<'_, '_>> = project
-        .programs
-        .iter()
-        .filter_map(|pou| Some(Network::read(&pou.name, pou.body?.1, found)))
-        .collect();
+    let mut networks: Vec<Network<'_, '_>> = Vec::new();
+    let mut size = 0;
+    for pou in &project.programs {
+        let Some((_, body)) = pou.body else { continue };
+        size += body.children().count();
+        if size > MOST_ELEMENTS {
+            let en = format!("more than {MOST_ELEMENTS} elements");
+            let pt = format!("mais de {MOST_ELEMENTS} elementos");
+            found.tell(Code::XmlTooLarge, pou.node, [(en, pt).into()]);
+            return;
+        }
+        networks.push(Network::read(&pou.name, body, found));
+    }
     for element in networks.iter().flat_map(|network| &network.elements) {
-        points.take(&element.written());
+        points.take(&element.written);
     }
     let mut all = Allotted::new(points, &project.globals);
+    let elements = networks.iter().flat_map(|network| &network.elements);
+    let instances = elements.filter_map(|element| element.node.attribute("instanceName"));
+    all.called.extend(instances.map(str::to_uppercase));
     let mut rungs = Rungs::default();
+    let mut work = 0;
     for (index, (pou, network)) in project.programs.iter().zip(&networks).enumerate() {
         let mut scope = Scope::new(&pou.variables);
         let mut flow = Flow::new(index, network, &mut scope, &mut all, found);
+        flow.work = work;
         labels(&mut flow);
         let mut elements = network.elements.iter();
         if let Some(leaves) = elements.position(|element| element.kind == "return")
@@ -109,6 +144,7 @@ fn ladder(
             }
         }
         let circuits = circuits(&mut flow);
+        work = flow.work;
         let title = (networks.len() > 1).then(|| pou.name.clone());
         rungs.add(&flow, &circuits, title);
         rungs.labels.extend(flow.end);
@@ -134,6 +170,9 @@ fn ladder(
         imported.document = Some(document);
     }
 }
+
+/// The programs of a project have no more elements, spaces between them among them; a board holds far fewer.
+const MOST_ELEMENTS: usize = 50_000;
 
 /// Gives the labels of a program their numbers, first those whose names say one.
 fn labels(flow: &mut Flow<'_, '_, '_>) {
@@ -194,10 +233,15 @@ fn begin(all: &Allotted, rungs: &mut Rungs) {
                 let set = Draft::coil(Some(*point), unoclp_ladder::edit::Coil::Set);
                 parts.extend(set.ok().map(|draft| Part::from(draft.step)));
             }
-            Symbol::Number(point @ Address::Register(_)) => {
+            Symbol::Number(Address::Register(_)) | Symbol::Pwm(_) => {
                 let load = Step::new(Opcode::Load).with_number(0);
                 parts.push(load.with_lines([Some(*first)]).into());
-                parts.push(Step::new(Opcode::Store).with_number(point.number()).into());
+                let store = match symbol {
+                    Symbol::Pwm(output) => Step::new(Opcode::StorePwm).with_number(*output),
+                    Symbol::Number(point) => Step::new(Opcode::Store).with_number(point.number()),
+                    _ => continue,
+                };
+                parts.push(store.into());
             }
             _ => {}
         }

@@ -3,6 +3,7 @@
 use crate::found::{Found, span};
 use crate::xml::{all, first, says, text};
 use roxmltree::Node;
+use std::collections::{HashMap, HashSet};
 use unoclp_lang::{Code, Span};
 
 /// What of a project is imported.
@@ -79,24 +80,45 @@ impl<'a, 'x: 'a> Project<'a, 'x> {
         let instances = root
             .descendants()
             .filter(|node| node.has_tag_name(("", "pouInstance")) || is(node, "pouInstance"));
-        let types: Vec<&str> = instances
-            .filter_map(|instance| instance.attribute("typeName"))
-            .collect();
-        let same = |pou: &Pou<'_, '_>, name: &str| pou.name.eq_ignore_ascii_case(name);
-        if types.is_empty() {
+        let mut by_name = HashMap::new();
+        for (at, pou) in self.programs.iter().enumerate() {
+            by_name.entry(pou.name.to_uppercase()).or_insert(at);
+        }
+        let mut run = Vec::new();
+        let mut is_named = false;
+        for instance in instances {
+            let Some(name) = instance.attribute("typeName") else {
+                continue;
+            };
+            is_named = true;
+            match by_name.get(&name.to_uppercase()) {
+                // No task runs a program more often than there is room on any board.
+                Some(_) if run.len() == MOST_RUN => {
+                    let en = format!("tasks run more than {MOST_RUN} programs");
+                    let pt = format!("tarefas executam mais de {MOST_RUN} programas");
+                    found.tell(Code::XmlTooLarge, instance, [(en, pt).into()]);
+                    break;
+                }
+                Some(&at) => run.push(at),
+                None => {
+                    let who = ("a task", "uma tarefa").into();
+                    found.tell(Code::XmlUndeclared, instance, [who, name.into()]);
+                }
+            }
+        }
+        if !is_named {
             return;
         }
-        for pou in &self.programs {
-            if !types.iter().any(|name| same(pou, name)) {
+        let named: HashSet<usize> = run.iter().copied().collect();
+        for (at, pou) in self.programs.iter().enumerate() {
+            if !named.contains(&at) {
                 found.tell(Code::XmlNotRun, pou.node, [pou.name.clone().into()]);
             }
         }
-        let run = types.iter().filter_map(|name| {
-            let mut programs = self.programs.iter();
-            programs.find(|pou| same(pou, name)).cloned()
-        });
-        // No task runs a program more often than there is room on any board.
-        self.programs = run.take(MOST_RUN).collect();
+        self.programs = run
+            .into_iter()
+            .filter_map(|at| self.programs.get(at).cloned())
+            .collect();
     }
 }
 

@@ -1,15 +1,16 @@
 //! What a name means in a program.
 
-use crate::allot::{Allotted, allot, by_name};
+use crate::allot::{Allotted, Place, allot, by_name};
 use crate::found::Found;
 use crate::project::Variable;
 use crate::symbol::{Counts, Meaning, Symbol, number, symbol_of};
 use std::collections::HashMap;
+use std::sync::Arc;
 use unoclp_lang::{Code, Span, Word};
 
 /// The names of one program.
 pub(crate) struct Scope {
-    locals: HashMap<String, (Variable, Option<Symbol>)>,
+    locals: HashMap<String, Place>,
 }
 
 impl Scope {
@@ -55,11 +56,9 @@ impl Scope {
             }
             return number.map(|number| Meaning::Symbol(Symbol::Constant(number)));
         }
-        let (name, member) = match upper.split_once('.') {
-            Some((name, member)) => (name, Some(member)),
-            None => (upper.as_str(), None),
-        };
-        let symbol = self.symbol(name, who, at, all, found)?;
+        let member = upper.split_once('.').map(|(_, member)| member);
+        let own = written.trim().split('.').next().unwrap_or_default();
+        let symbol = self.symbol(own, who, at, all, found)?;
         let meaning = match (symbol, member) {
             (symbol, None) => Some(Meaning::Symbol(symbol)),
             (Symbol::Timer(_), Some("Q")) => Some(Meaning::Symbol(symbol)),
@@ -87,23 +86,30 @@ impl Scope {
         all: &mut Allotted,
         found: &mut Found,
     ) -> Option<Symbol> {
-        let local = self.locals.get(name);
-        let Some((variable, known)) = local.or_else(|| all.globals.get(name)).cloned() else {
+        let upper = name.to_uppercase();
+        let own = match self.locals.get_mut(&upper) {
+            Some(local) => Some(local),
+            None => all.globals.get_mut(&upper),
+        };
+        let Some(own) = own else {
             found.tell_at(Code::XmlUndeclared, at, [who.clone(), name.into()]);
             return None;
         };
-        if known.is_some() {
-            return known;
-        }
-        let is_local = local.is_some();
-        let symbol = allot(&variable, who, all, found)?;
-        let own = match is_local {
-            true => self.locals.get_mut(name),
-            false => all.globals.get_mut(name),
+        let variable = match own {
+            Place::Waits(variable) => Arc::clone(variable),
+            Place::Has(symbol) => return Some(*symbol),
+            // That has been told.
+            Place::None => return None,
+        };
+        let symbol = allot(&variable, who, all, found);
+        let place = symbol.map_or(Place::None, Place::Has);
+        let own = match self.locals.get_mut(&upper) {
+            Some(local) => Some(local),
+            None => all.globals.get_mut(&upper),
         };
         if let Some(own) = own {
-            own.1 = Some(symbol);
+            *own = place;
         }
-        Some(symbol)
+        symbol
     }
 }

@@ -40,9 +40,10 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             return None;
         }
         let written = match from.kind {
-            "inVariable" | "inOutVariable" => from.written(),
+            "inVariable" | "inOutVariable" => from.written.clone(),
             "block" => match wire.output.to_uppercase().as_str() {
                 member @ ("ET" | "CV") => {
+                    self.call(wire.from)?;
                     let instance = from.node.attribute("instanceName");
                     format!("{}.{member}", instance.unwrap_or_default())
                 }
@@ -86,7 +87,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// Tells that a number is taken for a truth, which could be negated or have an edge.
     fn inverts(&mut self, at: usize, what: &str) {
         let what = match what {
-            "" => self.network.elements[at].written(),
+            "" => self.network.elements[at].written.clone(),
             name => name.to_owned(),
         };
         self.wants(at, &format!("NOT {what}"), "INT", "BOOL");
@@ -211,12 +212,12 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     pub(crate) fn stores(&mut self, at: usize) -> Option<Vec<Part>> {
         let network = self.network;
         let mut parts: Vec<Part> = Vec::new();
-        for (index, element) in network.elements.iter().enumerate() {
-            let [wire] = element.wires("") else { continue };
-            let behind = element.kind == "outVariable" && wire.from == at;
-            if behind && self.gives_number(at, wire.output) {
-                if network.elements[at].is_negated(wire.output) {
-                    self.inverts(at, wire.output);
+        for reader in &network.readers[at] {
+            let kind = network.elements[reader.at].kind;
+            let behind = matches!(kind, "outVariable" | "inOutVariable");
+            if behind && self.gives_number(at, reader.output) {
+                if network.elements[at].is_negated(reader.output) {
+                    self.inverts(at, reader.output);
                     return None;
                 }
                 if parts.is_empty() {
@@ -226,7 +227,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                         .map(Part::from)
                         .collect();
                 }
-                parts.push(self.store(index)?.into());
+                parts.push(self.store(reader.at)?.into());
             }
         }
         Some(parts)
@@ -235,12 +236,12 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The store to the variable of an element.
     pub(crate) fn store(&mut self, at: usize) -> Option<Step> {
         let element = &self.network.elements[at];
-        let written = element.written();
+        let written = &element.written;
         if element.negated() {
-            self.inverts(at, &written);
+            self.inverts(at, written);
             return None;
         }
-        match self.meaning(at, &written)? {
+        match self.meaning(at, written)? {
             Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
                 Some(Step::new(Opcode::Store).with_number(register))
             }
@@ -248,11 +249,11 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                 Some(Step::new(Opcode::StorePwm).with_number(output))
             }
             Meaning::Symbol(Symbol::Bit(_)) => {
-                self.wants(at, &written, "BOOL", "INT");
+                self.wants(at, written, "BOOL", "INT");
                 None
             }
             _ => {
-                self.tell(Code::XmlWritten, at, [written.into()]);
+                self.tell(Code::XmlWritten, at, [written.as_str().into()]);
                 None
             }
         }

@@ -1,21 +1,17 @@
 //! The text of a file as a tree, within bounds.
 
+use crate::bounds::{LARGEST, beyond};
 use crate::found::Found;
 use roxmltree::{Document, Node, ParsingOptions};
 use unoclp_lang::{Code, Span};
-
-/// The largest file that is read, in bytes; those of other languages are bounded likewise.
-const LARGEST: usize = 1 << 20;
 
 /// The most nodes of a tree: a tag takes at least four bytes.
 const MOST_NODES: u32 = (LARGEST / 4) as u32;
 
 /// The tree of a text. A document type is refused, and with it all entities but those of XML itself.
 pub(crate) fn parse<'t>(text: &'t str, found: &mut Found) -> Option<Document<'t>> {
-    let nowhere = Span::default();
-    if text.len() > LARGEST {
-        let size = format!("{} > {LARGEST} bytes", text.len());
-        found.tell_at(Code::XmlTooLarge, nowhere, [size.into()]);
+    if let Some((at, what)) = beyond(text) {
+        found.tell_at(Code::XmlTooLarge, at, [what]);
         return None;
     }
     let options = ParsingOptions {

@@ -77,3 +77,105 @@ fn deep_and_large_projects_end() {
         assert!(made.program.is_none() && !made.diagnostics.is_empty());
     }
 }
+
+/// A body that a board could not hold ends by what it makes the import look at, and is told.
+#[test]
+fn each_kind_of_size_is_bounded() {
+    let rail = r#"<leftPowerRail localId="r"><connectionPointOut/></leftPowerRail>"#;
+    let a = r#"<variable name="a" address="%IX0.0"><type><BOOL/></type></variable>"#;
+    let many = |count: usize, of: &dyn Fn(usize) -> String| (0..count).map(of).collect::<String>();
+    let ladder = |body: String| project(a, &format!("<LD>{rail}{body}</LD>"));
+    let element = |kind: &str, id: usize, from: &str, variable: &str| {
+        format!(
+            r#"<{kind} localId="{id}"><connectionPointIn><connection refLocalId="{from}"/></connectionPointIn><connectionPointOut/><variable>{variable}</variable></{kind}>"#
+        )
+    };
+    let numbered = |id: usize| element("coil", id, "r", "%QX0.0");
+    let inputs = |count| {
+        many(count, &|_| {
+            r#"<variable formalParameter="IN1"><connectionPointIn><connection refLocalId="v"/></connectionPointIn></variable>"#.to_owned()
+        })
+    };
+    let value =
+        r#"<inVariable localId="v"><connectionPointOut/><expression>1</expression></inVariable>"#;
+    let long = "x".repeat(300_000);
+    let pairs = |count: usize, back: usize| {
+        many(count, &|id| {
+            let from = match id.checked_sub(back) {
+                Some(before) => before.to_string(),
+                None => "r".to_owned(),
+            };
+            element("contact", 2 * id, &from, "a") + &element("coil", 2 * id + 1, &from, "%QX0.0")
+        })
+    };
+    let project_text = project(a, "<LD/>");
+    let with = |from: &str, to: &str| project_text.replacen(from, to, 1);
+    let texts = [
+        // The text itself.
+        with(
+            "<project ",
+            &format!(
+                "<project {} ",
+                many(20_000, &|n| format!(r#"xmlns:n{n}="u" "#))
+            ),
+        ),
+        with(
+            "<types>",
+            &many(20_000, &|n| format!(r#"<n xmlns:n{n}="u{n}"/>"#)),
+        ),
+        with(
+            "<project ",
+            &format!("<project {} ", many(90_000, &|n| format!(r#"n{n}="" "#))),
+        ),
+        with(
+            "<LD/>",
+            &format!(
+                "{}{}",
+                "<arrayValue><value>".repeat(15_000),
+                "</value></arrayValue>".repeat(15_000)
+            ),
+        ),
+        with("name=\"Main\"", &format!("name=\"{long}\"")),
+        // What it declares and runs.
+        with(
+            "<pous>",
+            &format!(
+                "<pous>{}",
+                many(15_000, &|n| format!(
+                    r#"<pou name="p{n}" pouType="program"/>"#
+                ))
+            ),
+        ),
+        with(
+            "<instances>",
+            &format!(
+                "<instances>{}",
+                "<pouInstance typeName=\"Main\"/>".repeat(25_000)
+            ),
+        ),
+        // Elements, wires and inputs.
+        ladder(many(5_000, &numbered)),
+        ladder(many(8_000, &|id| {
+            format!(r#"<continuation localId="{id}" name="c{id}"/>"#)
+        })),
+        ladder(format!(
+            "{value}<block localId=\"1\" typeName=\"GT\"><inputVariables>{}</inputVariables></block>",
+            inputs(7_000)
+        )),
+        ladder(format!(
+            "{value}<block localId=\"1\" typeName=\"AND\"><inputVariables>{}</inputVariables></block>",
+            inputs(7_000)
+        )),
+        ladder(pairs(2_400, 2)),
+        ladder(pairs(2_400, 0)),
+        ladder(
+            element("contact", 1, "r", "a")
+                + &many(4_000, &|id| element("coil", id + 2, "1", "%QX0.0")),
+        ),
+        ladder(element("contact", 1, "r", &long) + &element("coil", 2, "1", "%QX0.0")),
+    ];
+    for (index, text) in texts.iter().enumerate() {
+        let made = import(text, Profile::UNO);
+        assert!(!made.diagnostics.is_empty(), "{index}");
+    }
+}

@@ -60,7 +60,8 @@ fn addresses_in_a_body_count_as_in_every_language() {
 
 #[test]
 fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
-    for (body, code) in [("<SFC/>", "XML-504"), ("<FBD/>", "XML-504")] {
+    let bodies = ["<SFC/>", "<FBD/>", "<LD/></body><body><LD/>"];
+    for (body, code) in bodies.map(|body| (body, "XML-504")) {
         let made = import(&project("", body), Profile::UNO);
         let told: Vec<String> = made
             .diagnostics

@@ -118,6 +118,51 @@ macro_rules! xml_rows {
         "draw it with contacts, coils and blocks that the page of PLCopen XML names"
         "linha {0}: `{1}` não se escreve em PLCopen XML"
         "desenhe com contatos, bobinas e blocos que a página do PLCopen XML cita";
+    524 XmlNoSink Warning
+        "{0}: `{1}` leads to no output"
+        "draw a coil or a variable after it, or take it out"
+        "{0}: `{1}` não leva a nenhuma saída"
+        "desenhe uma bobina ou uma variável depois dele, ou tire-o";
+    525 XmlNoJump Warning
+        "{0}: no jump leads to the label `{1}`"
+        "draw the jump, or take the label out"
+        "{0}: nenhum desvio leva ao rótulo `{1}`"
+        "desenhe o desvio, ou tire o rótulo";
+    526 XmlInput Error
+        "{0}: `{1}` has no input `{2}`"
+        "wire another input"
+        "{0}: `{1}` não tem a entrada `{2}`"
+        "ligue o fio a outra entrada";
+    527 XmlNoPoint Warning
+        "no program of the project reads an input or drives an output of the board"
+        "give variables an address: %IX0.0 is the first input, %QX0.0 the first output"
+        "nenhum programa do projeto lê uma entrada ou aciona uma saída da placa"
+        "dê endereços às variáveis: %IX0.0 é a primeira entrada, %QX0.0 a primeira saída";
+    528 XmlNotCalled Error
+        "{0}: no block calls `{1}`"
+        "draw the block of this instance"
+        "{0}: nenhum bloco chama `{1}`"
+        "desenhe o bloco desta instância";
+    529 XmlOrder Warning
+        "{0}: execution order {1} comes after an element that takes its result, so it is called earlier"
+        "give it a lower number than that element"
+        "{0}: a ordem de execução {1} vem depois de um elemento que usa o seu resultado, então ele é chamado antes"
+        "dê a ele um número menor que o desse elemento";
+    530 XmlSameId Error
+        "{0}: another element has this number too"
+        "draw one of the two again"
+        "{0}: outro elemento também tem esse número"
+        "desenhe de novo um dos dois";
+    531 XmlFirst Warning
+        "{0}: the first value of `{1}` is left out, because inputs are read before the first scan"
+        "take the first value out"
+        "{0}: o primeiro valor de `{1}` fica de fora, porque as entradas são lidas antes da primeira varredura"
+        "tire o primeiro valor";
+    532 XmlNotKept Warning
+        "{0}: `{1}` is not kept over a power cut"
+        "take a number, a BOOL without an address or %MX7.0 to %MX7.7, or take retain out"
+        "{0}: `{1}` não se conserva em uma queda de energia"
+        "use um número, um BOOL sem endereço ou %MX7.0 a %MX7.7, ou tire o retain";
         }
     };
 }

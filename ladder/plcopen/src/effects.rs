@@ -1,0 +1,78 @@
+//! What circuits read and write: which of them may change places.
+
+use crate::circuit::{Circuit, Leaf, leaves};
+use std::collections::HashSet;
+use unoclp_core::isa::{Class, Kind};
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::Step;
+
+/// The points that circuits read and write.
+#[derive(Default)]
+pub(crate) struct Effects {
+    reads: HashSet<Address>,
+    writes: HashSet<Address>,
+}
+
+impl Effects {
+    /// Those of a circuit; `timer` says which timer an element calls, which its instruction does not.
+    pub(crate) fn of(circuit: &Circuit, timer: impl Fn(usize) -> Option<u8>) -> Effects {
+        let mut effects = Effects::default();
+        leaves(circuit, &mut |leaf| effects.leaf(leaf, &timer));
+        effects
+    }
+
+    fn leaf(&mut self, leaf: &Leaf, timer: &impl Fn(usize) -> Option<u8>) {
+        let steps = leaf
+            .parts
+            .iter()
+            .flat_map(|part| part.load.iter().chain([&part.step]));
+        for step in steps {
+            let class = step.class();
+            let point = match class {
+                Class::Timer => timer(leaf.key.0).map(Address::Timer),
+                _ => point(step),
+            };
+            let writes = matches!(
+                class,
+                Class::Coil | Class::Timer | Class::Count | Class::Store
+            );
+            match writes {
+                true => self.writes.extend(point),
+                false => self.reads.extend(point),
+            }
+        }
+    }
+
+    /// Both together.
+    pub(crate) fn extend(&mut self, other: Effects) {
+        self.reads.extend(other.reads);
+        self.writes.extend(other.writes);
+    }
+
+    /// How many points they are.
+    pub(crate) fn len(&self) -> usize {
+        self.reads.len() + self.writes.len()
+    }
+
+    /// Whether it matters which of both comes first.
+    pub(crate) fn meet(&self, other: &Effects) -> bool {
+        let written = |point| other.writes.contains(point);
+        self.reads.iter().any(written)
+            || self.writes.iter().any(written)
+            || self.writes.iter().any(|point| other.reads.contains(point))
+    }
+}
+
+/// The point that an instruction of an import names.
+fn point(step: &Step) -> Option<Address> {
+    let number = step.number()?;
+    Some(match step.opcode().row().kind {
+        Kind::Input => Address::Input(number),
+        Kind::Output | Kind::Pwm => Address::Output(number),
+        Kind::Marker => Address::Marker(number),
+        Kind::TimerQ | Kind::Time | Kind::Timer => Address::Timer(number),
+        Kind::Counter | Kind::Count => Address::Counter(number),
+        Kind::Value | Kind::Register => Address::Register(number),
+        _ => return None,
+    })
+}

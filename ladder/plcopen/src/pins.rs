@@ -1,0 +1,48 @@
+//! The inputs that blocks have: a wire to another one would be lost.
+
+use crate::flow::Flow;
+use unoclp_lang::Code;
+
+/// The inputs of a block besides EN; none of one that is not imported. `IN1` stands for IN1, IN2 …
+pub(crate) fn inputs(block: &str) -> Option<&'static [&'static str]> {
+    Some(match block.split('_').next().unwrap_or_default() {
+        "TON" | "TOF" | "TP" => &["IN", "PT"],
+        "CTU" => &["CU", "R", "PV"],
+        "CTD" => &["CD", "LD", "PV"],
+        "CTUD" => &["CU", "CD", "R", "LD", "PV"],
+        "SR" => &["S1", "R"],
+        "RS" => &["S", "R1"],
+        "R" | "F" if block.ends_with("_TRIG") => &["CLK"],
+        "MOVE" | "NOT" => &["IN"],
+        "SHL" | "SHR" => &["IN", "N"],
+        "GT" | "GE" | "EQ" | "NE" | "LE" | "LT" | "AND" | "OR" | "XOR" | "ADD" | "SUB" | "MUL"
+        | "DIV" | "MOD" => &["IN1"],
+        _ => return None,
+    })
+}
+
+/// Whether this is one of IN1, IN2 …
+pub(crate) fn is_numbered(name: &str) -> bool {
+    let number = name.strip_prefix("IN").unwrap_or_default();
+    number.parse::<u8>().is_ok()
+}
+
+/// Tells of wires that lead to inputs which their block does not have.
+pub(crate) fn check(flow: &mut Flow<'_, '_, '_>) {
+    let network = flow.network;
+    let blocks = network.elements.iter().enumerate();
+    for (at, block) in blocks.filter(|(_, element)| element.kind == "block") {
+        let name = block.block();
+        let Some(known) = inputs(&name) else { continue };
+        for pin in block.inputs.iter().filter(|pin| !pin.wires.is_empty()) {
+            let input = pin.name.to_uppercase();
+            let has = match known {
+                ["IN1"] => is_numbered(&input),
+                known => known.contains(&&*input),
+            };
+            if !has && input != "EN" {
+                flow.tell(Code::XmlInput, at, [name.as_str().into(), pin.name.into()]);
+            }
+        }
+    }
+}
