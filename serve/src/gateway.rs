@@ -128,7 +128,13 @@ async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Reques
         .control()
         .admit(visitor, role, &request, address, Instant::now());
     match admitted {
-        Ok(()) => gateway.line.ask(request).await,
+        Ok(()) => {
+            let reply = gateway.line.ask(request.clone()).await;
+            if matches!(request.answer(&reply), Some(Ok(_))) {
+                gateway.control().done(visitor, &request);
+            }
+            reply
+        }
         Err(exception) => request.refusal(exception).to_vec(),
     }
 }

@@ -59,6 +59,35 @@ fn one_controls_at_a_time() {
 }
 
 #[test]
+fn an_upload_whose_visitor_is_gone_is_begun_again() {
+    let board = Memory::new();
+    let address = serve(Some(board.clone()), Some(tokens()));
+    let begin = Request::write_word(1, 400, 5);
+    let blocks = [[0x0001, 0x3100], [0x0101, 0x3200]]
+        .map(|words| Request::write_words(1, 1000, &words).unwrap());
+    let mut one = Visitor::at_board(address, &tokens().control);
+    assert_eq!(one.ask(&begin)[1], 6);
+    assert_eq!(one.ask(&blocks[0])[1], 16);
+    one.0.close(None).unwrap();
+    while one.0.read().is_ok() {}
+    let mut other = Visitor::at_board(address, &tokens().control);
+    // The server knows a moment later that nobody else controls.
+    while other.ask(&Request::write_word(1, 0, 1))[1] != 6 {}
+    assert_eq!(other.ask(&blocks[1]), [1, 0x90, 6]);
+    assert_eq!(other.ask(&begin)[1], 6);
+    assert_eq!(other.ask(&blocks[0])[1], 16);
+    let writes: Vec<u16> = board
+        .0
+        .lock()
+        .unwrap()
+        .writes
+        .iter()
+        .map(|(first, _)| *first)
+        .collect();
+    assert_eq!(writes, [400, 1000, 0, 400, 1000]);
+}
+
+#[test]
 fn a_wrong_token_lets_nobody_in() {
     let address = serve(Some(Memory::new()), Some(tokens()));
     for token in ["", "w", &"W".repeat(32), &"c".repeat(33)] {
