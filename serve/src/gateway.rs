@@ -129,7 +129,7 @@ async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Reques
         .admit(visitor, role, &request, address, Instant::now());
     match admitted {
         Ok(()) => {
-            let reply = gateway.line.ask(request.clone()).await;
+            let reply = gateway.line.ask(request.clone(), role).await;
             if matches!(request.answer(&reply), Some(Ok(_))) {
                 gateway.control().done(visitor, &request);
             }

@@ -2,12 +2,12 @@
 //!
 //! - [`Pages`]: the files of the page, which somebody else has
 //! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
-//! - [`Line`]: the one owner of the line to the board
+//! - [`Line`]: the one owner of the line to the board; `turns`: whose request goes next
 //! - `gateway`: one visitor's way to that line, a WebSocket
 //! - [`Server`]: takes connections, each within limits
 //!
 //! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
-//! what a request asks of the board, beyond whether it only reads.
+//! what a request asks of the board, beyond whether it only reads, stops, forces or uploads.
 
 #![forbid(unsafe_code)]
 
@@ -18,6 +18,7 @@ mod line;
 mod page;
 mod server;
 mod tokens;
+mod turns;
 
 pub use line::{Board, Line, NoAnswer};
 pub use page::Pages;

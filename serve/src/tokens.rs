@@ -4,7 +4,7 @@ use std::fmt::Write;
 use subtle::ConstantTimeEq;
 
 /// What a visitor may do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// Send requests that only read.
     Watch,
