@@ -3,19 +3,23 @@
 //! The first message of the visitor is a text, the token, empty where none is asked for. The gateway's texts are JSON:
 //! `{"role": "watch", "address": 1, "name": "COM3"}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
 //! whenever that changes. A visitor has one request under way at a time.
+//!
+//! Until its token is seen, a visitor has the slot of a connection; from then on one of the board.
 
 use crate::control::{Control, Visitor};
 use crate::line::{Line, Presence};
+use crate::server::PROMPT;
+use crate::slots::{Slot, Slots};
 use crate::tokens::{Role, Tokens};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
+use std::convert::Infallible;
+use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::time::timeout;
 use unoclp_modbus::client::Request;
 
-/// Within this a visitor sends the token, and takes what is sent: a slower one is dropped.
-const PROMPT: Duration = Duration::from_secs(5);
 /// After so long without a message a visitor is asked for a sign of life,
 const QUIET: Duration = Duration::from_secs(20);
 /// and dropped after so many that stay without one.
@@ -32,6 +36,10 @@ pub(crate) struct Gateway {
     pub control: Mutex<Control>,
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
+    /// For all who have shown a token.
+    pub watchers: Slots,
+    /// For those alone who may control.
+    pub controllers: Slots,
 }
 
 /// Why a visitor is no longer served.
@@ -42,21 +50,60 @@ enum Left {
     Slow,
     /// Its token is none, or it says what is no request.
     Wrong,
+    /// There is no room for it, or its place is another's.
+    Full,
 }
 
-/// Serves a visitor until it leaves.
-pub(crate) async fn serve(gateway: Arc<Gateway>, visitor: Visitor, mut socket: WebSocket) {
-    let Err(left) = visit(&gateway, visitor, &mut socket).await;
+/// Serves a visitor from this address until it leaves; it has the slot of its connection.
+pub(crate) async fn serve(
+    gateway: Arc<Gateway>,
+    visitor: Visitor,
+    address: IpAddr,
+    slot: Arc<Slot>,
+    mut socket: WebSocket,
+) {
+    let Err(left) = welcome(&gateway, visitor, address, slot, &mut socket).await;
     gateway.control().leave(visitor);
     let (code, reason) = match left {
         Left::Gone => return,
         Left::Slow => (close_code::POLICY, "too slow"),
         Left::Wrong => (close_code::POLICY, "not allowed"),
+        Left::Full => (close_code::AGAIN, "too many visitors"),
     };
     let reason = reason.into();
     let close = Message::Close(Some(CloseFrame { code, reason }));
     // Whoever does not take this either is gone.
     drop(timeout(PROMPT, socket.send(close)).await);
+}
+
+/// Looks at the token, and serves whoever has a right one.
+async fn welcome(
+    gateway: &Gateway,
+    visitor: Visitor,
+    address: IpAddr,
+    slot: Arc<Slot>,
+    socket: &mut WebSocket,
+) -> Result<Infallible, Left> {
+    let role = tokio::select! {
+        role = role(gateway, socket) => role?,
+        () = slot.is_given_up() => return Err(Left::Full),
+    };
+    let seat = gateway.slot(role, address).ok_or(Left::Full)?;
+    drop(slot);
+    tokio::select! {
+        left = visit(gateway, visitor, role, socket) => left,
+        () = seat.is_given_up() => Err(Left::Full),
+    }
+}
+
+/// What a visitor may do by the token that it sends first.
+async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
+    match timeout(PROMPT, socket.recv()).await {
+        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong),
+        Ok(Some(Ok(_))) => Err(Left::Wrong),
+        Ok(_) => Err(Left::Gone),
+        Err(_) => Err(Left::Slow),
+    }
 }
 
 impl Gateway {
@@ -70,19 +117,23 @@ impl Gateway {
             Some(tokens) => tokens.role(token),
         }
     }
+
+    /// Room for a visitor, if there is some.
+    fn slot(&self, role: Role, address: IpAddr) -> Option<Slot> {
+        let kept = match role {
+            Role::Control => self.controllers.ask(address),
+            Role::Watch => None,
+        };
+        kept.or_else(|| self.watchers.ask(address))
+    }
 }
 
 async fn visit(
     gateway: &Gateway,
     visitor: Visitor,
+    role: Role,
     socket: &mut WebSocket,
-) -> Result<std::convert::Infallible, Left> {
-    let role = match timeout(PROMPT, socket.recv()).await {
-        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong)?,
-        Ok(Some(Ok(_))) => return Err(Left::Wrong),
-        Ok(_) => return Err(Left::Gone),
-        Err(_) => return Err(Left::Slow),
-    };
+) -> Result<Infallible, Left> {
     let address = gateway.line.address();
     say(
         socket,

@@ -4,7 +4,7 @@
 //! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
 //! - [`Line`]: the one owner of the line to the board; `turns`: whose request goes next
 //! - `gateway`: one visitor's way to that line, a WebSocket
-//! - [`Server`]: takes connections, each within limits
+//! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
 //!
 //! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
 //! what a request asks of the board, beyond whether it only reads, stops, forces or uploads.
@@ -17,6 +17,7 @@ mod gateway;
 mod line;
 mod page;
 mod server;
+mod slots;
 mod tokens;
 mod turns;
 

@@ -81,7 +81,16 @@ fn pages(path: &str) -> Option<Cow<'static, [u8]>> {
         "index.html" => Some(b"<!doctype html><html><head><title>x</title></head></html>".into()),
         "app.js" => Some(b"1".into()),
         "unoclp.wasm" => Some(b"\0asm".into()),
+        "large.wasm" => Some((&[0; 1 << 20]).into()),
         _ => None,
+    }
+}
+
+/// The tokens of a server that asks for some.
+pub fn tokens() -> Tokens {
+    Tokens {
+        watch: "w".repeat(32),
+        control: "c".repeat(32),
     }
 }
 
@@ -124,7 +133,7 @@ impl Visitor {
     /// One with this token, and what it is told.
     pub fn new(address: SocketAddr, token: &str) -> (Visitor, String) {
         let mut visitor = Visitor::silent(address);
-        visitor.0.send(Message::text(token)).unwrap();
+        visitor.send(token);
         let told = visitor.text();
         (visitor, told)
     }
@@ -134,6 +143,11 @@ impl Visitor {
         let (mut visitor, _) = Visitor::new(address, token);
         while visitor.text() != r#"{"board":true}"# {}
         visitor
+    }
+
+    /// Sends a text.
+    pub fn send(&mut self, text: &str) {
+        self.0.send(Message::text(text)).unwrap();
     }
 
     /// The next text.

@@ -1,16 +1,8 @@
 //! Visitors of the board.
 
-use crate::common::{Memory, Visitor, read, serve};
+use crate::common::{Memory, Visitor, read, serve, tokens};
 use tungstenite::Message;
 use unoclp_modbus::client::Request;
-use unoclp_serve::Tokens;
-
-fn tokens() -> Tokens {
-    Tokens {
-        watch: "w".repeat(32),
-        control: "c".repeat(32),
-    }
-}
 
 #[test]
 fn on_this_pc_everybody_may_do_all() {
@@ -92,7 +84,7 @@ fn a_wrong_token_lets_nobody_in() {
     let address = serve(Some(Memory::new()), Some(tokens()));
     for token in ["", "w", &"W".repeat(32), &"c".repeat(33)] {
         let mut visitor = Visitor::silent(address);
-        visitor.0.send(Message::text(token.to_owned())).unwrap();
+        visitor.send(token);
         assert_eq!(visitor.farewell(), "not allowed", "{token}");
     }
     let mut visitor = Visitor::silent(address);
