@@ -1,7 +1,8 @@
 //! Which requests of a visitor go to the board: readings of everybody, others of one visitor at a time, and the blocks of
 //! an upload of whoever has begun it.
 
-use crate::tokens::Role;
+use crate::forcing::{Forcing, forces};
+use crate::tokens::{Role, Visitor};
 use std::time::{Duration, Instant};
 use unoclp_modbus::Exception;
 use unoclp_modbus::client::Request;
@@ -11,15 +12,13 @@ use unoclp_modbus::map::{Command, holding};
 /// has left without a word is forgotten.
 const HELD: Duration = Duration::from_secs(15);
 
-/// A visitor: a number that no other has.
-pub(crate) type Visitor = u64;
-
 /// Who controls at present.
 #[derive(Debug, Default)]
 pub(crate) struct Control {
     holder: Option<(Visitor, Instant)>,
     /// Who has begun the last upload. The board cannot tell clients apart, so only this visitor's blocks reach it.
     uploader: Option<Visitor>,
+    pub forcing: Forcing,
 }
 
 impl Control {
@@ -36,6 +35,10 @@ impl Control {
             return Err(Exception::GatewayPathUnavailable);
         }
         if request.only_reads() {
+            // Once another controls, who forced is no longer waited for.
+            if self.holder.is_some_and(|(holder, _)| holder == visitor) {
+                self.forcing.hear(visitor, now);
+            }
             return Ok(());
         }
         if role != Role::Control {
@@ -50,6 +53,10 @@ impl Control {
                 return Err(Exception::ServerDeviceBusy);
             }
             _ => self.holder = Some((visitor, now + HELD)),
+        }
+        match forces(request) {
+            true => self.forcing.force(visitor, now),
+            false => self.forcing.hear(visitor, now),
         }
         if begins_upload(request) {
             // Until the board has begun it.
@@ -120,6 +127,33 @@ mod tests {
         assert!(control.admit(2, RULE, &write, 1, begin + s(30)).is_err());
         control.leave(3);
         assert!(control.admit(2, RULE, &write, 1, begin + s(30)).is_ok());
+    }
+
+    #[test]
+    fn who_forced_is_heard_until_another_controls() {
+        let begin = Instant::now();
+        let mut control = Control::default();
+        let read = Request::read(1, Table::Coils, 0, 4);
+        let force = Request::write_word(1, 402, 1);
+        let write = Request::write_word(1, 0, 1);
+        for (visitor, role, request, after, heard) in [
+            (1, RULE, &force, 0, 0),
+            (1, RULE, &read, 5, 5),
+            (2, WATCH, &read, 6, 5),
+            (2, RULE, &read, 7, 5),
+            // It reads on, long after its last write.
+            (1, RULE, &read, 40, 40),
+            (2, RULE, &write, 41, 40),
+            (1, RULE, &read, 42, 40),
+            (2, RULE, &force, 43, 43),
+        ] {
+            let admitted = control.admit(visitor, role, request, 1, begin + s(after));
+            assert_eq!(admitted, Ok(()), "after {after}");
+            let since = control.forcing.heard();
+            assert_eq!(since, Some(begin + s(heard)), "after {after}");
+        }
+        control.leave(2);
+        assert_eq!(control.forcing.heard(), Some(begin + s(43)));
     }
 
     /// What becomes of an upload: a visitor sends something at a second, or leaves.

@@ -6,20 +6,24 @@
 //!
 //! Until its token is seen, a visitor has the slot of a connection; from then on one of the board.
 
-use crate::control::{Control, Visitor};
+use crate::control::Control;
+use crate::forcing::forces;
 use crate::line::{Line, Presence};
-use crate::server::PROMPT;
 use crate::slots::{Slot, Slots};
-use crate::tokens::{Role, Tokens};
+use crate::tokens::{Role, Tokens, Visitor};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::sync::Notify;
 use tokio::time::timeout;
 use unoclp_modbus::client::Request;
 
+/// Within this a visitor sends the head of its request and the token, and takes a part of what is sent: a slower one is
+/// dropped.
+pub(crate) const PROMPT: Duration = Duration::from_secs(5);
 /// After so long without a message a visitor is asked for a sign of life,
 const QUIET: Duration = Duration::from_secs(20);
 /// and dropped after so many that stay without one.
@@ -34,6 +38,10 @@ pub(crate) struct Gateway {
     /// What the board is called.
     pub name: String,
     pub control: Mutex<Control>,
+    /// Somebody has forced points, or let them go.
+    pub forced: Notify,
+    /// Held by who does so.
+    pub forcing: tokio::sync::Mutex<()>,
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
     /// For all who have shown a token.
@@ -91,7 +99,7 @@ async fn welcome(
     let seat = gateway.slot(role, address).ok_or(Left::Full)?;
     drop(slot);
     tokio::select! {
-        left = visit(gateway, visitor, role, socket) => left,
+        left = visit(gateway, visitor, role, &seat, socket) => left,
         () = seat.is_given_up() => Err(Left::Full),
     }
 }
@@ -107,7 +115,7 @@ async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
 }
 
 impl Gateway {
-    fn control(&self) -> std::sync::MutexGuard<'_, Control> {
+    pub fn control(&self) -> std::sync::MutexGuard<'_, Control> {
         self.control.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -132,6 +140,7 @@ async fn visit(
     gateway: &Gateway,
     visitor: Visitor,
     role: Role,
+    seat: &Slot,
     socket: &mut WebSocket,
 ) -> Result<Infallible, Left> {
     let address = gateway.line.address();
@@ -159,6 +168,7 @@ async fn visit(
                     }
                     Ok(Some(Ok(Message::Binary(frame)))) => {
                         signs = 0;
+                        seat.is_used();
                         let request = Request::forwarded(&frame).ok_or(Left::Wrong)?;
                         let answer = answer(gateway, visitor, role, request).await;
                         send(socket, Message::Binary(answer.into())).await?;
@@ -174,20 +184,27 @@ async fn visit(
 
 /// The answer to a request: the board's, or why it does not reach it.
 async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Request) -> Vec<u8> {
+    let forces = role == Role::Control && forces(&request);
+    let _turn = match forces {
+        true => Some(gateway.forcing.lock().await),
+        false => None,
+    };
     let address = gateway.line.address();
     let admitted = gateway
         .control()
         .admit(visitor, role, &request, address, Instant::now());
-    match admitted {
-        Ok(()) => {
-            let reply = gateway.line.ask(request.clone(), role).await;
-            if matches!(request.answer(&reply), Some(Ok(_))) {
-                gateway.control().done(visitor, &request);
-            }
-            reply
-        }
-        Err(exception) => request.refusal(exception).to_vec(),
+    if let Err(exception) = admitted {
+        return request.refusal(exception).to_vec();
     }
+    if forces {
+        // It is looked at once the lock is free.
+        gateway.forced.notify_one();
+    }
+    let reply = gateway.line.ask(request.clone(), role).await;
+    if matches!(request.answer(&reply), Some(Ok(_))) {
+        gateway.control().done(visitor, &request);
+    }
+    reply
 }
 
 fn of(presence: &Presence) -> serde_json::Value {

@@ -3,6 +3,7 @@
 //! - [`Pages`]: the files of the page, which somebody else has
 //! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
 //! - [`Line`]: the one owner of the line to the board; `turns`: whose request goes next
+//! - `control`, `forcing`: who controls, and who has forced points, which `release` lets go
 //! - `gateway`: one visitor's way to that line, a WebSocket
 //! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
 //!
@@ -13,9 +14,11 @@
 
 mod control;
 mod doors;
+mod forcing;
 mod gateway;
 mod line;
 mod page;
+mod release;
 mod server;
 mod slots;
 mod tokens;

@@ -1,12 +1,13 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::control::{Control, Visitor};
+use crate::control::Control;
 use crate::doors;
-use crate::gateway::{self, Gateway, LONGEST};
+use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::line::Line;
 use crate::page::{self, Pages};
+use crate::release;
 use crate::slots::{Slot, Slots};
-use crate::tokens::Tokens;
+use crate::tokens::{Tokens, Visitor};
 use axum::body::Body;
 use axum::extract::{State, WebSocketUpgrade};
 use axum::http::{HeaderMap, Request, Response, StatusCode, Uri};
@@ -22,6 +23,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use tokio::net::TcpStream;
+use tokio::sync::Notify;
 use tokio_io_timeout::TimeoutStream;
 use tower::ServiceExt;
 
@@ -33,8 +35,6 @@ const CONNECTIONS_EACH: usize = 32;
 const VISITORS: usize = 64;
 /// Visitors who may control for whom there is always room.
 const CONTROLLERS: usize = 8;
-/// Within this the head of a request has come, and a part of an answer is taken: a slower connection is dropped.
-pub(crate) const PROMPT: Duration = Duration::from_secs(5);
 /// The longest head, bytes.
 const LONGEST_HEAD: usize = 16 << 10;
 
@@ -107,6 +107,8 @@ impl Server {
                 line,
                 name,
                 control,
+                forced: Notify::new(),
+                forcing: tokio::sync::Mutex::default(),
                 tokens,
                 watchers: Slots::new(VISITORS, VISITORS),
                 controllers: Slots::new(CONTROLLERS, CONTROLLERS),
@@ -126,6 +128,9 @@ impl Server {
 }
 
 async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<()> {
+    if let Some(gateway) = &shared.gateway {
+        tokio::spawn(release::attend(gateway.clone()));
+    }
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let routes = Router::new()
         .route("/line", get(line))

@@ -3,6 +3,9 @@
 use std::fmt::Write;
 use subtle::ConstantTimeEq;
 
+/// A visitor: a number that no other has.
+pub(crate) type Visitor = u64;
+
 /// What a visitor may do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {

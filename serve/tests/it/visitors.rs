@@ -2,6 +2,7 @@
 
 use crate::common::{Memory, Visitor, read, serve, tokens};
 use tungstenite::Message;
+use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 
 #[test]
@@ -48,6 +49,28 @@ fn one_controls_at_a_time() {
     while one.0.read().is_ok() {}
     // The server knows of it a moment later.
     while other.ask(&write)[1] != 6 {}
+}
+
+#[test]
+fn what_is_forced_is_let_go_once_who_forced_it_is_gone() {
+    let board = Memory::new();
+    let address = serve(Some(board.clone()), Some(tokens()));
+    let mut one = Visitor::at_board(address, &tokens().control);
+    let force = Request::write_words(1, 402, &[2, 2, 5, 4, 1]).unwrap();
+    assert_eq!(one.ask(&force)[1], 16);
+    one.0.close(None).unwrap();
+    // Others go on to read, and to write what is not forced.
+    let mut watcher = Visitor::at_board(address, &tokens().watch);
+    let mut other = Visitor::at_board(address, &tokens().control);
+    while other.ask(&Request::write_word(1, 0, 1))[1] != 6 {}
+    let forced = Request::read(1, Table::HoldingRegisters, 402, 5);
+    while watcher.ask(&forced) != [1, 3, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1] {}
+    let writes = board.0.lock().unwrap().writes.clone();
+    let [.., off, none] = &writes[..] else {
+        panic!("{writes:?}");
+    };
+    assert_eq!(off, &(402, vec![2, 2, 5, 0]), "forced outputs are off");
+    assert_eq!(none, &(402, vec![0; 4]), "and then let go");
 }
 
 #[test]
