@@ -1,6 +1,8 @@
 //! The frames of a client: its requests, and what is an answer to them.
 
+use crate::frame::{operands, word};
 use crate::identification::{FIRST_OBJECT, FUNCTION, READ_DEVICE_IDENTIFICATION};
+use crate::map::Span;
 use crate::{Crc, Exception, FRAME_BYTES, Frame, Table};
 
 /// The most words that one request writes (section 6.12).
@@ -66,6 +68,18 @@ impl Request {
     /// Whether it changes nothing at the server: it reads, or asks for the identification.
     pub fn only_reads(&self) -> bool {
         matches!(self.frame[1], 1..=4 | FUNCTION)
+    }
+
+    /// The word that it writes to the first register of this span, if it does. What no board takes may write one too.
+    pub fn written(&self, span: Span) -> Option<u16> {
+        let offset = span.first.checked_sub(word(&self.frame, 2))?;
+        let (count, data) = match self.frame[1] {
+            6 | 16 if span.table == Table::HoldingRegisters => operands(&self.frame),
+            _ => return None,
+        };
+        // A frame holds no more words than this.
+        let offset = u8::try_from(offset).ok().filter(|_| offset < count)?;
+        Some(word(&self.frame, data.checked_add(offset.checked_mul(2)?)?))
     }
 
     /// The answer by which a gateway refuses it.
@@ -221,4 +235,44 @@ fn identification_length(came: &[u8]) -> Option<usize> {
     let mut texts = Texts(objects);
     let all = texts.by_ref().take(count).count() == count;
     all.then(|| came.len() - texts.0.len() + 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::{coil, holding};
+
+    #[test]
+    fn what_a_request_writes_to_a_register_is_told() {
+        let (command, ends) = (holding::COMMAND, holding::FORCING_ENDS);
+        let several = |first, words: &[u16]| Request::write_words(1, first, words).unwrap();
+        let claims = Request::of([1, 16, 0x01, 0x90, 0xFF, 0xFF, 2, 0, 5]);
+        for (request, span, written) in [
+            (Request::write_word(1, 400, 5), command, Some(5)),
+            (Request::write_word(1, 401, 5), command, None),
+            (several(400, &[2]), command, Some(2)),
+            (several(402, &[1, 2, 3, 4, 5]), ends, Some(5)),
+            (several(402, &[1, 2, 3, 4]), ends, None),
+            (several(402, &[1]), command, None),
+            (several(278, &[7; MOST_WORDS]), command, Some(7)),
+            (several(277, &[7; MOST_WORDS]), command, None),
+            (claims.clone(), command, Some(5)),
+            (claims, holding::REGISTERS, None),
+            (Request::write_coil(1, 400, true), command, None),
+            (Request::write_word(1, 0, 5), coil::OUTPUTS, None),
+            (
+                Request::read(1, Table::HoldingRegisters, 400, 1),
+                command,
+                None,
+            ),
+            (Request::of([1, 6]), command, None),
+        ] {
+            assert_eq!(
+                request.written(span),
+                written,
+                "{:?} {span:?}",
+                request.bytes()
+            );
+        }
+    }
 }

@@ -3,19 +3,27 @@
 //! The first message of the visitor is a text, the token, empty where none is asked for. The gateway's texts are JSON:
 //! `{"role": "watch", "address": 1, "name": "COM3"}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
 //! whenever that changes. A visitor has one request under way at a time.
+//!
+//! Until its token is seen, a visitor has the slot of a connection; from then on one of the board.
 
-use crate::control::{Control, Visitor};
+use crate::control::Control;
+use crate::forcing::forces;
 use crate::line::{Line, Presence};
-use crate::tokens::{Role, Tokens};
+use crate::slots::{Slot, Slots};
+use crate::tokens::{Role, Tokens, Visitor};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
+use std::convert::Infallible;
+use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::sync::Notify;
 use tokio::time::timeout;
 use unoclp_modbus::client::Request;
 
-/// Within this a visitor sends the token, and takes what is sent: a slower one is dropped.
-const PROMPT: Duration = Duration::from_secs(5);
+/// Within this a visitor sends the head of its request and the token, and takes a part of what is sent: a slower one is
+/// dropped.
+pub(crate) const PROMPT: Duration = Duration::from_secs(5);
 /// After so long without a message a visitor is asked for a sign of life,
 const QUIET: Duration = Duration::from_secs(20);
 /// and dropped after so many that stay without one.
@@ -30,8 +38,16 @@ pub(crate) struct Gateway {
     /// What the board is called.
     pub name: String,
     pub control: Mutex<Control>,
+    /// Somebody has forced points, or let them go.
+    pub forced: Notify,
+    /// Held by who does so.
+    pub forcing: tokio::sync::Mutex<()>,
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
+    /// For all who have shown a token.
+    pub watchers: Slots,
+    /// For those alone who may control.
+    pub controllers: Slots,
 }
 
 /// Why a visitor is no longer served.
@@ -42,16 +58,25 @@ enum Left {
     Slow,
     /// Its token is none, or it says what is no request.
     Wrong,
+    /// There is no room for it, or its place is another's.
+    Full,
 }
 
-/// Serves a visitor until it leaves.
-pub(crate) async fn serve(gateway: Arc<Gateway>, visitor: Visitor, mut socket: WebSocket) {
-    let Err(left) = visit(&gateway, visitor, &mut socket).await;
+/// Serves a visitor from this address until it leaves; it has the slot of its connection.
+pub(crate) async fn serve(
+    gateway: Arc<Gateway>,
+    visitor: Visitor,
+    address: IpAddr,
+    slot: Arc<Slot>,
+    mut socket: WebSocket,
+) {
+    let Err(left) = welcome(&gateway, visitor, address, slot, &mut socket).await;
     gateway.control().leave(visitor);
     let (code, reason) = match left {
         Left::Gone => return,
         Left::Slow => (close_code::POLICY, "too slow"),
         Left::Wrong => (close_code::POLICY, "not allowed"),
+        Left::Full => (close_code::AGAIN, "too many visitors"),
     };
     let reason = reason.into();
     let close = Message::Close(Some(CloseFrame { code, reason }));
@@ -59,8 +84,38 @@ pub(crate) async fn serve(gateway: Arc<Gateway>, visitor: Visitor, mut socket: W
     drop(timeout(PROMPT, socket.send(close)).await);
 }
 
+/// Looks at the token, and serves whoever has a right one.
+async fn welcome(
+    gateway: &Gateway,
+    visitor: Visitor,
+    address: IpAddr,
+    slot: Arc<Slot>,
+    socket: &mut WebSocket,
+) -> Result<Infallible, Left> {
+    let role = tokio::select! {
+        role = role(gateway, socket) => role?,
+        () = slot.is_given_up() => return Err(Left::Full),
+    };
+    let seat = gateway.slot(role, address).ok_or(Left::Full)?;
+    drop(slot);
+    tokio::select! {
+        left = visit(gateway, visitor, role, &seat, socket) => left,
+        () = seat.is_given_up() => Err(Left::Full),
+    }
+}
+
+/// What a visitor may do by the token that it sends first.
+async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
+    match timeout(PROMPT, socket.recv()).await {
+        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong),
+        Ok(Some(Ok(_))) => Err(Left::Wrong),
+        Ok(_) => Err(Left::Gone),
+        Err(_) => Err(Left::Slow),
+    }
+}
+
 impl Gateway {
-    fn control(&self) -> std::sync::MutexGuard<'_, Control> {
+    pub fn control(&self) -> std::sync::MutexGuard<'_, Control> {
         self.control.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -70,19 +125,24 @@ impl Gateway {
             Some(tokens) => tokens.role(token),
         }
     }
+
+    /// Room for a visitor, if there is some.
+    fn slot(&self, role: Role, address: IpAddr) -> Option<Slot> {
+        let kept = match role {
+            Role::Control => self.controllers.ask(address),
+            Role::Watch => None,
+        };
+        kept.or_else(|| self.watchers.ask(address))
+    }
 }
 
 async fn visit(
     gateway: &Gateway,
     visitor: Visitor,
+    role: Role,
+    seat: &Slot,
     socket: &mut WebSocket,
-) -> Result<std::convert::Infallible, Left> {
-    let role = match timeout(PROMPT, socket.recv()).await {
-        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong)?,
-        Ok(Some(Ok(_))) => return Err(Left::Wrong),
-        Ok(_) => return Err(Left::Gone),
-        Err(_) => return Err(Left::Slow),
-    };
+) -> Result<Infallible, Left> {
     let address = gateway.line.address();
     say(
         socket,
@@ -108,6 +168,7 @@ async fn visit(
                     }
                     Ok(Some(Ok(Message::Binary(frame)))) => {
                         signs = 0;
+                        seat.is_used();
                         let request = Request::forwarded(&frame).ok_or(Left::Wrong)?;
                         let answer = answer(gateway, visitor, role, request).await;
                         send(socket, Message::Binary(answer.into())).await?;
@@ -123,14 +184,27 @@ async fn visit(
 
 /// The answer to a request: the board's, or why it does not reach it.
 async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Request) -> Vec<u8> {
+    let forces = role == Role::Control && forces(&request);
+    let _turn = match forces {
+        true => Some(gateway.forcing.lock().await),
+        false => None,
+    };
     let address = gateway.line.address();
     let admitted = gateway
         .control()
         .admit(visitor, role, &request, address, Instant::now());
-    match admitted {
-        Ok(()) => gateway.line.ask(request).await,
-        Err(exception) => request.refusal(exception).to_vec(),
+    if let Err(exception) = admitted {
+        return request.refusal(exception).to_vec();
     }
+    if forces {
+        // It is looked at once the lock is free.
+        gateway.forced.notify_one();
+    }
+    let reply = gateway.line.ask(request.clone(), role).await;
+    if matches!(request.answer(&reply), Some(Ok(_))) {
+        gateway.control().done(visitor, &request);
+    }
+    reply
 }
 
 fn of(presence: &Presence) -> serde_json::Value {

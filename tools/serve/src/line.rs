@@ -1,5 +1,7 @@
 //! The one owner of the line: a thread, which asks the board one request at a time.
 
+use crate::tokens::Role;
+use crate::turns::Turns;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,8 +13,9 @@ use unoclp_modbus::client::Request;
 const FRESH: Duration = Duration::from_millis(50);
 /// How often a board that is away is looked for.
 const AGAIN: Duration = Duration::from_secs(1);
-/// Requests that wait; more are refused.
-const QUEUE: usize = 64;
+/// Requests that come while the board answers one; more are refused. Each visitor has one under way, so there is room for
+/// all of them.
+const QUEUE: usize = 128;
 
 /// The board, as whoever has its port lends it.
 pub trait Board: Send {
@@ -53,6 +56,7 @@ pub struct Line {
 #[derive(Debug)]
 struct Job {
     request: Request,
+    role: Role,
     answer: oneshot::Sender<Vec<u8>>,
 }
 
@@ -69,12 +73,8 @@ impl Line {
     pub fn begin(board: impl Board + 'static, address: u8) -> Line {
         let (jobs, queue) = mpsc::sync_channel(QUEUE);
         let (tell, presence) = watch::channel(Err(String::new()));
-        let owner = Owner {
-            board,
-            tell,
-            fresh: Vec::new(),
-        };
-        thread::spawn(move || owner.run(&queue));
+        let owner = Owner::new(board, queue, tell);
+        thread::spawn(move || owner.run());
         Line {
             jobs,
             presence,
@@ -92,12 +92,17 @@ impl Line {
         self.presence.clone()
     }
 
-    /// The answer to a request: of the board, or why there is none.
-    pub(crate) async fn ask(&self, request: Request) -> Vec<u8> {
+    /// The answer to a request of somebody with this role: of the board, or why there is none.
+    pub(crate) async fn ask(&self, request: Request, role: Role) -> Vec<u8> {
         let busy = request.refusal(Exception::ServerDeviceBusy);
         let silent = request.refusal(Exception::GatewayTargetSilent);
         let (answer, wait) = oneshot::channel();
-        match self.jobs.try_send(Job { request, answer }) {
+        let job = Job {
+            request,
+            role,
+            answer,
+        };
+        match self.jobs.try_send(job) {
             Ok(()) => wait.await.unwrap_or_else(|_| silent.to_vec()),
             Err(_) => busy.to_vec(),
         }
@@ -107,34 +112,50 @@ impl Line {
 /// What the thread has.
 struct Owner<B> {
     board: B,
+    queue: mpsc::Receiver<Job>,
+    turns: Turns<Job>,
     tell: watch::Sender<Presence>,
     /// Answers to requests that only read, and when these were sent.
     fresh: Vec<(Request, Vec<u8>, Instant)>,
 }
 
 impl<B: Board> Owner<B> {
-    fn run(mut self, queue: &mpsc::Receiver<Job>) {
+    fn new(board: B, queue: mpsc::Receiver<Job>, tell: watch::Sender<Presence>) -> Owner<B> {
+        Owner {
+            board,
+            queue,
+            turns: Turns::default(),
+            tell,
+            fresh: Vec::new(),
+        }
+    }
+
+    fn run(mut self) {
         loop {
             let gone = match self.board.find() {
                 Ok(()) => {
                     self.tell(Ok(()));
-                    self.serve(queue)
+                    self.serve()
                 }
                 Err(why) => Some(why),
             };
             let Some(why) = gone else { return };
             self.tell(Err(why));
-            if Owner::<B>::refuse(queue, Instant::now() + AGAIN).is_none() {
+            if self.refuse(Instant::now() + AGAIN).is_none() {
                 return;
             }
         }
     }
 
     /// Tells whoever asks until then that nobody is there; `None` once nobody is left who asks.
-    fn refuse(queue: &mpsc::Receiver<Job>, until: Instant) -> Option<()> {
+    fn refuse(&mut self, until: Instant) -> Option<()> {
         loop {
-            match queue.recv_timeout(until.saturating_duration_since(Instant::now())) {
-                Ok(job) => job.refuse(Exception::GatewayTargetSilent),
+            while let Some(job) = self.turns.next() {
+                job.refuse(Exception::GatewayTargetSilent);
+            }
+            let left = until.saturating_duration_since(Instant::now());
+            match self.queue.recv_timeout(left) {
+                Ok(job) => self.wait(job),
                 Err(RecvTimeoutError::Timeout) => return Some(()),
                 Err(RecvTimeoutError::Disconnected) => return None,
             }
@@ -142,15 +163,11 @@ impl<B: Board> Owner<B> {
     }
 
     /// Answers until the line is gone, and gives why; `None` once nobody is left who asks.
-    fn serve(&mut self, queue: &mpsc::Receiver<Job>) -> Option<String> {
+    fn serve(&mut self) -> Option<String> {
         loop {
-            let job = queue.recv().ok()?;
-            // Whoever has left needs no answer.
-            if job.answer.is_closed() {
-                continue;
-            }
+            let job = self.next()?;
             match self.answer(&job.request, Instant::now()) {
-                // Whoever leaves meanwhile needs none either.
+                // Whoever leaves meanwhile needs no answer.
                 Ok(reply) => drop(job.answer.send(reply)),
                 Err(NoAnswer::Silent) => job.refuse(Exception::GatewayTargetSilent),
                 Err(NoAnswer::Gone(why)) => {
@@ -159,6 +176,29 @@ impl<B: Board> Owner<B> {
                 }
             }
         }
+    }
+
+    /// Whose turn it is, of all who have asked by now; `None` once nobody is left who asks.
+    fn next(&mut self) -> Option<Job> {
+        loop {
+            while let Ok(job) = self.queue.try_recv() {
+                self.wait(job);
+            }
+            match self.turns.next() {
+                // Whoever has left needs no answer.
+                Some(job) if job.answer.is_closed() => {}
+                Some(job) => return Some(job),
+                None => {
+                    let job = self.queue.recv().ok()?;
+                    self.wait(job);
+                }
+            }
+        }
+    }
+
+    fn wait(&mut self, job: Job) {
+        let request = job.request.clone();
+        self.turns.wait(&request, job.role, job);
     }
 
     fn answer(&mut self, request: &Request, now: Instant) -> Result<Vec<u8>, NoAnswer> {
@@ -206,11 +246,8 @@ mod tests {
 
     #[test]
     fn what_many_ask_at_once_the_board_is_asked_once() {
-        let mut owner = Owner {
-            board: Counter(0),
-            tell: watch::channel(Ok(())).0,
-            fresh: Vec::new(),
-        };
+        let (_, queue) = mpsc::channel();
+        let mut owner = Owner::new(Counter(0), queue, watch::channel(Ok(())).0);
         let begin = Instant::now();
         let coils = Request::read(1, Table::Coils, 0, 4);
         let inputs = Request::read(1, Table::DiscreteInputs, 0, 4);
@@ -232,6 +269,60 @@ mod tests {
                 Ok(vec![expected]),
                 "after {after} ms"
             );
+        }
+    }
+
+    /// Says when it is asked something, and answers when it is let.
+    struct Gate {
+        asked: mpsc::Sender<Vec<u8>>,
+        let_go: mpsc::Receiver<()>,
+    }
+
+    impl Board for Gate {
+        fn find(&mut self) -> Result<(), String> {
+            Ok(())
+        }
+
+        fn ask(&mut self, request: &Request) -> Result<Vec<u8>, NoAnswer> {
+            // After the end of the test nobody is left.
+            let _ = self.asked.send(request.bytes().to_vec());
+            let _ = self.let_go.recv();
+            Ok(Vec::new())
+        }
+    }
+
+    #[tokio::test]
+    async fn at_most_one_reading_goes_before_a_write_whoever_watches() {
+        let (asked, asks) = mpsc::channel();
+        let (let_go, gate) = mpsc::channel();
+        let board = Gate {
+            asked,
+            let_go: gate,
+        };
+        let line = Line::begin(board, 1);
+        let visit = async |request: Request, role: Role| {
+            let line = line.clone();
+            tokio::spawn(async move { line.ask(request, role).await });
+            // It is in the queue before the next one.
+            tokio::task::yield_now().await;
+        };
+        let watched: Vec<Request> = (0..60)
+            .map(|first| Request::read(1, Table::HoldingRegisters, first, 2))
+            .collect();
+        for request in &watched {
+            visit(request.clone(), Role::Watch).await;
+        }
+        // The board is asked the first one when the others come.
+        assert_eq!(asks.recv().unwrap(), watched[0].bytes());
+        let own = Request::read(1, Table::Coils, 0, 4);
+        let write = Request::write_coil(1, 0, true);
+        let stop = Request::write_word(1, 400, 2);
+        for request in [&own, &write, &stop] {
+            visit(request.clone(), Role::Control).await;
+        }
+        for expected in [&stop, &write, &own].into_iter().chain(&watched[1..]) {
+            let_go.send(()).unwrap();
+            assert_eq!(asks.recv().unwrap(), expected.bytes());
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The files of the page.
 
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
 };
@@ -22,7 +22,12 @@ pub(crate) fn file(pages: Pages, path: &str) -> Response<Body> {
         return answer(StatusCode::NOT_FOUND, "text/plain", "404\n");
     };
     let kind = mime_guess::from_path(path).first_or_octet_stream();
-    answer(StatusCode::OK, kind.essence_str(), content.into_owned())
+    let content = match content {
+        // However many take it, it is there once.
+        Cow::Borrowed(content) => Bytes::from_static(content),
+        Cow::Owned(content) => content.into(),
+    };
+    answer(StatusCode::OK, kind.essence_str(), content)
 }
 
 fn answer(status: StatusCode, kind: &str, content: impl Into<Body>) -> Response<Body> {

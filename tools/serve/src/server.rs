@@ -1,32 +1,40 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::control::{Control, Visitor};
+use crate::control::Control;
 use crate::doors;
-use crate::gateway::{self, Gateway, LONGEST};
+use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::line::Line;
 use crate::page::{self, Pages};
-use crate::tokens::Tokens;
-use axum::Router;
+use crate::release;
+use crate::slots::{Slot, Slots};
+use crate::tokens::{Tokens, Visitor};
 use axum::body::Body;
 use axum::extract::{State, WebSocketUpgrade};
-use axum::http::{HeaderMap, Response, StatusCode, Uri};
+use axum::http::{HeaderMap, Request, Response, StatusCode, Uri};
 use axum::response::IntoResponse;
 use axum::routing::get;
+use axum::{Extension, Router};
+use hyper::body::Incoming;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use std::io;
-use std::net::{SocketAddr, TcpListener};
+use std::net::{IpAddr, SocketAddr, TcpListener};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
-use tokio::sync::Semaphore;
+use tokio::net::TcpStream;
+use tokio::sync::Notify;
+use tokio_io_timeout::TimeoutStream;
+use tower::ServiceExt;
 
-/// Connections at a time; more wait.
+/// Connections at a time that have shown no token: for files of the page, or to show one. One more takes the place of another.
 const CONNECTIONS: usize = 128;
-/// Visitors of the board at a time; more are refused.
+/// Those of one address. A browser takes six.
+const CONNECTIONS_EACH: usize = 32;
+/// Visitors of the board at a time, and those of one address; more are refused.
 const VISITORS: usize = 64;
-/// Within this the head of a request has come.
-const HEAD: Duration = Duration::from_secs(10);
+/// Visitors who may control for whom there is always room.
+const CONTROLLERS: usize = 8;
 /// The longest head, bytes.
 const LONGEST_HEAD: usize = 16 << 10;
 
@@ -56,8 +64,13 @@ struct Shared {
     gateway: Option<Arc<Gateway>>,
     /// The number of the next visitor.
     next: Arc<AtomicU64>,
-    /// For how many more there is room.
-    room: Arc<Semaphore>,
+}
+
+/// A connection that has shown no token yet.
+#[derive(Clone)]
+struct Connection {
+    slot: Arc<Slot>,
+    address: IpAddr,
 }
 
 impl Server {
@@ -94,7 +107,11 @@ impl Server {
                 line,
                 name,
                 control,
+                forced: Notify::new(),
+                forcing: tokio::sync::Mutex::default(),
                 tokens,
+                watchers: Slots::new(VISITORS, VISITORS),
+                controllers: Slots::new(CONTROLLERS, CONTROLLERS),
             })
         });
         let shared = Shared {
@@ -102,7 +119,6 @@ impl Server {
             is_local,
             gateway,
             next: Arc::default(),
-            room: Arc::new(Semaphore::new(VISITORS)),
         };
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_all()
@@ -112,38 +128,52 @@ impl Server {
 }
 
 async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<()> {
+    if let Some(gateway) = &shared.gateway {
+        tokio::spawn(release::attend(gateway.clone()));
+    }
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let routes = Router::new()
         .route("/line", get(line))
         .fallback(get(file))
         .with_state(shared);
-    let room = Arc::new(Semaphore::new(CONNECTIONS));
+    let slots = Slots::new(CONNECTIONS, CONNECTIONS_EACH);
     loop {
-        // It is closed by nobody.
-        let Ok(place) = room.clone().acquire_owned().await else {
-            return Ok(());
-        };
-        let stream = match listener.accept().await {
-            Ok((stream, _)) => stream,
-            // A visitor that is gone already, or too many open files: the next one may come.
-            Err(_) => {
-                tokio::time::sleep(Duration::from_millis(10)).await;
-                continue;
+        match listener.accept().await {
+            Ok((stream, from)) => {
+                let address = from.ip();
+                let slot = Arc::new(slots.take(address));
+                let connection = Connection { slot, address };
+                tokio::spawn(serve(stream, routes.clone(), connection));
             }
-        };
-        let service = TowerToHyperService::new(routes.clone());
-        tokio::spawn(async move {
-            let served = hyper::server::conn::http1::Builder::new()
-                .timer(TokioTimer::new())
-                .header_read_timeout(HEAD)
-                .max_buf_size(LONGEST_HEAD)
-                .serve_connection(TokioIo::new(stream), service)
-                .with_upgrades()
-                .await;
-            // How a visitor has left is nobody's concern.
-            drop(served);
-            drop(place);
-        });
+            // A visitor that is gone already, or too many open files: the next one may come.
+            Err(_) => tokio::time::sleep(Duration::from_millis(10)).await,
+        }
+    }
+}
+
+/// Serves a connection until it ends, is too slow, or another takes its place.
+async fn serve(stream: TcpStream, routes: Router, connection: Connection) {
+    let slot = connection.slot.clone();
+    let service = routes.map_request(move |mut request: Request<Incoming>| {
+        connection.slot.is_used();
+        request.extensions_mut().insert(connection.clone());
+        request
+    });
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(PROMPT));
+    let served = hyper::server::conn::http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(PROMPT)
+        .max_buf_size(LONGEST_HEAD)
+        .serve_connection(
+            TokioIo::new(Box::pin(stream)),
+            TowerToHyperService::new(service),
+        )
+        .with_upgrades();
+    tokio::select! {
+        // How a connection has ended is nobody's concern.
+        _ = served => {}
+        () = slot.is_given_up() => {}
     }
 }
 
@@ -156,6 +186,7 @@ async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Res
 
 async fn line(
     State(shared): State<Shared>,
+    Extension(Connection { slot, address }): Extension<Connection>,
     headers: HeaderMap,
     upgrade: WebSocketUpgrade,
 ) -> Response<Body> {
@@ -165,9 +196,6 @@ async fn line(
     let Some(gateway) = shared.gateway else {
         return StatusCode::NOT_FOUND.into_response();
     };
-    let Ok(place) = shared.room.try_acquire_owned() else {
-        return StatusCode::SERVICE_UNAVAILABLE.into_response();
-    };
     let visitor: Visitor = shared.next.fetch_add(1, Ordering::Relaxed);
     upgrade
         .max_message_size(LONGEST)
@@ -175,7 +203,6 @@ async fn line(
         .write_buffer_size(LONGEST)
         .max_write_buffer_size(64 * LONGEST)
         .on_upgrade(async move |socket| {
-            gateway::serve(gateway, visitor, socket).await;
-            drop(place);
+            gateway::serve(gateway, visitor, address, slot, socket).await;
         })
 }

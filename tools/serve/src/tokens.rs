@@ -3,8 +3,11 @@
 use std::fmt::Write;
 use subtle::ConstantTimeEq;
 
+/// A visitor: a number that no other has.
+pub(crate) type Visitor = u64;
+
 /// What a visitor may do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// Send requests that only read.
     Watch,

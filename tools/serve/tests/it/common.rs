@@ -18,7 +18,10 @@ pub struct Memory(pub Arc<Mutex<State>>);
 
 /// What it holds.
 pub struct State {
-    pub words: [u16; 125],
+    /// 7 where nothing was written, and 0 from the commands on.
+    pub words: Vec<u16>,
+    /// Where was written, and what.
+    pub writes: Vec<(u16, Vec<u16>)>,
     pub is_there: bool,
     pub answers: bool,
 }
@@ -26,7 +29,8 @@ pub struct State {
 impl Memory {
     pub fn new() -> Memory {
         Memory(Arc::new(Mutex::new(State {
-            words: [7; 125],
+            words: (0..1200).map(|at| if at < 400 { 7 } else { 0 }).collect(),
+            writes: Vec::new(),
             is_there: true,
             answers: true,
         })))
@@ -53,8 +57,13 @@ impl Board for Memory {
         let word = |at: usize| u16::from_be_bytes([frame[at], frame[at + 1]]);
         let (first, second) = (usize::from(word(2)), word(4));
         let mut reply = frame[..2].to_vec();
-        if frame[1] == 6 {
-            state.words[first] = second;
+        if matches!(frame[1], 6 | 16) {
+            let written: Vec<u16> = match frame[1] {
+                6 => vec![second],
+                _ => (0..second.into()).map(|at| word(7 + 2 * at)).collect(),
+            };
+            state.words[first..][..written.len()].copy_from_slice(&written);
+            state.writes.push((word(2), written));
             reply.extend(&frame[2..6]);
         } else {
             let words = &state.words[first..][..second.into()];
@@ -72,7 +81,16 @@ fn pages(path: &str) -> Option<Cow<'static, [u8]>> {
         "index.html" => Some(b"<!doctype html><html><head><title>x</title></head></html>".into()),
         "app.js" => Some(b"1".into()),
         "unoclp.wasm" => Some(b"\0asm".into()),
+        "large.wasm" => Some((&[0; 1 << 20]).into()),
         _ => None,
+    }
+}
+
+/// The tokens of a server that asks for some.
+pub fn tokens() -> Tokens {
+    Tokens {
+        watch: "w".repeat(32),
+        control: "c".repeat(32),
     }
 }
 
@@ -115,7 +133,7 @@ impl Visitor {
     /// One with this token, and what it is told.
     pub fn new(address: SocketAddr, token: &str) -> (Visitor, String) {
         let mut visitor = Visitor::silent(address);
-        visitor.0.send(Message::text(token)).unwrap();
+        visitor.send(token);
         let told = visitor.text();
         (visitor, told)
     }
@@ -125,6 +143,11 @@ impl Visitor {
         let (mut visitor, _) = Visitor::new(address, token);
         while visitor.text() != r#"{"board":true}"# {}
         visitor
+    }
+
+    /// Sends a text.
+    pub fn send(&mut self, text: &str) {
+        self.0.send(Message::text(text)).unwrap();
     }
 
     /// The next text.

@@ -1,16 +1,9 @@
 //! Visitors of the board.
 
-use crate::common::{Memory, Visitor, read, serve};
+use crate::common::{Memory, Visitor, read, serve, tokens};
 use tungstenite::Message;
+use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
-use unoclp_serve::Tokens;
-
-fn tokens() -> Tokens {
-    Tokens {
-        watch: "w".repeat(32),
-        control: "c".repeat(32),
-    }
-}
 
 #[test]
 fn on_this_pc_everybody_may_do_all() {
@@ -59,11 +52,62 @@ fn one_controls_at_a_time() {
 }
 
 #[test]
+fn what_is_forced_is_let_go_once_who_forced_it_is_gone() {
+    let board = Memory::new();
+    let address = serve(Some(board.clone()), Some(tokens()));
+    let mut one = Visitor::at_board(address, &tokens().control);
+    let force = Request::write_words(1, 402, &[2, 2, 5, 4, 1]).unwrap();
+    assert_eq!(one.ask(&force)[1], 16);
+    one.0.close(None).unwrap();
+    // Others go on to read, and to write what is not forced.
+    let mut watcher = Visitor::at_board(address, &tokens().watch);
+    let mut other = Visitor::at_board(address, &tokens().control);
+    while other.ask(&Request::write_word(1, 0, 1))[1] != 6 {}
+    let forced = Request::read(1, Table::HoldingRegisters, 402, 5);
+    while watcher.ask(&forced) != [1, 3, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1] {}
+    let writes = board.0.lock().unwrap().writes.clone();
+    let [.., off, none] = &writes[..] else {
+        panic!("{writes:?}");
+    };
+    assert_eq!(off, &(402, vec![2, 2, 5, 0]), "forced outputs are off");
+    assert_eq!(none, &(402, vec![0; 4]), "and then let go");
+}
+
+#[test]
+fn an_upload_whose_visitor_is_gone_is_begun_again() {
+    let board = Memory::new();
+    let address = serve(Some(board.clone()), Some(tokens()));
+    let begin = Request::write_word(1, 400, 5);
+    let blocks = [[0x0001, 0x3100], [0x0101, 0x3200]]
+        .map(|words| Request::write_words(1, 1000, &words).unwrap());
+    let mut one = Visitor::at_board(address, &tokens().control);
+    assert_eq!(one.ask(&begin)[1], 6);
+    assert_eq!(one.ask(&blocks[0])[1], 16);
+    one.0.close(None).unwrap();
+    while one.0.read().is_ok() {}
+    let mut other = Visitor::at_board(address, &tokens().control);
+    // The server knows a moment later that nobody else controls.
+    while other.ask(&Request::write_word(1, 0, 1))[1] != 6 {}
+    assert_eq!(other.ask(&blocks[1]), [1, 0x90, 6]);
+    assert_eq!(other.ask(&begin)[1], 6);
+    assert_eq!(other.ask(&blocks[0])[1], 16);
+    let writes: Vec<u16> = board
+        .0
+        .lock()
+        .unwrap()
+        .writes
+        .iter()
+        .map(|(first, _)| *first)
+        .collect();
+    assert_eq!(writes, [400, 1000, 0, 400, 1000]);
+}
+
+#[test]
 fn a_wrong_token_lets_nobody_in() {
     let address = serve(Some(Memory::new()), Some(tokens()));
     for token in ["", "w", &"W".repeat(32), &"c".repeat(33)] {
         let mut visitor = Visitor::silent(address);
-        visitor.0.send(Message::text(token.to_owned())).unwrap();
+        visitor.send(token);
         assert_eq!(visitor.farewell(), "not allowed", "{token}");
     }
     let mut visitor = Visitor::silent(address);
