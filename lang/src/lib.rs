@@ -68,6 +68,7 @@ pub use emit::CodeLine;
 pub use given::given;
 pub use lacking::lacking;
 pub use languages::{CheckedText, TextLanguage, check};
+pub use literal::duration;
 pub use operators::is_operator;
 pub use show::show;
 pub use st::has_types;

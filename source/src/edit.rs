@@ -89,7 +89,12 @@ mod tests {
         ];
         for (lang, page) in pages {
             let rows = page.lines().filter(|line| line.starts_with("| ")).count();
-            let own = [Wrong::Missing, Wrong::NoPointLeft, Wrong::Bridge, Wrong::LeadsNowhere];
+            let own = [
+                Wrong::Missing,
+                Wrong::NoPointLeft,
+                Wrong::Bridge,
+                Wrong::LeadsNowhere,
+            ];
             let own = own.map(|of| (of.number(), wrong(lang, of)));
             let refused = Refusal::ALL
                 .iter()

@@ -9,6 +9,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
+use unoclp_ladder::edit::Document;
+use unoclp_source::drawn;
 use unoclp_source::used::Used;
 use unoclp_source::{BOARD, Language, Refused, Source, Written, WrittenIn, point_names};
 
@@ -38,6 +40,8 @@ pub struct Checked {
     colours: Vec<u32>,
     /// None where the text has errors.
     program: Option<Made>,
+    /// Whether no instruction stands in it yet: one can draw the first.
+    blank: bool,
 }
 
 /// What has become of a text.
@@ -182,6 +186,16 @@ impl Text {
         }
     }
 
+    /// The empty drawing that it is, where no instruction stands in it yet.
+    pub fn blank(&self) -> Option<Document> {
+        let is_list = self.name.to_ascii_lowercase().ends_with(".il");
+        match self.text.trim().is_empty() {
+            true => Some(Document::new()),
+            false if is_list && self.text.len() <= LONGEST => drawn::blank(&self.text),
+            false => None,
+        }
+    }
+
     /// The program, where there is one.
     ///
     /// # Errors
@@ -198,6 +212,7 @@ impl Text {
 pub fn check(text: Text) -> Result<Checked, No> {
     let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
+    let blank = text.blank().is_some();
     let colours = text.colours();
     Ok(match text.open()? {
         Ok(source) => {
@@ -208,6 +223,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 more,
                 colours,
                 program: Some(made(source)),
+                blank,
             }
         }
         Err(refused) => {
@@ -218,6 +234,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 more,
                 colours,
                 program: None,
+                blank,
             }
         }
     })

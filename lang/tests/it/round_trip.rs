@@ -244,16 +244,26 @@ fn what_has_no_effect_stands_as_codes_and_nothing_else_of_its_rung() {
     for (file, lines) in [
         (
             "0\n827301\n877901\n827302\n",
-            ["LD    I1", "ST    Q1", "CODE 827302               (* RI 02 *)"],
+            [
+                "LD    I1",
+                "ST    Q1",
+                "CODE 827302               (* RI 02 *)",
+            ],
         ),
         (
             "0\n827301\n847978\n50\n7901\n-827301\n",
-            ["TON   T1, 50", "ST    Q1", "CODE -827301              (* RIN 01 *)"],
+            [
+                "TON   T1, 50",
+                "ST    Q1",
+                "CODE -827301              (* RIN 01 *)",
+            ],
         ),
     ] {
         let text = holds(file, Profile::UNO);
         for line in lines {
-            let has = text.lines().any(|own| own.split("(*").next() == line.split("(*").next());
+            let has = text
+                .lines()
+                .any(|own| own.split("(*").next() == line.split("(*").next());
             assert!(has, "{line}\n{text}");
         }
     }

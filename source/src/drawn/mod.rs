@@ -12,7 +12,7 @@ use unoclp_ladder::edit::{Document, Mistake, Row};
 use unoclp_ladder::{Address, Ladder};
 use unoclp_lang::{Declared, DeclaredPoint, declared};
 
-pub use il::is_name;
+pub use il::{blank_text, is_name, name_of};
 
 /// What a document is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
