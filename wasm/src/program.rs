@@ -9,8 +9,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
-use unoclp_ladder::edit::Document;
-use unoclp_source::drawn;
+use unoclp_lang::declared;
 use unoclp_source::used::Used;
 use unoclp_source::{BOARD, Language, Refused, Source, Written, WrittenIn, point_names};
 
@@ -186,14 +185,11 @@ impl Text {
         }
     }
 
-    /// The empty drawing that it is, where no instruction stands in it yet.
-    pub fn blank(&self) -> Option<Document> {
+    /// Whether no instruction stands in it yet: one can draw the first.
+    pub fn is_blank(&self) -> bool {
         let is_list = self.name.to_ascii_lowercase().ends_with(".il");
-        match self.text.trim().is_empty() {
-            true => Some(Document::new()),
-            false if is_list && self.text.len() <= LONGEST => drawn::blank(&self.text),
-            false => None,
-        }
+        let declares = || self.text.len() <= LONGEST && declared(&self.text).is_blank;
+        self.text.trim().is_empty() || is_list && declares()
     }
 
     /// The program, where there is one.
@@ -212,7 +208,7 @@ impl Text {
 pub fn check(text: Text) -> Result<Checked, No> {
     let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
-    let blank = text.blank().is_some();
+    let blank = text.is_blank();
     let colours = text.colours();
     Ok(match text.open()? {
         Ok(source) => {

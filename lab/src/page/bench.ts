@@ -36,7 +36,7 @@ export class Bench {
   private readonly pending = new Set<Promise<unknown>>();
   /** What the board keeps for its next start; null until it was asked. */
   readonly settings = new Signal<Settings | null>(null);
-  private readonly ways = { simulated: new Ways("ways"), desk: new Ways("ways-desk") };
+  private readonly ways = { simulated: new Ways(true), desk: new Ways(false) };
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
@@ -145,6 +145,12 @@ export class Bench {
       if (error instanceof Refusal) this.tell(error.both);
       else throw error;
     }
+  }
+
+  /** Watches the board by a program that it has. */
+  async watch(text: Text): Promise<void> {
+    await this.order({ do: "watch", ...text });
+    this.on.value = text;
   }
 
   /** Puts a program on the board and runs it. */

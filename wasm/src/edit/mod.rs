@@ -236,8 +236,8 @@ fn form(text: &Text) -> WriteAs {
 
 /// The document of a text; of one without an instruction, one empty rung.
 fn document(text: Text) -> Result<Document, No> {
-    match text.blank() {
-        Some(blank) => Ok(blank),
-        None => Ok(drawn::document(&text.program()?)),
+    match text.is_blank() {
+        true => Ok(drawn::blank(&text.text).unwrap_or_default()),
+        false => Ok(drawn::document(&text.program()?)),
     }
 }
