@@ -125,8 +125,9 @@ export class Bench {
     const done = new Promise<Both | null>((resolve, reject) => {
       if (!this.talk) return reject(new Refusal({ en: "there is no board", pt: "não há placa" }));
       try {
-        const number = this.talk.order(order);
-        this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
+        this.talk.order(order, (number) => {
+          this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
+        });
       } catch (error) {
         reject(error);
       }
