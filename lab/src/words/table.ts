@@ -210,7 +210,7 @@ export const TABLE = {
   failedHidden: ["The hidden case “{title}” is not passed. What has your program not thought of?", "O caso oculto “{title}” não passou. No que o seu programa não pensou?"],
   caseHidden: ["hidden", "oculto"],
   exerciseNames: ["What is connected", "O que está ligado"],
-  exerciseClosed: ["normally closed, as its button below the board", "normalmente fechado, como o botão dele na placa"],
+  exerciseClosed: ["normally closed, and so is its button here", "normalmente fechado, e o botão daqui também"],
   exerciseHints: ["Hints", "Dicas"],
   exerciseHint: ["Hint {n} of {all}", "Dica {n} de {all}"],
   exerciseCheck: ["Check", "Verificar"],

@@ -128,7 +128,12 @@ impl Code<'_> {
 /// Calls back for what ends a series that leads to nothing, and drives nothing itself.
 fn idle(series: &[Node], says: &mut impl FnMut(Id)) {
     match series.last() {
-        Some(Node::Element(last)) if makes_a_result(last.step.class()) => says(last.id),
+        // What lacks something is told that first.
+        Some(Node::Element(last)) if makes_a_result(last.step.class()) => {
+            if last.step.is_complete() {
+                says(last.id);
+            }
+        }
         Some(Node::Parallel(parallel)) => {
             let paths = parallel.paths.iter();
             paths.for_each(|path| idle(&path.series, says));

@@ -26,7 +26,7 @@ export function show(fields: Fields, wrong: Wrong, send: (sure: boolean) => void
   const { form, inputs } = fields;
   const input = inputs.get(wrong.field ?? "");
   const offers = (wrong.offers ?? []).map((offer) => h("button", {
-    type: "button", class: "quiet", "data-offer": offer.value,
+    type: "button", "data-offer": offer.value,
     click: () => {
       if (input) input.value = offer.value;
       send(offer.sure);
