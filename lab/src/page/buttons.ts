@@ -113,18 +113,18 @@ export class Buttons {
     speak.follow(() => button.setAttribute("aria-label", say("buttonOf", { n: input })));
     const kind = h("button", { type: "button", class: "quiet small contact", "data-contact": input, "aria-pressed": "false",
       click: () => this.normallyClosed(this.closed.has(input) ? [...this.closed].filter((one) => one !== input) : [...this.closed, input]) });
-    speak.follow(() => {
-      kind.setAttribute("aria-label", say("contactOf", { n: input }));
-      kind.title = say("contactOf", { n: input });
-      this.kind(input, kind);
-    });
+    speak.follow(() => this.kind(input, kind));
     return h("div", { class: "place" }, button, kind, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
   }
 
-  private kind(input: number, button = this.places[input - 1]?.querySelector(".contact")): void {
+  private kind(input: number, button = this.places[input - 1]?.querySelector<HTMLElement>(".contact")): void {
+    if (!button) return;
     const closed = this.closed.has(input);
-    button?.setAttribute("aria-pressed", String(closed));
-    if (button) button.textContent = say(closed ? "contactClosed" : "contactOpen");
+    const kind = say(closed ? "contactClosed" : "contactOpen");
+    button.textContent = kind;
+    button.title = say("contactOf", { kind, n: input });
+    button.setAttribute("aria-label", button.title);
+    button.setAttribute("aria-pressed", String(closed));
   }
 
   private get byKey(): boolean {

@@ -86,7 +86,7 @@ export const TABLE = {
   latch: ["Latch", "Fixar"],
   contactOpen: ["NO", "NA"],
   contactClosed: ["NC", "NF"],
-  contactOf: ["Button {n} is normally closed", "O botão {n} é normalmente fechado"],
+  contactOf: ["{kind}: the contact of button {n}", "{kind}: o contato do botão {n}"],
   moreButtons: ["8 buttons", "8 botões"],
   lamps: ["LEDs: outputs", "LEDs: saídas"],
   on: ["on", "ligada"],
