@@ -25,6 +25,8 @@ pub struct Exercise {
     pub hints: Vec<Both>,
     /// What is connected to each point: `I1`, `A0`, `Q4` …
     pub names: BTreeMap<String, Both>,
+    /// The inputs, from 1, whose buttons are normally closed: they open as somebody presses them.
+    pub normally_closed: Vec<u8>,
     /// The file of a program that passes, where one is named.
     pub program: Option<PathBuf>,
     cases: Vec<Case>,
@@ -69,6 +71,11 @@ impl Exercise {
                 return Err(slip(Some(point.span()), Wrong::NotNamed { name }));
             }
         }
+        let closed = keys.normally_closed.iter().map(|input| {
+            let name = input.get_ref().clone();
+            let number = (1..=BOARD.inputs).find(|number| format!("I{number}") == name);
+            number.ok_or_else(|| slip(Some(input.span()), Wrong::NotNamed { name }))
+        });
         let names = keys.names.iter();
         let program = keys.program.as_ref();
         Ok(Exercise {
@@ -80,6 +87,7 @@ impl Exercise {
             names: names
                 .map(|(point, name)| (point.get_ref().clone(), name.clone()))
                 .collect(),
+            normally_closed: closed.collect::<Result<_, _>>()?,
             program: program.map(|file| folder.join(file.get_ref())),
         })
     }

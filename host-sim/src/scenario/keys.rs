@@ -54,6 +54,8 @@ pub(super) struct FileKeys {
     pub(super) hints: Vec<Both>,
     #[serde(default)]
     pub(super) names: BTreeMap<Spanned<String>, Both>,
+    #[serde(default)]
+    pub(super) normally_closed: Vec<Spanned<String>>,
     pub(super) program: Option<Spanned<String>>,
     pub(super) text: Option<Spanned<TextKey>>,
     pub(super) start_ms: Option<Spanned<Millis>>,

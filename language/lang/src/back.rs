@@ -1,7 +1,8 @@
 //! From the numeric code to Instruction List.
 //!
 //! A rung is written as Instruction List would say it, where that compiles to the same codes again; else its
-//! codes stand in the text as they are, with CODE. Which of the two is found by compiling.
+//! codes stand in the text as they are, with CODE. Which of the two is found by compiling. What stands behind the last
+//! that a rung drives has no effect, so no compiler would write it: it alone stands there as codes.
 
 use crate::spell::rung;
 use crate::{Compiled, Dialect, Options, compile};
@@ -84,12 +85,47 @@ fn split<'c>(steps: impl Iterator<Item = Instruction<'c>>) -> Vec<Rung> {
     rungs
         .into_iter()
         .filter(|steps| !steps.is_empty())
-        .map(|steps| Rung {
-            codes: steps.iter().flat_map(|step| step.codes()).collect(),
-            verbatim: steps.iter().map(|step| verbatim(*step)).collect(),
-            spelled: rung(&steps, &mut timers),
+        .map(|steps| {
+            let verbatim: Vec<String> = steps.iter().map(|step| verbatim(*step)).collect();
+            let driven = driven(&steps);
+            let spelled = rung(&steps[..driven], &mut timers);
+            Rung {
+                codes: steps.iter().flat_map(|step| step.codes()).collect(),
+                spelled: spelled.map(|lines| [lines, verbatim[driven..].to_vec()].concat()),
+                verbatim,
+            }
         })
         .collect()
+}
+
+/// How many steps of a rung lead to what it drives; all, where it drives nothing.
+fn driven(steps: &[Instruction<'_>]) -> usize {
+    let (mut depth, mut drives, mut end) = (0_usize, false, 0);
+    for (index, step) in steps.iter().enumerate() {
+        let class = step.opcode.class();
+        match class {
+            Class::Close => depth = depth.saturating_sub(1),
+            class if class.opens() => depth += 1,
+            class => drives |= !is_wire(class),
+        }
+        if depth == 0 && std::mem::take(&mut drives) {
+            end = index + 1;
+        }
+    }
+    // What begins or ends a part, and a label, are no wire: a rung of them alone is spelled whole.
+    if end == 0 { steps.len() } else { end }
+}
+
+/// Whether an instruction only makes the result, or the value, that another one uses.
+fn is_wire(class: Class) -> bool {
+    match class {
+        Class::OpenOr | Class::OpenAnd | Class::OpenXor | Class::Close => true,
+        Class::Contact | Class::Condition | Class::ValueContact | Class::Comparison => true,
+        Class::Xor | Class::Logic | Class::Load | Class::LoadResult | Class::Operation => true,
+        Class::StorePoint | Class::RecallPoint | Class::Rung | Class::Label => true,
+        Class::Coil | Class::Timer | Class::Count | Class::Store => false,
+        Class::Leave | Class::If | Class::Part | Class::Setting => false,
+    }
 }
 
 /// `CODE 847978, 20000, 7901  (* TON 20000 ms O 01 *)`

@@ -132,7 +132,7 @@ pub(crate) fn nested(bytes: &[u8]) -> HashMap<usize, usize> {
 }
 
 /// What a comment says, without what begins and ends it.
-fn words(comment: &str) -> &str {
+pub(crate) fn words(comment: &str) -> &str {
     if let Some(words) = comment.strip_prefix("//").or(comment.strip_prefix(';')) {
         return words;
     }

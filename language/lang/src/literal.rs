@@ -26,6 +26,15 @@ pub(crate) fn value(text: &str) -> Option<i32> {
     }
 }
 
+/// The ms of a time that a person writes, with its `T#` or without: `4s`, `T#4s`, `1m30s`; none without a unit.
+pub fn duration(text: &str) -> Option<i32> {
+    match text.split_once('#') {
+        None => time(text),
+        Some(_) if text.to_ascii_lowercase().starts_with('t') => value(text),
+        Some(_) => None,
+    }
+}
+
 /// The bits of a REAL number, which has a fraction, an exponent, or neither: `0.5`, `1.5E3`, `2`.
 pub(crate) fn real(text: &str) -> Option<i32> {
     let digits: String = text.chars().filter(|&c| c != '_').collect();

@@ -7,15 +7,23 @@ use std::collections::BTreeMap;
 use unoclp_host_sim::diagram;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
+use unoclp_ladder::Address;
+use unoclp_ladder::edit::Row;
+use unoclp_source::{Lang, drawn};
 
 /// What an exercise says of itself.
 #[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Sheet {
     title: Both,
     task: Option<Both>,
     hints: Vec<Both>,
     /// What is connected to the points.
     names: BTreeMap<String, Both>,
+    /// The inputs, from 1, whose buttons are normally closed.
+    normally_closed: Vec<u8>,
+    /// A text in Instruction List that names what is connected, and has no instruction yet.
+    begin: Both,
     cases: Vec<Told>,
 }
 
@@ -95,8 +103,30 @@ pub fn sheet(name: &str, text: &str) -> Result<Sheet, No> {
         names: names
             .map(|(point, name)| (point.clone(), name.into()))
             .collect(),
+        normally_closed: exercise.normally_closed.clone(),
+        begin: both(|lang| begin(&exercise, lang)),
         cases: exercise.cases().iter().map(Told::from).collect(),
     })
+}
+
+/// A text in Instruction List that names what is connected, and has no instruction yet.
+fn begin(exercise: &Exercise, lang: Lang) -> String {
+    let mut rows: BTreeMap<Address, Row> = BTreeMap::new();
+    for (point, words) in &exercise.names {
+        let comment = words.text(lang);
+        let Some(point) = Address::parse(point) else {
+            continue;
+        };
+        let taken = |name: &String| rows.values().any(|row| row.name == *name);
+        let name = drawn::name_of(comment).filter(|name| !taken(name));
+        let numbered = || drawn::name_of(&format!("{} {}", comment.split('(').next()?, point));
+        if let Some(name) = name.or_else(numbered) {
+            let comment = comment.to_owned();
+            rows.insert(point, Row { name, comment });
+        }
+    }
+    let rows = rows.iter().map(|(point, row)| (*point, row));
+    drawn::blank_text(exercise.title.text(lang), rows)
 }
 
 /// Runs a program through the cases of an exercise.

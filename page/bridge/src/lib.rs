@@ -82,7 +82,8 @@ pub extern "C" fn unoclp_answer() -> *const u8 {
 
 pub use board::Boards;
 
-/// The answer to a request: `{"ok": …}`, `{"error": {"en": …, "pt": …}}`, or `{"more": true}` from a module without the
+/// The answer to a request: `{"ok": …}`, `{"error": {"en": …, "pt": …}}`, where a field is wrong with its `field` and
+/// `offers` too, or `{"more": true}` from a module without the
 /// feature `full` for what takes it.
 pub fn answer(request: &[u8], boards: &mut Boards) -> String {
     let told = Given::read(request).map_err(No::Told);
@@ -91,6 +92,10 @@ pub fn answer(request: &[u8], boards: &mut Boards) -> String {
         Err(No::Told(both)) => {
             let both = serde_json::to_string(&both).unwrap_or_default();
             format!("{{\"error\":{both}}}")
+        }
+        Err(No::At(amiss)) => {
+            let amiss = serde_json::to_string(&amiss).unwrap_or_default();
+            format!("{{\"error\":{amiss}}}")
         }
         Err(No::More) => "{\"more\":true}".to_owned(),
     }

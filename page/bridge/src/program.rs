@@ -9,6 +9,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_board::diagnostics::Kept;
 use unoclp_core::Delay;
+use unoclp_lang::declared;
 use unoclp_source::used::Used;
 use unoclp_source::{BOARD, Language, Refused, Seal, Source, Written, WrittenIn, point_names};
 
@@ -38,6 +39,8 @@ pub struct Checked {
     colours: Vec<u32>,
     /// None where the text has errors.
     program: Option<Made>,
+    /// Whether no instruction stands in it yet: one can draw the first.
+    blank: bool,
 }
 
 /// What has become of a text.
@@ -182,6 +185,13 @@ impl Text {
         }
     }
 
+    /// Whether no instruction stands in it yet: one can draw the first.
+    pub fn is_blank(&self) -> bool {
+        let is_list = self.name.to_ascii_lowercase().ends_with(".il");
+        let declares = || self.text.len() <= LONGEST && declared(&self.text).is_blank;
+        self.text.trim().is_empty() || is_list && declares()
+    }
+
     /// The program, where there is one.
     ///
     /// # Errors
@@ -198,6 +208,7 @@ impl Text {
 pub fn check(text: Text) -> Result<Checked, No> {
     let guessed = WrittenIn::of(text.name.as_ref(), text.text.as_bytes());
     let written = text.text.clone();
+    let blank = text.is_blank();
     let colours = text.colours();
     Ok(match text.open()? {
         Ok(source) => {
@@ -209,6 +220,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 colours,
                 // What is cut off is no program that anybody has written.
                 program: (source.seal() != Seal::Cut).then(|| made(source)),
+                blank,
             }
         }
         Err(refused) => {
@@ -219,6 +231,7 @@ pub fn check(text: Text) -> Result<Checked, No> {
                 more,
                 colours,
                 program: None,
+                blank,
             }
         }
     })

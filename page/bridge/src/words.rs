@@ -22,8 +22,54 @@ pub struct Both {
 pub enum No {
     /// Something is wrong, which is told.
     Told(Both),
+    /// Something is wrong with a field that a person has filled in.
+    At(Box<Amiss>),
     /// It takes the module that has everything.
     More,
+}
+
+/// What is wrong with a field, and what could stand in it instead.
+#[derive(Debug, Serialize)]
+pub struct Amiss {
+    en: String,
+    pt: String,
+    /// Its key.
+    field: String,
+    offers: Vec<Offer>,
+}
+
+/// What could stand in a field instead.
+#[derive(Debug, Serialize)]
+pub struct Offer {
+    /// What the field has then.
+    pub value: String,
+    pub say: Both,
+    /// Whether the person is asked no more.
+    pub sure: bool,
+}
+
+impl No {
+    /// The same as of this field, with offers.
+    pub fn at(self, field: &str, offers: Vec<Offer>) -> No {
+        match self {
+            No::Told(Both { en, pt }) => No::At(Box::new(Amiss {
+                en,
+                pt,
+                field: field.to_owned(),
+                offers,
+            })),
+            other => other,
+        }
+    }
+}
+
+impl From<Amiss> for Both {
+    fn from(amiss: Amiss) -> Both {
+        Both {
+            en: amiss.en,
+            pt: amiss.pt,
+        }
+    }
 }
 
 impl From<Both> for No {

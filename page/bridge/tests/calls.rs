@@ -547,3 +547,139 @@ fn each_element_of_the_palette_can_be_inserted() {
     }
     assert!(seen > 60, "{seen}");
 }
+
+/// What comes of a field that a person fills in: an offer, or what a row of the table or the text then says.
+#[test]
+fn a_mistake_in_a_form_is_told_at_its_field_with_what_could_stand_there() {
+    let cases = [
+        ("contact", "point", "liga", Err(("point", "I1 liga"))),
+        ("coil", "point", "lamp", Err(("point", "Q1 lamp"))),
+        ("contact", "point", "S1", Err(("point", "I1 S_1"))),
+        ("contact", "point", "T1", Ok("LD    T1")),
+        ("ton", "point", "T1", Err(("point", "M1"))),
+        ("ton", "point", "I1", Err(("point", ""))),
+        ("ton", "line0", "4s", Ok("T1, 4000")),
+        ("ton", "line0", "T#1m30s", Ok("T1, 90000")),
+        ("ton", "line0", "0,5 s", Ok("T1, 500")),
+        ("ton", "line0", "soon", Err(("line0", ""))),
+        ("ctu", "line0", "4s", Err(("line0", ""))),
+    ];
+    for (what, key, value, wanted) in cases {
+        // A timer that is read has to be there.
+        let timer = json!([
+            { "do": "insert", "what": "ton", "place": "behind" },
+            { "do": "edit", "fields": [{ "key": "point", "value": "M9" }, { "key": "line0", "value": "1" }] },
+            { "do": "insertRung", "along": "forth" },
+        ]);
+        let (_, mut boards) = drawn(
+            "",
+            &if value == "T1" && what == "contact" {
+                timer
+            } else {
+                json!([])
+            },
+        );
+        let mut act = |act: Value| {
+            let request = json!({ "ask": "edit", "act": act, "width": 64 });
+            told(&request.to_string(), &mut boards)
+        };
+        act(json!({ "do": "insert", "what": what, "place": "behind" }));
+        let mut fields = vec![json!({ "key": key, "value": value })];
+        if key == "line0" {
+            let point = if what == "ton" { "M1" } else { "C1" };
+            fields.push(json!({ "key": "point", "value": point }));
+        }
+        let told = act(json!({ "do": "edit", "fields": fields }));
+        match wanted {
+            Ok(line) => {
+                act(json!({ "do": "insert", "what": "coil", "place": "behind" }));
+                let view =
+                    act(json!({ "do": "edit", "fields": [{ "key": "point", "value": "Q2" }] }));
+                let text = view["ok"]["text"].as_str().unwrap_or_default();
+                assert!(text.contains(line), "{what} {value}: {told} {view}");
+            }
+            Err((field, offer)) => {
+                assert_eq!(told["error"]["field"], field, "{what} {value}: {told}");
+                let first = told["error"]["offers"][0]["value"].as_str();
+                assert_eq!(first.unwrap_or_default(), offer, "{what} {value}: {told}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_system_marker_is_taken_by_a_person_who_is_sure_and_by_a_log() {
+    let insert = json!({ "do": "insert", "what": "contact", "place": "behind" });
+    let fields = json!([{ "key": "point", "value": "S1" }]);
+    let (_, mut boards) = drawn("", &json!([insert]));
+    let act = json!({ "do": "edit", "fields": fields, "sure": true });
+    let request = json!({ "ask": "edit", "act": act, "width": 64 }).to_string();
+    assert_ne!(told(&request, &mut boards)["ok"], Value::Null);
+    // A log of an earlier version does not say so.
+    drawn("", &json!([insert, { "do": "edit", "fields": fields }]));
+    let name = json!({ "do": "name", "point": "S2", "name": "liga", "comment": "" });
+    let request = json!({ "ask": "edit", "act": name, "width": 64 }).to_string();
+    assert_eq!(told(&request, &mut boards)["error"]["field"], "point");
+}
+
+#[test]
+fn each_exercise_begins_as_an_empty_drawing_with_its_names() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../programs/exercises");
+    let mut seen = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|end| end != "toml") {
+            continue;
+        }
+        let scenario = fs::read_to_string(&path).unwrap();
+        let sheet = ok(json!({ "ask": "sheet", "scenario": scenario, "title": "a" }));
+        for text in [&sheet["begin"]["en"], &sheet["begin"]["pt"]] {
+            let checked = ok(json!({ "ask": "check", "name": "a.il", "text": text }));
+            assert_eq!(checked["blank"], true, "{}: {text}", path.display());
+            let (view, _) = drawn(text.as_str().unwrap(), &json!([]));
+            let table = view["table"].as_array().unwrap();
+            for point in sheet["names"].as_object().unwrap().keys() {
+                let has = |row: &Value| row["point"] == *point && row["name"] != "";
+                // A PWM output has no name of its own.
+                let is_pwm = point.starts_with('P');
+                assert!(
+                    is_pwm || table.iter().any(has),
+                    "{}: {point}\n{text}",
+                    path.display()
+                );
+            }
+            assert_eq!(view["text"], *text);
+        }
+        seen += 1;
+    }
+    assert_eq!(seen, 23);
+}
+
+#[test]
+fn a_contact_after_a_coil_keeps_the_names_and_is_told() {
+    let text = "VAR\n    start AT I1 : BOOL;\n    stop AT I2 : BOOL;\n    spare AT I3 : BOOL; (* later *)\n    motor AT Q1 : BOOL;\nEND_VAR\n\nLD    start\nST    motor\n";
+    let acts = json!([
+        { "do": "move", "to": "right" }, { "do": "move", "to": "right" },
+        { "do": "insert", "what": "contact", "place": "behind" },
+        { "do": "edit", "fields": [{ "key": "point", "value": "stop" }] },
+    ]);
+    let (view, _) = drawn(text, &acts);
+    let written = view["text"].as_str().unwrap();
+    assert!(
+        written.contains("LD    start\nST    motor\nCODE 827302 "),
+        "{written}"
+    );
+    assert_eq!(view["mistakes"][0]["error"], false);
+    let checked = ok(json!({ "ask": "check", "name": "a.il", "text": written }));
+    let told: Vec<&str> = checked["problems"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| one["number"].as_str().unwrap())
+        .collect();
+    // The third one is declared, and nothing reads it.
+    assert_eq!(told, ["IL-63"]);
+    let (again, _) = drawn(written, &json!([]));
+    assert_eq!(again["table"], view["table"]);
+    assert_eq!(again["table"].as_array().unwrap().len(), 4);
+}

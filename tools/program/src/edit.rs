@@ -29,6 +29,7 @@ crate::messages! {
     missing() "an address or an operand is missing" "falta um endereço ou um operando";
     no_point_left() "more than 8 branch points are needed here" "são necessários aqui mais de 8 pontos de ramificação";
     bridge() "nothing stands on this path, so what stands beside it has no effect" "não há nada neste caminho; o que está ao lado dele não tem efeito";
+    leads_nowhere() "no coil follows this, so it has no effect" "nenhuma bobina vem depois disto; por isso não tem efeito";
 }
 
 /// Why an operation is refused.
@@ -63,6 +64,7 @@ pub fn wrong(lang: Lang, wrong: Wrong) -> String {
         Wrong::Missing => missing(lang),
         Wrong::NoPointLeft => no_point_left(lang),
         Wrong::Bridge => bridge(lang),
+        Wrong::LeadsNowhere => leads_nowhere(lang),
         Wrong::Fault(of) => cause(of, lang).to_owned(),
     }
 }
@@ -87,7 +89,12 @@ mod tests {
         ];
         for (lang, page) in pages {
             let rows = page.lines().filter(|line| line.starts_with("| ")).count();
-            let own = [Wrong::Missing, Wrong::NoPointLeft, Wrong::Bridge];
+            let own = [
+                Wrong::Missing,
+                Wrong::NoPointLeft,
+                Wrong::Bridge,
+                Wrong::LeadsNowhere,
+            ];
             let own = own.map(|of| (of.number(), wrong(lang, of)));
             let refused = Refusal::ALL
                 .iter()

@@ -3,7 +3,7 @@
 //! What the codes of a document mean, and what fits on a board, the loader of the core says; only what has no code is
 //! found here.
 
-use super::document::{Document, Id};
+use super::document::{Document, Id, Node};
 use super::emit::{Code, Emitted, What};
 use super::step::Step;
 use unoclp_core::isa::{Class, START};
@@ -27,6 +27,8 @@ pub enum Wrong {
     NoPointLeft,
     /// Nothing stands on a path, which so is a bridge: all that stands beside it has no effect. A program may be so.
     Bridge,
+    /// Nothing that it could drive follows, so it has no effect. A program may have that.
+    LeadsNowhere,
     /// What the loader says of its code.
     Fault(Cause),
 }
@@ -38,13 +40,14 @@ impl Wrong {
             Wrong::Missing => 1,
             Wrong::NoPointLeft => 2,
             Wrong::Bridge => 3,
+            Wrong::LeadsNowhere => 4,
             Wrong::Fault(cause) => cause.number(),
         }
     }
 
     /// Whether no board takes a program of which that is true.
     pub fn is_error(self) -> bool {
-        self != Wrong::Bridge
+        !matches!(self, Wrong::Bridge | Wrong::LeadsNowhere)
     }
 }
 
@@ -60,6 +63,9 @@ impl Document {
         without.for_each(|&parallel| says(Some(parallel), Wrong::NoPointLeft));
         let bridges = emitted.holes.iter();
         bridges.for_each(|&(_, path)| says(Some(path), Wrong::Bridge));
+        for rung in self.rungs() {
+            idle(&rung.series, &mut |id| says(Some(id), Wrong::LeadsNowhere));
+        }
         let (text, owners) = text(&emitted);
         let mut memory = vec![0; usize::from(board.linked_bytes)];
         let mut loader = Loader::new(&mut memory, board);
@@ -117,6 +123,36 @@ impl Code<'_> {
     fn lacks_something(&self) -> bool {
         matches!(self.what, What::Step(step) if !step.is_complete())
     }
+}
+
+/// Calls back for what ends a series that leads to nothing, and drives nothing itself.
+fn idle(series: &[Node], says: &mut impl FnMut(Id)) {
+    match series.last() {
+        // What lacks something is told that first.
+        Some(Node::Element(last)) if makes_a_result(last.step.class()) => {
+            if last.step.is_complete() {
+                says(last.id);
+            }
+        }
+        Some(Node::Parallel(parallel)) => {
+            let paths = parallel.paths.iter();
+            paths.for_each(|path| idle(&path.series, says));
+        }
+        _ => {}
+    }
+}
+
+/// Whether an element only makes the result that the next one uses.
+fn makes_a_result(class: Class) -> bool {
+    matches!(
+        class,
+        Class::Contact
+            | Class::Condition
+            | Class::ValueContact
+            | Class::Comparison
+            | Class::Xor
+            | Class::Logic
+    )
 }
 
 /// A program file for the loader, and what each line behind the first came from. What lacks something is left out, but

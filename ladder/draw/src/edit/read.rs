@@ -66,6 +66,13 @@ impl Document {
         self
     }
 
+    /// It with this title, line by line.
+    #[must_use]
+    pub fn with_title(mut self, title: Vec<String>) -> Document {
+        self.title = title.into();
+        self
+    }
+
     /// It with these rows in its symbol table, besides those that it has for other points.
     #[must_use]
     pub fn with_rows(mut self, rows: impl IntoIterator<Item = (Address, Row)>) -> Document {

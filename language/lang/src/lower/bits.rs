@@ -9,7 +9,7 @@ use crate::operators::Op;
 use crate::rung::{Holds, Written};
 use crate::tree::{Expr, Num, Number};
 use crate::words::operator;
-use unoclp_core::isa::{Class, Opcode, Row, TABLE};
+use unoclp_core::isa::{Class, Kind, Opcode, Row, TABLE};
 
 impl Lower<'_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
@@ -270,6 +270,7 @@ impl Lower<'_, '_> {
         if TABLE.iter().any(is_timer) {
             self.rungs.timers = self.rungs.timers.saturating_add(1);
         }
+        self.names.inputs_read |= inputs_read(code);
         let label = code - Opcode::Label.row().code;
         let begins = [Opcode::NewRung, Opcode::If, Opcode::Else, Opcode::EndIf];
         let begins = begins.map(|opcode| opcode.row().code).contains(&code);
@@ -284,4 +285,18 @@ impl Lower<'_, '_> {
     pub(super) fn write(&mut self, opcode: Opcode, number: u8, span: Span) {
         self.rungs.write(numbered(opcode, number), span);
     }
+}
+
+/// The inputs that a code of the text reads: bit 0 is input 01.
+fn inputs_read(code: i32) -> u16 {
+    let reads = |row: &&Row| {
+        let number = code.unsigned_abs().wrapping_sub(row.code.unsigned_abs());
+        row.kind == Kind::Input && row.code.signum() == code.signum() && number < 100
+    };
+    let Some(row) = TABLE.iter().find(reads) else {
+        return 0;
+    };
+    let number = code.unsigned_abs() - row.code.unsigned_abs();
+    let bit = number.checked_sub(1).and_then(|bit| 1u16.checked_shl(bit));
+    bit.unwrap_or(0)
 }

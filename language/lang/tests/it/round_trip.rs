@@ -237,3 +237,34 @@ fn listings_come_back_as_they_were() {
     let file = program(text, &large()).file().unwrap();
     assert_eq!(to_il(file.as_bytes(), Profile::UNO).unwrap(), text);
 }
+
+/// What follows the last that a rung drives has no effect, and no compiler would write it.
+#[test]
+fn what_has_no_effect_stands_as_codes_and_nothing_else_of_its_rung() {
+    for (file, lines) in [
+        (
+            "0\n827301\n877901\n827302\n",
+            [
+                "LD    I1",
+                "ST    Q1",
+                "CODE 827302               (* RI 02 *)",
+            ],
+        ),
+        (
+            "0\n827301\n847978\n50\n7901\n-827301\n",
+            [
+                "TON   T1, 50",
+                "ST    Q1",
+                "CODE -827301              (* RIN 01 *)",
+            ],
+        ),
+    ] {
+        let text = holds(file, Profile::UNO);
+        for line in lines {
+            let has = text
+                .lines()
+                .any(|own| own.split("(*").next() == line.split("(*").next());
+            assert!(has, "{line}\n{text}");
+        }
+    }
+}

@@ -30,6 +30,7 @@ impl From<No> for Undone {
     fn from(no: No) -> Undone {
         match no {
             No::Told(told) => Undone::Told(told),
+            No::At(amiss) => Undone::Told((*amiss).into()),
             // It was asked for before.
             No::More => Undone::Told(both(words::faulty)),
         }

@@ -1,9 +1,10 @@
 //! What may be done to a drawing, as a request gives it.
 
 use super::fields::Field;
+use super::words;
 use crate::given::{Given, wrong};
 use crate::program::Text;
-use crate::words::Both;
+use crate::words::{Both, No, both};
 use unoclp_ladder::Address;
 use unoclp_ladder::edit::{Along, Coil, Cursor, Direction, Edge, Id, Operation, Place, Row, Way};
 
@@ -19,10 +20,10 @@ pub enum Act {
     Insert(String, Place),
     /// Inserts it at something else.
     Put(String, Id, Place),
-    /// Changes the fields of the element at the cursor.
-    Edit(Vec<Field>),
-    /// Says what a point is called and what it is for; without a point, its name or number is wrong.
-    Name(Address, Row),
+    /// Changes the fields of the element at the cursor; a person who is sure is not asked.
+    Edit(Vec<Field>, bool),
+    /// Says what a point is called and what it is for; likewise.
+    Name(Address, Row, bool),
     /// Another text.
     Text(Text),
     Undo,
@@ -34,7 +35,7 @@ impl Act {
     ///
     /// # Errors
     /// Where there is no such act, or it lacks something.
-    pub fn of(mut given: Given) -> Result<Act, Both> {
+    pub fn of(mut given: Given) -> Result<Act, No> {
         let what = given.text("do")?;
         Ok(Act::Do(match what.as_str() {
             "undo" => return Ok(Act::Undo),
@@ -47,14 +48,20 @@ impl Act {
                 let (what, at) = (given.text("what")?, id(&mut given, "at")?);
                 return Ok(Act::Put(what, at, place(&mut given)?));
             }
-            "edit" => return Ok(Act::Edit(Field::all(&mut given)?)),
+            "edit" => {
+                let sure = given.truth_if("sure")?.unwrap_or_default();
+                return Ok(Act::Edit(Field::all(&mut given)?, sure));
+            }
             "name" => {
-                let point = Address::parse(&given.text("point")?).ok_or_else(|| wrong("point"))?;
+                let point = given.text("point")?;
+                let none = || No::from(both(|lang| words::no_address(lang, &point)));
+                let point = Address::parse(&point).ok_or_else(|| none().at("point", Vec::new()))?;
                 let row = Row {
                     name: given.text("name")?,
                     comment: given.text("comment")?,
                 };
-                return Ok(Act::Name(point, row));
+                let sure = given.truth_if("sure")?.unwrap_or_default();
+                return Ok(Act::Name(point, row, sure));
             }
             "select" => Operation::Select(Cursor {
                 from: id(&mut given, "from")?,
@@ -83,7 +90,7 @@ impl Act {
             "join" => Operation::Join,
             "comment" => Operation::Comment(lines(&given.text("text")?)),
             "title" => Operation::Title(lines(&given.text("text")?)),
-            other => return Err(wrong(other)),
+            other => return Err(wrong(other).into()),
         }))
     }
 }

@@ -2,11 +2,16 @@
 
 use super::words;
 use crate::given::{Given, wrong};
-use crate::words::{Both, No, both};
+use crate::words::{Both, No, Offer, both};
 use serde::Serialize;
-use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED};
+use std::collections::BTreeSet;
+use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
 use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Cursor, Document, Draft, Element, Operation, Row, Step, Table};
+use unoclp_ladder::edit::{
+    Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
+};
+use unoclp_lang::duration;
+use unoclp_source::BOARD;
 use unoclp_source::drawn::is_name;
 
 /// A field with what is in it.
@@ -108,6 +113,7 @@ pub fn operations(
     document: &Document,
     cursor: Cursor,
     fields: Vec<Field>,
+    sure: bool,
 ) -> Result<Vec<Operation>, No> {
     let element = document
         .element(cursor.from)
@@ -120,24 +126,36 @@ pub fn operations(
     let mut called: Option<String> = None;
     let mut also: Option<String> = None;
     for Field { key, value } in fields {
+        let at = |no: No| no.at(&key, Vec::new());
         match key.as_str() {
             "left" if value.is_empty() => load = None,
-            "left" => load = Some(loaded(table, &value)?),
-            "operand" => step = valued(table, &step, &value)?,
+            "left" => load = Some(loaded(table, &value).map_err(at)?),
+            "operand" => step = valued(table, &step, &value).map_err(at)?,
             "point" => {
-                let (point, name) = pointed(table, &value)?;
+                let (point, name) = pointed(table, &value)
+                    .map_err(|no| no.at(&key, named_offers(document, &step, &value)))?;
                 also = name;
-                step = step.with_address(point).map_err(words::refused)?;
+                if point != self::point(&step) {
+                    meant(document, &step, point, &value, sure)?;
+                }
+                step = step
+                    .with_address(point)
+                    .map_err(|refusal| at(words::refused(refusal)))?;
             }
             "name" => called = Some(value),
-            "number" => step = step.with_number(number::<u8>(&value)?),
-            key => {
+            "number" => step = step.with_number(number::<u8>(&value).map_err(at)?),
+            _ => {
                 let index = key
                     .strip_prefix("line")
                     .and_then(|index| index.parse().ok());
-                let index: usize = index.ok_or_else(|| wrong(key))?;
+                let index: usize = index.ok_or_else(|| wrong(&key))?;
+                let is_time = index == 0 && step.opcode().row().kind == Kind::Timer;
+                let number = match is_time {
+                    true => time(&value),
+                    false => number::<i32>(&value),
+                };
                 let mut lines = step.lines().to_vec();
-                *lines.get_mut(index).ok_or_else(|| wrong(key))? = number::<i32>(&value)?;
+                *lines.get_mut(index).ok_or_else(|| wrong(&key))? = number.map_err(at)?;
                 step = step.with_lines(lines);
             }
         }
@@ -146,12 +164,15 @@ pub fn operations(
     if let Some(point) = point(&step) {
         let row = table.get(point).cloned().unwrap_or_default();
         let before = element.and_then(|element| self::point(&element.step)) == Some(point);
+        let also_named = also.is_some();
         // Another point has a name of its own: the one in the form was that of the point before.
         let name = also
             .or(called
                 .filter(|name| before || (row.name.is_empty() && table.point(name).is_none())));
         if let Some(name) = name.filter(|name| *name != row.name) {
-            operations.push(naming(document, point, Row { name, ..row })?);
+            let field = if also_named { "point" } else { "name" };
+            let naming = naming(document, point, Row { name, ..row });
+            operations.push(naming.map_err(|no| no.at(field, Vec::new()))?);
         }
     }
     operations.push(Operation::Replace(Draft { load, step }));
@@ -172,6 +193,101 @@ pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation
     }
     let comment = row.comment.split_whitespace().collect::<Vec<_>>().join(" ");
     Ok(Operation::Name(point, Row { comment, ..row }))
+}
+
+/// Asks about a system marker that nothing of the drawing has to do with yet: `S1` is what many call a button.
+///
+/// # Errors
+/// The question.
+pub fn ask(document: &Document, point: Address, sure: bool) -> Result<(), No> {
+    let is_new = || !used(document).contains(&point) && document.table().get(point).is_none();
+    match point {
+        Address::System(number) if !sure && is_new() => {
+            let name = point.to_string();
+            let free = free(document, Address::Input);
+            // The letter alone is an address, and so no name.
+            let button = free.map(|input| offer(format!("{input} S_{number}")));
+            let marker = Offer {
+                say: both(|lang| words::is_system_marker(lang, &name)),
+                value: name.clone(),
+                sure: true,
+            };
+            let told = No::from(both(|lang| words::system_marker(lang, &name)));
+            Err(told.at("point", button.into_iter().chain([marker]).collect()))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether an element can mean this point.
+fn meant(
+    document: &Document,
+    step: &Step,
+    point: Option<Address>,
+    value: &str,
+    sure: bool,
+) -> Result<(), No> {
+    match point {
+        Some(Address::Timer(_)) if step.opcode().row().kind == Kind::Timer => {
+            let kinds = [Address::Marker as fn(u8) -> Address, Address::Output];
+            let points = kinds.into_iter().filter_map(|kind| free(document, kind));
+            let offers = points.map(|point| offer(point.to_string()));
+            let told = No::from(both(|lang| words::timer_drives(lang, value)));
+            Err(told.at("point", offers.collect()))
+        }
+        Some(point) => ask(document, point, sure),
+        None => Ok(()),
+    }
+}
+
+/// Free points for a name that no point has yet.
+fn named_offers(document: &Document, step: &Step, name: &str) -> Vec<Offer> {
+    let kinds: &[fn(u8) -> Address] = match step.class() {
+        Class::Contact | Class::Xor => &[Address::Input, Address::Marker],
+        Class::Coil | Class::Timer => &[Address::Output, Address::Marker],
+        _ => &[],
+    };
+    if !is_name(name) {
+        return Vec::new();
+    }
+    let points = kinds.iter().filter_map(|kind| free(document, kind));
+    let offers = points.map(|point| offer(format!("{point} {name}")));
+    offers.collect()
+}
+
+fn offer(value: String) -> Offer {
+    Offer {
+        say: both(|lang| words::free_point(lang, &value)),
+        value,
+        sure: false,
+    }
+}
+
+/// The first point of a kind that has no name, and that nothing reads or drives.
+fn free(document: &Document, kind: impl Fn(u8) -> Address) -> Option<Address> {
+    let used = used(document);
+    let most = match kind(1) {
+        Address::Input(_) => BOARD.inputs,
+        Address::Output(_) => BOARD.outputs,
+        // The last of them are retentive.
+        _ => RETENTIVE - 1,
+    };
+    let is_free = |point: &Address| !used.contains(point) && document.table().get(*point).is_none();
+    (1..=most).map(kind).find(is_free)
+}
+
+/// The points that elements name.
+fn used(document: &Document) -> BTreeSet<Address> {
+    let mut used = BTreeSet::new();
+    for rung in document.rungs() {
+        visit(&rung.series, &mut |node| {
+            if let Node::Element(element) = node {
+                used.extend(point(&element.step));
+                used.extend(element.load.as_ref().and_then(point));
+            }
+        });
+    }
+    used
 }
 
 /// The point that a step names; of a timer what it drives.
@@ -255,6 +371,10 @@ fn valued(table: &Table, step: &Step, value: &str) -> Result<Step, No> {
     if let (false, Ok(number)) = (is_real, value.parse()) {
         return Ok(constant(Some(number)));
     }
+    // What a timer has is in ms.
+    if let (false, None, Some(ms)) = (is_real, table.point(value), duration(value)) {
+        return Ok(constant(Some(ms)));
+    }
     match (pointed(table, value)?.0, step.opcode()) {
         (Some(Address::Register(register)), _) => Ok(step.clone().with_number(register)),
         // What a load loads may stand elsewhere too.
@@ -284,6 +404,18 @@ fn number<T: TryFrom<i64>>(value: &str) -> Result<Option<T>, No> {
     }
     let number: i64 = value.parse().map_err(|_| wrong())?;
     T::try_from(number).map(Some).map_err(|_| wrong())
+}
+
+/// A time in ms, which may be written with its units; none for an empty field.
+fn time(value: &str) -> Result<Option<i32>, No> {
+    let ms = || duration(&value.replace(char::is_whitespace, "").replace(',', "."));
+    match number::<i32>(value) {
+        Ok(number) => Ok(number),
+        Err(_) => match ms() {
+            Some(ms) => Ok(Some(ms)),
+            None => Err(both(|lang| words::no_time(lang, value)).into()),
+        },
+    }
 }
 
 fn text(point: Option<Address>) -> String {

@@ -68,9 +68,13 @@ impl Drawing {
             shown: None,
         };
         for act in log {
-            drawing.act(Act::of(
-                Given::of(act).ok_or_else(|| crate::given::wrong("log"))?,
-            )?)?;
+            let act = Given::of(act).ok_or_else(|| crate::given::wrong("log"))?;
+            // Whatever there was to ask was asked before it was done.
+            drawing.act(match Act::of(act)? {
+                Act::Edit(fields, _) => Act::Edit(fields, true),
+                Act::Name(point, row, _) => Act::Name(point, row, true),
+                act => act,
+            })?;
         }
         Ok(drawing)
     }
@@ -95,12 +99,13 @@ impl Drawing {
                 operations.extend(palette::insertion(&what, place)?);
                 self.editor.apply_all(&operations).map_err(words::refused)?;
             }
-            Act::Edit(fields) => {
-                let operations =
-                    fields::operations(self.editor.document(), self.editor.cursor(), fields)?;
+            Act::Edit(fields, sure) => {
+                let (document, cursor) = (self.editor.document(), self.editor.cursor());
+                let operations = fields::operations(document, cursor, fields, sure)?;
                 self.editor.apply_all(&operations).map_err(words::refused)?;
             }
-            Act::Name(point, row) => {
+            Act::Name(point, row, sure) => {
+                fields::ask(self.editor.document(), point, sure)?;
                 let operation = fields::naming(self.editor.document(), point, row)?;
                 self.editor.apply(&operation).map_err(words::refused)?;
             }
@@ -229,10 +234,10 @@ fn form(text: &Text) -> WriteAs {
     }
 }
 
-/// The document of a text; of an empty one, one empty rung.
+/// The document of a text; of one without an instruction, one empty rung.
 fn document(text: Text) -> Result<Document, No> {
-    match text.text.trim().is_empty() {
-        true => Ok(Document::new()),
+    match text.is_blank() {
+        true => Ok(drawn::blank(&text.text).unwrap_or_default()),
         false => Ok(drawn::document(&text.program()?)),
     }
 }

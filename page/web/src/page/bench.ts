@@ -36,7 +36,7 @@ export class Bench {
   private readonly pending = new Set<Promise<unknown>>();
   /** What the board keeps for its next start; null until it was asked. */
   readonly settings = new Signal<Settings | null>(null);
-  private readonly ways = { simulated: new Ways("ways"), desk: new Ways("ways-desk") };
+  private readonly ways = { simulated: new Ways(true), desk: new Ways(false) };
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
@@ -125,8 +125,9 @@ export class Bench {
     const done = new Promise<Both | null>((resolve, reject) => {
       if (!this.talk) return reject(new Refusal({ en: "there is no board", pt: "não há placa" }));
       try {
-        const number = this.talk.order(order);
-        this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
+        this.talk.order(order, (number) => {
+          this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
+        });
       } catch (error) {
         reject(error);
       }
@@ -145,6 +146,12 @@ export class Bench {
       if (error instanceof Refusal) this.tell(error.both);
       else throw error;
     }
+  }
+
+  /** Watches the board by a program that it has. */
+  async watch(text: Text): Promise<void> {
+    await this.order({ do: "watch", ...text });
+    this.on.value = text;
   }
 
   /** Puts a program on the board and runs it. */

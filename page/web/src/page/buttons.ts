@@ -2,9 +2,10 @@
 
 import { say, speak } from "../words/words";
 import { h } from "./dom";
+import { keepHere, keptHere } from "./place";
 
-/** What a button does: `closed` says how its contact stands. */
-export type Press = (input: number, closed: boolean) => void;
+/** What a button does: whether it is pressed, and how its contact stands then. */
+export type Press = (input: number, pressed: boolean, closed: boolean) => void;
 
 export class Buttons {
   readonly root = h("div", { class: "points" });
@@ -13,6 +14,8 @@ export class Buttons {
   private readonly places: HTMLElement[] = [];
   private readonly latched = new Set<number>();
   private readonly held = new Set<number>();
+  /** Those whose contacts are normally closed. */
+  private closed = new Set(closedBefore());
 
   constructor(private readonly press: Press) {
     for (let input = 1; input <= 8; input++) this.places.push(this.place(input));
@@ -40,6 +43,23 @@ export class Buttons {
     addEventListener("blur", () => {
       for (const input of [...this.held]) this.hold(input, false);
     });
+  }
+
+  /** Makes the contacts of these inputs normally closed, and all others normally open. */
+  normallyClosed(inputs: readonly number[]): void {
+    const before = this.closed;
+    this.closed = new Set(inputs);
+    keepHere("contacts", JSON.stringify([...this.closed]));
+    for (let input = 1; input <= 8; input++) {
+      this.kind(input);
+      if (before.has(input) !== this.closed.has(input)) this.tell(input);
+    }
+    if (inputs.some((input) => input > 4)) this.show(8);
+  }
+
+  /** Tells a board that has just got its power how the contacts stand. */
+  tellAll(): void {
+    for (const input of new Set([...this.closed, ...this.latched])) this.tell(input);
   }
 
   /** Shows the first four, or all; none that is pressed is hidden. */
@@ -91,7 +111,20 @@ export class Buttons {
       if (event.detail === 0 && event.isTrusted && !this.byKey) this.latch(input);
     });
     speak.follow(() => button.setAttribute("aria-label", say("buttonOf", { n: input })));
-    return h("div", { class: "place" }, button, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
+    const kind = h("button", { type: "button", class: "quiet small contact", "data-contact": input, "aria-pressed": "false",
+      click: () => this.normallyClosed(this.closed.has(input) ? [...this.closed].filter((one) => one !== input) : [...this.closed, input]) });
+    speak.follow(() => this.kind(input, kind));
+    return h("div", { class: "place" }, button, kind, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
+  }
+
+  private kind(input: number, button = this.places[input - 1]?.querySelector<HTMLElement>(".contact")): void {
+    if (!button) return;
+    const closed = this.closed.has(input);
+    const kind = say(closed ? "contactClosed" : "contactOpen");
+    button.textContent = kind;
+    button.title = say("contactOf", { kind, n: input });
+    button.setAttribute("aria-label", button.title);
+    button.setAttribute("aria-pressed", String(closed));
   }
 
   private get byKey(): boolean {
@@ -117,12 +150,23 @@ export class Buttons {
 
   private tell(input: number): void {
     this.mark(input);
-    this.press(input, this.held.has(input) || this.latched.has(input));
+    const pressed = this.held.has(input) || this.latched.has(input);
+    this.press(input, pressed, pressed !== this.closed.has(input));
   }
 
   private mark(input: number): void {
     const button = this.places[input - 1]?.querySelector(".press");
     button?.setAttribute("aria-pressed", String(this.held.has(input) || this.latched.has(input)));
     button?.classList.toggle("latched", this.latched.has(input));
+  }
+}
+
+/** Those whose contacts this tab had normally closed. */
+function closedBefore(): number[] {
+  try {
+    const inputs = JSON.parse(keptHere("contacts") ?? "[]") as unknown;
+    return Array.isArray(inputs) ? inputs.filter((input) => Number.isInteger(input) && input >= 1 && input <= 8) : [];
+  } catch {
+    return [];
   }
 }

@@ -25,6 +25,8 @@ export class CardSlot {
     private readonly tools: RemoteTools,
     /** What would stand in PROGRAM.TXT; null where the text has problems. */
     private readonly code: () => string | null,
+    /** Tells why there is none. */
+    private readonly tellWhy: () => void,
   ) {
     const box = h("input", { type: "checkbox", role: "switch", id: "card-in", change: () => void (box.checked ? this.insert() : this.remove()) });
     this.control = h("label", { class: "switch" }, box, h("span", { "data-say": "cardSlot" }));
@@ -68,7 +70,7 @@ export class CardSlot {
   async build(state: boolean): Promise<Uint8Array | null> {
     const code = this.code();
     if (code === null) {
-      note(say("checkErrors"));
+      this.tellWhy();
       return null;
     }
     const made = await this.tools.ask("card", { program: code, state });

@@ -57,11 +57,11 @@ export class Conversation {
     return talk;
   }
 
-  /** Has something done; gives the number by which the news speak of it. */
-  order(order: Order): number {
-    const number = this.tools.ask("order", { board: this.board, order });
+  /** Has something done; `numbered` gets the number by which the news speak of it, before they do: what takes nothing of
+   * the board is done at once. */
+  order(order: Order, numbered: (number: number) => void): void {
+    numbered(this.tools.ask("order", { board: this.board, order }));
     this.step();
-    return number;
   }
 
   /** Goes on by other tools, on the same line, which stays open: the board does not notice. */

@@ -1,12 +1,11 @@
-// The program that somebody writes: its name and text, kept by the browser, and what Rust says of it.
+// The program that somebody writes: its name and text, its drawing, and what Rust says of it. The browser keeps it.
 
-import type { Both, Checked, Text } from "../tools/answers";
+import type { Act, Both, Checked, Made, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
-import { keep, kept } from "./kept";
+import { keepHere, keptHere, programOf, whenMoved } from "./place";
 import { Signal } from "./signal";
 
-const KEPT = "program";
 const FIRST: Text = {
   name: "seal-in.il",
   text: `(* Seal-in - Selo: I1 starts, I2 stops - I1 liga, I2 desliga *)
@@ -29,8 +28,36 @@ export interface Looked {
   readonly checked: Checked;
 }
 
+/** A program that can run. */
+export interface Whole {
+  readonly text: Text;
+  readonly made: Made;
+}
+
+/** A drawing: what it began with, and all that was done to it. */
+export interface Drawing {
+  readonly name: string;
+  readonly base: Text;
+  readonly log: Act[];
+  /** The program's text as the drawing has left it. */
+  readonly text: string;
+  /** How much of it is to be completed before it is a program again; the text is that of the last one. */
+  readonly lacks?: number;
+}
+
+/** What another program replaces, and what brings it back. */
+export interface Work extends Text {
+  readonly drawing: Drawing | null;
+}
+
 export class ProgramDocument {
   readonly text: Signal<Text>;
+  /** The drawing that the text came from last, or null. */
+  readonly drawing = new Signal<Drawing | null>(lastDrawing());
+  /** How many elements of the drawing are to be completed before all of it is the program. */
+  readonly lacks = new Signal(0);
+  /** Counts the programs that were opened: each begins a drawing of its own. */
+  opened = 0;
   /** What was found in the last text that was looked at; null before that. */
   readonly looked = new Signal<Looked | null>(null);
   /** Whether a reload would bring it back. */
@@ -41,17 +68,42 @@ export class ProgramDocument {
 
   constructor(private readonly tools: RemoteTools) {
     this.text = new Signal(lastText() ?? FIRST);
-    this.text.follow((text) => {
-      this.isKept.value = keep(KEPT, JSON.stringify(text));
+    this.text.follow(() => {
+      this.keep();
+      this.weigh();
       void this.look();
     });
+    this.drawing.follow((drawing) => {
+      keepHere("drawing", JSON.stringify(drawing));
+      this.weigh();
+    });
+    whenMoved(() => this.keep());
+    addEventListener("pagehide", () => this.keep());
   }
 
-  /** Another text; what it replaces is given back. */
-  replace(text: Text): Text {
-    const before = this.text.value;
-    this.text.value = text;
+  /** Another program; what it replaces is given back. */
+  replace({ name, text, drawing }: Text & Partial<Work>): Work {
+    const before = { ...this.text.value, drawing: this.drawing.value };
+    this.opened += 1;
+    this.drawing.value = drawing ?? null;
+    this.text.value = { name, text };
     return before;
+  }
+
+  /** The program, where all that is written and drawn is one. */
+  get whole(): Whole | null {
+    const looked = this.looked.value;
+    const made = looked?.text === this.text.value ? looked.checked.program : null;
+    return made && this.lacks.value === 0 ? { text: this.text.value, made } : null;
+  }
+
+  private keep(): void {
+    this.isKept.value = keepHere("program", JSON.stringify({ ...this.text.value, at: Date.now() }));
+  }
+
+  private weigh(): void {
+    const drawing = this.drawing.value;
+    this.lacks.value = drawing && isOf(drawing, this.text.value) ? (drawing.lacks ?? 0) : 0;
   }
 
   /** What Rust says of the text as it is now, as soon as it has said it. */
@@ -89,11 +141,32 @@ export class ProgramDocument {
   }
 }
 
-/** The program that the browser has kept. */
+/** The program that the browser has kept for this tab. */
 export function lastText(): Text | null {
+  const program = programOf(keptHere("program"));
+  return program && { name: program.name, text: program.text };
+}
+
+/** Whether a text is what a drawing has made; the name may be another. */
+export function isOf(drawing: Drawing, text: Text): boolean {
+  return drawing.text === text.text && endOf(drawing.name) === endOf(text.name);
+}
+
+/** The end of a file's name, which says its language. */
+export function endOf(name: string): string {
+  return /\.\w+$/.exec(name)?.[0].toLowerCase() ?? "";
+}
+
+/** A file's name without its end. */
+export function stemOf(name: string): string {
+  return name.replace(/\.\w+$/, "");
+}
+
+function lastDrawing(): Drawing | null {
   try {
-    const text = JSON.parse(kept(KEPT) ?? "null") as Partial<Text> | null;
-    return typeof text?.name === "string" && typeof text.text === "string" ? { name: text.name, text: text.text } : null;
+    const found = JSON.parse(keptHere("drawing") ?? "null") as Partial<Drawing> | null;
+    const is = typeof found?.name === "string" && typeof found.text === "string" && Array.isArray(found.log) && typeof found.base?.text === "string";
+    return is ? (found as Drawing) : null;
   } catch {
     return null;
   }
@@ -102,5 +175,5 @@ export function lastText(): Text | null {
 /** What is shown of a text that Rust does not look at. */
 function unseen(why: Both): Checked {
   const problem = { number: "", severity: "error", line: 1, column: 1, from: 0, to: 0, message: why, help: { en: "", pt: "" } } as const;
-  return { language: "il", problems: [problem], more: 0, colours: [], program: null };
+  return { language: "il", problems: [problem], more: 0, colours: [], program: null, blank: false };
 }

@@ -3,7 +3,8 @@
 import type { Sheet, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
-import { h } from "./dom";
+import type { ProgramDocument } from "./document";
+import { byId, h } from "./dom";
 import { keep, kept } from "./kept";
 import { announce } from "./notes";
 import { Verdict } from "./verdict";
@@ -39,8 +40,10 @@ export class Exercises {
   constructor(
     private readonly root: HTMLElement,
     private readonly tools: RemoteTools,
-    private readonly program: () => Text,
+    private readonly program: ProgramDocument,
     private readonly open: (text: Text) => void,
+    /** Makes the buttons of these inputs normally closed, and no others. */
+    private readonly closed: (inputs: readonly number[]) => void,
   ) {
     speak.follow(() => {
       if (!this.root.hidden) this.show();
@@ -56,7 +59,7 @@ export class Exercises {
       this.at = Math.max(0, this.all.findIndex(({ name }) => name === open));
     }
     this.root.hidden = false;
-    this.show();
+    this.chosen();
     this.root.querySelector("select")?.focus();
   }
 
@@ -70,8 +73,16 @@ export class Exercises {
   }
 
   private keep(): void {
-    const passed = this.all.filter((exercise) => exercise.passed).map(({ name }) => name);
+    // Another tab may have passed others meanwhile.
+    const before = progress().passed.filter((name) => this.all.some((exercise) => exercise.name === name));
+    const passed = [...new Set([...before, ...this.all.filter((exercise) => exercise.passed).map(({ name }) => name)])];
     keep(KEPT, JSON.stringify({ open: this.all[this.at]?.name ?? "", passed } satisfies Progress));
+  }
+
+  /** Shows the exercise that is chosen, and makes the buttons as it says. */
+  private chosen(): void {
+    this.show();
+    this.closed(this.all[this.at]?.sheet.normallyClosed ?? []);
   }
 
   private show(): void {
@@ -80,7 +91,8 @@ export class Exercises {
     const { sheet, verdict } = exercise;
     verdict.show();
     const names = Object.entries(sheet.names);
-    const points = names.map(([point, name]) => h("li", {}, h("code", {}, point), ` ${told(name)}`));
+    const points = names.map(([point, name]) => h("li", {}, h("code", {}, point), ` ${told(name)}`,
+      sheet.normallyClosed.some((input) => point === `I${input}`) ? h("span", { class: "note" }, `: ${say("exerciseClosed")}`) : null));
     const hints = sheet.hints.slice(0, exercise.hints).map((hint) => h("li", {}, told(hint)));
     const next = exercise.hints < sheet.hints.length;
     this.root.replaceChildren(
@@ -103,7 +115,7 @@ export class Exercises {
     const change = (event: Event): void => {
       this.at = Number((event.target as HTMLSelectElement).value);
       this.keep();
-      this.show();
+      this.chosen();
       this.root.querySelector("select")?.focus();
     };
     return h("select", { id: "exercise-list", "aria-label": say("exercises"), change }, ...options);
@@ -119,7 +131,7 @@ export class Exercises {
   }
 
   private async check(exercise: Exercise): Promise<void> {
-    const passed = await exercise.verdict.check(this.program(), exercise.scenario, exercise.name);
+    const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name);
     if (!passed || exercise.passed) return;
     exercise.passed = true;
     this.keep();
@@ -138,8 +150,9 @@ function progress(): Progress {
   }
 }
 
-/** A program that says what is connected, and does nothing yet. */
+/** A program that says what is connected, and does nothing yet; whoever draws begins to draw it. */
 function begun({ name, language, sheet }: Exercise): Text {
+  if (language === "il" || byId("views").dataset["view"] === "draw") return { name: `${name}.il`, text: told(sheet.begin) };
   const points = Object.entries(sheet.names).map(([point, connected]) => `   ${point}  ${told(connected)}\n`);
   return { name: `${name}.${language}`, text: `(* ${told(sheet.title)}\n\n${points.join("")}*)\n` };
 }

@@ -2,6 +2,7 @@
 
 import type { Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
+import type { ProgramDocument } from "./document";
 import { byId } from "./dom";
 import { Exercises } from "./exercises";
 import { Lessons } from "./lessons";
@@ -10,14 +11,21 @@ export class Learning {
   private readonly lessons: Lessons;
   private readonly exercises: Exercises;
 
-  constructor(tools: RemoteTools, program: () => Text, open: (text: Text) => void) {
+  constructor(
+    tools: RemoteTools,
+    program: ProgramDocument,
+    open: (text: Text) => void,
+    /** Makes the buttons of these inputs normally closed, and no others. */
+    private readonly closed: (inputs: readonly number[]) => void,
+  ) {
     this.lessons = new Lessons(byId("lesson"), tools, program, open);
-    this.exercises = new Exercises(byId("exercise"), tools, program, open);
+    this.exercises = new Exercises(byId("exercise"), tools, program, open, closed);
   }
 
   /** Opens one of them in the place of the other. */
   async start(what: "lessons" | "exercises"): Promise<void> {
     this[what === "lessons" ? "exercises" : "lessons"].close();
+    if (what === "lessons") this.closed([]);
     await this[what].start();
   }
 }

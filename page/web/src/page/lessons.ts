@@ -3,6 +3,7 @@
 import type { Both, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { say, speak, told } from "../words/words";
+import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { keep, kept } from "./kept";
 import { Verdict } from "./verdict";
@@ -25,7 +26,7 @@ export class Lessons {
   constructor(
     private readonly root: HTMLElement,
     private readonly tools: RemoteTools,
-    private readonly program: () => Text,
+    private readonly program: ProgramDocument,
     private readonly open: (text: Text) => void,
   ) {
     speak.follow(() => this.show());
@@ -57,7 +58,7 @@ export class Lessons {
     // Made at build time of a page of this repository.
     words.innerHTML = told(lesson.words);
     const verdict = new Verdict(this.tools);
-    const check = (scenario: string): void => void verdict.check(this.program(), scenario, lesson.name);
+    const check = (scenario: string): void => void verdict.check(this.program, scenario, lesson.name);
     const button = (key: Parameters<typeof say>[0], click: () => void, kind = ""): HTMLElement => h("button", { type: "button", class: kind, click }, say(key));
     const load = (text: string): void => this.open({ name: lesson.name, text });
     const close = h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => this.close() }, "×");

@@ -9,14 +9,17 @@ import { Bench } from "./bench";
 import { CardTab } from "./cardtab";
 import { CardSlot } from "./cardslot";
 import { Desk } from "./desk";
-import { ProgramDocument, lastText } from "./document";
+import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { download, read, takeDrops } from "./files";
 import { later } from "./later";
 import { note } from "./notes";
+import { OnBoard } from "./onboard";
 import { Panel } from "./panel";
+import { moveOn } from "./place";
 import { pointsOf } from "./points";
+import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
 import { programOf } from "./share";
 import { startControl } from "./start";
@@ -44,13 +47,17 @@ async function load(): Promise<void> {
     tooLong: () => note(say("textTooLong")),
   });
   holdFast(program);
-  /** Another program; what it replaces comes back on request. */
-  const open = (text: Text): void => {
-    const before = program.replace(text);
-    editor.show(text.text);
-    if (before.text !== text.text && before.text.trim() !== "") {
-      note(say("replaced"), { text: say("undo"), take: () => { program.replace(before); editor.show(before.text); } });
-    }
+  const put = (work: Text & Partial<Work>): Work => {
+    const before = program.replace(work);
+    editor.show(work.text);
+    return before;
+  };
+  /** Another program; what it replaces comes back on request, and then it comes back itself. */
+  const open = (work: Text & Partial<Work>, back = false): void => {
+    const before = put(work);
+    const isNothing = before.text.trim() === "" && !before.drawing?.log.length;
+    if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
+    note(say(back ? "restored" : "replaced"), { text: say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
   const take = async (file: File): Promise<void> => {
     const text = await read(file);
@@ -64,7 +71,7 @@ async function load(): Promise<void> {
   bench.serial.follow((text) => {
     serial.textContent = text || say("serialEmpty");
   });
-  const slot = new CardSlot(bench, remote, () => program.looked.value?.checked.program?.code ?? null);
+  const slot = new CardSlot(bench, remote, () => program.whole?.made.code ?? null, () => note(whyNot(program)));
   const card = new CardTab(slot);
   const settings = h("div");
   const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));
@@ -76,16 +83,15 @@ async function load(): Promise<void> {
     { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
     { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
-  const view = new ProgramView(program, editor, remote, bench, problems, tabs);
-  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
-  const learning = later(async () => new (await import("./learning")).Learning(remote, () => program.text.value, open));
+  const view = new ProgramView(program, editor, remote, bench, problems, tabs, open);
+  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs, () => view.goDraw()), new Desk(bench, modules).control);
+  const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs)));
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge()));
 
-  program.looked.follow((looked) => {
-    const made = looked?.checked.program;
+  new OnBoard(bench, program, remote).shown.follow((made) => {
     if (!made) return;
     panel.uses(made);
     const points = pointsOf(made);
@@ -95,8 +101,8 @@ async function load(): Promise<void> {
   speakIn(document);
   translate(document);
   bench.simulated.start(new Uint8Array(await firmware));
-  await fromLink(open);
-  addEventListener("hashchange", () => void fromLink(open));
+  await fromLink(put);
+  addEventListener("hashchange", () => void fromLink(put));
   document.documentElement.dataset["ready"] = "yes";
   performance.mark("ready");
   setTimeout(() => {
@@ -109,11 +115,15 @@ async function load(): Promise<void> {
   }
 }
 
-async function fromLink(open: (text: Text) => void): Promise<void> {
+/** The program of a link, in a place of its own: what stood here is kept where it was. */
+async function fromLink(put: (text: Text) => void): Promise<void> {
   const text = await programOf(location.hash);
   if (text === undefined) return;
   history.replaceState(null, "", location.pathname + location.search);
-  if (text) open(text);
+  if (text) {
+    moveOn();
+    put(text);
+  }
   note(say(text ? "linkOpened" : "linkBroken"));
 }
 
@@ -138,5 +148,5 @@ function holdFast(program: ProgramDocument): void {
 load().catch((error: unknown) => {
   console.error(error);
   const why = error instanceof Error ? error.message : String(error);
-  note(say("loadFailed", { why }), { text: say("reload"), take: () => location.reload() });
+  note(say("loadFailed", { why }), { text: say("reload"), take: () => location.reload() }, true);
 });

@@ -3,20 +3,26 @@
 import { say } from "../words/words";
 import { byId, h } from "./dom";
 
-const LASTS = 9000;
+const LASTS = 8000;
 /** What was announced last stays for those who read more slowly than it comes. */
 const SAID = 3;
 
-/** Shows a note for a while; what it offers stays until it is taken or closed. */
-export function note(text: string, offer?: { readonly text: string; take(): void }): void {
+/** Something that a note offers to do. */
+export interface Offer {
+  readonly text: string;
+  take(): void;
+}
+
+/** Shows a note, and what it offers, for a while; one without which the page is of no use stays. */
+export function note(text: string, offer?: Offer, stays = false): void {
   const notes = byId("notes");
   const close = (): void => shown.remove();
   const shown = h("div", {}, h("span", {}, text),
-    offer ? h("button", { type: "button", click: () => { offer.take(); close(); } }, offer.text) : null,
+    offer ? h("button", { type: "button", click: () => { close(); offer.take(); } }, offer.text) : null,
     h("button", { type: "button", "aria-label": say("close"), click: close }, "×"));
   while (notes.children.length > 2) notes.firstElementChild?.remove();
   notes.append(shown);
-  if (!offer) setTimeout(close, LASTS);
+  if (!stays) setTimeout(close, LASTS);
 }
 
 /** Has a screen reader say it, even if it has just said the same. */

@@ -29,7 +29,7 @@ export class Panel {
     start: HTMLElement,
     desk: HTMLElement,
   ) {
-    this.buttons = new Buttons((input, closed) => this.press(input, closed));
+    this.buttons = new Buttons((input, pressed, closed) => this.press(input, pressed, closed));
     root.append(
       h("div", { class: "card" }, this.status, start, desk),
       this.inputs(),
@@ -53,6 +53,7 @@ export class Panel {
     for (const signal of [bench.lost, bench.power, bench.upload, bench.paused, speak]) (signal as typeof bench.lost).follow(() => this.state());
     bench.power.follow((on) => {
       this.uno.ledPower = on;
+      if (on) this.buttons.tellAll();
     });
   }
 
@@ -61,7 +62,7 @@ export class Panel {
     import("@wokwi/elements/dist/esm/arduino-uno-element").catch(() => undefined);
   }
 
-  /** What the program in the editor uses: knobs for its analogue inputs, names for its points. */
+  /** What the program on the board uses: knobs for its analogue inputs, names for its points. */
   uses(made: Made): void {
     this.buttons.names(made.symbols);
     this.lamps.names(made.symbols);
@@ -93,11 +94,16 @@ export class Panel {
     this.bench.simulated.tell(command);
   }
 
-  private press(input: number, closed: boolean): void {
+  /** Makes the buttons of these inputs normally closed, and no others. */
+  normallyClosed(inputs: readonly number[]): void {
+    this.buttons.normallyClosed(inputs);
+  }
+
+  private press(input: number, pressed: boolean, closed: boolean): void {
     this.lamps.listen();
     if (this.bench.where.value === "simulated") this.simulated({ kind: "button", input, closed });
     // The buttons of a board on the desk are on the desk; these force its inputs.
-    else void this.bench.ask({ do: "force", output: false, number: input, to: closed ? true : null });
+    else void this.bench.ask({ do: "force", output: false, number: input, to: pressed ? closed : null });
   }
 
   private inputs(): HTMLElement {
@@ -136,6 +142,15 @@ export class Panel {
     });
     speak.follow(show);
     const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
+    // STOP begins the program anew: scans of a program that runs are its own.
+    const offer = (): void => {
+      const runs = bench.seen.value?.state === "RUN";
+      scan.disabled = runs;
+      scan.dataset["sayTitle"] = runs ? "scanStop" : "scanHint";
+      scan.title = say(runs ? "scanStop" : "scanHint");
+    };
+    bench.seen.follow(offer);
+    speak.follow(offer);
     const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
       h("div", { class: "row" }, pause, speed, scan,
         h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),
@@ -149,7 +164,6 @@ export class Panel {
 
   private async scan(): Promise<void> {
     if (this.bench.paused.value) this.bench.goOn();
-    if (this.bench.seen.value?.state === "RUN") await this.bench.ask({ do: "stop" });
     await this.bench.ask({ do: "scan" });
   }
 

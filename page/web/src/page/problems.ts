@@ -2,23 +2,38 @@
 
 import type { Checked } from "../tools/answers";
 import { say, told } from "../words/words";
+import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 
-/** Lists them anew. */
-export function showProblems(panel: HTMLElement, checked: Checked, go: (line: number, column: number) => void): void {
+/** Where a problem leads. */
+interface Go {
+  text(line: number, column: number): void;
+  drawing(): void;
+}
+
+/** Lists them anew; `lacks` is how much of the drawing is to be completed. */
+export function showProblems(panel: HTMLElement, checked: Checked, lacks: number, go: Go): void {
+  const drawing = lacks === 0 ? [] : [h("li", {}, h("button", { type: "button", click: () => go.drawing() },
+    h("span", { class: "error" }, say("drawingUnfinished", { n: lacks }))))];
   const items = checked.problems.map((problem) =>
-    h("li", {}, h("button", { type: "button", click: () => go(problem.line, problem.column) },
+    h("li", {}, h("button", { type: "button", click: () => go.text(problem.line, problem.column) },
       h("span", { class: problem.severity }, problem.number),
       h("span", { class: "note" }, say("lineAt", { line: problem.line })),
       h("span", {}, told(problem.message)),
       told(problem.help) ? h("span", { class: "help" }, told(problem.help)) : null)));
   const more = checked.more > 0 ? h("p", { class: "note" }, say("problemMore", { n: checked.more })) : null;
-  const none = items.length === 0 ? h("p", { class: "empty" }, say("problemNone")) : null;
-  panel.replaceChildren(...[h("ul", { class: "problems" }, ...items), more, none].filter((part) => part !== null));
+  const none = items.length + drawing.length === 0 ? h("p", { class: "empty" }, say("problemNone")) : null;
+  panel.replaceChildren(...[h("ul", { class: "problems" }, ...drawing, ...items), more, none].filter((part) => part !== null));
 }
 
-/** How many there are, in words. */
-export function countOf(checked: Checked): string {
+/** Why what is written and drawn does not run. */
+export function whyNot({ lacks }: ProgramDocument): string {
+  return lacks.value > 0 ? say("drawingUnfinished", { n: lacks.value }) : say("checkErrors");
+}
+
+/** How many there are, in words; what is missing in the drawing comes first. */
+export function countOf(checked: Checked, lacks: number): string {
+  if (lacks > 0) return say("drawingLacks", { n: lacks });
   const n = checked.problems.length + checked.more;
   return n === 0 ? say("problemNone") : n === 1 ? say("problemOne") : say("problemMany", { n });
 }

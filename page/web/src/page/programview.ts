@@ -39,6 +39,8 @@ export class ProgramView {
     private readonly bench: Bench,
     private readonly problems: HTMLElement,
     tabs: Tabs,
+    /** Opens another program, which can be undone. */
+    private readonly open: (text: Text) => void,
   ) {
     this.ladder = new LadderView(byId("ladder"), {
       line: (line) => this.editor.go(line),
@@ -56,6 +58,7 @@ export class ProgramView {
       this.live();
     });
     program.looked.follow((looked) => this.show(looked));
+    program.lacks.follow(() => this.show(program.looked.value));
     speak.follow(() => {
       this.drawn = null;
       this.show(program.looked.value);
@@ -80,6 +83,11 @@ export class ProgramView {
     return h("div", { class: "group", role: "group", "data-say-label": "views" }, ...buttons);
   }
 
+  /** Shows the screen on which one draws. */
+  goDraw(): void {
+    byId("view-draw").click();
+  }
+
   /** Loads the screen on which one draws; null where that cannot be had now. */
   private drawing(): Promise<Screen | null> {
     const { program, tools, bench } = this;
@@ -87,7 +95,7 @@ export class ProgramView {
       program.text.value = text;
       this.editor.show(text.text);
     };
-    this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), { program, tools, bench, write }));
+    this.screen ??= later(async () => (await import("./draw/screen")).Screen.open(byId("draw"), { program, tools, bench, write, open: this.open }));
     return this.screen();
   }
 
@@ -95,10 +103,11 @@ export class ProgramView {
     if (!looked) return;
     const { text, checked } = looked;
     this.editor.tell(text.text, checked);
-    showProblems(this.problems, checked, (line, column) => this.editor.go(line, column));
-    this.count.textContent = countOf(checked);
-    this.count.classList.toggle("bad", checked.program === null);
-    this.count.classList.toggle("good", checked.problems.length === 0);
+    const lacks = this.program.lacks.value;
+    showProblems(this.problems, checked, lacks, { text: (line, column) => this.editor.go(line, column), drawing: () => this.goDraw() });
+    this.count.textContent = countOf(checked, lacks);
+    this.count.classList.toggle("bad", checked.program === null || lacks > 0);
+    this.count.classList.toggle("good", checked.problems.length === 0 && lacks === 0);
     byId("tongue").textContent = say(TONGUES[checked.language] ?? "languageIl");
     const { program } = checked;
     this.size.textContent = program ? say("size", { stored: program.size.stored[0], all: program.size.stored[1] }) : "";

@@ -3,9 +3,7 @@
 import type { Command, Event } from "../board/messages";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
-import { keep, kept } from "./kept";
-
-const KEPT = "eeprom";
+import { keepHere, keptHere } from "./place";
 
 export class SimulatedBoard implements Clock {
   readonly line: SimulatedLine;
@@ -41,7 +39,7 @@ export class SimulatedBoard implements Clock {
   /** Gives it firmware, what its EEPROM was, and power. */
   start(bytes: Uint8Array): void {
     this.tell({ kind: "firmware", bytes });
-    const eeprom = bytesOf(kept(KEPT));
+    const eeprom = bytesOf(keptHere("eeprom"));
     if (eeprom) this.tell({ kind: "eeprom", bytes: eeprom });
     this.tell({ kind: "plug", on: true });
     this.tell({ kind: "run" });
@@ -73,7 +71,7 @@ export class SimulatedBoard implements Clock {
     if (event.kind === "paused") this.settle(event.at, false);
     else if ("at" in event) this.settle(event.at);
     // A browser that keeps nothing begins with an empty EEPROM.
-    if (event.kind === "eeprom") keep(KEPT, btoa(String.fromCharCode(...event.bytes)));
+    if (event.kind === "eeprom") keepHere("eeprom", btoa(String.fromCharCode(...event.bytes)));
   }
 }
 

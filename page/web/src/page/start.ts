@@ -7,17 +7,19 @@ import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { icon } from "./icons";
 import { note } from "./notes";
+import { whyNot } from "./problems";
 import type { Tabs } from "./tabs";
 
-export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs): HTMLElement {
+export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs, goDraw: () => void): HTMLElement {
   const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"), h("span", { "data-say": "run" }));
   const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
   const about = h("p", { class: "note", id: "about-program" });
   const run = async (): Promise<void> => {
     const looked = await program.now();
-    if (!looked.checked.program) {
-      tabs.open("problems");
-      return note(say("checkErrors"));
+    if (!program.whole) {
+      if (program.lacks.value > 0) goDraw();
+      else tabs.open("problems");
+      return note(whyNot(program));
     }
     try {
       await bench.put(looked.text);

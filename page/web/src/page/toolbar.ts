@@ -13,10 +13,13 @@ import { keep, kept } from "./kept";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
+import { others } from "./place";
 import { linkOf } from "./share";
 import type { ProgramView } from "./programview";
 
 const SVG = "image/svg+xml";
+/** Programs of before that the menu has. */
+const KEPT = 6;
 
 interface Parts {
   readonly program: ProgramDocument;
@@ -46,7 +49,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   });
   const lessons = h("button", { type: "button", id: "lessons", click: () => parts.learn("lessons") }, icon("book"), h("span", { "data-say": "lessons" }));
   const exercises = h("button", { type: "button", id: "exercises", click: () => parts.learn("exercises") }, icon("tick"), h("span", { "data-say": "exercises" }));
-  const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program.text.value) }, icon("share"));
+  const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program) }, icon("share"));
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
     menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
@@ -54,7 +57,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   );
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey)) return;
-    if (event.key === "s") save(program.text.value);
+    if (event.key === "s") save(program);
     else if (event.key === "o") pick((file) => void parts.take(file));
     else return;
     event.preventDefault();
@@ -68,7 +71,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
 
 function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
   const text = program.text.value;
-  const code = program.looked.value?.checked.program?.code;
+  const code = program.whole?.made.code;
   const stem = text.name.replace(/\.\w+$/, "");
   const shown = { ...text, width: 80, speak: speak.value };
   const saved = code === undefined ? [] : [
@@ -87,16 +90,21 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
   return [
     entry(say("newFile"), () => open({ name: "program.il", text: "" })),
     entry(say("openFile"), () => pick((file) => void take(file))),
-    entry(say("saveFile"), () => save(text)),
+    entry(say("saveFile"), () => save(program)),
     ...saved,
+    ...others().slice(0, KEPT).map(({ name, text, at }) => entry(say("keptBefore", { name }), () => open({ name, text }), new Date(at).toLocaleString(document.documentElement.lang))),
   ];
 }
 
-function save(text: Text): void {
-  download(text.name, text.text);
+function save(program: ProgramDocument): void {
+  const { name, text } = program.text.value;
+  download(name, text);
+  if (program.lacks.value > 0) note(say("savedUnfinished"));
 }
 
-async function shareLink(text: Text): Promise<void> {
+async function shareLink(program: ProgramDocument): Promise<void> {
+  const text = program.text.value;
+  if (program.lacks.value > 0) note(say("savedUnfinished"));
   const link = await linkOf(text, location.href);
   try {
     await navigator.clipboard.writeText(link);

@@ -1,11 +1,13 @@
 // What came of a check: the cases, and of the first that was not passed the timing diagram.
 
-import type { Outcome, Text } from "../tools/answers";
+import type { Outcome } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { say, told } from "../words/words";
+import type { ProgramDocument } from "./document";
 import { h } from "./dom";
-import { announce } from "./notes";
+import { announce, note } from "./notes";
+import { whyNot } from "./problems";
 
 export class Verdict {
   readonly element = h("div", { class: "outcome" });
@@ -14,9 +16,14 @@ export class Verdict {
   constructor(private readonly tools: RemoteTools) {}
 
   /** Runs a program through the cases of a scenario file, and shows what came of it. Tells whether it passed. */
-  async check(program: Text, scenario: string, title: string): Promise<boolean> {
+  async check(program: ProgramDocument, scenario: string, title: string): Promise<boolean> {
+    // What is not a program yet passes nothing, whatever the last one did.
+    if (program.lacks.value > 0) {
+      note(whyNot(program));
+      return false;
+    }
     try {
-      this.came = await this.tools.ask("exercise", { ...program, scenario, title });
+      this.came = await this.tools.ask("exercise", { ...program.text.value, scenario, title });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       this.came = error;

@@ -3,6 +3,7 @@
 
 import type { SerialFormat } from "../board/messages";
 import { keep, kept } from "./kept";
+import { keepHere, keptHere } from "./place";
 
 /** What a board is spoken to by: its address, the rate in baud, the parity: 0 none, 1 even, 2 odd. */
 export interface Way {
@@ -24,14 +25,15 @@ export function same(one: Way, other: Way): boolean {
   return one.address === other.address && one.rate === other.rate && one.parity === other.parity;
 }
 
-/** The ways to a board that are tried in turn, and which is the one now. The browser keeps them. */
+/** The ways to a board that are tried in turn, and which is the one now. The browser keeps them: those to a simulated
+ * board with its EEPROM, which is this tab's. */
 export class Ways {
   private all: readonly Way[];
   /** That from the next start of the board on, where it is another. */
   private next: Way | null = null;
 
-  constructor(private readonly name: string) {
-    this.all = wayList(kept(name));
+  constructor(private readonly simulated: boolean) {
+    this.all = wayList(simulated ? keptHere("ways") : kept("ways-desk"));
   }
 
   get now(): Way {
@@ -71,7 +73,9 @@ export class Ways {
   private set(all: readonly Way[]): void {
     const ways = [...all, USUAL];
     this.all = ways.filter((way, index) => ways.findIndex((one) => same(one, way)) === index).slice(0, 3);
-    keep(this.name, JSON.stringify(this.all));
+    const told = JSON.stringify(this.all);
+    if (this.simulated) keepHere("ways", told);
+    else keep("ways-desk", told);
   }
 }
 

@@ -6,6 +6,12 @@ export interface Both {
   readonly pt: string;
 }
 
+/** What is wrong, where a field is with its key and what could stand in it instead. */
+export interface Wrong extends Both {
+  readonly field?: string;
+  readonly offers?: readonly { readonly value: string; readonly say: Both; readonly sure: boolean }[];
+}
+
 export type LanguageName = "il" | "st" | "scl" | "iscl" | "lce" | "xml" | "numeric";
 
 /** A program as somebody writes it: the end of the name says its language. */
@@ -69,6 +75,8 @@ export interface Checked {
    * 0 for a comment, 1 a text, 2 a point, 3 a number, 4 a word of the language. */
   readonly colours: readonly number[];
   readonly program: Made | null;
+  /** Whether no instruction stands in it yet: one can draw the first. */
+  readonly blank: boolean;
 }
 
 /** What a student learns of a case before its turn. */
@@ -84,6 +92,10 @@ export interface Sheet {
   readonly hints: readonly Both[];
   /** What is connected to the points. */
   readonly names: Readonly<Record<string, Both>>;
+  /** The inputs, from 1, whose buttons are normally closed. */
+  readonly normallyClosed: readonly number[];
+  /** A text in Instruction List that names what is connected, and has no instruction yet. */
+  readonly begin: Both;
   readonly cases: readonly Case[];
 }
 
@@ -217,8 +229,8 @@ export type Act =
   | { readonly do: "carry"; readonly at: number; readonly place: Place }
   | { readonly do: "paste"; readonly place: Place }
   | { readonly do: "coil"; readonly coil: "normal" | "negated" | "set" | "reset" | "load" }
-  | { readonly do: "edit"; readonly fields: readonly { readonly key: string; readonly value: string }[] }
-  | { readonly do: "name"; readonly point: string; readonly name: string; readonly comment: string }
+  | { readonly do: "edit"; readonly fields: readonly { readonly key: string; readonly value: string }[]; readonly sure?: boolean }
+  | { readonly do: "name"; readonly point: string; readonly name: string; readonly comment: string; readonly sure?: boolean }
   | { readonly do: "comment" | "title"; readonly text: string }
   | ({ readonly do: "text" } & Text);
 

@@ -1,6 +1,6 @@
 // The Rust of unoclp: one text in, one text out.
 
-import type { Asks, Both } from "./answers";
+import type { Asks, Wrong } from "./answers";
 
 /** What the module exports; wasm/src/lib.rs says how it is called. */
 interface Exports {
@@ -12,7 +12,7 @@ interface Exports {
 
 /** What Rust says is wrong with a request. */
 export class Refusal extends Error {
-  constructor(readonly both: Both) {
+  constructor(readonly both: Wrong) {
     super(both.en);
   }
 }
@@ -36,7 +36,7 @@ export class Tools {
     const length = this.rust.unoclp_call();
     // The memory may have grown meanwhile.
     const answer = new Uint8Array(this.rust.memory.buffer, this.rust.unoclp_answer(), length);
-    const told = JSON.parse(new TextDecoder().decode(answer)) as { ok?: unknown; error?: Both; more?: true };
+    const told = JSON.parse(new TextDecoder().decode(answer)) as { ok?: unknown; error?: Wrong; more?: true };
     if (told.more) throw new NeedsMore();
     if (told.error) throw new Refusal(told.error);
     return told.ok as Asks[K]["answer"];

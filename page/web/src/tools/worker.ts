@@ -1,6 +1,6 @@
 // The worker that checks, draws and lists while somebody types.
 
-import type { Both } from "./answers";
+import type { Wrong } from "./answers";
 import { NeedsMore, Refusal, Tools } from "./tools";
 
 /** What the page asks: a module first, then requests. */
@@ -8,7 +8,7 @@ export type Asked =
   | { readonly module: WebAssembly.Module }
   | { readonly id: number; readonly what: string; readonly request: unknown };
 /** What is answered. */
-export type Answered = { readonly id: number; readonly ok?: unknown; readonly error?: Both; readonly more?: true };
+export type Answered = { readonly id: number; readonly ok?: unknown; readonly error?: Wrong; readonly more?: true };
 
 let tools: Promise<Tools> | null = null;
 

@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fingers, holding, mouse, touch } from "./hands.mjs";
-import { Lab, lamp, pictures, run, type } from "./harness.mjs";
+import { Lab, keptText, lamp, pictures, run, type } from "./harness.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -70,7 +70,7 @@ async function undone(page) {
     await page.waitForFunction((before) => document.querySelector("#sheet svg")?.innerHTML !== before || document.querySelector("#draw-undo:disabled"), before);
   }
   await page.locator("#draw-undo:disabled").waitFor();
-  return { elements: await page.locator("#sheet .element").count(), text: await page.evaluate(() => JSON.parse(localStorage.getItem("program") ?? "{}").text) };
+  return { elements: await page.locator("#sheet .element").count(), text: await keptText(page) };
 }
 
 /** What the seal-in does on the board. @param {Page} page */
@@ -309,7 +309,7 @@ test("elements and rungs are copied, moved, found and named", async () => {
   await page.keyboard.press("Enter");
   await page.locator('#symbols tr[data-point="Q1"]').waitFor();
   await page.locator("#symbols header button").click();
-  assert.match(await page.evaluate(() => JSON.parse(localStorage.getItem("program") ?? "{}").text), /\(\* The pump \*\)\nLD {4}start\nST {4}pump/);
+  assert.match(await keptText(page), /\(\* The pump \*\)\nLD {4}start\nST {4}pump/);
   // The contact goes to another rung by the clipboard, and becomes a closed one.
   await page.locator('#sheet .element[data-point="I1"] .area').click();
   await settled('#sheet .element.selected[data-point="I1"]');
@@ -379,7 +379,7 @@ test("a text that a hand has changed is drawn, and undo takes it back", async ()
   const page = await lab.open();
   await page.click("#view-draw");
   await page.locator('#sheet .element[data-point="Q1"]').first().waitFor();
-  const before = await page.evaluate(() => JSON.parse(localStorage.getItem("program") ?? "{}").text);
+  const before = await keptText(page);
   await page.click("#view-both");
   await type(page, "LD I3\nST Q3\n");
   await page.locator('#ladder .element[data-point="Q3"]').waitFor();
@@ -388,7 +388,7 @@ test("a text that a hand has changed is drawn, and undo takes it back", async ()
   await page.click("#draw-undo");
   await page.locator('#sheet .element[data-point="Q3"]').waitFor({ state: "detached" });
   await page.locator('#sheet .element[data-point="Q1"]').first().waitFor();
-  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("program") ?? "{}").text), before);
+  assert.equal(await keptText(page), before);
   await page.context().close();
 });
 

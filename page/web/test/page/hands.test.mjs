@@ -91,8 +91,12 @@ const STEPS = [
   }],
   ["single scans are made, one at a time", async (page, hand) => {
     await hand.press(page, "#tab-watch");
+    // In RUN there is none: it would begin the program anew.
+    await page.locator("#scan:disabled").waitFor();
+    await hand.press(page, "#command-stop");
+    await page.locator("#scan:enabled").waitFor();
     await hand.press(page, "#scan");
-    await state(page, "STOP");
+    await page.waitForFunction(() => Number.parseInt(document.querySelector('tr[data-point="D1"] .value')?.textContent ?? "", 10) > 0);
     const before = await value(page, "D1");
     await hand.press(page, "#scan");
     await page.waitForFunction((more) => document.querySelector('tr[data-point="D1"] .value')?.textContent === String(more), before + 1);

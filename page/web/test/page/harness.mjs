@@ -112,6 +112,16 @@ export async function run(page) {
   await state(page, "RUN");
 }
 
+/** What the browser has kept for the tab of this page. @param {import("playwright-core").Page} page @param {string} kind */
+export function keptHere(page, kind) {
+  return page.evaluate((kind) => localStorage.getItem(`${kind}/${sessionStorage.getItem("place")}`), kind);
+}
+
+/** The text of its program. @param {import("playwright-core").Page} page */
+export async function keptText(page) {
+  return JSON.parse((await keptHere(page, "program")) ?? "{}").text;
+}
+
 /** Waits until the board is in this state. @param {import("playwright-core").Page} page @param {string} name */
 export async function state(page, name) {
   await page.locator(`#status[data-state="${name}"]`).waitFor();

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Lab, findings, run, state } from "./harness.mjs";
+import { Lab, findings, keptHere, run, state } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -88,7 +88,7 @@ test("a board that is set otherwise is sought as a person says", async () => {
   await page.fill("#set-address", "9");
   await keep(page, /next start/);
   // Another browser does not know it.
-  const eeprom = await page.evaluate(() => localStorage.getItem("eeprom"));
+  const eeprom = await keptHere(page, "eeprom");
   await page.context().close();
   const other = await lab.other({}, { eeprom: eeprom ?? "" });
   await other.click("#tab-settings");

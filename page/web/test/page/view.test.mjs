@@ -12,7 +12,7 @@ import { built } from "../../serve.mjs";
 import { Lab } from "./harness.mjs";
 
 /** What the first view may weigh, compressed as servers do, in bytes. */
-const MOST = 450_000;
+const MOST = 520_000;
 
 /** @type {Lab} */
 let lab;
@@ -21,7 +21,7 @@ before(async () => {
 });
 after(() => lab.end());
 
-test("the first view weighs no more than 450 KB compressed, with the firmware in it", async () => {
+test("the first view weighs no more than 520 KB compressed, with the firmware in it", async () => {
   const context = await lab.browser.newContext({ serviceWorkers: "block" });
   const page = await context.newPage();
   /** @type {import("playwright-core").Request[]} */

@@ -41,6 +41,43 @@ pub fn is_name(name: &str) -> bool {
         && codes(&text).is_some_and(|own| Some(own) == codes("LD I1\nST Q1\n"))
 }
 
+/// The name that words can be: `stop_2` of `stop 2`, `botao` of `botão (NA)`; none where nothing is left of them.
+pub fn name_of(words: &str) -> Option<String> {
+    let words = words.split('(').next().unwrap_or_default().trim();
+    let plain = |letter: char| match letter {
+        'á' | 'à' | 'â' | 'ã' => 'a',
+        'é' | 'ê' => 'e',
+        'í' => 'i',
+        'ó' | 'ô' | 'õ' => 'o',
+        'ú' => 'u',
+        'ç' => 'c',
+        letter if letter.is_ascii_alphanumeric() => letter,
+        _ => '_',
+    };
+    let letters: String = words.to_lowercase().chars().map(plain).collect();
+    let parts: Vec<&str> = letters.split('_').filter(|part| !part.is_empty()).collect();
+    let name = parts.join("_");
+    let behind = format!("{name}_");
+    [name, behind].into_iter().find(|name| is_name(name))
+}
+
+/// A text without an instruction: what it is about, and the names of points.
+pub fn blank_text<'r>(title: &str, rows: impl Iterator<Item = (Address, &'r Row)>) -> String {
+    let mut text = String::new();
+    comment(&mut text, title);
+    let kind = |point| match point {
+        Address::Register(_) | Address::Analogue(_) => "INT",
+        _ => "BOOL",
+    };
+    let names = rows.map(|(point, row)| Name {
+        point,
+        row,
+        kind: kind(point),
+    });
+    declare(&mut text, &names.collect::<Vec<_>>());
+    text
+}
+
 /// What a text compiles to; none where it has errors.
 fn codes(text: &str) -> Option<Vec<i32>> {
     let options = Options {
@@ -126,22 +163,8 @@ fn written(document: &Document, program: &Program<'_>, plain: &str, names: &[Nam
         comment(&mut text, line);
     }
     if !names.is_empty() || !document.title().is_empty() {
-        text += "VAR\n";
-        for name in names {
-            let Row {
-                name: called,
-                comment,
-            } = name.row;
-            let _ = write!(text, "    {called} AT {} : {};", name.spelled(), name.kind);
-            match comment.is_empty() {
-                true => text.push('\n'),
-                false => {
-                    text.push(' ');
-                    self::comment(&mut text, comment);
-                }
-            }
-        }
-        text += "END_VAR\n\n";
+        declare(&mut text, names);
+        text.push('\n');
     }
     let called: BTreeMap<String, &str> = names
         .iter()
@@ -161,6 +184,26 @@ fn written(document: &Document, program: &Program<'_>, plain: &str, names: &[Nam
         }
     }
     text
+}
+
+/// The declarations of these names.
+fn declare(text: &mut String, names: &[Name<'_>]) {
+    *text += "VAR\n";
+    for name in names {
+        let Row {
+            name: called,
+            comment,
+        } = name.row;
+        let _ = write!(text, "    {called} AT {} : {};", name.spelled(), name.kind);
+        match comment.is_empty() {
+            true => text.push('\n'),
+            false => {
+                text.push(' ');
+                self::comment(text, comment);
+            }
+        }
+    }
+    *text += "END_VAR\n";
 }
 
 fn comment(text: &mut String, line: &str) {

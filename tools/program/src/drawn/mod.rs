@@ -7,11 +7,12 @@ mod il;
 mod numeric;
 mod parts;
 
-use crate::{BOARD, Source, load, names, point_names};
-use unoclp_ladder::edit::{Document, Mistake};
+use crate::{BOARD, Language, Source, load, names, point_names};
+use unoclp_ladder::edit::{Document, Mistake, Row};
 use unoclp_ladder::{Address, Ladder};
+use unoclp_lang::{Declared, DeclaredPoint, declared};
 
-pub use il::is_name;
+pub use il::{blank_text, is_name, name_of};
 
 /// What a document is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +35,37 @@ pub fn document(source: &Source) -> Document {
     // Members of a function block have no name of their own that a declaration could give them.
     names.retain(|_, name| is_name(name));
     let document = Document::of_steps(steps);
-    document.with_text(&source.map).with_names(names)
+    let document = document.with_text(&source.map).with_names(names);
+    match source.language {
+        Language::Il { .. } => with_declared(document, declared(&source.text).points),
+        _ => document,
+    }
+}
+
+/// The document of a text in Instruction List that has no instruction yet: an empty rung, with the title and the names
+/// that are declared. None where the text has one, or cannot be read.
+pub fn blank(text: &str) -> Option<Document> {
+    let Declared {
+        title,
+        points,
+        is_blank,
+    } = declared(text);
+    is_blank.then(|| with_declared(Document::new().with_title(title), points))
+}
+
+/// A document with the names that its text declares, of points that nothing uses too.
+fn with_declared(document: Document, points: Vec<DeclaredPoint>) -> Document {
+    let rows = points.into_iter().filter_map(|declared| {
+        let DeclaredPoint {
+            point,
+            name,
+            comment,
+        } = declared;
+        let point = Address::parse(&point)?;
+        is_name(&name).then_some((point, Row { name, comment }))
+    });
+    let rows: Vec<_> = rows.collect();
+    document.with_rows(rows)
 }
 
 /// The text of a document, which compiles to its codes.

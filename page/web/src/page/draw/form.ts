@@ -3,10 +3,12 @@
 import type { Act, Drawn } from "../../tools/answers";
 import { say } from "../../words/draw";
 import { told } from "../../words/words";
+import type { Refusal } from "../../tools/tools";
 import { h } from "../dom";
+import { clear, show } from "./wrong";
 
-/** Opens the form at a place of the window; settled when it is closed, with what is to be done. */
-export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null): Promise<Act | null> {
+/** Opens the form at a place of the window; settled when it is closed. It stays, with what was typed, until that is done. */
+export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null, attempt: (act: Act) => Promise<Refusal | null>): Promise<void> {
   const { what, fields, comment } = drawn.at;
   const inputs = fields.map((field) => {
     const input = h("input", { id: `field-${field.key}`, type: "text", value: field.value, autocomplete: "off", spellcheck: "false",
@@ -23,27 +25,37 @@ export function ask(over: HTMLElement, drawn: Drawn, at: DOMRect | null): Promis
     h("div", { class: "row" }, h("button", { type: "submit", class: "primary" }, say("ok")), h("button", { type: "button", id: "form-cancel" }, say("cancel"))));
   over.querySelector(".at-element")?.remove();
   over.append(form);
-  const box = over.getBoundingClientRect();
-  if (at) {
+  const within = (): void => {
+    const box = over.getBoundingClientRect();
+    if (!at) return;
     form.style.left = `${Math.max(4, Math.min(at.left - box.left, box.width - form.offsetWidth - 4))}px`;
     form.style.top = `${Math.max(4, Math.min(at.bottom - box.top + 4, box.height - form.offsetHeight - 4))}px`;
-  }
+  };
+  within();
   const first = form.querySelector<HTMLInputElement | HTMLTextAreaElement>("input, textarea");
   first?.focus();
   first?.select();
   return new Promise((resolve) => {
-    const end = (act: Act | null): void => {
+    const end = (): void => {
       form.remove();
-      resolve(act);
+      resolve();
+    };
+    const fields = { form, inputs: new Map(inputs.map(({ field, input }) => [field.key, input])) };
+    const send = async (sure: boolean): Promise<void> => {
+      const edit = { do: "edit", fields: inputs.map(({ field, input }) => ({ key: field.key, value: input.value })), ...(sure && { sure }) } as const;
+      const refused = await attempt(what === "element" ? edit : { do: "comment", text: text.value });
+      if (!refused) return end();
+      show(fields, refused.both, (sure) => void send(sure));
+      within();
     };
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      if (what !== "element") return end({ do: "comment", text: text.value });
-      end({ do: "edit", fields: inputs.map(({ field, input }) => ({ key: field.key, value: input.value })) });
+      void send(false);
     });
-    form.querySelector("#form-cancel")?.addEventListener("click", () => end(null));
+    form.addEventListener("input", () => clear(fields));
+    form.querySelector("#form-cancel")?.addEventListener("click", end);
     form.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") end(null);
+      if (event.key === "Escape") end();
       // A comment may have several lines.
       if (event.key === "Enter" && event.target === text && !event.shiftKey) {
         event.preventDefault();

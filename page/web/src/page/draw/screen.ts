@@ -6,7 +6,7 @@ import { say } from "../../words/draw";
 import { speak, told, translate } from "../../words/words";
 import { asked } from "../asked";
 import type { Bench } from "../bench";
-import type { ProgramDocument } from "../document";
+import { type ProgramDocument, stemOf } from "../document";
 import { byId, h } from "../dom";
 import { force, liveOf } from "../forcing";
 import { kept } from "../kept";
@@ -31,6 +31,8 @@ export interface Around {
   readonly bench: Bench;
   /** Shows a text in the editor too. */
   readonly write: (text: Text) => void;
+  /** Opens another program, which can be undone. */
+  readonly open: (text: Text) => void;
 }
 
 const PLACES = ["behind", "beside", "before"] as const;
@@ -80,7 +82,7 @@ export class Screen {
     const edit = menu("drawEdit", "pen", () => ACTIONS.filter((action) => !action.quiet).map((action) => entry(say(action.say), () => void this.do(action), action.key)));
     const bar = h("div", { class: "draw-bar" },
       h("div", { class: "group" }, undo, redo), edit, this.where,
-      button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], act)),
+      button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], (act) => this.session.attempt(act))),
       button("draw-find", "find", () => this.finder.open()),
       button("draw-texts", "asText", () => void texts(tools)),
       button("draw-print", "print", () => this.print()),
@@ -93,12 +95,13 @@ export class Screen {
     this.touch();
     this.paper.addEventListener("keydown", (event) => this.key(event));
     this.session.drawn.follow((drawn) => {
-      if (!drawn) return;
-      undo.disabled = drawn.undo === 0;
-      redo.disabled = drawn.redo === 0;
-      this.show(drawn);
+      undo.disabled = !drawn || drawn.undo === 0;
+      redo.disabled = !drawn || drawn.redo === 0;
+      if (drawn) this.show(drawn);
+      else this.blank();
     });
     this.session.closed.follow(() => this.bar());
+    program.text.follow(() => this.bar());
     bench.seen.follow(() => this.live());
     program.text.follow(() => this.live());
     speak.follow(() => {
@@ -122,6 +125,13 @@ export class Screen {
     }));
     this.hear(drawn);
     this.live();
+  }
+
+  /** Nothing can be drawn: the program has errors. */
+  private blank(): void {
+    this.sheet.clear();
+    this.state.textContent = "";
+    this.mistakes.replaceChildren();
   }
 
   /** A screen reader says what the cursor is at, and what is wrong there. */
@@ -149,12 +159,11 @@ export class Screen {
   private bar(): void {
     const closed = this.session.closed.value;
     this.banner.hidden = closed === null;
-    const { program, tools, write } = this.around;
-    const { name } = program.text.value;
-    const stem = name.replace(/\.\w+$/, "");
-    const copy = async (): Promise<void> => write({ name: `${stem}.il`, text: await tools.ask("drawn", { as: "il" }) });
+    const { program, tools, open } = this.around;
+    const stem = stemOf(program.text.value.name);
+    const copy = async (): Promise<void> => open({ name: `${stem}.il`, text: await tools.ask("drawn", { as: "il" }) });
     if (closed === "readOnly") this.banner.replaceChildren(say("readOnly"), h("button", { type: "button", id: "draw-copy", click: () => void copy() }, say("drawCopy")));
-    if (closed === "faulty") this.banner.replaceChildren(say("faulty"), h("button", { type: "button", id: "draw-empty", click: () => write({ name: "drawing.il", text: "" }) }, say("drawEmpty")));
+    if (closed === "faulty") this.banner.replaceChildren(say("faulty"), h("button", { type: "button", id: "draw-empty", click: () => open({ name: `${stem}.il`, text: "" }) }, say("drawEmpty")));
   }
 
   private turn(): void {
@@ -182,8 +191,7 @@ export class Screen {
     if (!drawn || this.session.closed.value) return;
     const asked: Drawn = comment ? { ...drawn, at: { ...drawn.at, what: "rung", fields: [] } } : drawn;
     if (asked.at.what === "rung" || (asked.at.what === "element" && asked.at.fields.length > 0)) {
-      const act = await ask(this.over, asked, this.sheet.box(drawn.cursor[0]));
-      if (act && !(await this.session.act(act)) && act.do === "edit") return this.edit();
+      await ask(this.over, asked, this.sheet.box(drawn.cursor[0]), (act) => this.session.attempt(act));
     }
     this.paper.focus();
   }

@@ -1,33 +1,26 @@
-// The drawing that is open: what is done to it goes to Rust, its text into the program, and its log into the browser.
+// The drawing that is open: what is done to it goes to Rust, its text into the program, which keeps its log too.
 
 import { type Act, type Drawn, type Text } from "../../tools/answers";
 import type { RemoteTools } from "../../tools/remote";
 import { Refusal } from "../../tools/tools";
 import { speak, told } from "../../words/words";
-import type { Looked, ProgramDocument } from "../document";
-import { keep, kept } from "../kept";
+import { type Drawing, type Looked, type ProgramDocument, isOf } from "../document";
 import { note } from "../notes";
 import { Signal } from "../signal";
 
-const KEPT = "drawing";
 /** What moves the cursor and no more: of several in a row the last is enough. */
 const MOVES = new Set(["move", "select", "extend", "out"]);
 
 /** Why nothing can be drawn. */
 export type Closed = "faulty" | "readOnly" | null;
 
-interface Kept {
-  readonly name: string;
-  readonly base: Text;
-  readonly log: Act[];
-  /** The program's text as the drawing has left it. */
-  readonly text: string;
-}
-
 export class Session {
   readonly drawn = new Signal<Drawn | null>(null);
   readonly closed = new Signal<Closed>(null);
-  private kept: Kept | null = null;
+  /** The drawing that Rust has open. */
+  private drawing: Drawing | null = null;
+  /** The program that it is of, as the document counts them. */
+  private opened = -1;
   private queue: Promise<unknown> = Promise.resolve();
   private visible = false;
 
@@ -55,34 +48,44 @@ export class Session {
     await this.queue;
   }
 
-  /** Does something; what is wrong with it is told to the person, and given back. */
-  act(act: Act): Promise<boolean> {
-    return this.next(async () => {
-      if (this.closed.value || !this.kept) return false;
-      const drawn = await this.tools.ask("edit", { act, width: this.width(), speak: speak.value });
-      const { log } = this.kept;
-      if (MOVES.has(act.do)) {
-        if (MOVES.has(log.at(-1)?.do ?? "")) log.pop();
-        log.push({ do: "select", from: drawn.cursor[0], to: drawn.cursor[1] });
-      } else log.push(act);
-      this.take(drawn);
-      return true;
+  /** Does something; says whether it is done. What is wrong with it is told to the person. */
+  async act(act: Act): Promise<boolean> {
+    const refused = await this.attempt(act);
+    if (refused) note(told(refused.both));
+    return refused === null;
+  }
+
+  /** Does something; gives why it is not done. */
+  async attempt(act: Act): Promise<Refusal | null> {
+    let refused: Refusal | null = null;
+    await this.next(async () => {
+      if (this.closed.value || !this.drawing) return;
+      try {
+        const drawn = await this.tools.ask("edit", { act, ...this.shown });
+        this.take(act, drawn);
+      } catch (error) {
+        if (!(error instanceof Refusal)) throw error;
+        refused = error;
+      }
     });
+    return refused;
   }
 
   /** Draws it anew, in another width or language. */
-  again(): Promise<boolean> {
+  again(): Promise<void> {
     return this.next(async () => {
-      this.drawn.value = await this.tools.ask("edit", { act: null, width: this.width(), speak: speak.value });
-      return true;
+      this.drawn.value = await this.tools.ask("edit", { act: null, ...this.shown });
     });
   }
 
-  private next(job: () => Promise<boolean>): Promise<boolean> {
+  private get shown(): { width: number; speak: typeof speak.value } {
+    return { width: this.width(), speak: speak.value };
+  }
+
+  private next(job: () => Promise<void>): Promise<void> {
     const done = this.queue.then(job).catch((error: unknown) => {
       if (!(error instanceof Refusal)) throw error;
       note(told(error.both));
-      return false;
     });
     this.queue = done;
     return done;
@@ -95,73 +98,72 @@ export class Session {
     void this.next(() => this.meet(looked));
   }
 
-  private async meet({ text, checked }: Looked): Promise<boolean> {
-    if (text !== this.program.text.value) return true;
-    const isBlank = text.text.trim() === "";
-    const isDrawn = checked.language === "il" || checked.language === "numeric" || isBlank;
-    this.closed.value = !checked.program && !isBlank ? "faulty" : isDrawn ? null : "readOnly";
-    if (this.closed.value === "faulty") return false;
-    const { kept } = this;
-    if (kept?.text === text.text && endOf(kept.name) === endOf(text.name)) {
-      // It has another name at most.
-      this.kept = { ...kept, name: text.name };
-      this.keep();
-      return true;
+  private async meet({ text, checked }: Looked): Promise<void> {
+    const { program } = this;
+    if (text !== program.text.value) return;
+    const kept = program.drawing.value;
+    const isDrawn = kept !== null && isOf(kept, text);
+    const canDraw = checked.language === "il" || checked.language === "numeric" || checked.blank;
+    this.closed.value = isDrawn ? null : !checked.program && !checked.blank ? "faulty" : canDraw ? null : "readOnly";
+    const isAnother = program.opened !== this.opened;
+    if (this.closed.value === "faulty") {
+      // Of another program nothing is shown that it is not.
+      if (isAnother) this.drawing = this.drawn.value = null;
+      return;
     }
-    const old = this.drawn.value === null ? remembered() : null;
-    if (old && old.name === text.name && old.text === text.text) await this.open(old, text);
-    else if (kept && kept.name === text.name) {
+    this.opened = program.opened;
+    if (isAnother) return this.open(isDrawn ? kept : null, text);
+    const { drawing } = this;
+    if (drawing && isOf(drawing, text)) {
+      // It has another name at most.
+      if (drawing.name !== text.name) this.keep({ ...drawing, name: text.name });
+    } else if (drawing && drawing.name === text.name) {
       // A step of its own, which undo takes back.
       const act: Act = { do: "text", ...text };
-      const drawn = await this.tools.ask("edit", { act, width: this.width(), speak: speak.value });
-      this.kept = { ...kept, log: [...kept.log, act], text: text.text };
-      this.take(drawn);
-    } else await this.open({ name: text.name, base: text, log: [], text: text.text }, text);
-    return true;
+      const drawn = await this.tools.ask("edit", { act, ...this.shown });
+      this.take(act, drawn);
+    } else await this.open(null, text);
   }
 
-  private async open(kept: Kept, text: Text): Promise<void> {
-    const ask = { width: this.width(), speak: speak.value };
+  /** Opens a drawing, or a text that was never drawn in. */
+  private async open(kept: Drawing | null, text: Text): Promise<void> {
+    let drawing = kept ?? { name: text.name, base: text, log: [], text: text.text };
     let drawn: Drawn;
     try {
-      drawn = await this.tools.ask("draw", { base: kept.base, log: kept.log, ...ask });
-      this.kept = kept;
+      drawn = await this.tools.ask("draw", { base: drawing.base, log: drawing.log, ...this.shown });
     } catch (error) {
-      if (!(error instanceof Refusal) || kept.log.length === 0) throw error;
+      if (!(error instanceof Refusal) || drawing.log.length === 0) throw error;
       // What was kept fits no longer; the text does.
-      this.kept = { name: text.name, base: text, log: [], text: text.text };
-      drawn = await this.tools.ask("draw", { base: text, log: [], ...ask });
+      drawing = { name: text.name, base: text, log: [], text: text.text };
+      drawn = await this.tools.ask("draw", { base: text, log: [], ...this.shown });
     }
     // Nothing but its text is the program's.
+    this.keep({ ...drawing, name: text.name, lacks: lacks(drawn) });
     this.drawn.value = drawn;
-    this.keep();
   }
 
-  private take(drawn: Drawn): void {
-    if (this.kept && drawn.text !== null && drawn.text !== this.kept.text) {
-      this.kept = { ...this.kept, text: drawn.text };
-      this.write({ name: this.kept.name, text: drawn.text });
-    }
+  /** This was done, and this is how it is drawn then. */
+  private take(act: Act, drawn: Drawn): void {
+    const { drawing } = this;
+    if (!drawing) return;
+    const log = [...drawing.log];
+    if (MOVES.has(act.do)) {
+      if (MOVES.has(log.at(-1)?.do ?? "")) log.pop();
+      log.push({ do: "select", from: drawn.cursor[0], to: drawn.cursor[1] });
+    } else log.push(act);
+    const text = drawn.text ?? (act.do === "text" ? act.text : drawing.text);
+    this.keep({ ...drawing, log, text, lacks: lacks(drawn) });
+    if (text !== this.program.text.value.text) this.write({ name: drawing.name, text });
     this.drawn.value = drawn;
-    this.keep();
   }
 
-  private keep(): void {
-    keep(KEPT, JSON.stringify(this.kept));
+  private keep(drawing: Drawing): void {
+    this.drawing = drawing;
+    this.program.drawing.value = drawing;
   }
 }
 
-/** The end of a file's name, which says its language. */
-function endOf(name: string): string {
-  return /\.\w+$/.exec(name)?.[0].toLowerCase() ?? "";
-}
-
-function remembered(): Kept | null {
-  try {
-    const found = JSON.parse(kept(KEPT) ?? "null") as Partial<Kept> | null;
-    const is = typeof found?.name === "string" && typeof found.text === "string" && Array.isArray(found.log) && typeof found.base?.text === "string";
-    return is ? (found as Kept) : null;
-  } catch {
-    return null;
-  }
+/** How much is to be completed before it is a program; nothing, where the sheet is still empty. */
+function lacks(drawn: Drawn): number {
+  return drawn.text === null ? Math.max(1, drawn.mistakes.filter((mistake) => mistake.error).length) : 0;
 }

@@ -47,6 +47,12 @@ export class Sheet implements Carried {
     this.paper.querySelector(".selected")?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
+  /** Shows nothing. */
+  clear(): void {
+    this.sheet = null;
+    this.ladder.show("");
+  }
+
   /** Where something is in the window; null where it is not drawn. */
   box(id: number): DOMRect | null {
     const element = this.paper.querySelector(`.element[data-id="${id}"]`) ?? this.paper.querySelector(`[data-id="${id}"]`);
