@@ -14,7 +14,7 @@ use unoclp_board::diagnostics::{Diagnostics, Kept, Trouble};
 use unoclp_board::identity::Identity;
 use unoclp_board::map::{Command, State, flag};
 use unoclp_board::watch::{Forces, Meter, Reading, Side, Wish};
-use unoclp_core::{Image, Inputs};
+use unoclp_core::{After, Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
 use unoclp_source::{Source, Written, load};
@@ -396,9 +396,9 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
             inputs.0 ^= 1 << random.below(4);
         }
         let mut acc = Vec::new();
-        let observe = |step: usize, on| {
+        let observe = |step: usize, after: After| {
             acc.resize(step, None);
-            acc.push(Some(on));
+            acc.push(Some(after.acc));
         };
         let outputs = board
             .scan_observed(Inputs::from(inputs), now, observe)

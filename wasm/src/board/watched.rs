@@ -8,7 +8,7 @@ use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
 use unoclp_core::isa::Class;
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Probe, Twin};
+use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_ladder::{Ladder, Nets, Symbol};
 use unoclp_source::Source;
 
@@ -57,11 +57,6 @@ impl Watched {
         let ladder = Ladder::new(source.program().steps());
         let lines = Lines::new(&source);
         let values = values(&source, &ladder);
-        let mut steps: Vec<usize> = values.iter().map(|&(_, step)| step).collect();
-        steps.extend(lines.values());
-        steps.sort_unstable();
-        steps.dedup();
-        let probe = Probe::new(&source, &steps);
         let registers = source.program().registers() as u16;
         let used = &source.size.used;
         let parts = Parts {
@@ -77,7 +72,7 @@ impl Watched {
         };
         Watched {
             kept,
-            twin: Twin::new(machine, probe),
+            twin: Twin::new(machine),
             nets: ladder.nets,
             boxes,
             lines,
