@@ -211,6 +211,24 @@ fn whatever_a_person_should_know_is_said() {
 }
 
 #[test]
+fn a_board_without_a_program_is_not_at_fault() {
+    let mut empty = reading();
+    empty.diagnostics.state = Some(State::Fault);
+    empty.diagnostics.program = Kept::default();
+    empty.diagnostics.trouble = Some(Trouble {
+        number: 51,
+        line: None,
+    });
+    let shown = screen(&mut showing(empty), 100, 24);
+    for part in ["no program yet  12 s", "\n No program on the board yet: "] {
+        assert!(shown.contains(part), "{part} is missing in\n{shown}");
+    }
+    for part in ["FAULT", "fault 51", "another program"] {
+        assert!(!shown.contains(part), "{part} in\n{shown}");
+    }
+}
+
+#[test]
 fn a_lost_board_is_told_and_what_was_read_last_stays() {
     let mut app = app(None);
     assert!(screen(&mut app, 80, 24).contains("waiting for the board"));
