@@ -697,6 +697,7 @@ fn the_screen_speaks_portuguese() {
         "Entradas: 1 a 8 forçam",
         "já estavam forçados: Q1=1",
         "varredura 214",
+        "fonte 5,01 V",
         "há um envio em andamento",
         " q sai ",
     ] {

@@ -219,8 +219,8 @@ fn lamp(on: bool) -> Span<'static> {
 fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let board = &reading.diagnostics;
     let [last, least, most] = board.scan_times.map(micros);
-    let volts = f64::from(board.supply) / 1000.0;
-    let figures = messages::figures(last, least, most, format!("{volts:.2}"), board.free_stack);
+    let volts = messages::volts(board.supply);
+    let figures = messages::figures(last, least, most, volts, board.free_stack);
     let history = messages::history(messages::start(board.cause), board.restarts, board.faults);
     let mut lines = vec![Line::raw(figures), Line::raw(history)];
     let mut warn = |text: String| {
