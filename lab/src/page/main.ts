@@ -12,7 +12,7 @@ import { Desk } from "./desk";
 import { ProgramDocument, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { download, read, takeDrops } from "./files";
+import { download, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
 import { note } from "./notes";
 import { Panel } from "./panel";
@@ -52,9 +52,12 @@ async function load(): Promise<void> {
       note(say("replaced"), { text: say("undo"), take: () => { program.replace(before); editor.show(before.text); } });
     }
   };
+  const learning = later(async () => new (await import("./learning")).Learning(remote, () => program.text.value, open));
   const take = async (file: File): Promise<void> => {
     const text = await read(file);
-    if (text) open(text);
+    if (!text) return;
+    if (isScenario(text)) await (await learning())?.take(text);
+    else open(text);
   };
 
   const trend = new Trend(bench);
@@ -78,7 +81,6 @@ async function load(): Promise<void> {
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs), new Desk(bench, modules).control);
-  const learning = later(async () => new (await import("./learning")).Learning(remote, () => program.text.value, open));
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));

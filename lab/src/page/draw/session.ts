@@ -29,6 +29,7 @@ export class Session {
   readonly closed = new Signal<Closed>(null);
   private kept: Kept | null = null;
   private queue: Promise<unknown> = Promise.resolve();
+  private begins = false;
   private visible = false;
 
   constructor(
@@ -39,6 +40,7 @@ export class Session {
     private readonly write: (text: Text) => void,
   ) {
     program.looked.follow(() => this.follow());
+    tools.begun.add(() => this.begin());
     speak.follow(() => {
       if (this.visible && this.drawn.value) void this.again();
     });
@@ -75,6 +77,18 @@ export class Session {
     return this.next(async () => {
       this.drawn.value = await this.tools.ask("edit", { act: null, width: this.width(), speak: speak.value });
       return true;
+    });
+  }
+
+  /** The tools know no drawing any more: it is opened again, with all that can be undone. */
+  private begin(): void {
+    if (this.begins) return;
+    this.begins = true;
+    void this.next(async () => {
+      if (this.kept) await this.open(this.kept, this.program.text.value);
+      return true;
+    }).finally(() => {
+      this.begins = false;
     });
   }
 
