@@ -85,11 +85,20 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
     }),
   ];
   return [
-    entry(say("newFile"), () => open({ name: "program.il", text: "" })),
+    entry(say("newFile"), () => {
+      open({ name: "program.il", text: "" });
+      write();
+    }),
     entry(say("openFile"), () => pick((file) => void take(file))),
     entry(say("saveFile"), () => save(text)),
     ...saved,
   ];
+}
+
+/** The focus goes where one writes, or draws. */
+function write(): void {
+  const shown = [...document.querySelectorAll<HTMLElement>(".cm-content, #sheet")].find((one) => one.offsetParent !== null);
+  shown?.focus();
 }
 
 function save(text: Text): void {
