@@ -4,7 +4,7 @@ use crate::scenario::{Cell, Engine, Outcome, Refusal};
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_checked::Checked;
-use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Snapshot};
+use unoclp_core::{After, Fault, Image, Inputs, Millis, Plc, Snapshot};
 use unoclp_source::load;
 use unoclp_source::used::Used;
 
@@ -70,7 +70,7 @@ impl Machine {
         &mut self,
         inputs: Inputs,
         now: Millis,
-        observe: impl FnMut(usize, bool),
+        observe: impl FnMut(usize, After),
     ) -> Result<Image, Fault> {
         self.owned
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))

@@ -45,7 +45,7 @@ pub use isa::Instruction;
 pub use kept::{KEPT, NUMBER_BYTES, Number, RECORD_BYTES, RECORDED};
 pub use loader::Loader;
 pub use needs::Needs;
-pub use plc::{Clocks, CounterState, Debounce, Inputs, Plc, Snapshot, TimerState};
+pub use plc::{After, Clocks, CounterState, Debounce, Inputs, Plc, Snapshot, TimerState};
 pub use profile::Profile;
 pub use program::{Program, Steps};
 pub use text::Part;

@@ -2,8 +2,8 @@
 //!
 //! - [`Flow`]: what a program does at the moment
 //! - [`Boxes`]: the texts of timers' and counters' boxes while it runs
-//! - [`Lines`]: the lines of the text, each with what it has come to
-//! - [`Probe`]: the value accumulator behind single steps
+//! - [`Lines`]: the lines of the text, each with what it has come to: of a text with statements by `traced`, what each
+//!   statement tests or stores; of others by `stepped`, what the steps of each line have come to
 //! - [`Twin`]: does what a board does that tells its points only
 //!
 //! Owns what is known of a moment. Must not know how it is drawn, nor where a board's readings come from.
@@ -11,11 +11,11 @@
 mod boxes;
 mod flow;
 mod lines;
-mod probe;
+mod stepped;
+mod traced;
 mod twin;
 
 pub use boxes::Boxes;
 pub use flow::Flow;
 pub use lines::{Lines, Mark};
-pub use probe::Probe;
 pub use twin::Twin;

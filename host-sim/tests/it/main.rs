@@ -3,6 +3,7 @@
 mod documents;
 mod exercises;
 mod languages;
+mod live;
 mod naive;
 mod oracle;
 mod scenario_check;

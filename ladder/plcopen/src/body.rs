@@ -8,7 +8,8 @@ use roxmltree::Node;
 use unoclp_checked::SourceMap;
 use unoclp_core::Profile;
 use unoclp_lang::{
-    Code, Diagnostic, Lines, Options, Span, TextLanguage, compile_text, compile_untyped, has_types,
+    Code, Diagnostic, Lines, Options, Span, TextLanguage, Trace, compile_text, compile_untyped,
+    has_types,
 };
 
 /// A text, and where its pieces stand in the XML.
@@ -69,6 +70,7 @@ pub(crate) fn compile(
             let made = compile_text(text, language, board);
             let file = made.file();
             imported.variables = made.variables;
+            imported.traces = written.traced(xml, made.traces);
             (made.diagnostics, file, made.program)
         }
     };
@@ -194,18 +196,31 @@ impl Text {
         diagnostic.at(span)
     }
 
+    /// The byte of this line and column of the text.
+    fn byte(&self, own: &Lines, line: usize, column: usize) -> u32 {
+        let start = own.start(line as u32);
+        let behind = self.text.get(start as usize..).unwrap_or_default();
+        let before = behind.chars().take(column.saturating_sub(1));
+        start + before.map(char::len_utf8).sum::<usize>() as u32
+    }
+
+    /// What the lines of the text show, as lines of the XML.
+    fn traced(&self, xml: &str, mut traces: Vec<Trace>) -> Vec<Trace> {
+        let (own, other) = (Lines::new(&self.text), Lines::new(xml));
+        for trace in &mut traces {
+            let (at, ..) = self.place(self.byte(&own, trace.line, trace.column));
+            let (line, column) = other.place(xml, at);
+            (trace.line, trace.column) = (line as usize, column as usize);
+        }
+        traces
+    }
+
     /// The map of the text as one of the XML.
     fn placed(&self, xml: &str, mut map: SourceMap) -> SourceMap {
         let (own, other) = (Lines::new(&self.text), Lines::new(xml));
         for place in &mut map.steps {
-            let byte = |line: usize, column: usize| {
-                let start = own.start(line as u32);
-                let behind = self.text.get(start as usize..).unwrap_or_default();
-                let before = behind.chars().take(column.saturating_sub(1));
-                start + before.map(char::len_utf8).sum::<usize>() as u32
-            };
-            let (at, ..) = self.place(byte(place.line, place.column));
-            let (last, ..) = self.place(byte(place.last, 1));
+            let (at, ..) = self.place(self.byte(&own, place.line, place.column));
+            let (last, ..) = self.place(self.byte(&own, place.last, 1));
             let (line, column) = other.place(xml, at);
             let last = other.line(last).max(line);
             (place.line, place.column, place.last) =

@@ -2,7 +2,7 @@
 
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_ladder::edit::Document;
-use unoclp_lang::{Told, Variable};
+use unoclp_lang::{Told, Trace, Variable};
 
 /// What has come of a project.
 #[derive(Debug)]
@@ -15,6 +15,8 @@ pub struct Imported {
     pub document: Option<Document>,
     /// The variables of a project of Structured Text.
     pub variables: Vec<Variable>,
+    /// What the lines of such a project show of a scan.
+    pub traces: Vec<Trace>,
     /// What was found in the project.
     pub diagnostics: Told,
 }

@@ -32,6 +32,7 @@ pub fn import(text: &str, board: Profile) -> Imported {
         program: None,
         document: None,
         variables: Vec::new(),
+        traces: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = xml::parse(text, &mut found)

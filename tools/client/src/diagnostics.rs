@@ -167,6 +167,16 @@ impl Diagnostics {
         self.flags & flag != 0
     }
 
+    /// Whether it is in FAULT because nobody has given it a program yet: it keeps none, and no card has one.
+    pub fn waits_for_program(&self) -> bool {
+        let no_card = u16::from(Cause::NoCard.number());
+        let is_fault = self.state == Some(State::Fault);
+        let is_this = self
+            .trouble
+            .is_some_and(|trouble| trouble.number == no_card);
+        is_fault && is_this && self.program.bytes == 0
+    }
+
     /// Whether A5 holds the board in STOP.
     pub const fn is_switched_off(&self) -> bool {
         self.has(flag::STOP_SWITCH)
@@ -201,6 +211,37 @@ mod tests {
             sum,
         };
         assert_eq!(kept, expected);
+    }
+
+    #[test]
+    fn a_board_without_program_and_card_waits_for_one() {
+        let trouble = |number| Some(Trouble { number, line: None });
+        let empty = Diagnostics {
+            state: Some(State::Fault),
+            trouble: trouble(51),
+            ..Diagnostics::default()
+        };
+        assert!(empty.waits_for_program());
+        let kept = Kept {
+            bytes: 9,
+            ..Kept::default()
+        };
+        for other in [
+            Diagnostics {
+                trouble: trouble(52),
+                ..empty
+            },
+            Diagnostics {
+                program: kept,
+                ..empty
+            },
+            Diagnostics {
+                state: Some(State::Stop),
+                ..empty
+            },
+        ] {
+            assert!(!other.waits_for_program(), "{other:?}");
+        }
     }
 
     #[test]

@@ -110,7 +110,8 @@ impl Live {
         self.of = None;
     }
 
-    /// Reads what moves and is used.
+    /// Reads what moves and is used: effects before their causes, outputs first and inputs last. So whoever sees an
+    /// effect sees its cause in the same reading.
     async fn renew(
         &mut self,
         client: &mut Client,
@@ -118,14 +119,10 @@ impl Live {
         parts: Parts,
     ) -> Result<(), Failure> {
         let reading = &mut self.reading;
-        reading.inputs = inputs(client).await?;
         reading.outputs = outputs(client).await?;
         reading.diagnostics.renew(client).await?;
         if parts.markers {
             reading.markers = markers(client).await?;
-        }
-        if parts.analogue {
-            reading.analogue = analogue(client).await?;
         }
         if parts.registers {
             let values = registers(client, scope.registers).await?;
@@ -138,6 +135,10 @@ impl Live {
             let values = longs(client, span, count).await?;
             put(meters, &values, |meter| &mut meter.value);
         }
+        if parts.analogue {
+            reading.analogue = analogue(client).await?;
+        }
+        reading.inputs = inputs(client).await?;
         Ok(())
     }
 

@@ -183,15 +183,16 @@ impl Reading {
     /// [`Failure`].
     pub async fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
         let near = scope.registers.max(NEAR_REGISTERS.into());
+        // Effects before their causes.
         let mut reading = Reading {
-            inputs: inputs(client).await?,
             outputs: outputs(client).await?,
             markers: markers(client).await?,
             diagnostics: Diagnostics::read(client).await?,
-            analogue: analogue(client).await?,
             registers: registers(client, near).await?,
             timers: meters(client, input::TIMERS, holding::TIMERS, scope.timers).await?,
             counters: meters(client, input::COUNTERS, holding::COUNTERS, scope.counters).await?,
+            analogue: analogue(client).await?,
+            inputs: inputs(client).await?,
             ..Reading::default()
         };
         reading.take_forced(Forced::read(client).await?);

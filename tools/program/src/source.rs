@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_ladder::{Ladder, Names};
-use unoclp_lang::{Dialect, Holding, Spot, TextLanguage, Told, Variable};
+use unoclp_lang::{Dialect, Holding, Spot, TextLanguage, Told, Trace, Variable};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
@@ -29,6 +29,8 @@ pub struct Source {
     pub map: SourceMap,
     /// Its variables, where its language declares them with types.
     pub variables: Vec<Variable>,
+    /// What its lines show of a scan, where its language has statements.
+    pub traces: Vec<Trace>,
     /// The program.
     pub checked: Checked,
 }

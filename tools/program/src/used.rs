@@ -28,6 +28,17 @@ pub fn real(bits: i32) -> String {
     format!("{:?}", f32::from_bits(bits.cast_unsigned()))
 }
 
+/// Whether the value behind this step is a REAL, of a program that uses these registers.
+pub fn is_real(step: &Instruction<'_>, used: &Used) -> bool {
+    let register = match step.operand {
+        Operand::Value(Value::Register(register)) => Some(register),
+        _ => step.number().filter(|_| step.opcode == Opcode::Store),
+    };
+    let is_of_real = step.opcode.row().kind == Kind::Real || GIVE_REAL.contains(&step.opcode);
+    let moves = matches!(step.opcode.class(), Class::Load | Class::Store);
+    is_of_real || moves && register.is_some_and(|register| used.reals.contains(&register))
+}
+
 /// The numbers that a program names, in rising order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Used {

@@ -180,6 +180,7 @@ impl Written {
             size: Size::of(checked.program()),
             map,
             variables: Vec::new(),
+            traces: Vec::new(),
             checked,
         })
     }
@@ -206,6 +207,7 @@ impl Written {
             size: Size::of(checked.program()),
             map,
             variables: made.variables,
+            traces: made.traces,
             checked,
         })
     }
@@ -231,6 +233,7 @@ impl Written {
             size: Size::of(checked.program()),
             map,
             variables: made.variables,
+            traces: made.traces,
             checked,
         })
     }
@@ -259,6 +262,7 @@ impl Written {
             size: Size::of(checked.program()),
             map,
             variables: Vec::new(),
+            traces: Vec::new(),
             checked,
         })
     }

@@ -14,6 +14,7 @@ mod value;
 pub use adopt::Snapshot;
 pub use clocks::Clocks;
 pub use inputs::{Debounce, Inputs};
+pub use scan::After;
 
 use crate::isa::{COUNTER_DATA, COUNTERS, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
 use crate::timer::{Delay, Target, Timer};

@@ -4,6 +4,15 @@ use super::{Inputs, Plc};
 use crate::isa::{Class, JUMP_BUDGET, Opcode};
 use crate::{Cause, Fault, Image, Millis, Needs, Steps};
 
+/// What an instruction leaves behind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct After {
+    /// The result of the rung so far (NC-6).
+    pub acc: bool,
+    /// The value accumulator (NC-16).
+    pub value: i32,
+}
+
 /// What lives as long as one scan.
 pub(super) struct Pass<'c> {
     pub(super) steps: Steps<'c>,
@@ -44,7 +53,7 @@ impl Plc<'_> {
     }
 
     /// A scan that tells an observer the index of each instruction that was run, in the order of
-    /// [`Plc::steps`], and acc behind it.
+    /// [`Plc::steps`], and what it has left behind.
     ///
     /// # Errors
     /// As [`Plc::scan`].
@@ -52,7 +61,7 @@ impl Plc<'_> {
         &mut self,
         inputs: impl Into<Inputs>,
         now: Millis,
-        mut observe: impl FnMut(usize, bool),
+        mut observe: impl FnMut(usize, After),
     ) -> Result<Image, Fault> {
         let inputs = inputs.into();
         let first = self.state.first;
@@ -84,19 +93,19 @@ impl Plc<'_> {
             match self.run(&mut pass, instruction) {
                 Next::Step => {
                     pass.pass_over(instruction.opcode);
-                    observe(step, pass.acc);
+                    observe(step, pass.after());
                 }
                 Next::End => {
-                    observe(step, pass.acc);
+                    observe(step, pass.after());
                     break;
                 }
                 Next::Behind(part) => {
-                    observe(step, pass.acc);
+                    observe(step, pass.after());
                     pass.pass_over(instruction.opcode);
                     index += pass.go_behind(part);
                 }
                 Next::Label { label, line } => {
-                    observe(step, pass.acc);
+                    observe(step, pass.after());
                     let from = pass.steps.cost();
                     index = pass.go_to(code, label);
                     // What lies between is what has been passed over to come back here.
@@ -172,6 +181,14 @@ impl<'c> Pass<'c> {
             }
         }
         count
+    }
+
+    /// What an observer sees behind an instruction.
+    fn after(&self) -> After {
+        After {
+            acc: self.acc,
+            value: self.value,
+        }
     }
 
     /// What the next instruction finds behind this one.

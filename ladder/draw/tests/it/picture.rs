@@ -79,7 +79,7 @@ fn power_flows_in_random_pictures_as_it_does_in_the_scan() {
         broken += u32::from(picture.to_string().contains('→'));
         for inputs in 0..16 {
             let mut flow = vec![None; plc.steps().count()];
-            plc.scan_observed(Image(inputs), 0, |step, acc| flow[step] = Some(acc))
+            plc.scan_observed(Image(inputs), 0, |step, after| flow[step] = Some(after.acc))
                 .unwrap();
             let power = ladder.nets.power(&flow);
             let followed = Wires::new(&ladder, picture).follow(inputs);

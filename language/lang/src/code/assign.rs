@@ -6,8 +6,17 @@ use super::coder::Coder;
 use super::flat::TEMPORARY;
 use super::pen::Acc;
 use super::seats::Seat;
+use super::traces::Shows;
 use crate::typed::{Base, Expr, ExprKind, Place, Store, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+
+/// The type that a number has where it is stored.
+fn stored_as(value: &Expr, store: Store) -> Base {
+    match store {
+        Store::Narrow(base) | Store::Within(base, ..) => base,
+        _ => value.base,
+    }
+}
 
 impl Coder<'_, '_> {
     pub(super) fn assign(&mut self, to: &Place, value: &Expr, store: Store) {
@@ -28,6 +37,7 @@ impl Coder<'_, '_> {
         let (ExprKind::Read(from), Store::Narrow(base)) = (&value.kind, store) else {
             return false;
         };
+        let cell = to.offset;
         let plain = to.indices.is_empty() && from.indices.is_empty();
         if self.seats.outputs.contains_key(&to.offset) {
             return false;
@@ -49,8 +59,14 @@ impl Coder<'_, '_> {
         if read {
             return false;
         }
-        for line in made {
+        for line in &mut *made {
             line.rename(held, goal, to.offset);
+        }
+        let stores = made.iter().enumerate();
+        let stores = stores.filter(|(_, line)| line.is_store(goal));
+        let stores: Vec<usize> = stores.map(|(index, _)| begin + index).collect();
+        for line in stores {
+            self.shows_number_at(line, base, cell);
         }
         if self.pen.holds == Some(Seat::Register(held)) {
             self.pen.holds = Some(Seat::Register(goal));
@@ -75,6 +91,7 @@ impl Coder<'_, '_> {
             if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
                 let table = Operand::Table { first, length };
                 self.pen.with(Opcode::StoreTable, table, Some(to.offset));
+                self.shows_number(stored_as(value, store), to.offset);
             }
             self.pen.holds = None;
             return self.fail_unless(within);
@@ -83,7 +100,11 @@ impl Coder<'_, '_> {
         self.value(value);
         self.narrowed(value, store);
         let within = self.within(value, store);
+        let before = self.pen.lines.len();
         self.store(to.offset);
+        if self.pen.lines.len() > before {
+            self.shows_number(stored_as(value, store), to.offset);
+        }
         self.fail_unless(within);
     }
 
@@ -155,6 +176,7 @@ impl Coder<'_, '_> {
             if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
                 let table = Operand::Table { first, length };
                 self.pen.with(Opcode::StoreTable, table, Some(to.offset));
+                self.shows_number(Base::Bool, to.offset);
             }
             self.pen.holds = None;
             return;
@@ -165,20 +187,25 @@ impl Coder<'_, '_> {
                 self.pen
                     .operation(Opcode::Load, Taken::Constant(known.into()), None);
                 self.store(to.offset);
+                self.shows_number(Base::Bool, to.offset);
             }
             (Some(Seat::Register(_)), None) => {
                 self.bit(value, false);
                 self.pen.changes_value(Opcode::LoadBit);
                 self.pen.fresh();
                 self.store(to.offset);
+                self.shows_number(Base::Bool, to.offset);
             }
             (Some(seat), Some(known)) => {
                 self.pen.fresh();
                 self.coil(seat, known, to.offset);
+                let (when, to) = (true, known);
+                self.shows(Shows::Bit { when, to });
             }
             (Some(seat), None) => {
                 self.bit(value, false);
                 self.drive(seat, to.offset);
+                self.shows(Shows::Power { inverted: false });
             }
             (None, _) => {}
         }

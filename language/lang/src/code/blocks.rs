@@ -9,6 +9,7 @@ use super::flat::{both, not};
 use super::pen::Acc;
 use super::ranges::bounds;
 use super::seats::Seat;
+use super::traces::Shows;
 use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
@@ -50,6 +51,7 @@ impl Coder<'_, '_> {
                     _ => Opcode::FallingEdge,
                 });
                 self.pen.acc = Acc::Other;
+                self.shows(Shows::Power { inverted: false });
                 if let Some(seat) = self.seats.of.get(&(cell + 1)).copied() {
                     self.drive_any(seat, cell + 1);
                 }
@@ -64,6 +66,7 @@ impl Coder<'_, '_> {
                     return false;
                 };
                 self.counts(Opcode::CountUp, counter, &up, &preset, cell);
+                self.shows_counter(counter, false);
                 self.reset(counter, &reset, cell);
                 self.reached(cell + 3, Seat::Reached(counter));
             }
@@ -79,6 +82,7 @@ impl Coder<'_, '_> {
                 let steady = constant(Value::Int(0), Base::Int, self.pen.at);
                 let own = if is_preset(&preset) { &preset } else { &steady };
                 self.counts(Opcode::CountDown, counter, &down, own, cell);
+                self.shows_counter(counter, true);
                 self.load_counter(counter, &load, &preset, cell);
                 self.reached(cell + 3, Seat::Zero(counter));
             }
@@ -93,6 +97,7 @@ impl Coder<'_, '_> {
                     preset = self.keep(preset);
                 }
                 self.counts(Opcode::CountUp, counter, &up, &preset, cell);
+                self.shows_counter(counter, false);
                 let steady = constant(Value::Int(0), Base::Int, self.pen.at);
                 let own = if is_preset(&preset) { &preset } else { &steady };
                 self.counts_down_too(counter, &down, own, &preset, cell);
@@ -171,6 +176,12 @@ impl Coder<'_, '_> {
             None => self.idle_target(at),
         };
         self.pen.timer(opcode, timer, fixed, Some(target), cell);
+        self.shows(Shows::Power { inverted: false });
+        if let (Some(_), Some(next)) = (own, next) {
+            let call = std::mem::replace(&mut self.pen.at, next.at);
+            self.shows(Shows::Power { inverted: false });
+            self.pen.at = call;
+        }
         self.pen.acc = match own {
             Some((_, seat)) => Acc::Bit(seat),
             None => Acc::Bit(Seat::Timer(timer)),
@@ -239,6 +250,10 @@ impl Coder<'_, '_> {
         };
         self.pen.with(opcode, count, Some(cell));
         self.pen.acc = Acc::Other;
+    }
+
+    fn shows_counter(&mut self, number: u8, zero: bool) {
+        self.shows(Shows::Counter { number, zero });
     }
 
     /// The second of two codes of one counter, both of which set its preset at the start.

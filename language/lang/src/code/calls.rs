@@ -199,7 +199,7 @@ impl Inliner<'_, '_> {
                         Convert::Keep if base == target => value,
                         _ => expr(ExprKind::Convert(how, Box::new(value)), target, call.at),
                     };
-                    self.push(Does::Assign(to, value, store), call.at);
+                    self.show(Does::Assign(to, value, store), call.at);
                 }
             }
         }

@@ -7,11 +7,20 @@ use super::coder::Coder;
 use super::flat::{Arm, Step};
 use super::operand::bits;
 use super::pen::Acc;
-use crate::typed::{Base, Expr, Value};
+use crate::typed::{Base, Expr, ExprKind, Value};
 use unoclp_core::isa::{Opcode, Value as Taken};
+
+/// The cell of a number that is read as it stands.
+fn cell_of(number: &Expr) -> Option<u32> {
+    match &number.kind {
+        ExprKind::Read(place) => Some(place.offset),
+        _ => None,
+    }
+}
 
 impl Coder<'_, '_> {
     pub(super) fn case(&mut self, selector: &Expr, arms: &[Arm], otherwise: &[Step]) {
+        let (at, base, cell) = (self.pen.at, selector.base, cell_of(selector));
         let selector = self.prepare(selector.clone());
         if arms.is_empty() {
             return self.steps(otherwise);
@@ -20,13 +29,17 @@ impl Coder<'_, '_> {
         if arms.len() <= room {
             self.pen.fresh();
             self.value(&selector);
+            self.tests_number(at, base, cell);
             return self.arms(&selector, arms, otherwise);
         }
         // More than IFs can stand in one another: one behind the other, by a copy of the number.
         let held = self.keep(selector);
-        for (bounds, body) in arms {
+        for (number, (bounds, body)) in arms.iter().enumerate() {
             self.pen.fresh();
             self.value(&held);
+            if number == 0 {
+                self.tests_number(at, base, cell);
+            }
             self.one_of(bounds, self.is_unsigned(&held));
             self.parts(|this| this.steps(body), &[]);
         }

@@ -6,6 +6,7 @@ use super::coder::Coder;
 use super::flat::{Does, Step, each};
 use super::pen::Acc;
 use super::seats::Seat;
+use super::traces::Shows;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Store, Unary};
 use unoclp_core::isa::Opcode;
 
@@ -14,6 +15,7 @@ pub(super) const MOST_IFS: u32 = 7;
 
 impl Coder<'_, '_> {
     pub(super) fn choice(&mut self, condition: &Expr, then: &[Step], otherwise: &[Step]) {
+        let at = self.pen.at;
         let condition = self.prepare(condition.clone());
         if let ExprKind::Constant(value) = &condition.kind {
             let taken = if value.is_true() { then } else { otherwise };
@@ -21,10 +23,18 @@ impl Coder<'_, '_> {
         }
         if let Some((cell, seat, set)) = self.as_coil(then, otherwise) {
             self.bit(&condition, !set);
-            return self.drive(seat, cell);
+            self.tests(at, Shows::Power { inverted: !set });
+            self.drive(seat, cell);
+            for (part, to) in [(then, set), (otherwise, !set)] {
+                self.pen.at = part.first().map_or(at, |step| step.at);
+                self.shows(Shows::Bit { when: to, to });
+            }
+            return;
         }
         if self.is_plain(then) && self.is_plain(otherwise) {
             self.bit(&condition, then.is_empty());
+            let inverted = then.is_empty();
+            self.tests(at, Shows::Power { inverted });
             if then.is_empty() {
                 return self.conditional(otherwise);
             }
@@ -41,6 +51,8 @@ impl Coder<'_, '_> {
             false => (then, otherwise),
         };
         self.bit(&condition, then.is_empty());
+        let inverted = then.is_empty();
+        self.tests(at, Shows::Power { inverted });
         self.parts(|this| this.steps(first), second);
     }
 
@@ -156,17 +168,23 @@ impl Coder<'_, '_> {
     pub(super) fn conditional(&mut self, steps: &[Step]) {
         for step in steps {
             self.pen.at = step.at;
+            self.shown = step.shown;
             match &step.does {
                 Does::Jump(_, label, back) => {
                     self.pen.jump(Opcode::Jump, *label, *back);
                     self.pen.acc = Acc::Other;
                 }
                 Does::Assign(to, value, store) => match self.constant_bit(step) {
-                    Some((cell, seat, set)) => self.coil(seat, set, cell),
+                    Some((cell, seat, set)) => {
+                        self.coil(seat, set, cell);
+                        let (when, to) = (true, set);
+                        self.shows(Shows::Bit { when, to });
+                    }
                     None => {
                         self.value(value);
                         self.narrowed(value, *store);
                         self.store(to.offset);
+                        self.shows_number(value.base, to.offset);
                         // Where acc is 0 the register is as it was.
                         let seat = self.seats.of.get(&to.offset).copied();
                         if seat.is_some() && self.pen.holds == seat && self.pen.acc != Acc::One {

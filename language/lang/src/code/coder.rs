@@ -5,6 +5,7 @@
 use super::flat::Flat;
 use super::pen::{Acc, Pen};
 use super::seats::{Seat, Seats};
+use super::traces::Noted;
 use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span};
 use unoclp_core::Target;
@@ -21,6 +22,9 @@ pub(super) struct Coder<'a, 'f> {
     pub deep: u32,
     /// What timers drive that nobody else has asked for.
     pub unused: Option<Target>,
+    /// Whether the step at hand is a statement of the text, whose line shows what it does.
+    pub shown: bool,
+    pub noted: Vec<Noted>,
 }
 
 impl Coder<'_, '_> {

@@ -36,6 +36,8 @@ pub(super) struct Turns {
 pub(super) struct Step {
     pub does: Does,
     pub at: Span,
+    /// Whether it is a statement of the text, whose line shows what it does.
+    pub shown: bool,
 }
 
 /// An arm of CASE.

@@ -93,13 +93,25 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
 }
 
 impl Inliner<'_, '_> {
+    /// What a statement needs besides what it says.
     pub(super) fn push(&mut self, does: Does, at: Span) {
+        let shown = false;
+        self.add(Step { does, at, shown });
+    }
+
+    /// What a statement says, for its line to show.
+    pub(super) fn show(&mut self, does: Does, at: Span) {
+        let shown = true;
+        self.add(Step { does, at, shown });
+    }
+
+    fn add(&mut self, step: Step) {
         self.steps += 1;
         if self.steps > MOST_STEPS {
-            self.too_large.get_or_insert(at);
+            self.too_large.get_or_insert(step.at);
             return;
         }
-        self.out.push(Step { does, at });
+        self.out.push(step);
     }
 
     pub(super) fn label(&mut self) -> u32 {
@@ -154,7 +166,7 @@ impl Inliner<'_, '_> {
             StmtKind::Assign(to, value, store) => {
                 let value = self.expr(value, frame);
                 let to = self.place(to, frame);
-                self.push(Does::Assign(to, value, *store), at);
+                self.show(Does::Assign(to, value, *store), at);
             }
             StmtKind::Copy(to, from, cells) => {
                 let (from, to) = (self.place(from, frame), self.place(to, frame));
@@ -169,7 +181,7 @@ impl Inliner<'_, '_> {
                     made.push((bounds.clone(), body));
                 }
                 let otherwise = self.apart(|this| this.statements(otherwise, frame));
-                self.push(Does::Case(selector, made, otherwise), at);
+                self.show(Does::Case(selector, made, otherwise), at);
             }
             StmtKind::While(condition, body) => self.while_loop(condition, body, at, frame),
             StmtKind::Repeat(body, until) => self.repeat(body, until, at, frame),
@@ -190,14 +202,14 @@ impl Inliner<'_, '_> {
             }
             StmtKind::Standard(block, instance) => {
                 let cell = self.place(instance, frame).offset;
-                self.push(Does::Standard(*block, cell, Vec::new()), at);
+                self.show(Does::Standard(*block, cell, Vec::new()), at);
             }
             // It shows a variable, which the symbols tell of; it takes no code.
             StmtKind::Print(..) => {}
             StmtKind::Jump(condition, to) => {
                 let condition = condition.as_ref().map(|c| self.expr(c, frame));
                 if let Some(&label) = frame.targets.get(to) {
-                    self.push(Does::Jump(condition, label, None), at);
+                    self.show(Does::Jump(condition, label, None), at);
                 }
             }
         }
@@ -241,6 +253,6 @@ impl Inliner<'_, '_> {
                 this.nested(at, |this| this.choice(rest, otherwise, at, frame));
             }
         });
-        self.push(Does::If(condition, then, otherwise), at);
+        self.show(Does::If(condition, then, otherwise), at);
     }
 }

@@ -48,7 +48,7 @@ impl Inliner<'_, '_> {
             this.statements(body, frame);
             this.push(Does::Jump(None, again, Some(number)), at);
         });
-        self.push(Does::If(condition, then, Vec::new()), at);
+        self.show(Does::If(condition, then, Vec::new()), at);
         self.end_loop(outer, at);
     }
 
@@ -59,7 +59,7 @@ impl Inliner<'_, '_> {
         self.statements(body, frame);
         self.next_turn(at);
         let until = self.expr(until, frame);
-        self.push(Does::Jump(Some(not(until)), again, Some(number)), at);
+        self.show(Does::Jump(Some(not(until)), again, Some(number)), at);
         self.end_loop(outer, at);
     }
 
@@ -112,7 +112,7 @@ impl Inliner<'_, '_> {
         frame: &mut Frame,
     ) {
         let base = head.base;
-        self.push(
+        self.show(
             Does::Assign(variable.clone(), from, Store::Narrow(base)),
             at,
         );
@@ -151,7 +151,7 @@ impl Inliner<'_, '_> {
             }
             self.statements(&head.body, frame);
             self.next_turn(at);
-            self.push(store(), at);
+            self.show(store(), at);
             self.push(Does::Jump(Some(goes_on), again, Some(number)), at);
             self.end_loop(outer, at);
             return;
@@ -162,12 +162,12 @@ impl Inliner<'_, '_> {
             let jump = Does::Jump(None, again, Some(number));
             match within {
                 None => {
-                    this.push(store(), at);
+                    this.show(store(), at);
                     this.push(jump, at);
                 }
                 Some(within) => {
                     let go_on = this.apart(|this| {
-                        this.push(store(), at);
+                        this.show(store(), at);
                         this.push(jump, at);
                     });
                     this.push(Does::If(within, go_on, Vec::new()), at);

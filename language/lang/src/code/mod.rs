@@ -20,7 +20,7 @@
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
-//! - `pen`: what acc and value hold; `variables`: what is shown of it while it runs
+//! - `pen`: what acc and value hold; `variables`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
 mod allot;
@@ -57,6 +57,7 @@ mod selection;
 mod shifts;
 mod statements;
 mod subscripts;
+mod traces;
 mod uses;
 mod values;
 mod variables;
@@ -68,9 +69,10 @@ use crate::languages::{self, TextLanguage};
 use crate::places::{Places, Units};
 use crate::typed::{Tree, UnitKind};
 use std::sync::Arc;
+pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
-pub use variables::{Held, Holding, Spot, Variable};
+pub use variables::{Held, Holding, Spot, Variable, literal};
 
 /// What has come of a text in a typed language.
 #[derive(Debug)]
@@ -83,6 +85,8 @@ pub struct CompiledText {
     pub program: Option<(Checked, SourceMap)>,
     /// The tree's symbols in their order, as the board keeps them; none where the board cannot do the text.
     pub variables: Vec<Variable>,
+    /// What its lines show of a scan.
+    pub traces: Vec<Trace>,
     /// What was found in the text.
     pub diagnostics: Told,
 }
@@ -113,6 +117,7 @@ pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> Compi
         lines: Vec::new(),
         program: None,
         variables: Vec::new(),
+        traces: Vec::new(),
         diagnostics: Told::default(),
     };
     if let Some(tree) = &tree {
@@ -150,11 +155,14 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
         labels: flat.labels,
         deep: 0,
         unused: None,
+        shown: false,
+        noted: Vec::new(),
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
     let finished = finish::finish(&coder, tree, text, &flat.loops, found);
     let seats = std::mem::take(&mut coder.seats);
+    let noted = std::mem::take(&mut coder.noted);
     found.join(apart);
     made.lines = finished.lines;
     if found.has_errors() {
@@ -166,6 +174,7 @@ fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut 
     made.program = emit::check(text, &made.lines, &finished.origins, board, places, found);
     if made.program.is_some() {
         made.variables = variables::variables(tree, &seats, &finished.timers);
+        made.traces = traces::traces(&noted, seats.kept(), tree, text);
     }
 }
 

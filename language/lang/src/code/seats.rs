@@ -49,6 +49,11 @@ pub(super) struct Seats {
 }
 
 impl Seats {
+    /// How many steps say what is kept: they stand before all others.
+    pub(super) fn kept(&self) -> usize {
+        self.kept_registers.len() + self.kept_counters.len()
+    }
+
     pub(super) fn take(&mut self, seat: Seat) {
         match seat {
             Seat::Marker(n @ 1..=64) => self.markers |= 1 << (n - 1),

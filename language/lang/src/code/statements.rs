@@ -5,6 +5,7 @@
 use super::coder::Coder;
 use super::flat::{Does, Step};
 use super::pen::Acc;
+use super::traces::Shows;
 use crate::diagnostics::Code;
 use crate::typed::{Expr, ExprKind, Unary};
 use unoclp_core::isa::Opcode;
@@ -23,6 +24,7 @@ impl Coder<'_, '_> {
         while let Some((step, behind)) = rest.split_first() {
             rest = behind;
             self.pen.at = step.at;
+            self.shown = step.shown;
             let mark = self.seats.mark();
             if let Does::Standard(block, cell, inputs) = &step.does {
                 if self.standard(*block, *cell, inputs, behind.first()) {
@@ -57,6 +59,7 @@ impl Coder<'_, '_> {
                     self.pen.jump(Opcode::Jump, *label, *back);
                 }
                 Some(condition) => {
+                    let at = condition.at;
                     let condition = self.prepare(condition.clone());
                     let (condition, opcode) = match condition.kind {
                         ExprKind::Unary(Unary::Not, inner) if is_logic(&inner) => {
@@ -65,6 +68,9 @@ impl Coder<'_, '_> {
                         _ => (condition, Opcode::Jump),
                     };
                     self.bit(&condition, false);
+                    // UNTIL jumps back where what it tests does not hold.
+                    let inverted = (opcode == Opcode::JumpNot) != back.is_some();
+                    self.tests(at, Shows::Power { inverted });
                     self.pen.jump(opcode, *label, *back);
                     // Behind it acc is known, but not 1.
                     self.pen.acc = Acc::Other;

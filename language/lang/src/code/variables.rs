@@ -121,10 +121,20 @@ impl Variable {
     /// What it holds, as a literal of its type.
     pub fn shown(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<String> {
         let (value, base) = self.value(read)?;
-        let at = usize::try_from(value.int()).ok();
-        let named = at.and_then(|at| self.values.get(at));
-        Some(named.cloned().unwrap_or_else(|| value.shown(base)))
+        Some(named(&value, base, &self.values))
     }
+}
+
+/// These 32 bits of the board as a literal of this type, or as the name of this variable's enumeration.
+pub fn literal(bits: i32, base: Base, variable: Option<&Variable>) -> String {
+    let names = variable.map_or(&[][..], |variable| &variable.values);
+    named(&of_bits(bits, base), base, names)
+}
+
+fn named(value: &Value, base: Base, names: &[String]) -> String {
+    let at = usize::try_from(value.int()).ok();
+    let named = at.and_then(|at| names.get(at));
+    named.cloned().unwrap_or_else(|| value.shown(base))
 }
 
 /// The value that 32 bits of the board are, read as this type.

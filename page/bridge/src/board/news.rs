@@ -40,7 +40,7 @@ pub enum News {
 pub struct Seen {
     /// ms since the board's start.
     at: u32,
-    /// `RUN`, `STOP`, `FAULT`.
+    /// `RUN`, `STOP`, `FAULT`; `EMPTY`: nobody has given it a program yet.
     state: &'static str,
     switched_off: bool,
     card_failed: bool,
@@ -98,13 +98,17 @@ impl Seen {
             let pair = |meter: &Meter| [meter.value, meter.preset];
             meters.iter().map(pair).collect()
         };
+        let trouble = board.trouble.filter(|_| !board.waits_for_program());
         let markers = reading.markers.unwrap_or_default();
         Seen {
             at: board.uptime,
-            state: board.state.map_or("?", State::name),
+            state: match board.waits_for_program() {
+                true => "EMPTY",
+                false => board.state.map_or("?", State::name),
+            },
             switched_off: board.has(flag::STOP_SWITCH),
             card_failed: board.has(flag::CARD_FAILED),
-            fault: board.trouble.map(|trouble| Trouble {
+            fault: trouble.map(|trouble| Trouble {
                 number: trouble.number,
                 line: line.or(trouble.line),
                 text: both(|lang| {

@@ -8,9 +8,10 @@ use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
 use unoclp_core::isa::Class;
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Probe, Twin};
+use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_ladder::{Ladder, Nets, Symbol};
 use unoclp_source::Source;
+use unoclp_source::used::is_real;
 
 /// A program, to show a board by.
 pub struct Watched {
@@ -20,8 +21,9 @@ pub struct Watched {
     nets: Nets,
     boxes: Boxes,
     lines: Lines,
-    /// The steps of boxes that show a value: the box's last step, and the one behind which the value is its.
-    values: Vec<(usize, usize)>,
+    /// The steps of boxes that show a value: the box's last step, the one behind which the value is its, and whether that
+    /// is a REAL.
+    values: Vec<(usize, usize, bool)>,
     map: SourceMap,
     scope: Scope,
     parts: Parts,
@@ -35,9 +37,17 @@ pub struct Live {
     /// Steps, and what their boxes say.
     boxes: Vec<(usize, String)>,
     /// Steps, and the value behind them.
-    values: Vec<(usize, i32)>,
+    values: Vec<(usize, Number)>,
     /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
     lines: Vec<Shown>,
+}
+
+/// What a box shows.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Number {
+    Whole(i32),
+    Real(f32),
 }
 
 /// What a line shows.
@@ -57,11 +67,6 @@ impl Watched {
         let ladder = Ladder::new(source.program().steps());
         let lines = Lines::new(&source);
         let values = values(&source, &ladder);
-        let mut steps: Vec<usize> = values.iter().map(|&(_, step)| step).collect();
-        steps.extend(lines.values());
-        steps.sort_unstable();
-        steps.dedup();
-        let probe = Probe::new(&source, &steps);
         let registers = source.program().registers() as u16;
         let used = &source.size.used;
         let parts = Parts {
@@ -77,7 +82,7 @@ impl Watched {
         };
         Watched {
             kept,
-            twin: Twin::new(machine, probe),
+            twin: Twin::new(machine),
             nets: ladder.nets,
             boxes,
             lines,
@@ -124,7 +129,16 @@ impl Watched {
             nets: self.nets.power(&flow.acc).on().collect(),
             boxes: self.boxes.steps().filter_map(text).collect(),
             values: values
-                .filter_map(|&(step, behind)| Some((step, flow.value(behind)?)))
+                .filter_map(|&(step, behind, is_real)| {
+                    let value = flow.value(behind)?;
+                    Some((
+                        step,
+                        match is_real {
+                            true => Number::Real(f32::from_bits(value.cast_unsigned())),
+                            false => Number::Whole(value),
+                        },
+                    ))
+                })
                 .collect(),
             lines: self.lines.marks(&flow).into_iter().map(shown).collect(),
         }
@@ -132,15 +146,13 @@ impl Watched {
 }
 
 /// The boxes that work on a number.
-fn values(source: &Source, ladder: &Ladder) -> Vec<(usize, usize)> {
-    let classes: Vec<Class> = source
-        .program()
-        .steps()
-        .map(|step| step.opcode.class())
+fn values(source: &Source, ladder: &Ladder) -> Vec<(usize, usize, bool)> {
+    let steps = source.program().steps();
+    let steps: Vec<(Class, bool)> = steps
+        .map(|step| (step.opcode.class(), is_real(&step, &source.size.used)))
         .collect();
     let is_number = |step: &&usize| {
-        let class = classes.get(**step);
-        class.is_some_and(|class| {
+        steps.get(**step).is_some_and(|(class, _)| {
             matches!(
                 class,
                 Class::Load | Class::Operation | Class::Comparison | Class::ValueContact
@@ -152,7 +164,9 @@ fn values(source: &Source, ladder: &Ladder) -> Vec<(usize, usize)> {
     boxes
         .filter_map(|element| {
             let last = *element.steps.last()?;
-            Some((last, *element.steps.iter().rev().find(is_number)?))
+            let number = *element.steps.iter().rev().find(is_number)?;
+            let (_, is_real) = *steps.get(number)?;
+            Some((last, number, is_real))
         })
         .collect()
 }

@@ -64,7 +64,8 @@ export class Session implements Witness {
   obey(command: Command): void {
     const trouble = this.attempt(command);
     if (trouble) this.tell({ kind: "trouble", trouble });
-    if (this.stands) this.report();
+    // A button is told at its time: at the end of the turn its outputs, which have theirs, would come before it.
+    if (this.stands || command.kind === "button") this.report();
   }
 
   /**

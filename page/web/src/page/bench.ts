@@ -4,7 +4,8 @@ import type { Event, Pins } from "../board/messages";
 import type { Line } from "../line/line";
 import type { Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
-import { NeedsMore, Refusal, Tools } from "../tools/tools";
+import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
+import { both } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
 import { Signal } from "./signal";
 import { SimulatedBoard } from "./simulated";
@@ -63,12 +64,37 @@ export class Bench {
     this.where.value = where;
     this.whenLost = lost;
     const { way } = this;
-    const open = { program: this.on.value, reset, ...way };
-    this.talk = await Conversation.open(this.tools, open, line, formatOf(way), this.clock,
-      (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
-        this.forget();
-        lost();
-      });
+    const open = (program: Text | null): Promise<Conversation> =>
+      Conversation.open(this.tools, { program, reset, ...way }, line, formatOf(way), this.clock,
+        (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
+          this.forget();
+          lost();
+        }, () => void this.revive());
+    try {
+      this.talk = await open(this.on.value);
+    } catch (error) {
+      if (!(error instanceof Died)) throw error;
+      await this.revive();
+      this.talk = await open(null);
+    }
+  }
+
+  private reviving: Promise<void> | null = null;
+
+  /** The tools have broken down: others take their place, on the same line. What they were asked is not done, and what the
+   * board runs is no longer known: it may be what they broke down over. */
+  private revive(): Promise<void> {
+    this.reviving ??= (async () => {
+      this.tools = await this.tools.anew();
+      this.on.value = null;
+      this.upload.value = null;
+      for (const settle of [...this.orders.values()]) settle({ why: both("toolsDied") });
+      this.orders.clear();
+      this.talk?.move(this.tools, { program: null, reset: false, ...this.way });
+    })().finally(() => {
+      this.reviving = null;
+    });
+    return this.reviving;
   }
 
   /** The tools that have everything speak from now on, behind what was ordered before. The line stays open: a board at
@@ -129,7 +155,8 @@ export class Bench {
           this.orders.set(number, (told) => ("why" in told ? reject(new Refusal(told.why)) : resolve(told.said)));
         });
       } catch (error) {
-        reject(error);
+        if (error instanceof Died) void this.revive();
+        reject(error instanceof Died ? new Refusal(both("toolsDied")) : error);
       }
     });
     const over = (): void => void this.pending.delete(done);

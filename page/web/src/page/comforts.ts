@@ -5,15 +5,19 @@ import { autocompletion, completeAnyWord } from "@codemirror/autocomplete";
 import { bracketMatching, matchBrackets } from "@codemirror/language";
 import { lintKeymap } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import type { Extension } from "@codemirror/state";
+import { EditorState, type Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
+import type { Speak } from "../tools/answers";
+import { phrases } from "../words/editortable";
 import { find } from "./untreed";
 
 export { setDiagnostics } from "@codemirror/lint";
 
 find(matchBrackets);
 
-export const comforts: Extension = [
+/** All of it, in the language that is spoken. */
+export const comforts = (language: Speak): Extension => [
+  EditorState.phrases.of(phrases(language)),
   bracketMatching(),
   highlightSelectionMatches(),
   autocompletion({ override: [completeAnyWord], activateOnTyping: false }),

@@ -3,7 +3,7 @@
 import type { SerialFormat } from "../board/messages";
 import type { Line } from "../line/line";
 import type { Asks, News, Order } from "../tools/answers";
-import type { Tools } from "../tools/tools";
+import { Died, type Tools } from "../tools/tools";
 
 /** The time by which a board lives: a simulated one may stand, or be slow. */
 export interface Clock {
@@ -27,6 +27,7 @@ export class Conversation {
     private readonly line: Line,
     private readonly clock: Clock,
     private readonly hear: (news: News) => void,
+    private readonly died: () => void,
   ) {}
 
   /** Opens a line and begins to speak. `heard` gets all bytes that come, `lost` is called when the line closes by itself. */
@@ -39,8 +40,9 @@ export class Conversation {
     hear: (news: News) => void,
     heard: (bytes: Uint8Array) => void,
     lost: () => void,
+    died: () => void,
   ): Promise<Conversation> {
-    const talk = new Conversation(tools, tools.ask("open", open), line, clock, hear);
+    const talk = new Conversation(tools, tools.ask("open", open), line, clock, hear, died);
     await line.open(format, {
       bytes: (bytes) => {
         heard(bytes);
@@ -68,7 +70,7 @@ export class Conversation {
   move(tools: Tools, open: Asks["open"]["ask"]): void {
     if (this.over) return;
     const board = tools.ask("open", open);
-    this.tools.ask("close", { board: this.board });
+    this.leave();
     [this.tools, this.board, this.came] = [tools, board, []];
     this.step();
   }
@@ -87,19 +89,39 @@ export class Conversation {
     if (this.over) return;
     this.over = true;
     clearTimeout(this.timer);
-    this.tools.ask("close", { board: this.board });
+    this.leave();
+  }
+
+  /** The tools need no longer know of this; those that have broken down know of nothing. */
+  private leave(): void {
+    try {
+      this.tools.ask("close", { board: this.board });
+    } catch (error) {
+      if (!(error instanceof Died)) throw error;
+    }
   }
 
   private step(): void {
     if (this.over) return;
     const came = this.came;
     this.came = [];
-    const step = this.tools.ask("step", { board: this.board, now: this.clock.now(), came });
+    const step = this.asked(came);
+    if (!step) return;
     this.until = step.until;
     // A line that is closed says so by itself.
     if (step.send.length > 0) this.line.write(Uint8Array.from(step.send)).catch(() => undefined);
     this.schedule();
     for (const news of step.news) this.hear(news);
+  }
+
+  private asked(came: number[]): Asks["step"]["answer"] | null {
+    try {
+      return this.tools.ask("step", { board: this.board, now: this.clock.now(), came });
+    } catch (error) {
+      if (!(error instanceof Died)) throw error;
+      this.died();
+      return null;
+    }
   }
 
   private schedule(): void {

@@ -70,7 +70,7 @@ export class Desk {
   private async join(): Promise<void> {
     if (this.token !== null) return this.speak(new GatewayLine(gateway(), this.token, (shared) => (this.shared = shared)));
     const { serial } = navigator as { serial?: Serial };
-    if (!serial) return note(say("noSerial"));
+    if (!serial) return note(isSecureContext ? say("noSerial") : say("noSecure", { host: location.host }));
     try {
       this.port = await serial.requestPort();
     } catch {

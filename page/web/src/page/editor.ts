@@ -125,8 +125,10 @@ export class Editor {
     import("./comforts").then(
       (comfort) => {
         this.comfort = comfort;
-        this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts) });
-        this.underline();
+        speak.follow((language) => {
+          this.view.dispatch({ effects: this.comforts.reconfigure(comfort.comforts(language)) });
+          this.underline();
+        });
       },
       () => undefined,
     );

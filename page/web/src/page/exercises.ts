@@ -2,11 +2,12 @@
 
 import type { Sheet, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
+import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import { keep, kept } from "./kept";
-import { announce } from "./notes";
+import { announce, note } from "./notes";
 import { Verdict } from "./verdict";
 
 /** An exercise as the build has put it into the page. */
@@ -50,14 +51,41 @@ export class Exercises {
     });
   }
 
+  /** Opens a file of a teacher beside the others; tells what it is, and why it is none. */
+  async take({ name, text }: Text): Promise<boolean> {
+    const file = { name: name.replace(/\.toml$/i, ""), language: "il", scenario: text };
+    let exercise: Exercise;
+    try {
+      exercise = await this.read(file, false);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      note(say("fileNoExercise", { why: told(error.both) }));
+      return false;
+    }
+    await this.load();
+    this.all = [...this.all.filter((one) => one.name !== file.name), exercise];
+    this.at = this.all.length - 1;
+    this.appear();
+    note(say("exerciseOpened"));
+    return true;
+  }
+
   /** Opens the exercise that was open last. */
   async start(): Promise<void> {
+    await this.load();
+    this.appear();
+  }
+
+  private async load(): Promise<void> {
     if (this.all.length === 0) {
       const files = (await (await fetch("exercises.json")).json()) as File[];
       const { open, passed } = progress();
       this.all = await Promise.all(files.map((file) => this.read(file, passed.includes(file.name))));
       this.at = Math.max(0, this.all.findIndex(({ name }) => name === open));
     }
+  }
+
+  private appear(): void {
     this.root.hidden = false;
     this.chosen();
     this.root.querySelector("select")?.focus();

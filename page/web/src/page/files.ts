@@ -19,6 +19,11 @@ export async function read(file: File): Promise<Text | null> {
   return text === null ? null : { name: file.name, text };
 }
 
+/** Whether a file says how a program is checked: an exercise or a scenario, and no program. */
+export function isScenario({ name, text }: Text): boolean {
+  return /\.toml$/i.test(name) || /^\s*\[\[?(case|step|expect)\b/m.test(text);
+}
+
 /** UTF-8, UTF-16 where its mark says so, else Latin-1; null for bytes that no text has. */
 function decode(bytes: Uint8Array): string | null {
   const wide = bytes[0] === 0xff && bytes[1] === 0xfe ? "utf-16le" : bytes[0] === 0xfe && bytes[1] === 0xff ? "utf-16be" : null;
@@ -32,7 +37,7 @@ function decode(bytes: Uint8Array): string | null {
 }
 
 /** Lets a person pick a file. */
-export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,text/plain"): void {
+export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,text/plain"): void {
   const input = h("input", { type: "file", accept });
   input.addEventListener("change", () => {
     const file = input.files?.[0];

@@ -3,6 +3,7 @@
 import type { Live, Seen } from "../tools/answers";
 import { dress, h } from "./dom";
 import { keep, kept } from "./kept";
+import { decimal } from "./numbers";
 
 /** CSS pixels beside the drawing. */
 const MARGIN = 14;
@@ -102,7 +103,7 @@ export class LadderView {
     this.lit = on;
     if (!live) return;
     for (const [step, text] of live.boxes) put(this.boxes.get(step), text);
-    for (const [step, value] of live.values) put(this.values.get(step), String(value));
+    for (const [step, value] of live.values) put(this.values.get(step), value === null ? "–" : decimal(value));
   }
 
   /** Marks what is forced. */

@@ -22,6 +22,11 @@ export class Learning {
     this.exercises = new Exercises(byId("exercise"), tools, program, open, closed);
   }
 
+  /** Opens a file of a teacher as an exercise. */
+  async take(file: Text): Promise<void> {
+    if (await this.exercises.take(file)) this.lessons.close();
+  }
+
   /** Opens one of them in the place of the other. */
   async start(what: "lessons" | "exercises"): Promise<void> {
     this[what === "lessons" ? "exercises" : "lessons"].close();

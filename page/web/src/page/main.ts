@@ -12,7 +12,7 @@ import { Desk } from "./desk";
 import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
-import { download, read, takeDrops } from "./files";
+import { download, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
@@ -59,9 +59,12 @@ async function load(): Promise<void> {
     if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
     note(say(back ? "restored" : "replaced"), { text: say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
+  const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs)));
   const take = async (file: File): Promise<void> => {
     const text = await read(file);
-    if (text) open(text);
+    if (!text) return;
+    if (isScenario(text)) await (await learning())?.take(text);
+    else open(text);
   };
 
   const trend = new Trend(bench);
@@ -85,7 +88,6 @@ async function load(): Promise<void> {
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs, open);
   const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs, () => view.goDraw()), new Desk(bench, modules).control);
-  const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs)));
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));

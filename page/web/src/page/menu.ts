@@ -16,9 +16,20 @@ export function menu(key: string, picture: Parameters<typeof icon>[0], entries: 
       list.querySelector("button")?.focus();
     }
   };
-  button.addEventListener("click", () => open(list.hidden));
+  button.addEventListener("click", () => {
+    place(list, null);
+    open(list.hidden);
+  });
+  root.addEventListener("open-at", (event) => {
+    open(true);
+    place(list, (event as CustomEvent<At>).detail);
+  });
   list.addEventListener("click", (event) => {
-    if ((event.target as Element).closest("button")) open(false);
+    if (!(event.target as Element).closest("button")) return;
+    open(false);
+    // What was done may have taken the focus somewhere.
+    const now = document.activeElement;
+    if (!now || now === document.body || list.contains(now)) button.focus();
   });
   root.addEventListener("keydown", (event) => {
     const buttons = [...list.querySelectorAll("button")];
@@ -35,6 +46,25 @@ export function menu(key: string, picture: Parameters<typeof icon>[0], entries: 
     if (!root.contains(event.target as Node)) open(false);
   });
   return root;
+}
+
+/** A point of the window. */
+export interface At {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Opens a menu at a point of the window. */
+export function openAt(menu: HTMLElement, at: At): void {
+  menu.dispatchEvent(new CustomEvent<At>("open-at", { detail: at }));
+}
+
+/** Puts an open list where it is wanted, all of it in the window; null: under its button. */
+function place(list: HTMLElement, at: At | null): void {
+  list.classList.toggle("at-point", at !== null);
+  const within = (wanted: number, size: number, room: number): string => `${Math.max(4, Math.min(wanted, room - size - 4))}px`;
+  list.style.left = at ? within(at.x, list.offsetWidth, innerWidth) : "";
+  list.style.top = at ? within(at.y, list.offsetHeight, innerHeight) : "";
 }
 
 /** An entry of a menu. */

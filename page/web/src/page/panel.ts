@@ -128,7 +128,7 @@ export class Panel {
     const pace = h("p", { class: "pace", id: "pace" });
     const show = (): void => {
       const now = bench.pace.value;
-      const two = (factor: number): string => factor.toLocaleString(speak.value, { maximumSignificantDigits: 2 });
+      const two = (factor: number): string => factor.toLocaleString(speak.value === "pt" ? "pt-BR" : "en-US", { maximumSignificantDigits: 2 });
       const slow = now !== null && now.factor < 0.9 * now.asked;
       pace.textContent = bench.paused.value || !now ? (bench.paused.value ? say("paused") : "") : say(slow ? "paceSlow" : "paceOf", { factor: two(now.factor), asked: two(now.asked) });
       pace.classList.toggle("warn", slow && !bench.paused.value);
@@ -220,6 +220,7 @@ export class Panel {
       state = seen.state;
       if (seen.state === "RUN") text = say("stateRun");
       else if (seen.state === "STOP") text = say("stateStop");
+      else if (seen.state === "EMPTY") text = say("stateEmpty");
       else text = seen.fault ? `${say("stateFault")} – ${told(seen.fault.text)}` : say("stateFault");
     }
     const now = `${state} ${text}`;

@@ -36,6 +36,19 @@ export class Recorder {
     }
   }
 
+  /** What a channel was last. */
+  last(name: string): number | undefined {
+    return this.channels.get(name)?.values.at(-1);
+  }
+
+  /** What was before now is forgotten; what each channel is stays known. */
+  forget(): void {
+    for (const { times, values } of this.channels.values()) {
+      times.splice(0, times.length, this.now);
+      values.splice(0, values.length - 1);
+    }
+  }
+
   clear(): void {
     this.channels.clear();
     this.now = 0;

@@ -42,7 +42,7 @@ export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs,
     const on = bench.on.value;
     const text = program.text.value;
     const changed = on !== null && (on.text !== text.text || on.name !== text.name);
-    about.textContent = changed ? say("changed") : bench.seen.value?.same === false ? say("otherProgram") : "";
+    about.textContent = changed ? say("changed") : bench.seen.value?.same === false && bench.seen.value.state !== "EMPTY" ? say("otherProgram") : "";
   };
   bench.upload.follow((upload) => {
     bar.hidden = upload === null;

@@ -1,5 +1,6 @@
 // The timing diagram as a picture for a report.
 
+import { fixed } from "./numbers";
 import type { Recorder } from "./recorder";
 
 const LEFT = 150;
@@ -27,7 +28,7 @@ export function timingSvg(recorder: Recorder, channels: readonly { name: string;
   });
   const ticks = Array.from({ length: 6 }, (_, tick) => {
     const time = from + ((to - from) * tick) / 5;
-    return `<text x="${x(time).toFixed(1)}" y="${height - 10}" text-anchor="middle">${(time / 1000).toFixed(2)} s</text>`;
+    return `<text x="${x(time).toFixed(1)}" y="${height - 10}" text-anchor="middle">${fixed(time / 1000, 2)} s</text>`;
   });
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${LEFT + WIDTH + 40} ${height}" width="${LEFT + WIDTH + 40}" height="${height}" font-family="Helvetica, Arial, sans-serif" font-size="13" fill="none"><rect width="100%" height="100%" fill="#fff"/><g fill="#1a1a1a">${""}</g>${[...parts, ...ticks].join("").replaceAll("<text", '<text fill="#1a1a1a"')}</svg>\n`;
 }

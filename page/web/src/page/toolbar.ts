@@ -88,12 +88,21 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
     }),
   ];
   return [
-    entry(say("newFile"), () => open({ name: "program.il", text: "" })),
+    entry(say("newFile"), () => {
+      open({ name: "program.il", text: "" });
+      write();
+    }),
     entry(say("openFile"), () => pick((file) => void take(file))),
     entry(say("saveFile"), () => save(program)),
     ...saved,
     ...others().slice(0, KEPT).map(({ name, text, at }) => entry(say("keptBefore", { name }), () => open({ name, text }), new Date(at).toLocaleString(document.documentElement.lang))),
   ];
+}
+
+/** The focus goes where one writes, or draws. */
+function write(): void {
+  const shown = [...document.querySelectorAll<HTMLElement>(".cm-content, #sheet")].find((one) => one.offsetParent !== null);
+  shown?.focus();
 }
 
 function save(program: ProgramDocument): void {

@@ -1,11 +1,14 @@
 // The timing diagram: a lane for each channel.
 
 import type uPlot from "uplot";
+import type { Seen } from "../tools/answers";
 import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { download } from "./files";
+import { Moments } from "./moments";
 import { announce } from "./notes";
+import { decimal, fixed } from "./numbers";
 import type { Point } from "./points";
 import { Recorder } from "./recorder";
 import { timingSvg } from "./timing";
@@ -19,6 +22,12 @@ const LANE = 30;
 export class Trend {
   readonly panel = h("div");
   readonly recorder = new Recorder();
+  private readonly moments = new Moments();
+  /** A reading of the simulated board, and its time: what pins have done until then comes behind it. */
+  private held: { readonly seen: Seen; readonly at: number } | null = null;
+  /** The pins of the inputs, bit 0 input 01, and which of the inputs are forced. */
+  private closed = 0;
+  private forced = 0;
   private readonly plot = h("div", { class: "trend", role: "img" });
   private readonly channels = h("div", { class: "channels" });
   /** The time of the cursor, and what each channel is there. */
@@ -26,7 +35,10 @@ export class Trend {
   private readonly hidden = new Set<string>();
   private points: readonly Point[] = [];
   private chart: uPlot | null = null;
+  /** The channels of the chart; none: it is to be made anew. */
   private drawn: string[] = [];
+  /** The channels that the chart was made with. */
+  private made: readonly string[] = [];
   private span = 10;
   private follows = true;
   private asked = false;
@@ -34,31 +46,76 @@ export class Trend {
   constructor(bench: Bench) {
     bench.events.add((event) => {
       const { recorder } = this;
-      if (event.kind === "power" && event.on) recorder.clear();
+      if (event.kind === "power" && event.on) this.clear();
       if (event.kind === "pins") {
-        for (let input = 1; input <= 8; input++) recorder.note(`I${input}`, event.at, (event.pins.closed >> (input - 1)) & 1);
-        for (const edge of event.edges) recorder.note(`Q${edge.output}`, edge.at, Number(edge.high));
+        this.inputs(event.at, event.pins.closed);
+        for (const edge of event.edges) {
+          recorder.note(`Q${edge.output}`, edge.at, Number(edge.high));
+          this.moments.turned(edge.at, "output");
+        }
         event.pins.outputs.forEach((share, index) => {
           if (!recorder.channels.has(`Q${index + 1}`)) recorder.note(`Q${index + 1}`, event.at, Number(share > 0));
         });
       }
-      if (event.kind === "pace" || event.kind === "pins") recorder.now = Math.max(recorder.now, event.at);
+      if (event.kind === "pins" || event.kind === "pace" || event.kind === "paused") {
+        this.settle();
+        recorder.now = Math.max(recorder.now, event.at);
+      }
       this.redraw();
     });
     bench.seen.follow((seen) => {
       if (!seen) return;
-      const pins = bench.where.value === "simulated";
-      const now = pins ? bench.simulated.now() : seen.at;
-      for (const point of this.points) {
-        // The simulated board tells its pins by itself, to the microsecond.
-        if (pins && point.hand === "force") continue;
-        this.recorder.note(point.name, now, point.value(seen), point.kind === "bit");
+      this.settle();
+      if (bench.where.value === "simulated") this.held = { seen, at: bench.simulated.now() };
+      else {
+        for (const point of this.points) this.recorder.note(point.name, seen.at, point.value(seen), point.kind === "bit");
+        this.recorder.now = Math.max(this.recorder.now, seen.at);
       }
-      this.recorder.now = Math.max(this.recorder.now, now);
       this.redraw();
     });
     speak.follow(() => this.build());
     new ResizeObserver(() => this.size()).observe(this.panel);
+  }
+
+  /** The pins of the inputs; one that is forced is not what its pin is. */
+  private inputs(at: number, closed: number): void {
+    const turned = closed ^ this.closed;
+    this.closed = closed;
+    for (let input = 1; input <= 8; input++) {
+      const bit = 1 << (input - 1);
+      if (this.forced & bit) continue;
+      this.recorder.note(`I${input}`, at, Number((closed & bit) !== 0));
+      if (turned & bit) this.moments.turned(at, "input");
+    }
+  }
+
+  /** Notes the reading that waits: the pins are known until its time. */
+  private settle(): void {
+    const { held, recorder } = this;
+    if (!held) return;
+    this.held = null;
+    const { seen, at } = held;
+    const moment = this.moments.read(at);
+    for (const point of this.points) {
+      // The simulated board tells its pins by itself, to the microsecond.
+      if (point.hand === "force") continue;
+      // A timer that begins to run has its cause behind it, one that has come to its end has its effect before it.
+      const runs = point.kind === "meter" && recorder.last(point.name) === 0 && point.value(seen) < (point.preset?.(seen) ?? 0);
+      recorder.note(point.name, runs ? at : moment, point.value(seen), point.kind === "bit");
+    }
+    const [forced, to] = seen.forcedInputs;
+    for (let input = 1; input <= 8; input++) {
+      const bit = 1 << (input - 1);
+      if ((forced | this.forced) & bit) recorder.note(`I${input}`, moment, Number(((forced & bit ? to : this.closed) & bit) !== 0));
+    }
+    this.forced = forced;
+    recorder.now = Math.max(recorder.now, at);
+  }
+
+  private clear(): void {
+    this.recorder.clear();
+    this.moments.clear();
+    this.held = null;
   }
 
   /** Shows these points from now on. */
@@ -103,7 +160,7 @@ export class Trend {
         h("span", { class: "group" }, hand("trendBefore", "◂", () => this.step(-1)), hand("trendAfter", "▸", () => this.step(1))),
         small("trendSvg", () => download("timing.svg", this.svg(), "image/svg+xml")),
         small("trendCsv", () => download("timing.csv", this.recorder.csv(this.names), "text/csv")),
-        small("trendClear", () => { this.recorder.clear(); this.drawn = []; this.redraw(); }),
+        small("trendClear", () => { this.recorder.forget(); this.drawn = []; this.redraw(); }),
         this.channels, this.reading),
       this.points.length > 0 ? this.plot : h("p", { class: "empty" }, say("trendEmpty")));
     this.drawn = [];
@@ -170,7 +227,7 @@ export class Trend {
     const { chart } = this;
     if (!chart || at === null) return;
     // It points at what is drawn, which may be a frame old.
-    chart.setData(this.data(0, this.recorder.now), false);
+    chart.setData(this.data(this.made, 0, this.recorder.now), false);
     chart.setCursor({ left: chart.valToPos(at / 1000, "x"), top: 1 });
   }
 
@@ -192,15 +249,15 @@ export class Trend {
       this.chart?.destroy();
       this.chart = this.make(Plot, names);
       this.drawn = names;
+      this.made = names;
     }
-    this.chart.setData(this.data(this.follows ? from : 0, this.follows ? to : this.recorder.now), false);
+    this.chart.setData(this.data(names, this.follows ? from : 0, this.follows ? to : this.recorder.now), false);
     this.chart.setScale("x", { min: from / 1000, max: to / 1000 });
     if (isNew) this.point(cursor);
   }
 
   /** What is drawn: times in s, and a lane for each channel. */
-  private data(from: number, to: number): uPlot.AlignedData {
-    const { names } = this;
+  private data(names: readonly string[], from: number, to: number): uPlot.AlignedData {
     const { times, values } = this.recorder.table(names, from, to);
     return [times.map((time) => time / 1000), ...values.map((one, lane) => this.lane(one, names.length - 1 - lane))];
   }
@@ -230,7 +287,7 @@ export class Trend {
       cursor: { drag: { x: true, y: false } },
       scales: { x: { time: false, auto: false }, y: { auto: false, range: [0, Math.max(names.length, 1)] } },
       axes: [
-        { stroke: colour("--faint"), grid: { stroke: colour("--soft") }, ticks: { stroke: colour("--line") }, values: (_, ticks) => ticks.map((tick) => `${tick} s`), size: 32 },
+        { stroke: colour("--faint"), grid: { stroke: colour("--soft") }, ticks: { stroke: colour("--line") }, values: (_, ticks) => ticks.map((tick) => `${decimal(tick)} s`), size: 32 },
         {
           stroke: colour("--ink"), size: 128, grid: { stroke: colour("--soft") }, ticks: { show: false },
           splits: () => names.map((_, lane) => lane + 0.4),
@@ -252,12 +309,12 @@ export class Trend {
   private labelOf(name: string): string {
     const called = this.points.find((point) => point.name === name)?.called || name;
     const value = this.cursor === null ? undefined : this.recorder.table([name], this.cursor, this.cursor).values[0]?.[0];
-    return value === undefined || Number.isNaN(value) ? called : `${called} = ${Number(value.toPrecision(7))}`;
+    return value === undefined || Number.isNaN(value) ? called : `${called} = ${decimal(value)}`;
   }
 
   private read(): void {
     const { cursor } = this;
-    this.reading.textContent = cursor === null ? "" : [say("seconds", { n: (cursor / 1000).toLocaleString(speak.value, { minimumFractionDigits: 3, maximumFractionDigits: 3, useGrouping: false }) }), ...this.names.map((name) => this.labelOf(name))].join(", ");
+    this.reading.textContent = cursor === null ? "" : [say("seconds", { n: fixed(cursor / 1000, 3) }), ...this.names.map((name) => this.labelOf(name))].join(", ");
     this.chart?.redraw(false, true);
   }
 

@@ -5,6 +5,7 @@ import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
 import { h } from "./dom";
 import { announce } from "./notes";
+import { decimal } from "./numbers";
 import type { Point } from "./points";
 
 interface Row {
@@ -105,7 +106,7 @@ export class Watch {
 
 function shown(point: Point, value: number): string {
   if (point.kind === "bit") return value ? "1 ●" : "0 ○";
-  return point.kind === "real" ? String(Number(value.toPrecision(7))) : String(value);
+  return decimal(value);
 }
 
 function put(element: HTMLElement, text: string): void {

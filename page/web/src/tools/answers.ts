@@ -132,14 +132,15 @@ export interface Live {
   /** The nets that carry power. */
   readonly nets: readonly number[];
   readonly boxes: readonly (readonly [number, string])[];
-  readonly values: readonly (readonly [number, number])[];
+  readonly values: readonly (readonly [number, number | null])[];
   /** For each line of the text: whether it has power, a number, or nothing. */
   readonly lines: readonly (boolean | number | string | null)[];
 }
 
 export interface Seen {
   readonly at: number;
-  readonly state: "RUN" | "STOP" | "FAULT" | "?";
+  /** `EMPTY`: nobody has given the board a program yet. */
+  readonly state: "RUN" | "STOP" | "FAULT" | "EMPTY" | "?";
   readonly switchedOff: boolean;
   readonly cardFailed: boolean;
   readonly fault: { readonly number: number; readonly line: number | null; readonly text: Both } | null;

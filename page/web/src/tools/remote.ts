@@ -2,6 +2,7 @@
 
 import type { Asks } from "./answers";
 import type { Modules } from "./modules";
+import { both } from "../words/words";
 import { Refusal } from "./tools";
 import type { Answered, Asked } from "./worker";
 
@@ -9,6 +10,8 @@ export class RemoteTools {
   private last = 0;
   private readonly waiting = new Map<number, (answered: Answered) => void>();
   private whole: Promise<void> | null = null;
+  /** Who hears that the tools begin anew, and so know no drawing any more. */
+  readonly begun = new Set<() => void>();
 
   constructor(
     private readonly worker: Worker,
@@ -29,6 +32,10 @@ export class RemoteTools {
       await this.grow();
       answered = await this.once(what, request);
     }
+    if (answered.died) {
+      this.begin();
+      throw new Refusal(both("toolsDied"));
+    }
     if (answered.error) throw new Refusal(answered.error);
     return answered.ok as Asks[K]["answer"];
   }
@@ -42,8 +49,15 @@ export class RemoteTools {
   }
 
   private grow(): Promise<void> {
-    this.whole ??= this.modules.full().then((module) => this.post({ module }));
+    this.whole ??= this.modules.full().then((module) => {
+      this.post({ module });
+      this.begin();
+    });
     return this.whole;
+  }
+
+  private begin(): void {
+    for (const hear of this.begun) hear();
   }
 
   private post(asked: Asked): void {

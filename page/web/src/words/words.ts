@@ -30,6 +30,12 @@ export function say(key: Key, values: Values = {}): string {
   return text(key, values);
 }
 
+/** A text in both languages. */
+export function both(key: Key): Both {
+  const [en, pt] = TABLE[key];
+  return { en, pt };
+}
+
 /** What says the texts of a table of its own, which is loaded with a part of the page. */
 export function sayFrom<T extends Rows>(table: T): (key: keyof T & string, values?: Values) => string {
   Object.assign(rows, table);

@@ -242,7 +242,8 @@ const STEPS = [
     await hand.press(page, "#run");
     await page.locator("#status", { hasText: "No power" }).waitFor();
     await hand.press(page, "#plug");
-    await state(page, "FAULT");
+    // What was cut off is no program: a fault, or none that was there before.
+    await page.locator("#status:is([data-state=FAULT], [data-state=EMPTY])").waitFor();
     await hand.press(page, "#run");
     await state(page, "RUN");
   }],

@@ -5,6 +5,7 @@ import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { DRAW } from "../../src/words/drawtable";
+import { EDITOR } from "../../src/words/editortable";
 import { TABLE } from "../../src/words/table";
 
 /** That of the page, and that of the drawing screen, which is loaded later. */
@@ -29,6 +30,13 @@ test("no text is without its twin", () => {
     assert.ok(en.trim() && pt.trim(), key);
     assert.deepEqual(values(en), values(pt), key);
     assert.ok(en !== pt || SAME.includes(key), `${key} is English in both`);
+  }
+});
+
+test("the editor's own panels speak both languages", () => {
+  for (const [phrase, [en, pt]] of Object.entries(EDITOR)) {
+    assert.ok(en.trim() && pt.trim() && String(en) !== pt, phrase);
+    assert.equal(en.includes("$"), pt.includes("$"), phrase);
   }
 });
 

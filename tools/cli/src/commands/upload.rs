@@ -98,6 +98,7 @@ impl Upload {
                 say!("{}", messages::in_stop_by_switch())
             }
             State::Stop => say!("{}", messages::in_stop()),
+            State::Fault if before.waits_for_program() => say!("{}", messages::empty_board()),
             State::Fault => match before.trouble {
                 Some(trouble) => {
                     say!("{}, {}", messages::in_fault(), messages::trouble(trouble))

@@ -13,7 +13,7 @@ use unoclp_board::watch::Forced;
 use unoclp_board::{Failure, Line, Parity, lock as bits};
 use unoclp_boot::Stage;
 use unoclp_modbus::Exception;
-use unoclp_source::diagnosis;
+use unoclp_source::{Lang, diagnosis};
 
 /// The fault that a board tells: `fault 24, line 7: no such code`.
 pub fn trouble(trouble: Trouble) -> String {
@@ -25,6 +25,15 @@ pub fn trouble(trouble: Trouble) -> String {
         (Some(text), None) => fault_of(number, text),
         (None, Some(line)) => unknown_trouble_in_line(number, line),
         (None, None) => unknown_trouble(number),
+    }
+}
+
+/// A supply in mV, as people read it: `5.01`, in Portuguese `5,01`.
+pub fn volts(supply: u32) -> String {
+    let volts = format!("{:.2}", f64::from(supply) / 1000.0);
+    match spoken() {
+        Lang::En => volts,
+        Lang::Pt => volts.replace('.', ","),
     }
 }
 

@@ -300,6 +300,10 @@ unoclp_source::messages! {
     unknown_state()
         "the board is in a state that this version of unoclp does not know"
         "a placa está em um estado que esta versão do unoclp não conhece";
+    no_program_yet()
+        "No program on the board yet: upload one, or put in a card with PROGRAM.TXT and restart"
+        "Nenhum programa na placa ainda: envie um, ou ponha um cartão com PROGRAM.TXT e reinicie";
+    empty_board() "no program yet" "sem programa ainda";
     board_says(trouble) "the board says {trouble}" "a placa diz: {trouble}";
     not_started(failure)
         "the program is stored, but the board does not start it: {failure}"

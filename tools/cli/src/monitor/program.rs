@@ -8,7 +8,7 @@ use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
 use unoclp_core::Delay;
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Flow, Probe, Twin};
+use unoclp_host_sim::live::{Flow, Twin};
 use unoclp_lang::Spot;
 use unoclp_source::used::Used;
 use unoclp_source::{Source, point_names};
@@ -47,7 +47,6 @@ impl Program {
         let registers = program.program().registers() as u16;
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
-        let probe = Probe::new(&program, &drawn.values());
         let machine = Machine::new(program.checked);
         let plc = machine.plc();
         let used = machine.used().clone();
@@ -68,7 +67,7 @@ impl Program {
                 .collect(),
             counters: plc.counters().count() as u16,
             registers,
-            twin: Twin::new(machine, probe),
+            twin: Twin::new(machine),
             name: program.name,
         }
     }

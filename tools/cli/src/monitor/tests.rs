@@ -14,7 +14,7 @@ use unoclp_board::diagnostics::{Diagnostics, Kept, Trouble};
 use unoclp_board::identity::Identity;
 use unoclp_board::map::{Command, State, flag};
 use unoclp_board::watch::{Forces, Meter, Reading, Side, Wish};
-use unoclp_core::{Image, Inputs};
+use unoclp_core::{After, Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
 use unoclp_source::{Source, Written, load};
@@ -211,6 +211,24 @@ fn whatever_a_person_should_know_is_said() {
 }
 
 #[test]
+fn a_board_without_a_program_is_not_at_fault() {
+    let mut empty = reading();
+    empty.diagnostics.state = Some(State::Fault);
+    empty.diagnostics.program = Kept::default();
+    empty.diagnostics.trouble = Some(Trouble {
+        number: 51,
+        line: None,
+    });
+    let shown = screen(&mut showing(empty), 100, 24);
+    for part in ["no program yet  12 s", "\n No program on the board yet: "] {
+        assert!(shown.contains(part), "{part} is missing in\n{shown}");
+    }
+    for part in ["FAULT", "fault 51", "another program"] {
+        assert!(!shown.contains(part), "{part} in\n{shown}");
+    }
+}
+
+#[test]
 fn a_lost_board_is_told_and_what_was_read_last_stays() {
     let mut app = app(None);
     assert!(screen(&mut app, 80, 24).contains("waiting for the board"));
@@ -396,9 +414,9 @@ fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
             inputs.0 ^= 1 << random.below(4);
         }
         let mut acc = Vec::new();
-        let observe = |step: usize, on| {
+        let observe = |step: usize, after: After| {
             acc.resize(step, None);
-            acc.push(Some(on));
+            acc.push(Some(after.acc));
         };
         let outputs = board
             .scan_observed(Inputs::from(inputs), now, observe)
@@ -679,6 +697,7 @@ fn the_screen_speaks_portuguese() {
         "Entradas: 1 a 8 forçam",
         "já estavam forçados: Q1=1",
         "varredura 214",
+        "fonte 5,01 V",
         "há um envio em andamento",
         " q sai ",
     ] {

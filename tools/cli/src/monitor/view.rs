@@ -116,7 +116,10 @@ fn header(app: &App, frame: &mut Frame, area: Rect) {
         (None, None) => "…".to_owned(),
         (None, Some(reading)) => {
             let board = &reading.diagnostics;
-            let state = board.state.map_or("?", State::name);
+            let state = match board.waits_for_program() {
+                true => messages::empty_board(),
+                false => board.state.map_or("?", State::name).to_owned(),
+            };
             let forced = if board.has(flag::FORCED) {
                 messages::forced_flag()
             } else {
@@ -216,8 +219,8 @@ fn lamp(on: bool) -> Span<'static> {
 fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     let board = &reading.diagnostics;
     let [last, least, most] = board.scan_times.map(micros);
-    let volts = f64::from(board.supply) / 1000.0;
-    let figures = messages::figures(last, least, most, format!("{volts:.2}"), board.free_stack);
+    let volts = messages::volts(board.supply);
+    let figures = messages::figures(last, least, most, volts, board.free_stack);
     let history = messages::history(messages::start(board.cause), board.restarts, board.faults);
     let mut lines = vec![Line::raw(figures), Line::raw(history)];
     let mut warn = |text: String| {
@@ -227,7 +230,9 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
     if let Some(why) = &app.lost {
         warn(messages::lost(why));
     }
-    if let Some(trouble) = board.trouble {
+    if board.waits_for_program() {
+        warn(messages::no_program_yet());
+    } else if let Some(trouble) = board.trouble {
         let own = app.program.as_ref().filter(|_| !app.differs());
         let (of, trouble) = match (board.state, own) {
             (Some(State::Fault), Some(program)) => (String::new(), program.in_text(trouble)),
@@ -248,7 +253,8 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
             warn(text);
         }
     }
-    if let Some(program) = app.program.as_ref().filter(|_| app.differs()) {
+    let is_other = app.differs() && !board.waits_for_program();
+    if let Some(program) = app.program.as_ref().filter(|_| is_other) {
         warn(messages::another_program(
             &program.name,
             board.program.bytes,

@@ -15,7 +15,7 @@ use std::time::Duration;
 use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Flow, Probe};
+use unoclp_host_sim::live::Flow;
 use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_lang::Spot;
 use unoclp_source::{BOARD, Source, point_names};
@@ -35,8 +35,6 @@ pub struct App {
     /// What the program is called.
     pub(super) name: String,
     machine: Machine,
-    /// The same program, to see its values on the way; none where there are none to see.
-    probe: Option<Probe>,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
@@ -77,7 +75,6 @@ impl App {
     pub fn new(program: Source) -> App {
         let drawn = Drawn::new(&program);
         let names = point_names(&program);
-        let probe = Probe::new(&program, &drawn.values());
         let machine = Machine::new(program.checked);
         App {
             name: program.name,
@@ -89,7 +86,6 @@ impl App {
             map: program.map,
             text: program.text.lines().map(str::to_owned).collect(),
             machine,
-            probe,
             flow: Flow::default(),
             buttons: Buttons::new(KeyUp::Guessed),
             scans: 0,
@@ -237,19 +233,17 @@ impl App {
         // The clock of the PLC wraps (NC-9).
         let now = self.scans as Millis;
         let steps = self.machine.plc().steps().count();
-        let mut acc = vec![None; steps];
-        let observe = |step, power| acc[step] = Some(power);
+        let mut flow = Flow::new(steps);
+        let observe = |step, after| flow.observe(step, after);
         if let Err(fault) = self.machine.scan_observed(inputs, now, observe) {
             self.fault = Some(fault);
             let place = fault.line.and_then(|line| self.map.of_code(line));
             self.fault_line = place.map(|place| place.line);
             self.running = false;
         }
-        self.flow.acc = acc;
-        if let Some(probe) = &mut self.probe {
-            self.flow.values = probe.scan(inputs, now);
-        }
-        self.flow.look(self.machine.plc(), now);
+        flow.look(self.machine.plc(), now);
+        flow.end(self.machine.plc());
+        self.flow = flow;
         self.scans += 1;
         if let Some(recorder) = &mut self.recorder {
             recorder.record(self.recorded, &Sample::of(&self.machine, &inputs, now))?;
@@ -311,9 +305,6 @@ impl App {
     /// as they are.
     fn restart(&mut self) {
         self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());
-        if let Some(probe) = &mut self.probe {
-            probe.with_plc(|plc| plc.restart());
-        }
         self.running |= self.fault.take().is_some();
         self.flow = Flow::default();
         self.scans = 0;

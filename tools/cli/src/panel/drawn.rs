@@ -24,11 +24,6 @@ impl Drawn {
         }
     }
 
-    /// The steps behind which the value is shown.
-    pub fn values(&self) -> Vec<usize> {
-        self.listing.values()
-    }
-
     /// Shows the other of the two.
     pub fn turn(&mut self) {
         self.as_text = !self.as_text;

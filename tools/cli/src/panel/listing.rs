@@ -20,13 +20,8 @@ impl Listing {
         self.0.first()
     }
 
-    /// The steps behind which the value is shown.
-    pub fn values(&self) -> Vec<usize> {
-        self.0.values()
-    }
-
-    /// The lines as they stand, those that work on a number with what its point holds, or with the value behind them; else
-    /// `●` where acc is 1 behind what the line has become, `○` where it is 0, neither where the scan has not come there.
+    /// The lines as they stand, those that work on a number with that number; else `●` where the line has power, what it tests
+    /// holds, or the bit that it stores is 1; `○` where not; neither where the scan has not come there.
     pub fn lines(&self, flow: &Flow) -> Vec<Line<'static>> {
         let line = |((number, text), mark): ((usize, &str), Mark)| {
             let (lamp, style) = match mark {

@@ -182,3 +182,27 @@ fn an_old_board_is_live_too() {
     assert_eq!((reading.inputs, reading.markers), (5, None));
     assert!(reading.registers.is_empty() && reading.timers.is_empty());
 }
+
+/// Where each request of a round reads: what a program does is read before what it does it for.
+#[test]
+fn effects_are_read_before_their_causes() {
+    let mut wire = line(Board::default());
+    let mut live = Live::default();
+    for _ in 0..2 {
+        let begun = wire.sent.len();
+        wire.talk(async |client| rounds(client, &mut live, 1, (LARGE, ALL)).await)
+            .unwrap();
+        let functions: Vec<u8> = wire.sent[begun..]
+            .iter()
+            .map(|(_, frame)| frame[1])
+            .collect();
+        let first = |function| functions.iter().position(|&one| one == function);
+        // Read coils: outputs and markers; read discrete inputs.
+        assert_eq!(first(1), Some(0), "{functions:?}");
+        let inputs = first(2).unwrap();
+        assert!(
+            functions[inputs..].iter().all(|&one| one != 1 && one != 4),
+            "{functions:?}"
+        );
+    }
+}

@@ -7,10 +7,10 @@ import { speak, told, translate } from "../../words/words";
 import { asked } from "../asked";
 import type { Bench } from "../bench";
 import { type ProgramDocument, stemOf } from "../document";
-import { byId, h } from "../dom";
+import { h } from "../dom";
 import { force, liveOf } from "../forcing";
 import { kept } from "../kept";
-import { entry, menu } from "../menu";
+import { entry, menu, openAt } from "../menu";
 import { announce, note } from "../notes";
 import { isLetter } from "../paper";
 import { ACTIONS, type Action, keyOf } from "./actions";
@@ -52,6 +52,7 @@ export class Screen {
   private readonly operating = h("input", { type: "checkbox", id: "operate" });
   private readonly where = h("button", { type: "button", id: "draw-where", "data-say-title": "drawWhere", click: () => this.turn() });
   private readonly finder: Finder;
+  private readonly menu: HTMLElement;
   private place: Place = "behind";
   private heard = "";
 
@@ -79,7 +80,7 @@ export class Screen {
     const button = (id: string, key: string, click: () => void): HTMLElement => h("button", { type: "button", id, "data-say": key, click });
     const undo = h("button", { type: "button", id: "draw-undo", "data-say-label": "drawUndo", click: () => void act({ do: "undo" }) }, "↶");
     const redo = h("button", { type: "button", id: "draw-redo", "data-say-label": "drawRedo", click: () => void act({ do: "redo" }) }, "↷");
-    const edit = menu("drawEdit", "pen", () => ACTIONS.filter((action) => !action.quiet).map((action) => entry(say(action.say), () => void this.do(action), action.key)));
+    const edit = this.menu = menu("drawEdit", "pen", () => ACTIONS.filter((action) => !action.quiet).map((action) => entry(say(action.say), () => void this.do(action), action.key)));
     const bar = h("div", { class: "draw-bar" },
       h("div", { class: "group" }, undo, redo), edit, this.where,
       button("draw-symbols", "symbols", () => symbols(() => this.session.drawn.value?.table ?? [], (act) => this.session.attempt(act))),
@@ -265,7 +266,12 @@ export class Screen {
     this.paper.addEventListener("dblclick", () => void this.session.settled().then(() => this.edit()));
     this.paper.addEventListener("contextmenu", (event) => {
       event.preventDefault();
-      byId("menu-drawEdit").click();
+      const { clientX: x, clientY: y } = event;
+      // A finger that was held has selected nothing yet.
+      const at = id(event);
+      const opens = (): void => openAt(this.menu, { x, y });
+      if (at && !this.paper.querySelector(`.selected[data-id="${at}"]`)) void this.session.act({ do: "select", from: at, to: at }).then(opens);
+      else opens();
     });
   }
 

@@ -21,6 +21,7 @@ export class Session {
   private drawing: Drawing | null = null;
   /** The program that it is of, as the document counts them. */
   private opened = -1;
+  private begins = false;
   private queue: Promise<unknown> = Promise.resolve();
   private visible = false;
 
@@ -32,6 +33,7 @@ export class Session {
     private readonly write: (text: Text) => void,
   ) {
     program.looked.follow(() => this.follow());
+    tools.begun.add(() => this.begin());
     speak.follow(() => {
       if (this.visible && this.drawn.value) void this.again();
     });
@@ -80,6 +82,17 @@ export class Session {
 
   private get shown(): { width: number; speak: typeof speak.value } {
     return { width: this.width(), speak: speak.value };
+  }
+
+  /** The tools know no drawing any more: it is opened again, with all that can be undone. */
+  private begin(): void {
+    if (this.begins) return;
+    this.begins = true;
+    void this.next(async () => {
+      if (this.drawing) await this.open(this.drawing, this.program.text.value);
+    }).finally(() => {
+      this.begins = false;
+    });
   }
 
   private next(job: () => Promise<void>): Promise<void> {

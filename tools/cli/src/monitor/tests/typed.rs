@@ -36,8 +36,9 @@ fn a_board_shows_variables_by_name_and_type() {
         "Q1○ lamp",
         "\n raw 7   level 2.5   wait T#1m30s   n 4294967295\n",
         " pause TON ",
-        "level := level + 0.5;  = 2.5",
-        "wait := wait + T#1ms;  = T#1m30s",
+        // The text shows what the scan that comes next stores.
+        "level := level + 0.5;  = 3.0",
+        "wait := wait + T#1ms;  = T#1m30s1ms",
     ] {
         assert!(shown.contains(part), "{part}: {shown}");
     }
@@ -65,4 +66,21 @@ fn a_board_with_another_program_shows_no_variables() {
         shown.contains("─ Memory ─") && !shown.contains("V0"),
         "{shown}"
     );
+}
+
+#[test]
+fn a_line_shows_the_condition_that_it_tests() {
+    let text = "VAR go AT %IX1 : BOOL; stop AT %IX2 : BOOL; level : REAL; n : INT; END_VAR\nlevel := level * 1.0;\nIF level < 10.0 THEN\nn := 1;\nEND_IF;\nIF stop THEN n := 2; END_IF;\nIF go THEN\nn := n + 1;\nEND_IF;\n";
+    let registers = [50.05_f32.to_bits().cast_signed(), 7];
+    let shown = screen(&mut showing_typed("tank.st", text, &registers), 80, 24);
+    for part in [
+        "   2   level := level * 1.0;  = 50.05\n",
+        "   3 ○ IF level < 10.0 THEN\n",
+        "   4   n := 1;\n",
+        "   6 ○ IF stop THEN n := 2; END_IF;\n",
+        "   7 ● IF go THEN\n",
+        "   8   n := n + 1;  = 8\n",
+    ] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
 }
