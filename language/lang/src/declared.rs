@@ -1,10 +1,10 @@
 //! What the declarations of a text in Instruction List say of the board's points, whatever stands behind them.
 
-use crate::address::{Address, parse as address};
 use crate::ast::Var;
 use crate::comments::{Comments, words};
 use crate::diagnostics::{Found, Lines, Span};
 use crate::parser;
+use unoclp_point::{Kind, read};
 
 /// What a text declares.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -36,18 +36,19 @@ pub fn declared(text: &str) -> Declared {
     let program = parsed.units.first();
     let vars = program.map(|unit| &unit.vars[..]).unwrap_or_default();
     let points = vars.iter().filter_map(|var| {
-        let at = address(var.at.as_ref()?.name()?, dialect)?;
-        let (letter, number) = match at {
-            Address::Input(number) => ('I', number),
-            Address::Output(number) => ('Q', number),
-            Address::Marker(number) => ('M', number),
-            Address::System(number) => ('S', number),
-            Address::Register(number) => ('D', number),
-            Address::Analogue(number) => ('A', number),
+        let written = read(var.at.as_ref()?.name()?, dialect.maker())?;
+        let at = written.address?;
+        let letter = match at.kind {
+            Kind::Input => 'I',
+            Kind::Output => 'Q',
+            Kind::Marker => 'M',
+            Kind::System => 'S',
+            Kind::Register => 'D',
+            Kind::Analogue => 'A',
             _ => return None,
         };
         Some(DeclaredPoint {
-            point: format!("{letter}{number}"),
+            point: format!("{letter}{}", at.number),
             name: text.get(var.name.span.range())?.to_owned(),
             comment: behind(text, var, &parsed.comments),
         })

@@ -129,10 +129,10 @@ impl Code<'_> {
 fn idle(series: &[Node], says: &mut impl FnMut(Id)) {
     match series.last() {
         // What lacks something is told that first.
-        Some(Node::Element(last)) if makes_a_result(last.step.class()) => {
-            if last.step.is_complete() {
-                says(last.id);
-            }
+        Some(Node::Element(last))
+            if makes_a_result(last.step.class()) && last.step.is_complete() =>
+        {
+            says(last.id);
         }
         Some(Node::Parallel(parallel)) => {
             let paths = parallel.paths.iter();
