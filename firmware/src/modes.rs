@@ -2,7 +2,7 @@
 //!
 //! Owns which of them it is, and what goes on in each, beside the scans too; must not know how any of it is done.
 
-use crate::board::allowance::{self, COST, MARKERS_LEFT, NUMBERS_LEFT, SETTINGS_LEFT};
+use crate::board::allowance::{self, COST, MARKERS_USED, NUMBERS_USED, SETTINGS_USED};
 use crate::board::watchdog;
 use crate::board::{Board, clock};
 use crate::card::StateFile;
@@ -168,9 +168,9 @@ impl Work<'_> {
         self.seconds += 1;
         if self.seconds == 60 {
             self.seconds = 0;
-            allowance::grow(&MARKERS_LEFT, COST);
-            allowance::grow(&SETTINGS_LEFT, 1);
-            allowance::grow(&NUMBERS_LEFT, self.places.into());
+            allowance::give(&MARKERS_USED, COST);
+            allowance::give(&SETTINGS_USED, 1);
+            allowance::give(&NUMBERS_USED, self.places.into());
         }
     }
 

@@ -3,7 +3,7 @@
 //! Owns the ring of records, and when one is written: what is written is a snapshot in run memory, a byte at a time.
 //! Must not know which numbers these are.
 
-use crate::board::allowance::{self, COST, NUMBERS_LEFT};
+use crate::board::allowance::{self, FIFTH_LAST, LAST, NUMBERS_USED};
 use crate::board::eeprom::Eeprom;
 use crate::board::watchdog;
 use crate::engine::Linked;
@@ -11,9 +11,6 @@ use crate::store;
 use unoclp_core::Crc16;
 use unoclp_modbus::eeprom::numbers;
 use unoclp_modbus::eeprom::program::END;
-
-/// What RUN leaves of the allowance for STOP.
-const FOR_STOP: u16 = 4 * COST;
 
 /// The ring of the program that runs, and what is being written to it.
 pub struct Numbers {
@@ -101,10 +98,10 @@ impl Numbers {
                 return;
             }
             self.changed |= plc.keep(true);
-            let reserve = if runs { FOR_STOP } else { 0 };
-            match allowance::behind(&NUMBERS_LEFT) {
-                Some(left) if self.changed && left >= reserve => NUMBERS_LEFT.set(left),
-                _ => return,
+            // RUN leaves some for STOP.
+            let most = if runs { FIFTH_LAST } else { LAST };
+            if !self.changed || !allowance::take(&NUMBERS_USED, most) {
+                return;
             }
             self.changed = false;
             let size = u16::from(self.size);

@@ -79,7 +79,7 @@ pub fn state_file(serial: &Serial, file: &StateFile) {
         StateFile::Missing => return,
         StateFile::Found(_) => flash_text!("kept in STATE.TXT"),
         StateFile::Unfit => {
-            flash_text!("STATE.TXT is read-only or shorter than 512 bytes, not kept")
+            flash_text!("STATE.TXT is read-only or under 512 B, not kept")
         }
         StateFile::Unreadable => flash_text!("STATE.TXT cannot be read, not kept"),
     };

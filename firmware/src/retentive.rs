@@ -8,7 +8,7 @@
 //! by one higher than that of the place before. The number is written last: a place that the supply
 //! did not last for has no number that follows, and the place before it counts.
 
-use crate::board::allowance::{self, MARKERS_LEFT};
+use crate::board::allowance::{self, LAST, MARKERS_USED};
 use crate::board::eeprom::Eeprom;
 use unoclp_modbus::eeprom::markers::{FIRST, PLACE_BYTES, PLACES};
 
@@ -58,10 +58,7 @@ impl Retentive {
         if self.half {
             self.half = false;
             eeprom.write(address(self.place) + 1, self.number);
-        } else if markers != self.markers
-            && let Some(left) = allowance::behind(&MARKERS_LEFT)
-        {
-            MARKERS_LEFT.set(left);
+        } else if markers != self.markers && allowance::take(&MARKERS_USED, LAST) {
             self.place = (self.place + 1) % PLACES;
             self.number = self.number.wrapping_add(1);
             self.markers = markers;

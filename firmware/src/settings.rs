@@ -1,13 +1,13 @@
 //! The settings of the serial line and of its server, kept in the EEPROM in the form of [`unoclp_modbus::eeprom::settings`].
 
-use crate::board::allowance::{self, SETTINGS_LEFT};
+use crate::board::allowance::{self, LAST, SETTINGS_USED};
 use crate::board::clock::CLOCK_HZ;
 use crate::board::eeprom::Eeprom;
 use crate::board::serial::Line;
 use crate::store;
 use unoclp_core::Crc16;
 use unoclp_modbus::Exception;
-use unoclp_modbus::eeprom::settings::{BYTES, FIRST, INVALID, OLD, OLD_BYTES, SECOND, VALID};
+use unoclp_modbus::eeprom::settings::{BYTES, FIRST, OLD, OLD_BYTES, SECOND, VALID};
 use unoclp_modbus::map::{Parity, Setting, setting};
 
 // The numbers of the settings.
@@ -54,12 +54,15 @@ impl Settings {
     /// they would stand on the stack too.
     #[inline(never)]
     pub fn load(&mut self, eeprom: &Eeprom, defaults: bool) {
-        if !defaults
-            && (self.read_slot(eeprom, FIRST)
-                || self.read_slot(eeprom, SECOND)
-                || self.read(eeprom, OLD, OLD_BYTES))
-        {
-            return;
+        if !defaults {
+            if self.read_slot(eeprom, FIRST) || self.read_slot(eeprom, SECOND) {
+                // A slot that is damaged is mended, as far as the other can.
+                self.keep(eeprom);
+                return;
+            }
+            if self.read(eeprom, OLD, OLD_BYTES) {
+                return;
+            }
         }
         self.bytes.fill(0);
         self.set(ADDRESS, setting::ADDRESS.default);
@@ -86,26 +89,31 @@ impl Settings {
         is_sound && self.address() != 0
     }
 
-    /// Keeps them, where they have changed. Takes 62 ms at most.
+    /// Keeps them, where they have changed. Takes 110 ms at most.
     #[inline(never)]
     pub fn save(&mut self, eeprom: &Eeprom) {
         if self.kept != CHANGED {
             return;
         }
         self.kept = AS_KEPT;
-        SETTINGS_LEFT.set(allowance::behind(&SETTINGS_LEFT).unwrap_or(0));
+        allowance::take(&SETTINGS_USED, LAST);
+        self.keep(eeprom);
+    }
+
+    /// Writes them to both slots, bytes that differ. While one is being written, the other counts.
+    #[inline(never)]
+    fn keep(&mut self, eeprom: &Eeprom) {
         let [values @ .., high, low] = &mut self.bytes;
         [*high, *low] = Crc16::of(values).to_be_bytes();
-        let (slot, other) = if eeprom.read(FIRST) == VALID {
-            (SECOND, FIRST)
-        } else {
-            (FIRST, SECOND)
-        };
-        eeprom.write(slot, INVALID);
+        self.write_slot(eeprom, SECOND);
+        self.write_slot(eeprom, FIRST);
+        eeprom.write(OLD, 0);
+    }
+
+    #[inline(never)]
+    fn write_slot(&self, eeprom: &Eeprom, slot: u16) {
         store::write(eeprom, slot + 1, &self.bytes);
         eeprom.write(slot, VALID);
-        eeprom.write(other, INVALID);
-        eeprom.write(OLD, 0);
     }
 
     /// A setting, by its number.
@@ -147,7 +155,7 @@ impl Settings {
         let lifts = number == LOCK && self.locks() & !(value as u8) != 0;
         if value < least || value > most || lifts {
             Err(Exception::IllegalDataValue)
-        } else if allowance::behind(&SETTINGS_LEFT).is_none() {
+        } else if SETTINGS_USED.get() > LAST {
             Err(Exception::ServerDeviceBusy)
         } else {
             Ok(())

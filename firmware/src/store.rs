@@ -6,6 +6,7 @@
 //! The mark goes invalid before anything changes, and valid when everything has been read back: a
 //! program that was written in part never runs.
 
+use crate::board::allowance::{self, LAST_PROGRAM, PROGRAMS_USED};
 use crate::board::eeprom::Eeprom;
 use crate::instructions::Uno;
 use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
@@ -26,6 +27,7 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     if eeprom.read(MARK) == VALID && whole(eeprom, header, stored, false) {
         return Ok(());
     }
+    allowance::take(&PROGRAMS_USED, LAST_PROGRAM);
     eeprom.write(MARK, INVALID);
     if !(whole(eeprom, header, stored, true) && whole(eeprom, header, stored, false)) {
         return Err(Cause::StoreFailed);

@@ -92,18 +92,19 @@ pub mod numbers {
     }
 }
 
-/// The settings: two slots, only one of which counts.
+/// The settings, in two slots: the same in both.
 ///
 /// | byte of a slot | |
 /// | --- | --- |
-/// | 0 | mark: [`VALID`](settings::VALID), or anything else |
+/// | 0 | mark: [`VALID`](settings::VALID) once something was kept here |
 /// | 1 … | the settings in the order of their registers: a word each, low byte first |
 /// | last two | CRC-16 of these, high byte first |
 ///
-/// New settings go to the slot that does not count. Its mark goes valid when all of it stands there, and then the
-/// mark of the other goes invalid. So wherever the supply fails, the old ones count or the new ones; where both
-/// marks are valid, the first slot does. Without a sound slot the form of 0.1.0 counts, which had one place, four
-/// settings, and no mark; and without that the defaults.
+/// A slot is sound where its mark is valid and its check sum right. The first one counts if it is sound, else the second,
+/// which the first is written from at the next start, and the other way round. So one that is damaged opens no lock. New
+/// settings go to the second slot, then to the first: wherever the supply fails, the old ones count or the new ones.
+/// Without a sound slot the form of 0.1.0 counts, which had one place, four settings, and no mark; and without that the
+/// defaults. Until 0.2.0 one of the slots counted, and the mark of the other was [`INVALID`](settings::INVALID).
 pub mod settings {
     use super::*;
 
@@ -125,9 +126,9 @@ pub mod settings {
     pub const SECOND: u16 = FIRST + SLOT_BYTES;
     /// The first byte behind it.
     pub const END: u16 = SECOND + SLOT_BYTES;
-    /// The mark of the slot that counts.
+    /// The mark of a slot that was written.
     pub const VALID: u8 = 0x5A;
-    /// The mark of the other: as the chip comes, and as a writing that is cut off leaves it.
+    /// The mark of one that was not: as the chip comes.
     pub const INVALID: u8 = 0xFF;
 }
 

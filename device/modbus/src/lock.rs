@@ -1,33 +1,27 @@
-//! What a board may refuse, whoever asks: bits of [`setting::LOCK`].
+//! What a board refuses, whoever asks: [`locks`](crate::map::locks).
 
+use crate::Table;
 use crate::frame::{Frame, operands, word};
-use crate::map::{Command, holding, setting};
+use crate::map::{self, Command, setting};
 
-/// Uploads.
-pub const UPLOAD: u8 = 1 << 0;
-/// Changes of the settings.
-pub const SETTINGS: u8 = 1 << 1;
-/// All commands but that of an upload.
-pub const COMMANDS: u8 = 1 << 2;
-/// Writing of coils, registers and presets, and forcing.
-pub const WRITING: u8 = 1 << 3;
-/// All of these.
-pub const ALL: u8 = UPLOAD | SETTINGS | COMMANDS | WRITING;
+pub use map::locks::{ALL, COMMANDS, SETTINGS, UPLOAD, WRITING};
 
 const _: () = assert!(ALL as u16 == setting::LOCK.most);
 
 /// The bit that a request falls under, which need not be a valid one; 0 for one that changes nothing.
 fn of(frame: &Frame) -> u8 {
     let first = word(frame, 2);
+    let lock = match frame[1] {
+        5 | 15 => map::lock(Table::Coils, first),
+        6 | 16 => map::lock(Table::HoldingRegisters, first),
+        _ => return 0,
+    };
     let (_, data) = operands(frame);
-    match frame[1] {
-        5 | 15 => WRITING,
-        6 | 16 if first >= holding::UPLOAD.first => UPLOAD,
-        6 | 16 if first >= holding::SETTINGS.first => SETTINGS,
-        6 | 16 if first != holding::COMMAND.first => WRITING,
-        6 | 16 if word(frame, data) == Command::Upload as u16 => UPLOAD,
-        6 | 16 => COMMANDS,
-        _ => 0,
+    // Of the commands, one is an upload's.
+    if lock == COMMANDS && word(frame, data) == Command::Upload as u16 {
+        UPLOAD
+    } else {
+        lock
     }
 }
 

@@ -39,10 +39,25 @@ pub enum Width {
 pub enum Rights {
     /// Read.
     Read,
-    /// Read and write.
-    Write,
-    /// Write blocks, by function 16 from the first address on.
-    Window,
+    /// Read and write. The bit of [`locks`] that refuses the writing.
+    Write(u8),
+    /// Write blocks, by function 16 from the first address on. The bit that refuses it.
+    Window(u8),
+}
+
+impl Rights {
+    /// Whether it can be read, and written address by address.
+    pub const fn has_addresses(self) -> bool {
+        !matches!(self, Rights::Window(_))
+    }
+
+    /// The bit of [`locks`] that refuses to write it; 0 where nobody can.
+    pub const fn lock(self) -> u8 {
+        match self {
+            Rights::Read => 0,
+            Rights::Write(lock) | Rights::Window(lock) => lock,
+        }
+    }
 }
 
 impl Span {
@@ -60,10 +75,24 @@ impl Span {
     }
 }
 
-/// Declares the spans of each table as constants, and [`ALL`] of them as a list.
+/// What a board may refuse, whoever asks: bits of [`setting::LOCK`].
+pub mod locks {
+    /// Uploads.
+    pub const UPLOAD: u8 = 1 << 0;
+    /// Changes of the settings.
+    pub const SETTINGS: u8 = 1 << 1;
+    /// All commands but that of an upload.
+    pub const COMMANDS: u8 = 1 << 2;
+    /// Writing of coils, registers and presets, and forcing.
+    pub const WRITING: u8 = 1 << 3;
+    /// All of these.
+    pub const ALL: u8 = UPLOAD | SETTINGS | COMMANDS | WRITING;
+}
+
+/// Declares the spans of each table as constants, [`ALL`] of them as a list, and [`lock`].
 macro_rules! spans {
     ($($(#[$doc:meta])* $module:ident: $table:ident {
-        $($(#[$about:meta])* $span:ident = $first:literal, $values:expr, $width:ident, $rights:ident, $name:literal;)*
+        $($(#[$about:meta])* $span:ident = $first:literal, $values:expr, $width:ident, $rights:expr, $name:literal;)*
     })*) => {
         $($(#[$doc])* pub mod $module {
             use super::*;
@@ -72,13 +101,24 @@ macro_rules! spans {
                 first: $first,
                 values: $values as u16,
                 width: Width::$width,
-                rights: Rights::$rights,
+                rights: $rights,
                 name: $name,
             };)*
         })*
 
         /// Every address that a board has, table by table and in order.
         pub const ALL: &[Span] = &[$($($module::$span),*),*];
+
+        /// The bit of [`locks`] that refuses to write at an address of a table: that of the last span that begins
+        /// there or before. As code and not as a table, which would stand in the RAM of a board.
+        #[inline(always)]
+        pub(crate) fn lock(table: Table, address: u16) -> u8 {
+            let mut lock = 0;
+            $($(if $module::$span.table as u8 == table as u8 && address >= $module::$span.first {
+                lock = const { $module::$span.rights.lock() };
+            })*)*
+            lock
+        }
     };
 }
 
@@ -86,80 +126,80 @@ spans! {
     /// Coils.
     coil: Coils {
         /// The image of the outputs.
-        OUTPUTS = 0, Profile::UNO.outputs, Bit, Write, "output 01–04";
+        OUTPUTS = 0, Profile::UNO.outputs, Bit, Rights::Write(locks::WRITING), "output 01–04";
         /// The markers.
-        MARKERS = 16, super::MARKERS, Bit, Write, "marker M 01–64";
+        MARKERS = 16, super::MARKERS, Bit, Rights::Write(locks::WRITING), "marker M 01–64";
     }
 
     /// Discrete inputs.
     discrete: DiscreteInputs {
         /// The inputs as the program sees them.
-        INPUTS = 0, Profile::UNO.inputs, Bit, Read, "input 01–08";
+        INPUTS = 0, Profile::UNO.inputs, Bit, Rights::Read, "input 01–08";
     }
 
     /// Input registers. From [`STATE`](input::STATE) to [`FAULTS`](input::FAULTS) they are the diagnostics, which
     /// one request reads.
     input: InputRegisters {
         /// The analogue inputs, 0 to 1023.
-        ANALOGUE = 0, super::ANALOGUE, Word, Read, "analogue input A 00–04";
+        ANALOGUE = 0, super::ANALOGUE, Word, Rights::Read, "analogue input A 00–04";
         /// A [`State`].
-        STATE = 16, 1, Word, Read, "state";
+        STATE = 16, 1, Word, Rights::Read, "state";
         /// Bits of [`flag`], and the [`form`] of the stored program.
-        FLAGS = 17, 1, Word, Read, "bits";
+        FLAGS = 17, 1, Word, Rights::Read, "bits";
         /// The number of the fault; 0: none.
-        FAULT = 18, 1, Word, Read, "number of the fault";
+        FAULT = 18, 1, Word, Rights::Read, "number of the fault";
         /// The cause of the start: see [`cause`].
-        CAUSE = 19, 1, Word, Read, "cause of the start";
+        CAUSE = 19, 1, Word, Rights::Read, "cause of the start";
         /// The line of the fault; 0: none.
-        LINE = 20, 1, Long, Read, "line of the fault";
+        LINE = 20, 1, Long, Rights::Read, "line of the fault";
         /// ms since the start, wrapping.
-        UPTIME = 22, 1, Long, Read, "uptime";
+        UPTIME = 22, 1, Long, Rights::Read, "uptime";
         /// The last, the least and the most scan time, µs; 32767 for more.
-        SCAN_TIMES = 24, 3, Word, Read, "scan time: last, least, most";
+        SCAN_TIMES = 24, 3, Word, Rights::Read, "scan time: last, least, most";
         /// Bytes that the stack has never used.
-        FREE_STACK = 27, 1, Word, Read, "free stack";
+        FREE_STACK = 27, 1, Word, Rights::Read, "free stack";
         /// Bytes of the stored form of the program.
-        PROGRAM_BYTES = 28, 1, Word, Read, "bytes of the program in its stored form";
+        PROGRAM_BYTES = 28, 1, Word, Rights::Read, "bytes of the program in its stored form";
         /// The check sum of [`eeprom::program`](crate::eeprom::program).
-        PROGRAM_SUM = 29, 1, Word, Read, "its check sum";
+        PROGRAM_SUM = 29, 1, Word, Rights::Read, "its check sum";
         /// The reading of the 1.1 V reference.
-        SUPPLY = 30, 1, Word, Read, "supply";
+        SUPPLY = 30, 1, Word, Rights::Read, "supply";
         /// Restarts since power-up.
-        RESTARTS = 31, 1, Word, Read, "restarts since power-up";
+        RESTARTS = 31, 1, Word, Rights::Read, "restarts since power-up";
         /// Faults since power-up.
-        FAULTS = 32, 1, Word, Read, "faults since power-up";
+        FAULTS = 32, 1, Word, Rights::Read, "faults since power-up";
         /// What has elapsed of the timers, ms.
-        TIMERS = 128, super::TIMERS, Long, Read, "timer T 01–87: elapsed time";
+        TIMERS = 128, super::TIMERS, Long, Rights::Read, "timer T 01–87: elapsed time";
         /// What the counters have counted.
-        COUNTERS = 320, super::COUNTERS, Long, Read, "counter C 01–16: value";
+        COUNTERS = 320, super::COUNTERS, Long, Rights::Read, "counter C 01–16: value";
     }
 
     /// Holding registers.
     holding: HoldingRegisters {
         /// The registers D that clients have always found here, and as many more as there is room for.
-        FIRST_REGISTERS = 0, 64, Long, Write, "register D 01–64";
+        FIRST_REGISTERS = 0, 64, Long, Rights::Write(locks::WRITING), "register D 01–64";
         /// The presets of the timers, ms.
-        TIMERS = 128, super::TIMERS, Long, Write, "timer T 01–87: preset";
+        TIMERS = 128, super::TIMERS, Long, Rights::Write(locks::WRITING), "timer T 01–87: preset";
         /// The presets of the counters.
-        COUNTERS = 320, super::COUNTERS, Long, Write, "counter C 01–16: preset";
+        COUNTERS = 320, super::COUNTERS, Long, Rights::Write(locks::WRITING), "counter C 01–16: preset";
         /// Takes a [`Command`]; reads as the state.
-        COMMAND = 400, 1, Word, Write, "command";
+        COMMAND = 400, 1, Word, Rights::Write(locks::COMMANDS), "command";
         /// Which inputs are forced, bit 0 input 01.
-        FORCED_INPUTS = 402, 1, Word, Write, "inputs forced";
+        FORCED_INPUTS = 402, 1, Word, Rights::Write(locks::WRITING), "inputs forced";
         /// To what the inputs are forced.
-        INPUTS_TO = 403, 1, Word, Write, "to what";
+        INPUTS_TO = 403, 1, Word, Rights::Write(locks::WRITING), "to what";
         /// Which outputs are forced, bit 0 output 01.
-        FORCED_OUTPUTS = 404, 1, Word, Write, "outputs forced";
+        FORCED_OUTPUTS = 404, 1, Word, Rights::Write(locks::WRITING), "outputs forced";
         /// To what the outputs are forced.
-        OUTPUTS_TO = 405, 1, Word, Write, "to what";
+        OUTPUTS_TO = 405, 1, Word, Rights::Write(locks::WRITING), "to what";
         /// So many seconds without a request end all forcing; 0: none do.
-        FORCING_ENDS = 406, 1, Word, Write, "end of forcing";
+        FORCING_ENDS = 406, 1, Word, Rights::Write(locks::WRITING), "end of forcing";
         /// The settings: see [`setting`].
-        SETTINGS = 410, setting::ALL.len(), Word, Write, "[settings](#settings)";
+        SETTINGS = 410, setting::ALL.len(), Word, Rights::Write(locks::SETTINGS), "[settings](#settings)";
         /// Blocks of an upload: a word with the block's number and size, then its text.
-        UPLOAD = 1000, 123, Word, Window, "[upload](#upload)";
+        UPLOAD = 1000, 123, Word, Rights::Window(locks::UPLOAD), "[upload](#upload)";
         /// All registers D.
-        REGISTERS = 2000, super::REGISTERS, Long, Write, "register D 01–98";
+        REGISTERS = 2000, super::REGISTERS, Long, Rights::Write(locks::WRITING), "register D 01–98";
     }
 }
 
@@ -172,20 +212,21 @@ pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;
 /// Bytes of an area in [`AREAS`]: its table, its first address, low byte first, and how many it has.
 pub const AREA: usize = 4;
 
-/// Whether a span begins an area of its own: what lies side by side is one area, but for a span of very many addresses;
-/// a window is none.
+/// The most words of a request.
+const MOST_WORDS: u16 = 125;
+
+/// Whether a span goes on where the one before it ends.
+const fn joins(index: usize) -> bool {
+    index > 0
+        && ALL[index - 1].table as u8 == ALL[index].table as u8
+        && ALL[index - 1].end() == ALL[index].first
+}
+
+/// Whether a span begins an area: where none goes before it, or it has too many addresses for a byte to count them
+/// with those before. A window is none.
 const fn begins_area(index: usize) -> bool {
     let span = ALL[index];
-    let before = if index == 0 {
-        None
-    } else {
-        Some(ALL[index - 1])
-    };
-    let joined = match before {
-        Some(before) => before.table as u8 == span.table as u8 && before.end() == span.first,
-        None => false,
-    };
-    (!joined || span.addresses() > 128) && !matches!(span.rights, Rights::Window)
+    (!joins(index) || span.addresses() > 128) && span.rights.has_addresses()
 }
 
 const AREAS_BYTES: usize = {
@@ -198,7 +239,8 @@ const AREAS_BYTES: usize = {
 };
 
 /// Every address that can be read, as areas that one request may lie in, [`AREA`] bytes each: for a board that keeps
-/// constants apart from its RAM.
+/// constants apart from its RAM. What lies side by side is one area. Where a byte cannot count its addresses it is two,
+/// and the first goes on into the second by as much as a request can.
 pub const AREAS: [u8; AREAS_BYTES] = {
     let mut packed = [0; AREAS_BYTES];
     let (mut at, mut index) = (0, 0);
@@ -206,11 +248,15 @@ pub const AREAS: [u8; AREAS_BYTES] = {
         let span = ALL[index];
         let addresses = span.addresses() as u8;
         if begins_area(index) {
+            if joins(index) {
+                assert!((u8::MAX - packed[at - 1]) as u16 >= MOST_WORDS - 1);
+                packed[at - 1] = u8::MAX;
+            }
             let [low, high] = span.first.to_le_bytes();
             (packed[at], packed[at + 1], packed[at + 2]) = (span.table as u8, low, high);
             at += AREA;
         }
-        if !matches!(span.rights, Rights::Window) {
+        if span.rights.has_addresses() {
             assert!(span.addresses() == addresses as u16);
             packed[at - 1] += addresses;
         }
@@ -225,7 +271,7 @@ pub fn has(table: Table, first: u16, count: u16) -> bool {
     let is_there = |address: u16| {
         ALL.iter().any(|span| {
             let within = (span.first..span.end()).contains(&address);
-            span.table == table && span.rights != Rights::Window && within
+            span.table == table && span.rights.has_addresses() && within
         })
     };
     first

@@ -97,7 +97,7 @@ impl Watchdog {
         if record.porf().bit_is_set() || doing != STARTING && doing != SCANNING && !commanded {
             RESTARTS.set(0);
             FAULTS.set(0);
-            allowance::fill();
+            allowance::renew();
             return watchdog;
         }
         RESTARTS.set(watchdog.restarts().saturating_add(1));

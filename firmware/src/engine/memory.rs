@@ -28,6 +28,9 @@ pub enum Values {
     Counters,
 }
 
+/// The most words that are done at once: an even number, so that no value is torn.
+pub const SLICE: u8 = 64;
+
 /// Bits of what [`engine_words`] is to do.
 pub(super) const WRITTEN: u8 = 0;
 pub(super) const ELAPSED: u8 = 1;
@@ -60,7 +63,8 @@ impl<'a> Memory<'a> {
     }
 
     /// Reads or writes words of these values or of their presets, from that word on: each value is two, the high one
-    /// first, and of each word the high byte. What the program does not have reads as 0. At most 255 words.
+    /// first, and of each word the high byte. What the program does not have reads as 0. No further than to the end of a
+    /// [`SLICE`], counted from the first value on; gives how many words.
     #[inline(never)]
     pub fn words(
         &mut self,
@@ -70,7 +74,8 @@ impl<'a> Memory<'a> {
         words: &mut [[u8; 2]],
         write: bool,
         now: Millis,
-    ) {
+    ) -> u8 {
+        let count = (words.len() as u8).min(SLICE - (first & SLICE - 1));
         let (begin, length, size, preset) = match values {
             Values::Registers => {
                 let length = size_of_val(&self.data.registers) + self.far.len();
@@ -93,7 +98,7 @@ impl<'a> Memory<'a> {
         let elapsed = !presets && values == Values::Timers;
         let at = length.min(usize::from(first >> 1) * size + at);
         let how = u8::from(write) << WRITTEN | u8::from(elapsed) << ELAPSED;
-        // SAFETY: it reads or writes as many words as there are, and values from the first to the end of their data;
+        // SAFETY: it reads or writes no more words than there are, and values from the first to the end of their data;
         // each of them that begins there is whole, since the data of each timer and counter are. Run memory comes
         // right behind the registers of `data`, and begins with the others that the program has.
         unsafe {
@@ -101,12 +106,13 @@ impl<'a> Memory<'a> {
                 words.as_mut_ptr(),
                 begin.wrapping_add(at),
                 begin.wrapping_add(length),
-                words.len() as u8,
+                count,
                 size as u8,
                 first,
                 how,
                 now,
             );
         }
+        count
     }
 }

@@ -1,10 +1,11 @@
 //! What each address stands for: the tables of `docs/modbus.md`.
 
 use super::upload::Upload;
+use crate::board::allowance::{LAST_PROGRAM, PROGRAMS_USED};
 use crate::board::flash::{self, Codes, flash_codes};
 use crate::board::{Board, stack, watchdog};
 use crate::engine::data::ON;
-use crate::engine::memory::{Memory, Values};
+use crate::engine::memory::{Memory, SLICE, Values};
 use crate::operation::{Command, Operation, State};
 use crate::settings::Settings;
 use crate::store;
@@ -23,6 +24,9 @@ const COUNTER: u16 = input::COUNTERS.first;
 const COMMAND: u16 = holding::COMMAND.first;
 const REGISTER: u16 = holding::REGISTERS.first;
 
+// The presets go on where the registers end, and a slice begins.
+const _: () =
+    assert!(TIMER == holding::FIRST_REGISTERS.end() && TIMER.is_multiple_of(SLICE as u16));
 // Input and holding registers have these at the same addresses.
 const _: () = assert!(TIMER == holding::TIMERS.first && COUNTER == holding::COUNTERS.first);
 const _: () = assert!(TIMER_DATA == COUNTER_DATA);
@@ -129,7 +133,12 @@ impl Map<'_, '_, '_> {
     #[inline(never)]
     fn check_word(&self, number: u8, value: u16) -> Result<(), Exception> {
         let sound = if number < number::FORCES {
-            return self.command(value).map(|_| ());
+            return match self.command(value)? {
+                Command::Upload if PROGRAMS_USED.get() > LAST_PROGRAM => {
+                    Err(Exception::ServerDeviceBusy)
+                }
+                _ => Ok(()),
+            };
         } else if (number::FORCED_OUTPUTS..=number::OUTPUTS_TO).contains(&number) {
             value < 1 << coil::OUTPUTS.values
         } else if number < number::SETTINGS {
@@ -234,10 +243,9 @@ impl Device for Map<'_, '_, '_> {
             let offset = first.wrapping_sub(u16::from_le_bytes([low, high]));
             let addresses = u16::from(addresses);
             if its_table == table as u8 && offset < addresses && count <= addresses - offset {
-                let presets = table == Table::HoldingRegisters && (TIMER..COMMAND).contains(&first);
-                return access == Access::Read
-                    || !presets
-                    || self.has_presets(first.wrapping_add(count - 1));
+                let last = first.wrapping_add(count - 1);
+                let presets = table == Table::HoldingRegisters && (TIMER..COMMAND).contains(&last);
+                return access == Access::Read || !presets || self.has_presets(last);
             }
             at += AREA;
         }
@@ -311,12 +319,8 @@ impl Device for Map<'_, '_, '_> {
                 (Values::Registers, 0)
             };
             let from = (first as u8).wrapping_sub(start);
-            // To an even address, since each value has two words.
-            let most = words.len().min(64 - usize::from(first & 1));
-            let words = words.get_mut(..most).unwrap_or_default();
             let memory = &mut self.memory;
-            memory.words(values, !input, from, words, write, self.now);
-            return most as u8;
+            return memory.words(values, !input, from, words, write, self.now);
         }
         // Others take longer.
         let mut address = first;
@@ -340,11 +344,14 @@ impl Device for Map<'_, '_, '_> {
             return Ok(());
         }
         if first < COMMAND {
-            // A preset is not negative: its high word tells.
-            let mut at = usize::from(first & 1);
-            while let Some(&[high, _]) = words.get(at)
-                && first >= TIMER
-            {
+            // A preset is not negative: its high word tells. What stands before the presets may be.
+            let before = if first < TIMER {
+                TIMER - first
+            } else {
+                first & 1
+            };
+            let mut at = usize::from(before);
+            while let Some(&[high, _]) = words.get(at) {
                 if high >= 0x80 {
                     return Err(Exception::IllegalDataValue);
                 }

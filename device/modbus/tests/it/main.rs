@@ -7,6 +7,7 @@ mod crc;
 mod frames;
 mod fuzzed;
 mod identification;
+mod lock;
 mod mutation;
 mod page;
 mod requests;

@@ -203,7 +203,7 @@ fn a_version_of_the_stored_form_is_told_in_the_bits() {
 fn what_exists_is_what_the_spans_say() {
     use unoclp_modbus::map::has;
     for span in ALL {
-        let is_there = span.rights != Rights::Window;
+        let is_there = span.rights.has_addresses();
         assert_eq!(has(span.table, span.first, span.addresses()), is_there);
         assert!(
             !has(span.table, span.end(), 1)

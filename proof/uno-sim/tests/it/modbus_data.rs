@@ -103,9 +103,38 @@ fn registers_that_a_program_does_not_have_are_0_and_take_nothing() {
     uno.run_ms(5).unwrap();
     assert_eq!(uno.outputs(), 1);
     assert_eq!(read_long(&mut uno, 3, 0), 3);
-    // No area goes on into the presets of the timers.
-    let answer = ask(&mut uno, &[1, 3, 0, 126, 0, 4]).unwrap();
-    assert_eq!(answer[..3], [1, 0x83, 2]);
+}
+
+/// D 64 is what is written to it; input 01 starts T 01.
+const JOINED: &str = "0\n766864\n838401\n787600\n827301\n847978\n60000\n7901\n";
+
+#[test]
+fn a_request_goes_on_from_the_registers_into_the_presets() {
+    let mut uno = serving(JOINED);
+    let (last, preset) = ([0x1234, 0x5678], halves(60_000));
+    write_words(&mut uno, TIMER - 2, &last).unwrap();
+    assert_eq!(words(&mut uno, 3, TIMER - 2, 4), [last, preset].concat());
+    assert_eq!(words(&mut uno, 3, TIMER - 1, 2), [last[1], preset[0]]);
+    // Over several slices, and as far as a request goes.
+    for first in [TIMER - 124, TIMER - 65, TIMER - 64, TIMER - 63, TIMER - 2] {
+        let all = words(&mut uno, 3, first, 125);
+        let at = usize::from(TIMER - 2 - first);
+        assert_eq!(all[at..][..2], last, "{first}");
+        if let Some(there) = all.get(at + 2..at + 4) {
+            assert_eq!(there, preset, "{first}");
+        }
+        let others = all.iter().filter(|word| **word != 0).count();
+        assert!(others <= 3, "{first}: {all:?}");
+    }
+    // Written, too: all of it or nothing.
+    let new = [halves(-7), halves(70_000)].concat();
+    write_words(&mut uno, TIMER - 2, &new).unwrap();
+    assert_eq!(words(&mut uno, 3, TIMER - 2, 4), new);
+    let negative = [halves(8), halves(-1)].concat();
+    assert_eq!(write_words(&mut uno, TIMER - 2, &negative), Err(3));
+    let beyond = [halves(8), halves(1), halves(1)].concat();
+    assert_eq!(write_words(&mut uno, TIMER - 2, &beyond), Err(2));
+    assert_eq!(words(&mut uno, 3, TIMER - 2, 4), new);
 }
 
 #[test]

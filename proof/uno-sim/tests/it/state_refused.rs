@@ -11,7 +11,7 @@ use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{At, Command, Kind, SdCard, What};
 use unoclp_uno_sim::{Slot, Uno};
 
-const UNFIT: &str = "state: STATE.TXT is read-only or shorter than 512 bytes, not kept\r\n";
+const UNFIT: &str = "state: STATE.TXT is read-only or under 512 B, not kept\r\n";
 const UNREADABLE: &str = "state: STATE.TXT cannot be read, not kept\r\n";
 /// The board says nothing of STATE.TXT.
 const NOTHING: &str = "";

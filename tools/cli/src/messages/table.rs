@@ -226,8 +226,8 @@ unoclp_source::messages! {
     not_that_value() "not that value (03)" "esse valor não serve (03)";
     not_now() "not now (04)" "agora não (04)";
     busy()
-        "the settings have been changed too often; try again in an hour, or after the power was off (06)"
-        "os ajustes foram mudados vezes demais; tente de novo em uma hora, ou depois de desligar a placa (06)";
+        "settings or programs have been stored too often; try again in an hour, or after the power was off (06)"
+        "ajustes ou programas foram gravados vezes demais; tente de novo em uma hora, ou depois de desligar a placa (06)";
     no_way()
         "the gateway shares no board of this address (10)"
         "o gateway não compartilha nenhuma placa com esse endereço (10)";

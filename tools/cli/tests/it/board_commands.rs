@@ -372,7 +372,7 @@ fn settings_that_change_too_often_are_refused_and_the_board_runs_on() {
     });
     let (code, out, err) = on(&fake, &["settings", "--set-address", "7"]);
     let says = "error: the board does not take the settings: refused: \
-                the settings have been changed too often; try again in an hour, or after the power was off (06)\n";
+                settings or programs have been stored too often; try again in an hour, or after the power was off (06)\n";
     assert_eq!((code, err.as_str()), (2, says));
     assert!(out.ends_with("nothing locked\nRUN\n"), "{out}");
     assert_eq!(fake.board().state, RUN);

@@ -21,8 +21,7 @@ fn ranges(table: Table, access: Access) -> &'static [(u16, u16)] {
         (Table::DiscreteInputs, _) => &[(0, 7)],
         (Table::InputRegisters, _) => &[(0, 4), (16, 32), (128, 301), (320, 351)],
         (Table::HoldingRegisters, Access::Read) => &[
-            (0, 127),
-            (128, 301),
+            (0, 301),
             (320, 351),
             (400, 400),
             (402, 406),
@@ -30,8 +29,7 @@ fn ranges(table: Table, access: Access) -> &'static [(u16, u16)] {
             (2000, 2195),
         ],
         (Table::HoldingRegisters, Access::Write) => &[
-            (0, 127),
-            (128, 131),
+            (0, 131),
             (320, 323),
             (400, 400),
             (402, 406),
