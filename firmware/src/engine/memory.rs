@@ -75,7 +75,7 @@ impl<'a> Memory<'a> {
         write: bool,
         now: Millis,
     ) -> u8 {
-        let count = (words.len() as u8).min(SLICE - (first & SLICE - 1));
+        let count = (words.len() as u8).min(SLICE - (first & (SLICE - 1)));
         let (begin, length, size, preset) = match values {
             Values::Registers => {
                 let length = size_of_val(&self.data.registers) + self.far.len();
