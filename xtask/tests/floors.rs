@@ -90,7 +90,7 @@ fn may_use(user: &str, used: &str) -> bool {
 #[test]
 fn each_crate_uses_only_its_floor_and_those_below() {
     let rooms = rooms();
-    assert!(rooms.len() > 20, "{} crates", rooms.len());
+    assert!(rooms.len() >= 20, "{} crates", rooms.len());
     let mut wrong = Vec::new();
     for (room, uses) in &rooms {
         for used in &uses.built {

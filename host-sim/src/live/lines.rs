@@ -1,8 +1,8 @@
 //! The lines of a text of a running program, each with what a scan has made of it.
 
-use super::Flow;
 use super::stepped::Stepped;
 use super::traced::Traced;
+use super::{Flow, Mark};
 use unoclp_source::Source;
 
 /// The lines of a text, with what tells how each stands.
@@ -17,15 +17,6 @@ enum Tellers {
     Traced(Traced),
     /// By the steps that it has become.
     Stepped(Stepped),
-}
-
-/// What a line has come to in the last scan; none: the scan has not come there.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// acc behind it, what it tests, or the bit that it stores.
-    Power(Option<bool>),
-    /// The number that it works on, as a literal of its type.
-    Value(Option<String>),
 }
 
 impl Lines {

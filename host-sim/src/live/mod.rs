@@ -11,11 +11,13 @@
 mod boxes;
 mod flow;
 mod lines;
+mod mark;
 mod stepped;
 mod traced;
 mod twin;
 
 pub use boxes::Boxes;
 pub use flow::Flow;
-pub use lines::{Lines, Mark};
+pub use lines::Lines;
+pub use mark::Mark;
 pub use twin::Twin;

@@ -573,7 +573,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             worn,
             settings,
-            "recusado: os ajustes foram mudados vezes demais",
+            "recusado: ajustes ou programas foram gravados vezes demais",
         ),
         (failing, upload, "falha 75: desvios demais para trás"),
         (card, upload, "tem outro PROGRAM.TXT"),
