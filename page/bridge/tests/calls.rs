@@ -624,7 +624,7 @@ fn a_system_marker_is_taken_by_a_person_who_is_sure_and_by_a_log() {
 
 #[test]
 fn each_exercise_begins_as_an_empty_drawing_with_its_names() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../programs/exercises");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/exercises");
     let mut seen = 0;
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -244,7 +244,7 @@ test("on an address of the network, Connect says why the browser keeps ports fro
 test("a teacher's file of an exercise is opened as one, another check is named; neither replaces the program", async () => {
   const page = await lab.open();
   await type(page, "LD I3\nST Q3 (* mine *)\n", "mine.il");
-  const toml = readFileSync(new URL("../../../programs/exercises/05-motor.toml", import.meta.url), "utf8");
+  const toml = readFileSync(new URL("../../../../programs/exercises/05-motor.toml", import.meta.url), "utf8");
   await choose(page, "teacher.toml", Buffer.from(toml));
   await page.locator("#exercise #exercise-check").waitFor();
   await page.locator("#notes", { hasText: "This file is an exercise" }).waitFor();
@@ -271,8 +271,8 @@ test("the timing diagram outlives a program with fewer points", async () => {
   await holding(page, 1, () => lamp(page, 1, true));
   await page.click("#trendBefore");
   await type(page, "LD I1\nST Q1\n");
-  await page.locator(".channels label").nth(2).waitFor({ state: "detached" });
   await run(page);
+  await page.locator(".channels label").nth(2).waitFor({ state: "detached" });
   await page.locator(".trend .u-over").hover();
   await page.click("#trendBefore");
   await page.context().close();

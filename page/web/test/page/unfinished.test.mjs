@@ -136,7 +136,7 @@ test("exercise 5 begins as a drawing with its names, and its right solution runs
   assert.match(await keptText(page), /LD {4}start\nST {4}motor/);
   await page.screenshot({ path: join(pictures, "exercise-drawn.png") });
   await page.click("#view-both");
-  await type(page, readFileSync(new URL("../../../programs/exercises/05-motor.il", import.meta.url), "utf8"));
+  await type(page, readFileSync(new URL("../../../../programs/exercises/05-motor.il", import.meta.url), "utf8"));
   await page.locator('#ladder .element[data-point="Q2"]').waitFor();
   await run(page);
   await lamp(page, 2, true);
