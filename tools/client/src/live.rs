@@ -120,7 +120,6 @@ impl Live {
     ) -> Result<(), Failure> {
         let reading = &mut self.reading;
         reading.outputs = outputs(client).await?;
-        reading.diagnostics.renew(client).await?;
         if parts.markers {
             reading.markers = markers(client).await?;
         }
@@ -138,6 +137,8 @@ impl Live {
         if parts.analogue {
             reading.analogue = analogue(client).await?;
         }
+        // STOP and faults are causes too.
+        reading.diagnostics.renew(client).await?;
         reading.inputs = inputs(client).await?;
         Ok(())
     }

@@ -198,7 +198,9 @@ test("a drawing goes on behind a breakdown", async () => {
   await page.keyboard.press(";");
   await page.fill("#field-comment", "BREAKDOWN");
   await page.keyboard.press("Enter");
-  await page.locator("#notes", { hasText: "started anew" }).waitFor();
+  await page.locator(".at-element .field-wrong", { hasText: "started anew" }).waitFor();
+  assert.equal(await page.inputValue("#field-comment"), "BREAKDOWN");
+  await page.keyboard.press("Escape");
   // What was drawn before can be undone.
   await page.locator("#draw-undo:enabled").click();
   await page.locator("#draw-undo:disabled").waitFor();
