@@ -20,7 +20,7 @@
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
-//! - `pen`: what acc and value hold; `variables`, `traces`: what is shown of it while it runs
+//! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
 mod allot;
@@ -46,6 +46,7 @@ mod lacks;
 mod logic;
 mod loops;
 mod merge;
+mod noting;
 mod numbers;
 mod operand;
 mod pen;
