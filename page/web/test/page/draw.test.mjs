@@ -25,16 +25,6 @@ const SEAL_IN = [0, 827301, 40, 827901, 41, -827302, 877901];
 const TON_CHAIN = [0, 827301, 847978, 2000, 7901, 787600, 828401, 847978, 1000, 7902];
 const COUNTER = [0, 827301, 67848501, 5, 787600, 827302, 67846801, 5, 787600, 76686701, 716900, 3, 877901];
 
-/** A page with an empty sheet. @param {import("playwright-core").BrowserContextOptions} options */
-async function empty(options = {}) {
-  const page = await lab.open(options);
-  await page.click("#menu-fileMenu");
-  await page.locator(".menu button", { hasText: /^(New|Novo)$/ }).click();
-  await page.click("#view-draw");
-  await page.locator("#sheet .rung").first().waitFor();
-  return page;
-}
-
 /** The codes of what is drawn, as the page shows them. @param {Page} page */
 async function codes(page) {
   await page.click("#draw-texts");
@@ -105,7 +95,7 @@ async function counts(page) {
 }
 
 test("seal-in with a branch, by the keyboard alone", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await page.focus("#sheet");
   await keys(page, "c =I1_start Enter k =I2_stop Enter l =Q1_motor Enter ArrowLeft ArrowLeft Shift+C =motor Enter");
   assert.deepEqual(await codes(page), SEAL_IN);
@@ -116,7 +106,7 @@ test("seal-in with a branch, by the keyboard alone", async () => {
 });
 
 test("a chain of timers, by the keyboard alone", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await page.focus("#sheet");
   await keys(page, "c =I1 Enter o =Q1 Tab Tab =2000 Enter Shift+Enter");
   await page.locator('#sheet .rung[data-rung="2"]').waitFor();
@@ -128,7 +118,7 @@ test("a chain of timers, by the keyboard alone", async () => {
 });
 
 test("an up-down counter with a comparison, by the keyboard alone", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await page.focus("#sheet");
   await keys(page, "c =I1 Enter u =C1 Tab Tab =5 Enter Shift+Enter");
   await page.locator('#sheet .rung[data-rung="2"]').waitFor();
@@ -179,7 +169,7 @@ async function drag(page, what, onto, at, picture = "") {
 }
 
 test("seal-in with a branch, by mouse: dragged onto places that light up", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   const element = (/** @type {string} */ point) => `#sheet .element[data-point="${point}"] .area`;
   await drag(page, "contact", "#sheet .rung", [0.3, 0.8]);
   await fill(page, { point: "I1", name: "start" });
@@ -214,7 +204,7 @@ async function below(page, rung) {
 }
 
 test("a chain of timers, by mouse", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await place(page, "contact", { point: "I1" });
   await place(page, "ton", { point: "Q1", line0: "2000" });
   await below(page, 2);
@@ -227,7 +217,7 @@ test("a chain of timers, by mouse", async () => {
 });
 
 test("an up-down counter with a comparison, by mouse", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await place(page, "contact", { point: "I1" });
   await place(page, "ctu", { point: "C1", line0: "5" });
   await below(page, 2);
@@ -243,7 +233,7 @@ test("an up-down counter with a comparison, by mouse", async () => {
 });
 
 test("seal-in with a branch, by a finger at 390 × 844", async () => {
-  const page = await empty({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const page = await lab.emptySheet({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");
   const tap = async (/** @type {string} */ what, /** @type {string} */ point) => {
     await page.locator(`.palette [data-what="${what}"]`).tap();
@@ -268,7 +258,7 @@ test("seal-in with a branch, by a finger at 390 × 844", async () => {
 
 for (const [device, width, height] of /** @type {[string, number, number][]} */ ([["a tablet", 1180, 820], ["a phone", 390, 844]])) {
   test(`elements are carried by a finger onto places that light up, on ${device}`, async () => {
-    const page = await empty({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const page = await lab.emptySheet({ viewport: { width, height }, hasTouch: true, isMobile: true });
     const carry = async (/** @type {string} */ what, /** @type {string} */ onto, /** @type {[number, number]} */ [across, down], /** @type {string} */ point) => {
       const to = await boxOf(page, onto);
       const from = await boxOf(page, `.palette [data-what="${what}"]`);
@@ -293,7 +283,7 @@ for (const [device, width, height] of /** @type {[string, number, number][]} */ 
 }
 
 test("elements and rungs are copied, moved, found and named", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await page.focus("#sheet");
   const settled = (/** @type {string} */ selector) => page.locator(selector).first().waitFor();
   await keys(page, "c =I1_start Enter l =Q1 Enter");
@@ -345,7 +335,7 @@ test("elements and rungs are copied, moved, found and named", async () => {
 
 for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`axe-core finds nothing on the drawing screen, ${colorScheme}`, async () => {
-    const page = await empty({ colorScheme, locale: "pt-BR" });
+    const page = await lab.emptySheet({ colorScheme, locale: "pt-BR" });
     const clean = async (/** @type {string} */ where) => {
       await page.evaluate(axe);
       const found = await page.evaluate(async () => {
@@ -440,7 +430,7 @@ for (const [locale, end, names] of /** @type {const} */ ([
   ["pt-BR", "pt-BR.png", ["liga", "desliga"]],
 ])) {
   test(`the pictures of docs/draw.md: draw-*.${end}`, async () => {
-    const page = await empty({ locale, viewport: { width: 1200, height: 720 } });
+    const page = await lab.emptySheet({ locale, viewport: { width: 1200, height: 720 } });
     const shot = async (/** @type {string} */ name, /** @type {string} */ of) => {
       const picture = await page.locator(of).screenshot({ path: join(pictures, `${name}.${end}`) });
       assert.ok(picture.length <= 200_000, `${picture.length} bytes`);

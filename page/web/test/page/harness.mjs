@@ -76,6 +76,16 @@ export class Lab {
     return page;
   }
 
+  /** A page with an empty sheet. @param {import("playwright-core").BrowserContextOptions} options */
+  async emptySheet(options = {}) {
+    const page = await this.open(options);
+    await page.click("#menu-fileMenu");
+    await page.locator(".menu button", { hasText: /^(New|Novo)$/ }).click();
+    await page.click("#view-draw");
+    await page.locator("#sheet .rung").first().waitFor();
+    return page;
+  }
+
   /** Ends; fails where a page has thrown. */
   async end() {
     await this.browser.close();

@@ -152,8 +152,9 @@ const BREAKS = `{
 }
 `;
 
-test("tools that break down are started anew, which is said; the text stays, and no old result is shown", async () => {
-  const context = await lab.browser.newContext({ locale: "en-US", viewport: { width: 1366, height: 768 }, serviceWorkers: "block" });
+/** A page whose tools break down over a word. @param {import("playwright-core").BrowserContextOptions} options */
+async function breaking(options = {}) {
+  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block", ...options });
   await context.route("**/tools.js", async (route) => {
     const answer = await route.fetch();
     await route.fulfill({ response: answer, body: BREAKS + (await answer.text()) });
@@ -163,6 +164,11 @@ test("tools that break down are started anew, which is said; the text stays, and
   page.on("pageerror", (error) => lab.errors.push(String(error.stack)));
   await page.goto(lab.server.url);
   await page.locator("#run:enabled").waitFor();
+  return page;
+}
+
+test("tools that break down are started anew, which is said; the text stays, and no old result is shown", async () => {
+  const page = await breaking({ viewport: { width: 1366, height: 768 } });
   await page.locator("#problem-count.good").waitFor();
   await type(page, "(* BREAKDOWN *)\nLD I1\nST Q1\n", "mine.il");
   await page.locator("#problem-count.bad").waitFor();
@@ -177,20 +183,11 @@ test("tools that break down are started anew, which is said; the text stays, and
   await page.reload();
   await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
   assert.match((await page.textContent(".cm-content")) ?? "", /Q3/);
-  await context.close();
+  await page.context().close();
 });
 
 test("a drawing goes on behind a breakdown", async () => {
-  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block" });
-  await context.route("**/tools.js", async (route) => {
-    const answer = await route.fetch();
-    await route.fulfill({ response: answer, body: BREAKS + (await answer.text()) });
-  });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000);
-  page.on("pageerror", (error) => lab.errors.push(String(error.stack)));
-  await page.goto(lab.server.url);
-  await page.locator("#run:enabled").waitFor();
+  const page = await breaking();
   await page.click("#view-draw");
   await page.locator("#sheet .element").first().click();
   await page.keyboard.press("n");
@@ -204,7 +201,7 @@ test("a drawing goes on behind a breakdown", async () => {
   // What was drawn before can be undone.
   await page.locator("#draw-undo:enabled").click();
   await page.locator("#draw-undo:disabled").waitFor();
-  await context.close();
+  await page.context().close();
 });
 
 test("the conversation with the board outlives its tools too", async () => {

@@ -17,16 +17,6 @@ before(async () => {
 });
 after(() => lab.end());
 
-/** A page with an empty sheet. @param {import("playwright-core").BrowserContextOptions} options */
-async function empty(options = {}) {
-  const page = await lab.open(options);
-  await page.click("#menu-fileMenu");
-  await page.locator(".menu button", { hasText: /^(New|Novo)$/ }).click();
-  await page.click("#view-draw");
-  await page.locator("#sheet .rung").first().waitFor();
-  return page;
-}
-
 /** @param {Page} page @param {string} what @param {Record<string, string>} fields */
 async function place(page, what, fields) {
   await page.click(`.palette [data-what="${what}"]`);
@@ -67,7 +57,7 @@ test("an unfinished drawing does not run, and header, sheet, problems and Run ag
 });
 
 test("a form keeps its fields at a mistake, and tells it beside the field", async () => {
-  const page = await empty({ locale: "pt-BR", viewport: { width: 1366, height: 768 } });
+  const page = await lab.emptySheet({ locale: "pt-BR", viewport: { width: 1366, height: 768 } });
   await place(page, "contact", { point: "liga", name: "" });
   const wrong = page.locator(".at-element .field-wrong");
   await wrong.filter({ hasText: "liga" }).waitFor();
@@ -101,7 +91,7 @@ test("a form keeps its fields at a mistake, and tells it beside the field", asyn
 });
 
 test("a contact after a coil keeps its drawing and names, and is told", async () => {
-  const page = await empty();
+  const page = await lab.emptySheet();
   await place(page, "contact", { point: "I1 start" });
   await closed(page);
   await place(page, "coil", { point: "Q1 motor" });
