@@ -8,7 +8,7 @@ use std::path::Path;
 use std::time::Instant;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Exercise, ProgramFile, grade};
-use unoclp_source::Written;
+use unoclp_program::Written;
 
 const PROGRAMS: usize = 200;
 const CASES: usize = 20;

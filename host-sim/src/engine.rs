@@ -5,8 +5,8 @@ use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_checked::Checked;
 use unoclp_core::{After, Fault, Image, Inputs, Millis, Plc, Snapshot};
-use unoclp_source::load;
-use unoclp_source::used::Used;
+use unoclp_program::load;
+use unoclp_program::used::Used;
 
 self_cell!(
     /// A running program together with the checked one, whose memory a [`Plc`] only borrows.

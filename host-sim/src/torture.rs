@@ -5,7 +5,7 @@
 use crate::random::{Random, random_inputs, random_pause, random_program};
 use unoclp_core::isa::TABLE;
 use unoclp_core::{Cause, Inputs, Loader, Millis, Plc, Program};
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// How the files of a run fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

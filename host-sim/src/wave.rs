@@ -5,7 +5,7 @@ use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
-use unoclp_source::used::Quantity;
+use unoclp_program::used::Quantity;
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 
 /// Everything that a trace shows of one scan.
@@ -312,7 +312,7 @@ mod tests {
             let mut trace = Vec::new();
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
-            let mut reference = Machine::new(unoclp_source::load(program.as_bytes()).unwrap());
+            let mut reference = Machine::new(unoclp_program::load(program.as_bytes()).unwrap());
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
             let mut image = Inputs::default();

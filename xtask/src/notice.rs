@@ -141,7 +141,7 @@ fn crates() -> Result<BTreeSet<Part>> {
     tree.args(["tree", "--quiet", "--locked", "--target", "all"]);
     tree.args(["--edges", "normal,no-proc-macro", "--prefix", "none"]);
     tree.args(["--format", "{p}", "--features", "unoclp-cli/page"]);
-    for package in ["unoclp-cli", "unoclp-wasm", "unoclp-firmware"] {
+    for package in ["unoclp-cli", "unoclp-bridge", "unoclp-firmware"] {
         tree.args(["--package", package]);
     }
     let tree = shell::output(&mut tree).context("cargo tree fails")?;

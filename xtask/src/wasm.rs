@@ -15,16 +15,16 @@ use crate::toolchain::{Toolchain, own_linker};
 
 /// What a page needs: none of it knows a port, a thread or a terminal.
 const CRATES: &[&str] = &[
-    "unoclp-board",
+    "unoclp-client",
     "unoclp-boot",
     "unoclp-card",
     "unoclp-checked",
     "unoclp-core",
     "unoclp-host-sim",
-    "unoclp-ladder",
+    "unoclp-draw",
     "unoclp-lang",
     "unoclp-modbus",
-    "unoclp-source",
+    "unoclp-program",
 ];
 
 /// The command that checks them, in a folder of its own: another cargo may be at work in the usual one.
@@ -56,7 +56,7 @@ const MODULES: [(&[&str], &str); 2] = [
 pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
     for (features, file) in MODULES {
         let mut build = toolchain.cargo_for_wasm("rustc");
-        build.args(["--package", "unoclp-wasm", "--lib", "--profile", "page"]);
+        build.args(["--package", "unoclp-bridge", "--lib", "--profile", "page"]);
         // Beside an rlib cargo would optimize nothing across crates.
         build.args(["--crate-type", "cdylib"]);
         build.args(["--target-dir", "target/wasm"]).args(features);
@@ -68,7 +68,7 @@ pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
             }
         }
         shell::run(&mut build)?;
-        let built = "target/wasm/wasm32-unknown-unknown/page/unoclp_wasm.wasm";
+        let built = "target/wasm/wasm32-unknown-unknown/page/unoclp_bridge.wasm";
         let to = folder.join(file);
         shell::make_folder_of(&to)?;
         shrink(&shell::root().join(built), &to)?;

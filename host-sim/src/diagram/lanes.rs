@@ -5,7 +5,7 @@
 use crate::scenario::{Both, Change, Course, Place, Plan, Report, inputs};
 use std::collections::BTreeMap;
 use unoclp_core::{Millis, Point};
-use unoclp_source::Lang;
+use unoclp_program::Lang;
 
 /// A point over time.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ use stroke::{ROW, Scale, label, line, stroke};
 use svg::Document;
 use svg::node::element::{Group, Rectangle, Title};
 use unoclp_core::Millis;
-use unoclp_source::Lang;
+use unoclp_program::Lang;
 
 /// A run to be drawn.
 #[derive(Clone, Copy, Debug)]

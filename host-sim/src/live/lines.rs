@@ -3,7 +3,7 @@
 use super::stepped::Stepped;
 use super::traced::Traced;
 use super::{Flow, Mark};
-use unoclp_source::Source;
+use unoclp_program::Source;
 
 /// The lines of a text, with what tells how each stands.
 pub struct Lines {

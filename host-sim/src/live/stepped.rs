@@ -6,8 +6,8 @@ use super::{Flow, Mark};
 use std::collections::BTreeMap;
 use unoclp_core::Delay;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_source::Source;
-use unoclp_source::used::{is_real, real};
+use unoclp_program::Source;
+use unoclp_program::used::{is_real, real};
 
 /// The steps that tell how each line stands.
 pub(super) struct Stepped {

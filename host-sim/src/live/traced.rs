@@ -4,7 +4,7 @@
 
 use super::{Flow, Mark};
 use std::collections::BTreeMap;
-use unoclp_source::{Shows, Source, Trace, Variable, literal};
+use unoclp_program::{Shows, Source, Trace, Variable, literal};
 
 /// The lines of a text, with the traces that speak for each.
 pub(super) struct Traced {

@@ -3,7 +3,7 @@
 use super::stream::Random;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
 use unoclp_core::{Delay, Instruction, KEPT, Target, TimerBlock};
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// A rung, with the new rung that begins it.
 type Rung = Vec<Instruction<'static>>;

@@ -4,7 +4,7 @@
 
 use super::words::both_languages;
 use serde::Deserialize;
-use unoclp_source::Lang;
+use unoclp_program::Lang;
 
 /// A text in both languages: `{ en = "…", pt = "…" }`. In a file one of the two is enough, and so is `"…"`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]

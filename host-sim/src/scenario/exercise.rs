@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use unoclp_core::isa::ANALOGUE;
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// A scenario file whose every value has passed its checks.
 #[derive(Clone, Debug)]

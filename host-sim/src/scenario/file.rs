@@ -9,7 +9,7 @@ use super::{Exercise, LONGEST, LoadError, ProgramFile, Scenario, Unreadable, Wro
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use toml::Spanned;
-use unoclp_source::{Source, Written, shown};
+use unoclp_program::{Source, Written, shown};
 
 impl Exercise {
     /// Reads a scenario file, but not the program that it names.

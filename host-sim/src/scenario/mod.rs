@@ -33,7 +33,7 @@ pub use wrong::{LoadError, Wrong};
 
 use std::num::NonZeroU32;
 use unoclp_core::{Cause, Fault, Millis, Point};
-use unoclp_source::{BOARD, Lang};
+use unoclp_program::{BOARD, Lang};
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
 /// stand in rising order, each at the time of a scan.

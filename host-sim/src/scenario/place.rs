@@ -2,7 +2,7 @@
 
 use std::fmt;
 use unoclp_core::isa::{MARKERS, REGISTERS};
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// A cell of a program's memory, which can be set from outside, as Modbus does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,7 +3,7 @@
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use unoclp_source::shown;
+use unoclp_program::shown;
 
 /// A program file: what to call it, and its bytes as they stand on a card.
 #[derive(Clone, Debug)]

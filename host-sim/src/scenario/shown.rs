@@ -11,8 +11,8 @@ use super::{
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
-use unoclp_source::messages::system;
-use unoclp_source::{BOARD, Lang, diagnosis};
+use unoclp_program::messages::system;
+use unoclp_program::{BOARD, Lang, diagnosis};
 
 impl LoadError {
     /// In this language: `motor.toml:7: Q1 must be 0 or 1`

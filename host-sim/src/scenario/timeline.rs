@@ -9,7 +9,7 @@ use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use unoclp_core::isa::ANALOGUE;
 use unoclp_core::{Cause, Millis, Point};
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// A fault that there is, with a line that there can be.
 pub(super) fn known_fault(

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::{Instruction, Program};
+use unoclp_draw::edit::{Document, Drawn};
+use unoclp_draw::{Drawing, Ladder, Names};
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_ladder::edit::{Document, Drawn};
-use unoclp_ladder::{Drawing, Ladder, Names};
-use unoclp_source::{BOARD, Written};
+use unoclp_program::{BOARD, Written};
 use unoclp_testing::rounds;
 
 /// All files in a folder and in those below it.
@@ -42,7 +42,7 @@ fn comes_back(name: &str, program: &Program<'_>) {
     let ladder = Ladder::new(program.steps());
     let drawn = Drawn::of(&document);
     let names = Names::new();
-    let style = unoclp_ladder::Style {
+    let style = unoclp_draw::Style {
         width: 80,
         names: &names,
         live: &|_| None,
@@ -79,7 +79,7 @@ fn every_program_of_the_project_comes_back() {
 fn random_programs_come_back() {
     for seed in 0..rounds(1_500) {
         let text = random_program(&mut Random::new(seed.into()));
-        let checked = unoclp_source::load(text.as_bytes()).unwrap();
+        let checked = unoclp_program::load(text.as_bytes()).unwrap();
         comes_back(&format!("seed {seed}:\n{text}"), checked.program());
     }
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Both, Exercise, ProgramFile, grade};
-use unoclp_source::{Lang, Written};
+use unoclp_program::{Lang, Written};
 
 /// The files of a folder below `programs` that end so, in order.
 fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {

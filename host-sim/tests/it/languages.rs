@@ -7,7 +7,7 @@ use unoclp_core::Inputs;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs, random_pause};
 use unoclp_host_sim::scenario::{Engine, ProgramFile, Scenario, check};
-use unoclp_source::{Source, Written};
+use unoclp_program::{Source, Written};
 use unoclp_testing::in_languages;
 
 const SCANS: u32 = 3_000;

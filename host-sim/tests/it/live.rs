@@ -7,7 +7,7 @@ use std::path::Path;
 use unoclp_core::{Image, Inputs, Snapshot};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Lines, Mark, Twin};
-use unoclp_source::{Source, Written};
+use unoclp_program::{Source, Written};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

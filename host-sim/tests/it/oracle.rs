@@ -76,7 +76,7 @@ fn the_core_does_what_the_page_says() {
     for seed in seed..seed + PROGRAMS {
         let random = &mut Random::new(seed);
         let program = random_program(random);
-        let mut machine = Machine::new(unoclp_source::load(program.as_bytes()).unwrap());
+        let mut machine = Machine::new(unoclp_program::load(program.as_bytes()).unwrap());
         let mut naive = Naive::new(&program);
         let needs = machine.plc().needs();
         let mut inputs = Inputs::default();

@@ -6,7 +6,7 @@ use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{
     Exercise, ProgramFile, Refusal, Scenario, Verdict, check, grade as grade_of,
 };
-use unoclp_source::Lang;
+use unoclp_program::Lang;
 
 /// Writes a scenario file for one test.
 fn file(name: &str, source: &str) -> PathBuf {

@@ -58,7 +58,7 @@ fn every_instruction_has_a_scenario() {
     for path in scenarios(&suite) {
         let scenario = Scenario::load(&path).unwrap();
         // Of programs that are refused nothing is run.
-        if let Ok(checked) = unoclp_source::load(&scenario.program().bytes) {
+        if let Ok(checked) = unoclp_program::load(&scenario.program().bytes) {
             seen.extend(checked.program().steps().map(|step| step.opcode));
         }
     }

@@ -1,12 +1,12 @@
 //! What the ladder editor does at each step, of a document of 100 rungs: check it, make codes of it, draw it, change it.
-//! A page in WebAssembly has 5 ms for the check. `cargo bench -p unoclp-ladder` measures it, and counts what it allocates.
+//! A page in WebAssembly has 5 ms for the check. `cargo bench -p unoclp-draw` measures it, and counts what it allocates.
 
 use divan::{AllocProfiler, Bencher, black_box};
 use unoclp_core::Profile;
-use unoclp_ladder::edit::{
+use unoclp_draw::edit::{
     Along, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Row, State, apply,
 };
-use unoclp_ladder::{Address, Names};
+use unoclp_draw::{Address, Names};
 
 #[global_allocator]
 static ALLOCATOR: AllocProfiler = AllocProfiler::system();

@@ -7,7 +7,7 @@ use crate::symbol::{Counts, Symbol, number, point, symbol_of};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
-use unoclp_ladder::Address;
+use unoclp_draw::Address;
 use unoclp_lang::{Code, Span, Word};
 
 /// What is allotted for the whole project.

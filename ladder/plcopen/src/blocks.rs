@@ -5,8 +5,8 @@ use crate::flow::Flow;
 use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Gate, Step};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Gate, Step};
 use unoclp_lang::Code;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {

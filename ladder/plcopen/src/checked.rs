@@ -7,8 +7,8 @@ use std::sync::Arc;
 use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Cause, Profile};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Document, Id, visit};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Document, Id, visit};
 use unoclp_lang::{Code, Lang, Lines, Span, lacking};
 
 /// Where what stands in a document came from.

@@ -1,6 +1,6 @@
 //! What stands in series and in parallel on the way of the power to an output.
 
-use unoclp_ladder::edit::{Gate, Step};
+use unoclp_draw::edit::{Gate, Step};
 
 /// A way of the power, from the left rail.
 pub(crate) type Circuit = Vec<Item>;

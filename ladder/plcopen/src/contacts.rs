@@ -6,8 +6,8 @@ use crate::network::edge;
 use crate::symbol::{Counts, Meaning, Symbol};
 use crate::xml::says;
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Coil, Draft, Gate, Step};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Coil, Draft, Gate, Step};
 use unoclp_lang::Code;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {

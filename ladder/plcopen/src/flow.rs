@@ -9,7 +9,7 @@ use crate::symbol::{Meaning, Symbol};
 use crate::xml::says;
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::edit::Step;
+use unoclp_draw::edit::Step;
 use unoclp_lang::{Code, Word};
 
 /// More elements than this stand in no series.

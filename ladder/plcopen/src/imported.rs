@@ -1,7 +1,7 @@
 //! What has come of a project.
 
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_ladder::edit::Document;
+use unoclp_draw::edit::Document;
 use unoclp_lang::{Told, Trace, Variable};
 
 /// What has come of a project.

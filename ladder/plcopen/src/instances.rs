@@ -4,8 +4,8 @@ use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Call, Flow};
 use crate::symbol::{Counts, Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Coil, Draft, Step};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Coil, Draft, Step};
 use unoclp_lang::Code;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {

@@ -20,8 +20,8 @@ use std::sync::Arc;
 use unoclp_checked::Checked;
 use unoclp_core::Profile;
 use unoclp_core::isa::{Class, Kind, LABELS, OUTPUT_OPERAND, Opcode};
-use unoclp_ladder::edit::{Document, Draft, Id, Node, Series, Step};
-use unoclp_ladder::{Address, Names};
+use unoclp_draw::edit::{Document, Draft, Id, Node, Series, Step};
+use unoclp_draw::{Address, Names};
 use unoclp_lang::{Code, Span, Told};
 
 /// Reads a project for a board.
@@ -231,7 +231,7 @@ fn begin(all: &Allotted, rungs: &mut Rungs) {
         }
         match symbol {
             Symbol::Bit(point) => {
-                let set = Draft::coil(Some(*point), unoclp_ladder::edit::Coil::Set);
+                let set = Draft::coil(Some(*point), unoclp_draw::edit::Coil::Set);
                 parts.extend(set.ok().map(|draft| Part::from(draft.step)));
             }
             Symbol::Number(Address::Register(_)) | Symbol::Pwm(_) => {

@@ -5,7 +5,7 @@ use crate::flow::Flow;
 use crate::xml::{first, text};
 use std::collections::HashMap;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_ladder::edit::{self, Begin, Block, Id, Node, Parallel, Path, Rung};
+use unoclp_draw::edit::{self, Begin, Block, Id, Node, Parallel, Path, Rung};
 use unoclp_lang::Span;
 
 /// The rungs of all networks, as they are made.

@@ -1,7 +1,7 @@
 //! What variables are on the board, and what is written at contacts and inputs.
 
 use crate::points::Point;
-use unoclp_ladder::Address;
+use unoclp_draw::Address;
 use unoclp_lang::given;
 use unoclp_lang::typed::Base;
 

@@ -4,8 +4,8 @@ use crate::circuit::Part;
 use crate::flow::Flow;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::{Class, Opcode, POPPED};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::Step;
+use unoclp_draw::Address;
+use unoclp_draw::edit::Step;
 use unoclp_lang::Code;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {

@@ -8,13 +8,13 @@ use crate::program::Text;
 use crate::words::both;
 use crate::words::{Both, No};
 use serde::Serialize;
+use unoclp_draw::{Ladder, Style, to_screen};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Boxes, Flow};
-use unoclp_ladder::{Ladder, Style, to_screen};
-use unoclp_source::list::title;
+use unoclp_program::list::title;
 #[cfg(feature = "full")]
-use unoclp_source::list::{Form, Lost, Paper, list, pages, plcopen, svg};
-use unoclp_source::{Lang, Source, names};
+use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};
+use unoclp_program::{Lang, Source, names};
 
 /// The language of what is drawn.
 #[derive(Clone, Copy, Debug)]

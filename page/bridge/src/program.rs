@@ -7,11 +7,11 @@ use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use unoclp_board::diagnostics::Kept;
+use unoclp_client::diagnostics::Kept;
 use unoclp_core::Delay;
 use unoclp_lang::declared;
-use unoclp_source::used::Used;
-use unoclp_source::{BOARD, Language, Refused, Seal, Source, Written, WrittenIn, point_names};
+use unoclp_program::used::Used;
+use unoclp_program::{BOARD, Language, Refused, Seal, Source, Written, WrittenIn, point_names};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;

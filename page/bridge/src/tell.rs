@@ -3,8 +3,8 @@
 use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_lang::{Colour, Diagnostic, Lines, Severity, Span, Told};
-use unoclp_source::diagnosis::tell;
-use unoclp_source::{Lang, Refused, Seal, Source};
+use unoclp_program::diagnosis::tell;
+use unoclp_program::{Lang, Refused, Seal, Source};
 
 /// What is wrong with a text, or worth a second look.
 #[derive(Debug, Serialize)]

@@ -1,12 +1,12 @@
 //! What is told to a page in words: always in both languages, so that a page changes its language without asking again.
 
 use serde::Serialize;
-use unoclp_board::Failure;
-use unoclp_board::diagnostics::Trouble;
-use unoclp_board::start::NotFound;
-use unoclp_board::upload::{Behind, Broken};
+use unoclp_client::Failure;
+use unoclp_client::diagnostics::Trouble;
+use unoclp_client::start::NotFound;
+use unoclp_client::upload::{Behind, Broken};
 use unoclp_modbus::Exception;
-use unoclp_source::{Lang, NoProgram, diagnosis};
+use unoclp_program::{Lang, NoProgram, diagnosis};
 
 /// A text in both languages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -86,7 +86,7 @@ pub fn both(say: impl Fn(Lang) -> String) -> Both {
     }
 }
 
-unoclp_source::messages! {
+unoclp_program::messages! {
     no_request(why) "the page has asked what cannot be understood: {why}" "a página pediu algo incompreensível: {why}";
     no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
@@ -219,6 +219,6 @@ mod tests {
     #[test]
     fn every_text_says_the_same_in_both_languages() {
         let none: Vec<&str> = Vec::new();
-        assert_eq!(unoclp_source::messages::gaps(super::ALL), none);
+        assert_eq!(unoclp_program::messages::gaps(super::ALL), none);
     }
 }

@@ -5,7 +5,7 @@
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-use unoclp_wasm::{Boards, answer};
+use unoclp_bridge::{Boards, answer};
 
 fn ask(request: Value) -> Value {
     told(&request.to_string(), &mut Boards::default())

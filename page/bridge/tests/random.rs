@@ -3,8 +3,8 @@
 #![cfg(feature = "full")]
 
 use serde_json::{Value, json};
+use unoclp_bridge::{Boards, answer};
 use unoclp_testing::{Random, rounds};
-use unoclp_wasm::{Boards, answer};
 
 /// An answer is JSON, and says one of three things.
 fn is_answered(request: &[u8], boards: &mut Boards) {

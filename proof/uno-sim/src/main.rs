@@ -19,7 +19,7 @@ use unoclp_host_sim::scenario::{
     self, Cell, Engine, Outcome, ProgramFile, Refusal, Scenario, Verdict,
 };
 use unoclp_lang::{Lang, show};
-use unoclp_source::{Refused, Written};
+use unoclp_program::{Refused, Written};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};

@@ -1,7 +1,7 @@
 //! What stands for other characters where the locale has no UTF-8.
 
 use std::env;
-use unoclp_source::harmless_lines;
+use unoclp_program::harmless_lines;
 
 /// Whether the locale has no UTF-8. Windows has it always.
 pub fn is_ascii() -> bool {

@@ -20,7 +20,7 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unoclp_cli::messages;
-use unoclp_ladder::NARROWEST;
+use unoclp_draw::NARROWEST;
 use unoclp_lang::Lang;
 
 /// The unoclp PLC: check and simulate programs on this PC, upload them to a board and watch it

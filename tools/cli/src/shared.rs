@@ -7,7 +7,7 @@ use rust_embed::RustEmbed;
 use std::borrow::Cow;
 use std::net::SocketAddr;
 use std::time::Duration;
-use unoclp_board::{Failure, Patience};
+use unoclp_client::{Failure, Patience};
 use unoclp_modbus::client::Request;
 use unoclp_serve::{Board, Line, NoAnswer, Pages, Server, Sharing, Tokens};
 

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use std::time::Duration;
-//! use unoclp_board::{Conversation, Line, Next, Patience};
+//! use unoclp_client::{Conversation, Line, Next, Patience};
 //!
 //! # struct Port(Duration);
 //! # impl Port {

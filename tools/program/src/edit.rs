@@ -2,7 +2,7 @@
 //! under each number what to do.
 
 use crate::diagnosis::cause;
-use unoclp_ladder::edit::{Refusal, Wrong};
+use unoclp_draw::edit::{Refusal, Wrong};
 use unoclp_lang::Lang;
 
 crate::messages! {

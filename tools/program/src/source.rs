@@ -8,7 +8,7 @@ use crate::{BOARD, Size};
 use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
-use unoclp_ladder::{Ladder, Names};
+use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, Spot, TextLanguage, Told, Trace, Variable};
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use unoclp_core::{Image, Loader, Plc, Profile};
-use unoclp_ladder::{Cell, Ladder, Names, Picture, Style, Symbol};
+use unoclp_draw::{Cell, Ladder, Names, Picture, Style, Symbol};
 use unoclp_testing::rounds;
 
 /// Random numbers below a limit: Marsaglia's xorshift.

@@ -3,8 +3,8 @@
 use super::counters::input;
 use super::draw::{Draw, ROW};
 use super::xml::{At, Source};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Element, Node, Rung};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Element, Node, Rung};
 
 impl Draw {
     /// Draws the rungs that are the inputs of one counter.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::edit::{Document, Element, Node, Rung, Step, visit};
+use unoclp_draw::edit::{Document, Element, Node, Rung, Step, visit};
 
 /// What is done to a counter, in the order in which a block does it, and the input that asks for it.
 const INPUTS: [(Opcode, &str); 4] = [

@@ -1,6 +1,6 @@
 //! What a project cannot say.
 
-use unoclp_ladder::edit::Id;
+use unoclp_draw::edit::Id;
 use unoclp_lang::{Code, Diagnostic, Lang, Span};
 
 /// What of a document no project can say.

@@ -21,7 +21,7 @@ pub use lost::Lost;
 
 use draw::Draw;
 use same::not_read;
-use unoclp_ladder::edit::Document;
+use unoclp_draw::edit::Document;
 use xml::escaped;
 
 /// A document as a project of one program, which goes by this name; [`import`](crate::import) makes the same codes of it. It

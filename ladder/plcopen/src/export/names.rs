@@ -2,7 +2,7 @@
 
 use crate::points::written;
 use std::collections::{BTreeMap, HashSet};
-use unoclp_ladder::{Address, Names};
+use unoclp_draw::{Address, Names};
 
 /// The variables of a project, as they are met.
 pub(crate) struct Variables {

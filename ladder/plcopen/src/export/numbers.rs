@@ -3,8 +3,8 @@
 use super::draw::{Draw, Values, Wire};
 use super::xml::Source;
 use unoclp_core::isa::{Class, Kind, Opcode, POPPED};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Element, Step};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Element, Step};
 
 impl Draw {
     /// An instruction on numbers.

@@ -3,7 +3,7 @@
 use super::lost::Lost;
 use unoclp_core::Profile;
 use unoclp_core::isa::Opcode;
-use unoclp_ladder::edit::{Document, Id};
+use unoclp_draw::edit::{Document, Id};
 
 /// What is not read again as it was.
 pub(crate) fn not_read(document: &Document, text: &str) -> Vec<Lost> {

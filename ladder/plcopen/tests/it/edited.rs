@@ -6,7 +6,7 @@ mod operations;
 use crate::round_trip::comes_back;
 use operations::operation;
 use unoclp_core::Profile;
-use unoclp_ladder::edit::{Document, Editor};
+use unoclp_draw::edit::{Document, Editor};
 use unoclp_testing::{Random, rounds};
 
 /// Each on a document of its own, looked at again and again as it grows.

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::{Loader, Profile};
+use unoclp_draw::edit::Document;
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_ladder::edit::Document;
 use unoclp_lang::Code;
 use unoclp_plcopen::{export, import};
 

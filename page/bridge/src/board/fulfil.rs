@@ -9,13 +9,13 @@ use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::Text;
 use crate::words::{self, Both, both};
-use unoclp_board::diagnostics;
-use unoclp_board::map::{Command, State, holding};
-use unoclp_board::point::Point;
-use unoclp_board::settings::Settings;
-use unoclp_board::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
-use unoclp_board::watch::{Side, Wish};
-use unoclp_board::{Client, Failure};
+use unoclp_client::diagnostics;
+use unoclp_client::map::{Command, State, holding};
+use unoclp_client::point::Point;
+use unoclp_client::settings::Settings;
+use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
+use unoclp_client::watch::{Side, Wish};
+use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
 /// Does what is ordered; gives what there is to say behind it.

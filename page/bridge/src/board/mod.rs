@@ -31,7 +31,7 @@ use news::News;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
-use unoclp_board::{Conversation, Line, Next, Parity, Patience};
+use unoclp_client::{Conversation, Line, Next, Parity, Patience};
 use watched::Watched;
 
 /// A conversation that is to begin.

@@ -3,10 +3,10 @@
 use super::watched::Live;
 use crate::words::{self, Both, both};
 use serde::Serialize;
-use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::map::{State, cause, flag};
-use unoclp_board::settings::Settings;
-use unoclp_board::watch::{Forces, Meter, Reading};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::map::{State, cause, flag};
+use unoclp_client::settings::Settings;
+use unoclp_client::watch::{Forces, Meter, Reading};
 
 pub(super) use crate::program::Stored as Kept;
 
@@ -113,7 +113,7 @@ impl Seen {
                 line: line.or(trouble.line),
                 text: both(|lang| {
                     let line = line.or(trouble.line);
-                    let told = unoclp_board::diagnostics::Trouble { line, ..trouble };
+                    let told = unoclp_client::diagnostics::Trouble { line, ..trouble };
                     words::trouble(lang, told)
                 }),
             }),

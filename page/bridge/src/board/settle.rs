@@ -5,11 +5,11 @@ use super::news::News;
 use super::undone::Undone;
 use super::wanted::Wanted;
 use crate::words::{self, Both, both};
-use unoclp_board::map::{Command, State};
-use unoclp_board::settings::Settings;
-use unoclp_board::upload::stop;
-use unoclp_board::watch::Wish;
-use unoclp_board::{Client, Failure, lock};
+use unoclp_client::map::{Command, State};
+use unoclp_client::settings::Settings;
+use unoclp_client::upload::stop;
+use unoclp_client::watch::Wish;
+use unoclp_client::{Client, Failure, lock};
 use unoclp_modbus::Exception;
 
 /// Has the board keep what is wanted, and tells the page what it keeps then. A board in RUN is stopped meanwhile.

@@ -8,10 +8,10 @@ use super::undone::Undone;
 use super::watched::Watched;
 use crate::words::{self, both};
 use std::time::Duration;
-use unoclp_board::live::{Live, Parts};
-use unoclp_board::start::find;
-use unoclp_board::watch::{Reading, Scope};
-use unoclp_board::{Client, Failure};
+use unoclp_client::live::{Live, Parts};
+use unoclp_client::start::find;
+use unoclp_client::watch::{Reading, Scope};
+use unoclp_client::{Client, Failure};
 
 /// Time until a board that is lost is sought again.
 const AGAIN: Duration = Duration::from_secs(1);

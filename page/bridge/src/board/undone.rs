@@ -1,7 +1,7 @@
 //! Why something that was ordered of a board is not done.
 
 use crate::words::{self, Both, No, both};
-use unoclp_board::Failure;
+use unoclp_client::Failure;
 
 /// Why something was not done.
 pub(super) enum Undone {

@@ -2,8 +2,8 @@
 
 use crate::given::Given;
 use crate::words::{self, Both, both};
-use unoclp_board::map::{Parity, setting};
-use unoclp_board::settings::{RATES, Settings};
+use unoclp_client::map::{Parity, setting};
+use unoclp_client::settings::{RATES, Settings};
 
 /// Settings as a person has typed them.
 #[derive(Debug)]

@@ -1,17 +1,17 @@
 //! The program that a board is said to run, and what of it is shown live.
 
 use serde::Serialize;
-use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::live::Parts;
-use unoclp_board::map::State;
-use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
+use unoclp_client::diagnostics::{Kept, Trouble};
+use unoclp_client::live::Parts;
+use unoclp_client::map::State;
+use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::isa::Class;
+use unoclp_draw::{Ladder, Nets, Symbol};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Twin};
-use unoclp_ladder::{Ladder, Nets, Symbol};
-use unoclp_source::Source;
-use unoclp_source::used::is_real;
+use unoclp_program::Source;
+use unoclp_program::used::is_real;
 
 /// A program, to show a board by.
 pub struct Watched {

@@ -107,7 +107,7 @@ pub fn read(blocks: Vec<(u32, String)>, name: &str) -> Option<String> {
     while let Ok(Some(part)) = file.next_block(&mut card) {
         bytes.extend_from_slice(part);
     }
-    Some(unoclp_source::decode(&bytes))
+    Some(unoclp_program::decode(&bytes))
 }
 
 /// The block of these hexadecimal digits; 0 where they are none.

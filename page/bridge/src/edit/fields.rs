@@ -6,13 +6,13 @@ use crate::words::{Both, No, Offer, both};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{
+use unoclp_draw::Address;
+use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
 use unoclp_lang::duration;
-use unoclp_source::BOARD;
-use unoclp_source::drawn::is_name;
+use unoclp_program::BOARD;
+use unoclp_program::drawn::is_name;
 
 /// A field with what is in it.
 #[derive(Debug, Serialize)]

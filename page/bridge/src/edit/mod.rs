@@ -18,9 +18,9 @@ use crate::draw::Speak;
 use crate::given::Given;
 use crate::program::Text;
 use crate::words::{Both, No, both};
-use unoclp_ladder::edit::{Cursor, Direction, Document, Editor, Operation};
-use unoclp_source::Lang;
-use unoclp_source::drawn::{self, WriteAs};
+use unoclp_draw::edit::{Cursor, Direction, Document, Editor, Operation};
+use unoclp_program::Lang;
+use unoclp_program::drawn::{self, WriteAs};
 use view::View;
 
 pub use act::Act;

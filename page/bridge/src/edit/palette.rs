@@ -4,9 +4,9 @@ use super::words as say;
 use crate::words::{Both, No, both};
 use serde::Serialize;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_ladder::edit::{Coil, Draft, Edge, Operation, Place, Step};
-use unoclp_ladder::picture;
-use unoclp_source::Lang;
+use unoclp_draw::edit::{Coil, Draft, Edge, Operation, Place, Step};
+use unoclp_draw::picture;
+use unoclp_program::Lang;
 
 /// What a person calls something.
 type Say = fn(Lang) -> String;

@@ -4,10 +4,10 @@ use super::fields;
 use super::words;
 use crate::words::{Both, both};
 use serde::Serialize;
-use unoclp_ladder::edit::{Canvas, Cursor, Document, Drawn, Editor, Id, Node, Place, Rung, visit};
-use unoclp_ladder::{Area, Element, Symbol};
-use unoclp_source::list::title;
-use unoclp_source::{BOARD, Lang};
+use unoclp_draw::edit::{Canvas, Cursor, Document, Drawn, Editor, Id, Node, Place, Rung, visit};
+use unoclp_draw::{Area, Element, Symbol};
+use unoclp_program::list::title;
+use unoclp_program::{BOARD, Lang};
 
 /// A rectangle of the drawing: left and upper edge, width, height.
 type Rectangle = [f32; 4];
@@ -98,7 +98,7 @@ impl View {
                     .and_then(|id| document.rung_of(id))
                     .map_or(0, |at| at + 1),
                 error: mistake.what.is_error(),
-                message: both(|lang| unoclp_source::edit::wrong(lang, mistake.what)),
+                message: both(|lang| unoclp_program::edit::wrong(lang, mistake.what)),
             })
             .collect();
         let (undo, redo) = editor.depth();

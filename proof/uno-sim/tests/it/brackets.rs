@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Engine, ProgramFile, Scenario, check};
-use unoclp_source::{Source, Written};
+use unoclp_program::{Source, Written};
 use unoclp_testing::in_languages;
 use unoclp_uno_sim::CYCLES_PER_MS;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};

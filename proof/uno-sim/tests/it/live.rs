@@ -4,8 +4,8 @@ use crate::common::line::{meet, talk};
 use crate::common::{card, uno};
 use std::fmt::Write;
 use std::time::Duration;
-use unoclp_board::live::{Live, Parts};
-use unoclp_board::watch::Scope;
+use unoclp_client::live::{Live, Parts};
+use unoclp_client::watch::Scope;
 use unoclp_uno_sim::Slot;
 
 /// Fifty rungs of four contacts: inputs, outputs and markers.
@@ -38,7 +38,7 @@ fn two_hundred_live_contacts_are_read_twenty_times_a_second() {
         let reading = talk(&mut uno, async |client| {
             let reading = live.round(client, Scope::default(), parts).await?.clone();
             live.pause(client, || false).await?;
-            Ok::<_, unoclp_board::Failure>(reading)
+            Ok::<_, unoclp_client::Failure>(reading)
         });
         let now = reading.unwrap().diagnostics.uptime;
         begins.push(Duration::from_millis((now - uptime).into()));

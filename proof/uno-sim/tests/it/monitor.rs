@@ -2,13 +2,13 @@
 
 use crate::common::line::{meet, talk, talk_at};
 use crate::common::{card, uno};
-use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::map::{Command, State};
-use unoclp_board::settings::{Settings, read_lock};
-use unoclp_board::start::{NotFound, find};
-use unoclp_board::upload::{Behind, Broken, await_start, go_on, stop, upload};
-use unoclp_board::watch::{Forces, Reading, Scope, Side, Wish};
-use unoclp_board::{Failure, Line, Parity, lock};
+use unoclp_client::diagnostics::{Kept, Trouble};
+use unoclp_client::map::{Command, State};
+use unoclp_client::settings::{Settings, read_lock};
+use unoclp_client::start::{NotFound, find};
+use unoclp_client::upload::{Behind, Broken, await_start, go_on, stop, upload};
+use unoclp_client::watch::{Forces, Reading, Scope, Side, Wish};
+use unoclp_client::{Failure, Line, Parity, lock};
 use unoclp_core::{Loader, Profile};
 use unoclp_modbus::Exception;
 use unoclp_uno_sim::{Line as Wire, Slot, Uno};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use unoclp_boot::{Failure, Model, Stage, Trouble, Unfit};
-use unoclp_source::Lang;
+use unoclp_program::Lang;
 
 /// One of each.
 fn all(lang: Lang) -> Vec<(u8, String)> {

@@ -11,7 +11,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use unoclp_card::image::{Fat, Image};
 use unoclp_cli::messages;
-use unoclp_source::shown;
+use unoclp_program::shown;
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../../programs/STATE.TXT");

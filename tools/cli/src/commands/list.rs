@@ -9,7 +9,7 @@ use anstream::{eprintln, print, println};
 use anyhow::{anyhow, bail};
 use std::path::{Path, PathBuf};
 use unoclp_cli::{ascii, messages};
-use unoclp_source::{Diagnostic, Lang, Source, harmless_lines, list as listing, shown};
+use unoclp_program::{Diagnostic, Lang, Source, harmless_lines, list as listing, shown};
 
 /// A ladder diagram in a file.
 pub struct Picture<'p> {

@@ -61,10 +61,10 @@ pub use words::{Form, Paper};
 
 use anyhow::anyhow;
 use clap::Args;
-use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::{Failure, Line, Patience};
 use unoclp_cli::messages;
 use unoclp_cli::port::{Found, Place, Port, find};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::{Failure, Line, Patience};
 use unoclp_modbus::Exception;
 use words::Parity;
 

@@ -7,10 +7,10 @@ use anstream::println;
 use anyhow::bail;
 use std::io::{IsTerminal, stdin, stdout};
 use std::path::Path;
-use unoclp_board::Patience;
 use unoclp_cli::messages;
 use unoclp_cli::monitor::{App, Program, run, watch};
 use unoclp_cli::port::Place;
+use unoclp_client::Patience;
 
 /// Shows a board until the person leaves.
 pub fn monitor(

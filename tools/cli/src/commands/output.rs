@@ -10,7 +10,7 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 use unoclp_cli::messages;
-use unoclp_source::{is_ours, shown};
+use unoclp_program::{is_ours, shown};
 
 /// What may be overwritten.
 #[derive(Args, Clone, Copy)]

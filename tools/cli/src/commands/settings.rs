@@ -5,14 +5,14 @@ use super::{failed, meet, not_stopped};
 use crate::outcome::Outcome;
 use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
-use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::map::{Command, State};
-use unoclp_board::settings::{RATES, Settings};
-use unoclp_board::upload::stop;
-use unoclp_board::watch::Wish;
-use unoclp_board::{Failure, Line, Patience, lock};
 use unoclp_cli::messages;
 use unoclp_cli::port::{Place, Port, find};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::map::{Command, State};
+use unoclp_client::settings::{RATES, Settings};
+use unoclp_client::upload::stop;
+use unoclp_client::watch::Wish;
+use unoclp_client::{Failure, Line, Patience, lock};
 use unoclp_modbus::Exception;
 
 /// What shall be set anew.

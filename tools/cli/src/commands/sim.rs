@@ -17,7 +17,7 @@ use unoclp_host_sim::scenario::{
     Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
 };
 use unoclp_host_sim::wave::{RecordedEngine, Recorder};
-use unoclp_source::{Source, Written, WrittenIn, point_names, shown};
+use unoclp_program::{Source, Written, WrittenIn, point_names, shown};
 
 /// Simulates a program in this terminal.
 pub fn simulate(path: &Path, vcd: Option<&Path>, over: Over, wording: &Wording) -> Outcome {

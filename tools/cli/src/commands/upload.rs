@@ -11,17 +11,17 @@ use clap::Args;
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::path::Path;
-use unoclp_board::diagnostics::{Diagnostics, Kept};
-use unoclp_board::map::{State, flag};
-use unoclp_board::settings::read_lock;
-use unoclp_board::upload::{
-    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload as send,
-};
-use unoclp_board::watch::{Forced, Wish};
-use unoclp_board::{Client, lock};
 use unoclp_cli::messages;
 use unoclp_cli::port::{Place, Port};
-use unoclp_source::Source;
+use unoclp_client::diagnostics::{Diagnostics, Kept};
+use unoclp_client::map::{State, flag};
+use unoclp_client::settings::read_lock;
+use unoclp_client::upload::{
+    Behind, Broken, FIRST_SCANS, Progress, end, go_on, needs, stop, upload as send,
+};
+use unoclp_client::watch::{Forced, Wish};
+use unoclp_client::{Client, lock};
+use unoclp_program::Source;
 
 /// How the board is left.
 #[derive(Args)]

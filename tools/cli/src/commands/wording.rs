@@ -7,7 +7,7 @@ use unoclp_boot::Model;
 use unoclp_cli::messages;
 use unoclp_core::Profile;
 use unoclp_lang::{Dialect, Lang, TextLanguage};
-use unoclp_source::{Language, Written, WrittenIn};
+use unoclp_program::{Language, Written, WrittenIn};
 
 /// How to read a program.
 #[derive(Args)]

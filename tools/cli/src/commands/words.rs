@@ -22,12 +22,12 @@ pub enum Parity {
     Odd,
 }
 
-impl From<Parity> for unoclp_board::Parity {
-    fn from(word: Parity) -> unoclp_board::Parity {
+impl From<Parity> for unoclp_client::Parity {
+    fn from(word: Parity) -> unoclp_client::Parity {
         match word {
-            Parity::None => unoclp_board::Parity::None,
-            Parity::Even => unoclp_board::Parity::Even,
-            Parity::Odd => unoclp_board::Parity::Odd,
+            Parity::None => unoclp_client::Parity::None,
+            Parity::Even => unoclp_client::Parity::Even,
+            Parity::Odd => unoclp_client::Parity::Odd,
         }
     }
 }
@@ -48,9 +48,9 @@ pub enum Lock {
 }
 
 impl Lock {
-    /// Bits of [`unoclp_board::lock`].
+    /// Bits of [`unoclp_client::lock`].
     pub fn bits(self) -> u8 {
-        use unoclp_board::lock::{ALL, COMMANDS, SETTINGS, UPLOAD, WRITING};
+        use unoclp_client::lock::{ALL, COMMANDS, SETTINGS, UPLOAD, WRITING};
         match self {
             Lock::Upload => UPLOAD,
             Lock::Settings => SETTINGS,
@@ -79,8 +79,8 @@ pub enum Form {
 
 impl Form {
     /// How it is listed; none where it is a file for others.
-    pub fn listed(self) -> Option<unoclp_source::list::Form> {
-        use unoclp_source::list::Form as Listed;
+    pub fn listed(self) -> Option<unoclp_program::list::Form> {
+        use unoclp_program::list::Form as Listed;
         match self {
             Form::Ladder => Some(Listed::Ladder),
             Form::Il => Some(Listed::Il),
@@ -100,11 +100,11 @@ pub enum Paper {
     Letter,
 }
 
-impl From<Paper> for unoclp_source::list::Paper {
-    fn from(word: Paper) -> unoclp_source::list::Paper {
+impl From<Paper> for unoclp_program::list::Paper {
+    fn from(word: Paper) -> unoclp_program::list::Paper {
         match word {
-            Paper::A4 => unoclp_source::list::Paper::A4,
-            Paper::Letter => unoclp_source::list::Paper::Letter,
+            Paper::A4 => unoclp_program::list::Paper::A4,
+            Paper::Letter => unoclp_program::list::Paper::Letter,
         }
     }
 }

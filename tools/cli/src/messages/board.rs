@@ -4,16 +4,16 @@
 
 use super::spoken::spoken;
 use super::table::*;
-use unoclp_board::diagnostics::Trouble;
-use unoclp_board::identity::Identity;
-use unoclp_board::map;
-use unoclp_board::settings::Settings;
-use unoclp_board::upload::{Broken, Pass};
-use unoclp_board::watch::Forced;
-use unoclp_board::{Failure, Line, Parity, lock as bits};
 use unoclp_boot::Stage;
+use unoclp_client::diagnostics::Trouble;
+use unoclp_client::identity::Identity;
+use unoclp_client::map;
+use unoclp_client::settings::Settings;
+use unoclp_client::upload::{Broken, Pass};
+use unoclp_client::watch::Forced;
+use unoclp_client::{Failure, Line, Parity, lock as bits};
 use unoclp_modbus::Exception;
-use unoclp_source::{Lang, diagnosis};
+use unoclp_program::{Lang, diagnosis};
 
 /// The fault that a board tells: `fault 24, line 7: no such code`.
 pub fn trouble(trouble: Trouble) -> String {
@@ -171,7 +171,7 @@ pub fn broken(broken: &Broken) -> String {
 mod tests {
     use super::*;
     use crate::messages::SPOKEN_HERE;
-    use unoclp_board::diagnostics::Kept;
+    use unoclp_client::diagnostics::Kept;
     use unoclp_lang::Lang;
 
     /// What is said in both languages.

@@ -2,7 +2,7 @@
 
 use super::spoken::spoken;
 
-unoclp_source::messages! {
+unoclp_program::messages! {
     in spoken;
 
     cannot_read(file, error)

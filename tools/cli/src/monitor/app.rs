@@ -5,10 +5,10 @@ use super::program::Program;
 use super::watcher::News;
 use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use unoclp_board::map::{Command, State};
-use unoclp_board::watch::{Forced, Reading, Side, Wish};
+use unoclp_client::map::{Command, State};
+use unoclp_client::watch::{Forced, Reading, Side, Wish};
 use unoclp_host_sim::live::Flow;
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 /// A board, as far as it is known, and what a person does to it.
 pub struct App {

@@ -3,15 +3,15 @@
 use crate::panel::Drawn;
 use crate::variables::Variables;
 use std::collections::BTreeMap;
-use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::watch::{Reading, Scope};
 use unoclp_checked::SourceMap;
+use unoclp_client::diagnostics::{Kept, Trouble};
+use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::Delay;
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::{Flow, Twin};
 use unoclp_lang::Spot;
-use unoclp_source::used::Used;
-use unoclp_source::{Source, point_names};
+use unoclp_program::used::Used;
+use unoclp_program::{Source, point_names};
 
 /// A program, to show a board's timers, counters and rungs by.
 pub struct Program {

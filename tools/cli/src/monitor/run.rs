@@ -9,7 +9,7 @@ use ratatui::crossterm::event::{self, Event};
 use std::io;
 use std::sync::mpsc::{Receiver, Sender};
 use std::time::Duration;
-use unoclp_board::watch::{Forced, Wish};
+use unoclp_client::watch::{Forced, Wish};
 
 /// Time from frame to frame.
 const FRAME: Duration = Duration::from_millis(33);

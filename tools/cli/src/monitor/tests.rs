@@ -10,14 +10,14 @@ use crate::messages::{SPOKEN_HERE, left_forced};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use unoclp_board::diagnostics::{Diagnostics, Kept, Trouble};
-use unoclp_board::identity::Identity;
-use unoclp_board::map::{Command, State, flag};
-use unoclp_board::watch::{Forces, Meter, Reading, Side, Wish};
+use unoclp_client::diagnostics::{Diagnostics, Kept, Trouble};
+use unoclp_client::identity::Identity;
+use unoclp_client::map::{Command, State, flag};
+use unoclp_client::watch::{Forces, Meter, Reading, Side, Wish};
 use unoclp_core::{After, Image, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::Random;
-use unoclp_source::{Source, Written, load};
+use unoclp_program::{Source, Written, load};
 
 /// I1 sets Q1 through a TON of 20 ms; a counter of I2 sets Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n67848501\n3\n877902\n";
@@ -623,7 +623,7 @@ fn a_screen_of_80_by_24_shows_a_program_and_its_values() {
     let head = "VAR\n level AT %MW1 : INT;\n alarm AT %QX1 : BOOL;\nEND_VAR\n";
     let rung = "LD level\nADD 1\nST level\nLD level\nGT 500\nST alarm\n";
     let source = source("tank.il", &format!("{head}{}", rung.repeat(5)));
-    let register = unoclp_source::point_names(&source)
+    let register = unoclp_program::point_names(&source)
         .into_iter()
         .find_map(|(point, name)| (name == "level").then_some(point))
         .unwrap();

@@ -10,10 +10,10 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
-use unoclp_board::map::{State, flag};
-use unoclp_board::watch::{Forces, Meter, Reading, Side};
-use unoclp_source::BOARD;
-use unoclp_source::used::real;
+use unoclp_client::map::{State, flag};
+use unoclp_client::watch::{Forces, Meter, Reading, Side};
+use unoclp_program::BOARD;
+use unoclp_program::used::real;
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);

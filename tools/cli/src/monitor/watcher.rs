@@ -7,11 +7,11 @@ use std::ops::ControlFlow;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::thread;
 use std::time::Duration;
-use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::identity::Identity;
-use unoclp_board::map::{Command, State, flag};
-use unoclp_board::watch::{self, Reading, Scope, Seen, Wish, Wishes};
-use unoclp_board::{Failure, Patience};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::identity::Identity;
+use unoclp_client::map::{Command, State, flag};
+use unoclp_client::watch::{self, Reading, Scope, Seen, Wish, Wishes};
+use unoclp_client::{Failure, Patience};
 use unoclp_modbus::Exception;
 
 /// What the thread says.

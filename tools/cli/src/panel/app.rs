@@ -18,7 +18,7 @@ use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::live::Flow;
 use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_lang::Spot;
-use unoclp_source::{BOARD, Source, point_names};
+use unoclp_program::{BOARD, Source, point_names};
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);

@@ -5,7 +5,7 @@ use super::listing::Listing;
 use crate::messages;
 use ratatui::text::Line;
 use unoclp_host_sim::live::Flow;
-use unoclp_source::Source;
+use unoclp_program::Source;
 
 /// Both ways to look at a program.
 pub struct Drawn {

@@ -3,9 +3,9 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
+use unoclp_draw::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
 use unoclp_host_sim::live::{Boxes, Flow};
-use unoclp_ladder::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
-use unoclp_source::{Source, names};
+use unoclp_program::{Source, names};
 
 /// The columns before the left rail, for the number of the rung.
 const MARGIN: usize = 4;
@@ -40,7 +40,7 @@ impl Rungs {
         let mut lines = Vec::new();
         for (index, picture) in drawing.rungs.iter().enumerate() {
             let head = &self.ladder.rungs[index];
-            let part = head.part.map(unoclp_ladder::picture);
+            let part = head.part.map(unoclp_draw::picture);
             lines.extend(part.map(|part| Line::raw(format!("    {part}:"))));
             let labels = head.labels.iter();
             lines.extend(labels.map(|label| Line::raw(format!("    L{label}:"))));

@@ -4,7 +4,7 @@ use super::ON;
 use ratatui::style::Style;
 use ratatui::text::Line;
 use unoclp_host_sim::live::{Flow, Lines, Mark};
-use unoclp_source::Source;
+use unoclp_program::Source;
 
 /// The lines of a text, with the steps that tell how each stands.
 pub struct Listing(Lines);

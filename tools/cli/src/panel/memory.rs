@@ -5,7 +5,7 @@ use crate::variables::lines;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
-use unoclp_source::used::{Quantity, real};
+use unoclp_program::used::{Quantity, real};
 
 /// The analogue input that keys turn.
 const SELECTED: Style = Style::new().add_modifier(Modifier::REVERSED);

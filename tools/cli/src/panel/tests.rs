@@ -17,7 +17,7 @@ use std::time::Duration;
 use unoclp_core::Image;
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_host_sim::wave::Recorder;
-use unoclp_source::{Source, Written};
+use unoclp_program::{Source, Written};
 
 /// I1 sets Q1 through a TON of 20 ms; I2 or not I3, and Q1, to Q2.
 const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n\

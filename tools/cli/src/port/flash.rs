@@ -6,8 +6,8 @@ use serialport::ClearBuffer;
 use std::ops::ControlFlow;
 use std::thread;
 use std::time::Duration;
-use unoclp_board::{Line, Parity, Patience};
 use unoclp_boot::{Failure, Model, Next, Writer};
+use unoclp_client::{Line, Parity, Patience};
 
 /// For how long DTR is off: the capacitor between it and the chip's reset charges meanwhile.
 const OFF: Duration = Duration::from_millis(100);

@@ -17,9 +17,9 @@ use std::convert::Infallible;
 use std::io::{self, ErrorKind, Read, Write};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use unoclp_board::identity::Identity;
-use unoclp_board::start;
-use unoclp_board::{Client, Conversation, Failure, Line, Next, Patience};
+use unoclp_client::identity::Identity;
+use unoclp_client::start;
+use unoclp_client::{Client, Conversation, Failure, Line, Next, Patience};
 
 /// An open serial port.
 pub struct Port {

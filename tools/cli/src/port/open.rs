@@ -10,7 +10,7 @@ use crate::messages;
 use serialport::{ErrorKind, SerialPort};
 use std::io;
 use std::time::Duration;
-use unoclp_board::Parity;
+use unoclp_client::Parity;
 
 /// Why a port cannot be used.
 #[derive(Debug, thiserror::Error)]

@@ -2,7 +2,7 @@
 
 use crate::messages;
 use std::fmt;
-use unoclp_board::Line;
+use unoclp_client::Line;
 
 /// Where a board is, and how it is spoken to.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,12 +5,12 @@ use rustix::fs::{Mode, OFlags};
 use rustix::termios::{ControlModes, OptionalActions, tcgetattr, tcsetattr};
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
-use unoclp_board::diagnostics::Diagnostics;
-use unoclp_board::map::{Command, State};
-use unoclp_board::watch::{Reading, Scope, Side, Wish};
-use unoclp_board::{Patience, lock};
 use unoclp_cli::monitor::{News, watch};
 use unoclp_cli::port::{NotFound, NotOpened, find};
+use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::map::{Command, State};
+use unoclp_client::watch::{Reading, Scope, Side, Wish};
+use unoclp_client::{Patience, lock};
 
 #[test]
 fn a_board_says_what_it_is() {

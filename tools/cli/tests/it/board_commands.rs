@@ -74,7 +74,7 @@ fn every_language_is_uploaded_as_what_it_is_compiled_to() {
         let (code, out, err) = on(&fake, &["upload", &program]);
         assert_eq!((code, err.as_str()), (0, ""), "{name}: {out}");
         assert!(out.ends_with("\nRUN\n"), "{name}: {out}");
-        let sent = unoclp_source::sealed(&fake.board().text);
+        let sent = unoclp_program::sealed(&fake.board().text);
         assert_eq!(sent, compiled.as_bytes(), "{name}");
     }
     // Nothing is sent of what is wrong, nor of what the board cannot do.

@@ -8,8 +8,8 @@ use std::fs;
 use std::path::Path;
 use unoclp_checked::numeric;
 use unoclp_lang::Lang;
-use unoclp_source::BOARD;
-use unoclp_source::diagnosis::show;
+use unoclp_program::BOARD;
+use unoclp_program::diagnosis::show;
 
 #[test]
 fn faults_are_shown_as_expected() {

@@ -315,7 +315,7 @@ fn each_fault_has_the_portuguese_of_its_page() {
         .replace('\n', " ")
         .to_lowercase();
     for &cause in unoclp_core::Cause::ALL {
-        let text = unoclp_source::diagnosis::portuguese(cause);
+        let text = unoclp_program::diagnosis::portuguese(cause);
         assert!(
             page.contains(&format!("*{}", text.to_lowercase())),
             "{text}"

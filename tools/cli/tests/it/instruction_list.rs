@@ -314,7 +314,7 @@ fn an_image_of_a_card_is_made_new() {
         assert_eq!(code, 0, "{out}{err}");
         let mut expected = unoclp_card::image::Image::new(unoclp_card::image::Fat::Fat16).file(
             "PROGRAM.TXT",
-            unoclp_source::sealed(&fs::read(&numeric).unwrap()),
+            unoclp_program::sealed(&fs::read(&numeric).unwrap()),
         );
         if !options.is_empty() {
             let state = concat!(env!("CARGO_MANIFEST_DIR"), "/../../programs/STATE.TXT");

@@ -177,10 +177,10 @@ fn no_page_of_the_repository_is_a_program() {
         .collect();
     assert!(all.len() > 40, "{}", all.len());
     for path in all {
-        let written = unoclp_source::WrittenIn::of(&path, &fs::read(&path).unwrap());
+        let written = unoclp_program::WrittenIn::of(&path, &fs::read(&path).unwrap());
         assert_eq!(
             written,
-            Err(unoclp_source::NoProgram::Other),
+            Err(unoclp_program::NoProgram::Other),
             "{}",
             path.display()
         );

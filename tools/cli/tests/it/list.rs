@@ -5,14 +5,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::isa::{Kind, Opcode};
+use unoclp_draw::{Ladder, NARROWEST, Names, Style};
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_ladder::{Ladder, NARROWEST, Names, Style};
-use unoclp_source::list::{Form, svg};
-use unoclp_source::{Lang, Source, Written, load};
+use unoclp_program::list::{Form, svg};
+use unoclp_program::{Lang, Source, Written, load};
 
 /// What every program can be listed as.
 fn list(source: &Source, form: Form, width: usize, lang: Lang) -> String {
-    unoclp_source::list::list(source, form, width, lang).unwrap()
+    unoclp_program::list::list(source, form, width, lang).unwrap()
 }
 
 fn folder(path: &str) -> PathBuf {

@@ -5,8 +5,8 @@ use roxmltree::{Document, Node};
 use std::fs;
 use std::path::Path;
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_source::list::{Paper, pages};
-use unoclp_source::{Lang, Source, Written};
+use unoclp_program::list::{Paper, pages};
+use unoclp_program::{Lang, Source, Written};
 
 /// The margin of every page, millimetres; a wire may be half as wide as this beyond it.
 const MARGIN: f32 = 15.0;
@@ -262,5 +262,5 @@ fn control_characters_of_a_comment_do_not_break_a_picture() {
     for svg in pages(&program, 80, Paper::A4, Some("x\u{1}y"), Lang::En) {
         assert!(Document::parse(&svg).is_ok(), "{svg}");
     }
-    assert!(Document::parse(&unoclp_source::list::svg(&program, 80, Lang::En)).is_ok());
+    assert!(Document::parse(&unoclp_program::list::svg(&program, 80, Lang::En)).is_ok());
 }

@@ -13,8 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
-use unoclp_board::{Line, Patience};
 use unoclp_cli::port::Place;
+use unoclp_client::{Line, Patience};
 
 /// The board, and the port that it is at.
 pub struct Fake {

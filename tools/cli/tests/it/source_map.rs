@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_checked::Place;
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_source::{Source, Written};
+use unoclp_program::{Source, Written};
 
 fn check(name: &str, text: &[u8]) -> Source {
     let written = Written::new(name.to_owned(), text.into());

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Exercise, Scenario, check};
 use unoclp_lang::{Lang, Options, TextLanguage, compile, compile_text};
-use unoclp_source::BOARD;
+use unoclp_program::BOARD;
 
 const PAGES: [&str; 2] = ["docs/tutorial.md", "docs/tutorial.pt-BR.md"];
 const FOLDER: &str = "programs/tutorial";

@@ -1,7 +1,7 @@
 //! A board in memory: the addresses are those of the map, its states as `docs/modbus.md` defines them.
 
 use std::collections::BTreeMap;
-use unoclp_board::diagnostics::Kept;
+use unoclp_client::diagnostics::Kept;
 use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
 use unoclp_modbus::eeprom::program::{FORM, HEAD_BYTES, head};
 use unoclp_modbus::map::{

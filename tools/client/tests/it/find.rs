@@ -3,9 +3,9 @@
 use crate::fake::{Board, Fate};
 use crate::line::{MS, PATIENCE, Wire};
 use std::time::Duration;
-use unoclp_board::identity::Identity;
-use unoclp_board::start::{NotFound, find};
-use unoclp_board::{Failure, Patience};
+use unoclp_client::identity::Identity;
+use unoclp_client::start::{NotFound, find};
+use unoclp_client::{Failure, Patience};
 
 const TEXT: &[u8] = b"\r\nunoclp 0.1.0\r\n3 bytes\r\nRUN\r\n";
 

@@ -3,7 +3,7 @@
 use crate::fake::{Board, Fate, Trick, answer};
 use std::collections::VecDeque;
 use std::time::Duration;
-use unoclp_board::{Client, Conversation, Line, Next, Patience};
+use unoclp_client::{Client, Conversation, Line, Next, Patience};
 
 pub const MS: Duration = Duration::from_millis(1);
 

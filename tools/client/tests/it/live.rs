@@ -3,10 +3,10 @@
 use crate::fake::Board;
 use crate::line::{MS, Wire};
 use std::time::Duration;
-use unoclp_board::live::{Live, Parts};
-use unoclp_board::map::{Command, holding, input};
-use unoclp_board::watch::{Meter, Reading, Scope, Side, Wish};
-use unoclp_board::{Client, Failure};
+use unoclp_client::live::{Live, Parts};
+use unoclp_client::map::{Command, holding, input};
+use unoclp_client::watch::{Meter, Reading, Scope, Side, Wish};
+use unoclp_client::{Client, Failure};
 
 const ALL: Parts = Parts {
     markers: true,

@@ -2,12 +2,12 @@
 
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, kept};
 use crate::line::Wire;
-use unoclp_board::diagnostics::{Diagnostics, Kept};
-use unoclp_board::lock;
-use unoclp_board::map::{Command, Parity, State, cause, holding, input};
-use unoclp_board::settings::{Settings, read_lock};
-use unoclp_board::watch::{Forces, Meter, Reading, Scope, Side, Wish};
-use unoclp_board::{Client, Failure};
+use unoclp_client::diagnostics::{Diagnostics, Kept};
+use unoclp_client::lock;
+use unoclp_client::map::{Command, Parity, State, cause, holding, input};
+use unoclp_client::settings::{Settings, read_lock};
+use unoclp_client::watch::{Forces, Meter, Reading, Scope, Side, Wish};
+use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
 fn read(wire: &mut Wire, scope: Scope) -> Reading {

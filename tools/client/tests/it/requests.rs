@@ -5,8 +5,8 @@ use crate::line::{MS, PATIENCE, Wire};
 use std::cell::Cell;
 use std::rc::Rc;
 use std::time::Duration;
-use unoclp_board::map::input;
-use unoclp_board::{Client, Conversation, Failure, Line, Next, Patience, Step};
+use unoclp_client::map::input;
+use unoclp_client::{Client, Conversation, Failure, Line, Next, Patience, Step};
 use unoclp_modbus::Crc;
 
 /// The state, as any request.

@@ -2,11 +2,13 @@
 
 use crate::fake::{Board, FAULT, Fate, RUN, STOP, is_block, kept};
 use crate::line::Wire;
-use unoclp_board::diagnostics::{Kept, Trouble};
-use unoclp_board::map::{BLOCK_BYTES, Command, State, flag, holding};
-use unoclp_board::upload::{Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload};
-use unoclp_board::watch::Wish;
-use unoclp_board::{Failure, lock};
+use unoclp_client::diagnostics::{Kept, Trouble};
+use unoclp_client::map::{BLOCK_BYTES, Command, State, flag, holding};
+use unoclp_client::upload::{
+    Behind, Broken, FIRST_SCANS, Pass, Progress, end, go_on, stop, upload,
+};
+use unoclp_client::watch::Wish;
+use unoclp_client::{Failure, lock};
 use unoclp_modbus::eeprom::program::FORM;
 use unoclp_modbus::{Exception, Points};
 

@@ -2,9 +2,9 @@
 
 use crate::fake::{Board, Fate, STOP};
 use crate::line::{MS, Wire};
-use unoclp_board::map::{Command, State, holding};
-use unoclp_board::watch::{Reading, Scope, Seen, Side, Wish, Wishes, watch};
-use unoclp_board::{Client, Failure};
+use unoclp_client::map::{Command, State, holding};
+use unoclp_client::watch::{Reading, Scope, Seen, Side, Wish, Wishes, watch};
+use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
 /// Watches until the line fails, which it does behind so many requests; says what was seen, and when.

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use unoclp_core::Program;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{Document, Row};
+use unoclp_draw::Address;
+use unoclp_draw::edit::{Document, Row};
 use unoclp_lang::{Dialect, Options, compile, instructions_to_il};
 
 /// The rungs under what they are about, with the names that Instruction List takes.

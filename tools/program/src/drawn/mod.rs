@@ -8,8 +8,8 @@ mod numeric;
 mod parts;
 
 use crate::{BOARD, Language, Source, load, names, point_names};
-use unoclp_ladder::edit::{Document, Mistake, Row};
-use unoclp_ladder::{Address, Ladder};
+use unoclp_draw::edit::{Document, Mistake, Row};
+use unoclp_draw::{Address, Ladder};
 use unoclp_lang::{Declared, DeclaredPoint, declared};
 
 pub use il::{blank_text, is_name, name_of};

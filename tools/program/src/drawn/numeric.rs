@@ -3,7 +3,7 @@
 use super::parts::rungs;
 use std::fmt::Write;
 use unoclp_core::Program;
-use unoclp_ladder::edit::Document;
+use unoclp_draw::edit::Document;
 
 /// A line for each code, with its letters, the rungs under what they are about.
 pub(super) fn text(document: &Document, program: &Program<'_>) -> String {

@@ -6,11 +6,11 @@ mod words;
 
 use crate::{BOARD, Source, names};
 use std::path::Path;
-use unoclp_ladder::edit::Document;
-use unoclp_ladder::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
+use unoclp_draw::edit::Document;
+use unoclp_draw::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
 use unoclp_lang::{Diagnostic, Lang, instructions_to_il, to_st};
 
-pub use unoclp_ladder::Paper;
+pub use unoclp_draw::Paper;
 pub use unoclp_plcopen::Lost;
 
 /// What a program is listed as.

@@ -2,10 +2,10 @@
 
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Loader, Profile, Target};
-use unoclp_ladder::edit::{
+use unoclp_draw::edit::{
     Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Step,
 };
-use unoclp_ladder::{Address, Area};
+use unoclp_draw::{Address, Area};
 
 /// A seal-in circuit with a timer, a rung that ends in an IF, an empty path, and an empty rung.
 fn document() -> Document {

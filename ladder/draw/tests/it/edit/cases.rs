@@ -6,11 +6,11 @@
 use std::fmt::Write;
 use unoclp_core::isa::{Opcode, REGISTER_OPERAND};
 use unoclp_core::{Profile, Target};
-use unoclp_ladder::edit::{
+use unoclp_draw::edit::{
     Along, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Gate, Id, Mistake, Node,
     Operation, Place, Refusal, Row, Step, Way,
 };
-use unoclp_ladder::{Address, Element, Names, Symbol};
+use unoclp_draw::{Address, Element, Names, Symbol};
 
 #[test]
 fn operations_come_to_these_codes_and_pictures() {
@@ -177,7 +177,7 @@ fn find(editor: &Editor, text: &str) -> Id {
 fn around(editor: &Editor) -> Id {
     let mut found = None;
     for rung in editor.document().rungs() {
-        unoclp_ladder::edit::visit(&rung.series, &mut |node: &Node| {
+        unoclp_draw::edit::visit(&rung.series, &mut |node: &Node| {
             let on = |node: &Node| node.id() == editor.cursor().from;
             if node.paths().iter().any(|path| path.series.iter().any(on)) {
                 found = Some(node.id());

@@ -1,8 +1,8 @@
 //! What is drawn is what is done: power that follows the tree of a document comes to its coil as it does in the scan.
 
 use unoclp_core::{Image, Loader, Plc, Profile};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{
+use unoclp_draw::Address;
+use unoclp_draw::edit::{
     Along, Cursor, Document, Draft, Editor, Id, Node, Operation, Place, Series, Way, visit,
 };
 use unoclp_testing::{Random, rounds};
@@ -69,7 +69,7 @@ fn drawn_at_random(random: &mut Random) -> Document {
         let _ = editor.apply(&operation);
     }
     let rung = editor.document().rungs().next().unwrap().id;
-    let coil = Draft::coil(Some(Address::Output(1)), unoclp_ladder::edit::Coil::Normal);
+    let coil = Draft::coil(Some(Address::Output(1)), unoclp_draw::edit::Coil::Normal);
     let last = Operation::Insert(coil.unwrap(), Place::Behind);
     editor.apply(&Operation::Select(Cursor::at(rung))).unwrap();
     editor.apply(&last).unwrap();

@@ -1,8 +1,8 @@
 //! Random operations of the editor. The tests of PLCopen XML draw with them too.
 
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_ladder::Address;
-use unoclp_ladder::edit::{
+use unoclp_draw::Address;
+use unoclp_draw::edit::{
     Along, Begin, Coil, Cursor, Direction, Document, Draft, Edge, Gate, Id, Operation, Place, Row,
     Step, Way, visit,
 };

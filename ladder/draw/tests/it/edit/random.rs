@@ -2,8 +2,8 @@
 
 use super::operations::operation;
 use unoclp_core::{Loader, Profile};
-use unoclp_ladder::Names;
-use unoclp_ladder::edit::{Document, Drawn, Editor, visit};
+use unoclp_draw::Names;
+use unoclp_draw::edit::{Document, Drawn, Editor, visit};
 use unoclp_testing::{Random, rounds};
 
 /// Each on a document of its own.
@@ -64,7 +64,7 @@ fn draws(document: &Document) {
     assert_eq!(drawing.rungs.len(), document.rungs().len());
     for rung in document.rungs() {
         visit(&rung.series, &mut |node| {
-            if let unoclp_ladder::edit::Node::Element(element) = node {
+            if let unoclp_draw::edit::Node::Element(element) = node {
                 assert!(drawn.elements.contains(&element.id));
             }
         });

@@ -1,9 +1,9 @@
 //! A conversation with the simulated board, over its serial port: the board's clock is the clock of both.
 
 use std::time::Duration;
-use unoclp_board::start::find;
-use unoclp_board::{Client, Conversation, Line, Next, Patience};
 use unoclp_boot::{self as boot, Image, Writer};
+use unoclp_client::start::find;
+use unoclp_client::{Client, Conversation, Line, Next, Patience};
 use unoclp_uno_sim::{CYCLES_PER_MS, Uno};
 
 /// How often it is looked whether the board has said something, cycles.

@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
-use unoclp_source::{WrittenIn, shown};
+use unoclp_program::{WrittenIn, shown};
 
 /// What a class has handed in.
 #[derive(Debug, Default)]

@@ -23,7 +23,7 @@ use row::Row;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
 use unoclp_host_sim::scenario::{Exercise, ProgramFile};
-use unoclp_source::shown;
+use unoclp_program::shown;
 
 /// What is graded, and how that is told.
 #[derive(Args)]

@@ -7,7 +7,7 @@ use unoclp_host_sim::diagram;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_lang::{self as lang, Lines, Severity, Told};
-use unoclp_source::{NoProgram, Refused, Source, Written, diagnosis, shown};
+use unoclp_program::{NoProgram, Refused, Source, Written, diagnosis, shown};
 
 /// How a program does.
 #[derive(Debug)]

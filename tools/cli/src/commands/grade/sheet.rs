@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use unoclp_host_sim::scenario::Exercise;
-use unoclp_source::harmless;
+use unoclp_program::harmless;
 
 /// The columns, in both languages: what reads them knows them by these names.
 const COLUMNS: [&str; 6] = [

@@ -3,7 +3,7 @@
 use super::row::Row;
 use unoclp_cli::{ascii, messages};
 use unoclp_host_sim::scenario::Exercise;
-use unoclp_source::harmless;
+use unoclp_program::harmless;
 
 /// A reason is cut behind so many characters.
 const MOST_WHY: usize = 400;

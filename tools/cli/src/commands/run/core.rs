@@ -11,7 +11,7 @@ use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::Machine;
 use unoclp_lang::typed::{Base, Value};
 use unoclp_lang::{self as lang, Spot};
-use unoclp_source::{Written, point_names};
+use unoclp_program::{Written, point_names};
 
 /// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
 pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<Ran>> {

@@ -17,7 +17,7 @@ use super::open::no_program;
 use crate::outcome::Outcome;
 use anstream::print;
 use anyhow::bail;
-use unoclp_source::{WrittenIn, harmless_lines};
+use unoclp_program::{WrittenIn, harmless_lines};
 use what::program;
 
 pub use what::What;

@@ -11,7 +11,7 @@ use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{self as lang, CheckedText, Holding, Lines, Span, TextLanguage, Variable};
-use unoclp_source::{BOARD, Written, decode, harmless_lines};
+use unoclp_program::{BOARD, Written, decode, harmless_lines};
 
 /// A text by its name.
 struct Text {

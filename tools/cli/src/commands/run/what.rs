@@ -6,7 +6,7 @@ use anyhow::bail;
 use clap::Args;
 use std::path::PathBuf;
 use unoclp_cli::messages;
-use unoclp_source::Written;
+use unoclp_program::Written;
 
 /// What to run, and how.
 #[derive(Args)]
