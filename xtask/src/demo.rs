@@ -6,21 +6,19 @@ use std::process::Command;
 use anyhow::Result;
 use unoclp_boot::Model;
 
-use crate::firmware::{self, Firmware};
 use crate::shell::{self, say};
-use crate::{card, setup};
+use crate::{card, setup, tested};
 
 /// The program shown, and the script that presses its buttons.
 const PROGRAM: &str = "programs/motor.txt";
 const SCENARIO: &str = "programs/demo.toml";
 
-/// Sets up, builds firmware and card, and shows them at work.
+/// Sets up, makes a card, and shows it at work in the tested firmware.
 ///
 /// # Errors
 /// If a step fails.
 pub fn run() -> Result<()> {
-    let toolchain = setup::for_simulator()?;
-    let firmware = firmware::build(&toolchain, Model::Uno)?;
+    setup::for_demo()?;
 
     say(&format!("demo: putting {PROGRAM} on the image of a card"));
     let root = shell::root();
@@ -30,14 +28,15 @@ pub fn run() -> Result<()> {
     say("demo: compiling the simulator");
     shell::run(&mut simulator("build"))?;
     say("demo: a simulated UNO boots the firmware, with that card in its slot");
-    shell::run(&mut demo(&firmware, &image))
+    shell::run(&mut demo(&image))
 }
 
 /// The simulator's demonstration.
-fn demo(firmware: &Firmware, image: &Path) -> Command {
+fn demo(image: &Path) -> Command {
     let mut command = simulator("run");
     command.args(["--quiet", "--", "demo", "--elf"]);
-    command.arg(&firmware.elf).arg("--card").arg(image);
+    command.arg(tested::hex(Model::Uno));
+    command.arg("--card").arg(image);
     command.arg("--scenario").arg(shell::root().join(SCENARIO));
     command
 }

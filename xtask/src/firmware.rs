@@ -13,14 +13,14 @@ use unoclp_modbus::map;
 use crate::budget::{Size, thousands};
 use crate::link::{self, Link};
 use crate::shell::{self, say};
-use crate::tested::{self, Compiler};
+use crate::tested;
 use crate::toolchain::Toolchain;
 use crate::{mulcheck, parts, setup};
 
 /// `cargo xtask firmware`
 #[derive(clap::Args)]
 pub struct Args {
-    /// Keep what is built as the tested firmware: firmware/unoclp-uno.hex, firmware/unoclp-nano.hex, and their sums
+    /// Keep what is built as the tested firmware, in firmware/: the hex files, their symbols and sums, and tools.toml
     #[arg(long)]
     keep: bool,
 }
@@ -48,7 +48,7 @@ impl Firmware {
     }
 }
 
-/// Sets up, builds, says where the results are, and whether the compiler is the tested one.
+/// Sets up, builds, says where the results are, and whether they are the tested firmware.
 ///
 /// # Errors
 /// As [`build`], and if a tool is missing.
@@ -60,9 +60,9 @@ pub fn run(args: &Args) -> Result<()> {
         say(&format!("firmware: {}", hex.display()));
     }
     if args.keep {
-        return tested::keep(&Compiler::of(&toolchain)?);
+        return tested::keep(&toolchain.tools()?);
     }
-    println!("{}", tested::verdict(&Compiler::of(&toolchain)?)?);
+    println!("{}", tested::verdict(&toolchain.tools()?)?);
     Ok(())
 }
 
@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<()> {
 pub fn build_all(toolchain: &Toolchain) -> Result<Vec<Firmware>> {
     let firmwares = BOARDS.map(|board| build(toolchain, board));
     let firmwares = firmwares.into_iter().collect::<Result<_>>()?;
-    tested::note(&Compiler::of(toolchain)?)?;
+    toolchain.tools()?.note()?;
     Ok(firmwares)
 }
 

@@ -25,4 +25,5 @@ pub mod steps;
 pub mod test;
 pub mod tested;
 pub mod toolchain;
+pub mod toolset;
 pub mod wasm;

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 
 use crate::card::{self, Kind};
 use crate::count::{self, Count};
+use crate::programs::FIRMWARE;
 use crate::shell::{self, say};
 
 /// Programs that the tests of the board put into its slot.
@@ -52,11 +53,11 @@ pub fn build() -> Result<()> {
     shell::run(bundle.args(["build.mjs", "engine", "test"]))
 }
 
-/// Runs the tests of the board, with the firmware that is there.
+/// Runs the tests of the board, with this firmware, or the one that was built.
 ///
 /// # Errors
 /// If one fails.
-pub fn test() -> Result<Count> {
+pub fn test(firmware: Option<&Path>) -> Result<Count> {
     for program in files(&shell::root().join(PROGRAMS), ".txt")? {
         let name = program.with_extension("img");
         let image = shell::root()
@@ -68,6 +69,7 @@ pub fn test() -> Result<Count> {
     tests.extend(files(&shell::root().join(FILES), ".test.mjs")?);
     let mut node = Command::new("node");
     node.args(["--test", "--test-reporter=spec"]).args(tests);
+    node.envs(firmware.map(|file| (FIRMWARE, file)));
     count::tests(&mut node, count::by_node)
 }
 

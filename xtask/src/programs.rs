@@ -17,6 +17,8 @@ use serde_json::Value;
 
 use crate::shell::{self, cargo};
 
+/// The variable that names the firmware to the tests.
+pub const FIRMWARE: &str = "UNOCLP_FIRMWARE";
 /// How long each test took in the last run.
 const TIMES: &str = "target/test-times";
 
@@ -38,6 +40,23 @@ struct Test<'p> {
 impl Test<'_> {
     fn full_name(&self) -> String {
         format!("{} {}", self.program.name, self.name)
+    }
+}
+
+/// How the tests are run.
+pub struct Round {
+    /// Percent of the rounds of random tests.
+    pub percent: u32,
+    /// The firmware that the suite runs on, in place of the one that was built.
+    pub firmware: Option<PathBuf>,
+}
+
+impl Default for Round {
+    fn default() -> Round {
+        Round {
+            percent: 100,
+            firmware: None,
+        }
     }
 }
 
@@ -105,7 +124,7 @@ impl Programs {
     ///
     /// # Errors
     /// If one cannot be run. A test that fails is counted.
-    pub fn run(&self, rounds: u32, wanted: impl Fn(&str) -> bool) -> Result<Tally> {
+    pub fn run(&self, round: &Round, wanted: impl Fn(&str) -> bool) -> Result<Tally> {
         let times = Times::load();
         let mut tests = Vec::new();
         for program in &self.0 {
@@ -119,7 +138,7 @@ impl Programs {
         let outcomes = Mutex::new(Vec::new());
         let work = || -> Result<()> {
             while let Some(test) = next() {
-                let outcome = run(&test, rounds)?;
+                let outcome = run(&test, round)?;
                 if let Ok(mut outcomes) = outcomes.lock() {
                     outcomes.push(outcome);
                 }
@@ -135,7 +154,7 @@ impl Programs {
             Ok(())
         })?;
         let outcomes = outcomes.into_inner().unwrap_or_default();
-        if rounds == 100 {
+        if round.percent == 100 {
             times.store(&outcomes)?;
         }
         Ok(Tally(outcomes))
@@ -163,10 +182,11 @@ impl Program {
 }
 
 /// Runs a test, and shows what it prints.
-fn run(test: &Test<'_>, rounds: u32) -> Result<Outcome> {
+fn run(test: &Test<'_>, round: &Round) -> Result<Outcome> {
     let mut command = test.program.command();
     command.args(["--exact", &test.name, "--show-output"]);
-    command.env("UNOCLP_ROUNDS", rounds.to_string());
+    command.env("UNOCLP_ROUNDS", round.percent.to_string());
+    command.envs(round.firmware.iter().map(|file| (FIRMWARE, file)));
     let start = Instant::now();
     let output = command
         .output()

@@ -1,5 +1,6 @@
 //! Finds out what is missing, and installs it where it can: on Debian and Ubuntu, as root.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
@@ -8,6 +9,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::node;
 use crate::shell::{self, exists, output, say};
 use crate::toolchain::Toolchain;
+use crate::toolset::{Pinned, installed};
 
 /// Something that must be there: a Debian package, what it is for, and how to find it.
 pub struct Need {
@@ -43,6 +45,14 @@ const RUST: &[Need] = &[
     need("rust-web-src", "compiling for AVR", |_| has_rust()),
 ];
 
+/// The Rust that has built the tested firmware. Where it is out of reach, a test says what its lack means.
+const PINNED_RUST: &[Need] = &[
+    need("rustc-web", TESTED, has_pinned_rust),
+    need("cargo-web", TESTED, has_pinned_rust),
+    need("rust-web-src", TESTED, has_pinned_rust),
+];
+const TESTED: &str = "building the tested firmware";
+
 /// What looks at the source. rustup brings both by itself, as rust-toolchain.toml asks.
 const CHECKS: &[Need] = &[
     need("rustfmt-web", "checking the format of the source", |_| {
@@ -52,7 +62,10 @@ const CHECKS: &[Need] = &[
         "rust-web-clippy",
         "checking the firmware's source",
         |need| {
-            Toolchain::find().map_or_else(|| is_installed(need.package), |rust| rust.has_clippy())
+            Toolchain::find().map_or_else(
+                || installed(need.package).is_some(),
+                |rust| rust.has_clippy(),
+            )
         },
     ),
 ];
@@ -68,7 +81,9 @@ const SIMAVR: &[Need] = &[
     need("zlib1g-dev", "simavr", |_| has_library("zlib")),
     need("libzstd-dev", "simavr", |_| has_library("libzstd")),
     need("libclang-dev", "reading simavr's headers", |need| {
-        is_installed(need.package) || std::env::var_os("LIBCLANG_PATH").is_some() || !has_apt()
+        installed(need.package).is_some()
+            || std::env::var_os("LIBCLANG_PATH").is_some()
+            || !has_apt()
     }),
 ];
 
@@ -127,12 +142,21 @@ pub fn for_simulator() -> Result<Toolchain> {
     provide(&[AVR, RUST, SIMAVR])
 }
 
-/// Sees to it that everything can be built and checked.
+/// Sees to it that a firmware can be simulated.
 ///
 /// # Errors
 /// As [`for_firmware`].
-pub fn for_tests() -> Result<Toolchain> {
-    let toolchain = provide(&[AVR, RUST, CHECKS, SIMAVR, TESTS, LAB, BROWSER])?;
+pub fn for_demo() -> Result<()> {
+    install_missing(&[SIMAVR])
+}
+
+/// Sees to it that everything can be built and checked; the tested firmware too, unless that is `kept`.
+///
+/// # Errors
+/// As [`for_firmware`].
+pub fn for_tests(kept: bool) -> Result<Toolchain> {
+    let rust = if kept { RUST } else { PINNED_RUST };
+    let toolchain = provide(&[AVR, RUST, rust, CHECKS, SIMAVR, TESTS, LAB, BROWSER])?;
     provide_python()?;
     node::install()?;
     Ok(toolchain)
@@ -166,18 +190,22 @@ fn provide_python() -> Result<()> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn run() -> Result<()> {
-    for_tests().map(drop)
+    for_tests(false).map(drop)
 }
 
 fn provide(groups: &[&'static [Need]]) -> Result<Toolchain> {
+    install_missing(groups)?;
+    Toolchain::find().context(NO_RUST)
+}
+
+fn install_missing(groups: &[&'static [Need]]) -> Result<()> {
     say("setup: looking for the tools");
     let missing = missing(groups);
     match plan(&missing, has_apt(), is_root()) {
-        Plan::Nothing => {}
+        Plan::Nothing => Ok(()),
         Plan::Tell(what) => bail!(what),
-        Plan::Install => install(&missing, groups)?,
+        Plan::Install => install(&missing, groups),
     }
-    Toolchain::find().context(NO_RUST)
 }
 
 fn missing(groups: &[&'static [Need]]) -> Vec<&'static Need> {
@@ -201,7 +229,7 @@ fn plan(missing: &[&Need], apt: bool, root: bool) -> Plan {
             "some tools are missing:\n{}\nRun this line, and then the same command again:\n\n    \
              sudo apt-get update && sudo apt-get install --no-install-recommends {}\n",
             reasons(missing),
-            packages(missing)
+            Vec::from_iter(versions(missing)).join(" ")
         )),
         (_, false, _) => Plan::Tell(format!(
             "some tools are missing (the names are those of Debian's packages):\n{}\nThis works by \
@@ -219,20 +247,33 @@ fn reasons(missing: &[&Need]) -> String {
     }
     let of_rust = |need: &&Need| {
         let mut all = RUST.iter().chain(CHECKS);
-        all.any(|rust| rust.package == need.package)
+        all.any(|rust| (rust.package, rust.purpose) == (need.package, need.purpose))
     };
     if missing.iter().any(of_rust) {
         lines += RUSTUP;
     }
+    if missing.iter().any(|need| need.purpose == TESTED) {
+        lines += KEPT;
+    }
     lines
 }
 
-fn packages(missing: &[&Need]) -> String {
-    let names: Vec<_> = missing.iter().map(|need| need.package).collect();
-    names.join(" ")
+/// Each package once, in the version that is pinned where it is pinned and within reach.
+fn versions(missing: &[&Need]) -> BTreeSet<String> {
+    let pinned = Pinned::read().map(|pinned| pinned.debian);
+    let pinned = pinned.unwrap_or_default();
+    let named = missing.iter().map(|need| match pinned.get(need.package) {
+        Some(version) if is_in_reach(need.package, version) => {
+            format!("{}={version}", need.package)
+        }
+        _ => need.package.to_owned(),
+    });
+    named.collect()
 }
 
 const RUSTUP: &str = "  (With rustup, `rustup component add rust-src clippy rustfmt` in this folder does for the packages of Rust.)\n";
+
+const KEPT: &str = "  (Without it, `cargo xtask test --kept` runs the tests on the tested firmware, and builds none.)\n";
 
 const NO_RUST: &str = concat!(
     "no Rust ",
@@ -241,13 +282,15 @@ const NO_RUST: &str = concat!(
      folder"
 );
 
-fn install(missing: &[&Need], groups: &[&'static [Need]]) -> Result<()> {
+fn install(told: &[&Need], groups: &[&'static [Need]]) -> Result<()> {
     say("setup: installing what is missing, with apt-get");
-    print!("{}", reasons(missing));
+    print!("{}", reasons(told));
     // A source of packages that is out of reach need not be the one that has these.
     if let Err(error) = shell::run(apt_get().args(["-qq", "update"])) {
         eprintln!("warning: {error}");
     }
+    // apt may know only now what is within reach.
+    let missing = &self::missing(groups);
     for need in missing {
         let known = output(Command::new("apt-cache").args(["show", need.package]));
         ensure!(
@@ -266,11 +309,7 @@ fn install(missing: &[&Need], groups: &[&'static [Need]]) -> Result<()> {
         "--no-install-recommends",
         "--no-remove",
     ];
-    shell::run(
-        apt_get()
-            .args(options)
-            .args(missing.iter().map(|need| need.package)),
-    )?;
+    shell::run(apt_get().args(options).args(versions(missing)))?;
 
     let still = self::missing(groups);
     ensure!(
@@ -306,6 +345,21 @@ fn has_rust() -> bool {
     Toolchain::find().is_some()
 }
 
+/// Whether it is here, or apt does not have it either.
+fn has_pinned_rust(need: &Need) -> bool {
+    let debian = || Pinned::read().ok()?.debian.remove(need.package);
+    Toolchain::pinned().is_some()
+        || !debian().is_some_and(|version| is_in_reach(need.package, &version))
+}
+
+/// Whether apt knows a package in this version.
+fn is_in_reach(package: &str, version: &str) -> bool {
+    let known = output(Command::new("apt-cache").args(["madison", package]));
+    let versions = known.unwrap_or_default();
+    let mut versions = versions.lines().filter_map(|line| line.split('|').nth(1));
+    versions.any(|known| known.trim() == version)
+}
+
 /// avr-gcc prints a path where it has the file, and its bare name where it does not.
 fn has_avr_libc() -> bool {
     const START: &str = "crtatmega328p.o";
@@ -322,11 +376,6 @@ fn has_fsck() -> bool {
 
 fn has_library(name: &str) -> bool {
     output(Command::new("pkg-config").args(["--exists", name])).is_some()
-}
-
-fn is_installed(package: &str) -> bool {
-    let arguments = ["-W", "-f", "${db:Status-Status}", package];
-    output(Command::new("dpkg-query").args(arguments)).as_deref() == Some("installed")
 }
 
 #[cfg(test)]
@@ -348,7 +397,8 @@ mod tests {
 
     #[test]
     fn only_what_is_missing_is_installed() {
-        assert_eq!(packages(&missing(&[NEEDS])), "gcc-avr rust-web-src");
+        let names: Vec<_> = missing(&[NEEDS]).iter().map(|need| need.package).collect();
+        assert_eq!(names, ["gcc-avr", "rust-web-src"]);
         assert_eq!(plan(&missing(&[NEEDS]), true, true), Plan::Install);
         assert_eq!(plan(&[], true, true), Plan::Nothing);
         assert_eq!(plan(&[], false, false), Plan::Nothing);
@@ -357,9 +407,9 @@ mod tests {
     #[test]
     fn who_is_not_root_gets_the_line_to_run() {
         let text = told(true, false);
-        let line = "sudo apt-get update && sudo apt-get install --no-install-recommends gcc-avr rust-web-src";
+        let line = "sudo apt-get update && sudo apt-get install --no-install-recommends gcc-avr";
         assert_eq!(
-            text.lines().filter(|l| l.trim() == line).count(),
+            text.lines().filter(|l| l.trim().starts_with(line)).count(),
             1,
             "{text}"
         );

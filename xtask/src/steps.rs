@@ -5,8 +5,9 @@ use std::sync::Mutex;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 
+use crate::count::Count;
 use crate::shell::{self, say};
 
 /// The steps taken so far, and how long each took.
@@ -33,18 +34,39 @@ impl Steps {
     /// # Errors
     /// As [`Steps::take`].
     pub fn run_aside(&self, name: &str, command: &mut Command) -> Result<()> {
+        self.aside(name, command).map(drop)
+    }
+
+    /// Runs tests like [`Steps::run_aside`], and counts them: `counted` knows the lines of their harness.
+    ///
+    /// # Errors
+    /// As [`Steps::take`], and if there are none.
+    pub fn count_aside(
+        &self,
+        name: &str,
+        command: &mut Command,
+        counted: fn(&str) -> Option<Count>,
+    ) -> Result<Count> {
+        let count = Count::of(&self.aside(name, command)?, counted);
+        ensure!(count.passed > 0, "the step \"{name}\" ran no test");
+        Ok(count)
+    }
+
+    /// What a command prints.
+    fn aside(&self, name: &str, command: &mut Command) -> Result<String> {
         let start = Instant::now();
         let output = command
             .stdin(Stdio::null())
             .output()
             .map_err(|error| shell::not_started(command, error))?;
-        let text = [output.stdout, output.stderr].concat();
-        println!("==> {name}\n{}", String::from_utf8_lossy(&text).trim_end());
+        let bytes = [output.stdout, output.stderr].concat();
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        println!("==> {name}\n{}", text.trim_end());
         if !output.status.success() {
             bail!("the step \"{name}\" failed: {}", output.status);
         }
         self.note(name, start.elapsed());
-        Ok(())
+        Ok(text)
     }
 
     fn note(&self, name: &str, time: Duration) {
@@ -66,16 +88,14 @@ impl Steps {
 ///
 /// # Errors
 /// That of the first, else that of the second; both have come to their end then.
-pub fn both<T>(
+pub fn both<T, U: Send>(
     first: impl FnOnce() -> Result<T>,
-    second: impl FnOnce() -> Result<()> + Send,
-) -> Result<T> {
+    second: impl FnOnce() -> Result<U> + Send,
+) -> Result<(T, U)> {
     thread::scope(|scope| {
         let second = scope.spawn(second);
         let first = first();
         let second = second.join().map_err(|_| anyhow!("a step panicked"));
-        let first = first?;
-        second??;
-        Ok(first)
+        Ok((first?, second??))
     })
 }

@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
+use unoclp_boot::Model;
 
 use crate::count::{self, Count};
-use crate::programs::{self, Tally};
+use crate::programs::{self, Round, Tally};
 use crate::shell::{self, cargo, say};
 use crate::steps::{Steps, both};
-use crate::{firmware, lab, node, setup, wasm};
+use crate::toolchain::Toolchain;
+use crate::{firmware, lab, node, setup, tested, wasm};
 
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
@@ -31,12 +33,23 @@ const SLOW: [&str; 10] = [
     "state_power::a_power_cut_in_a_save_damages_nothing",
 ];
 
+/// What needs a firmware that was built here.
+const BUILT: [&str; 4] = [
+    "xtask tested the_pinned_tools_have_built_what_the_suite_runs_on",
+    "xtask tested the_files_are_what_this_tree_builds",
+    "xtask equivalence",
+    "suite::every_scenario_in_lockstep_before_the_firmware_is_shortened",
+];
+
 /// The words behind `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
     /// Leave out clippy, the documentation and its examples, and ten of eleven random rounds and cases
     #[arg(long)]
     quick: bool,
+    /// Run them on the tested firmware, firmware/unoclp-uno.hex with its symbols, and build none
+    #[arg(long)]
+    kept: bool,
 }
 
 /// The words behind `cargo xtask soak`.
@@ -54,49 +67,81 @@ pub struct SoakArgs {
 /// If a step fails; the text names it.
 pub fn run(args: &TestArgs) -> Result<()> {
     let xtask = itself()?;
-    let toolchain = setup::for_tests()?;
+    let toolchain = setup::for_tests(args.kept)?;
     let steps = Steps::default();
+    let mut round = Round::default();
+    if args.kept {
+        say(&format!(
+            "on the tested firmware: without {}",
+            BUILT.join(", ")
+        ));
+        round.firmware = Some(tested::hex(Model::Uno));
+    }
+    let build_firmware = || match args.kept {
+        true => Ok(()),
+        false => build_firmware(&steps, &xtask),
+    };
+    let is_wanted = |name: &str| !args.kept || !BUILT.iter().any(|built| name.contains(built));
     if args.quick {
         say(
             "quick: without clippy, documentation and its examples; one of eleven random rounds and cases",
         );
-        let programs = both(
+        let (programs, ()) = both(
             || steps.take("compiling the tests", programs::compile),
-            || build_firmware(&steps, &xtask).and_then(|()| build_lab(&steps)),
+            || build_firmware().and_then(|()| build_lab(&steps)),
         )?;
         say(&format!("quick: without {}", SLOW.join(", ")));
         let is_quick = |name: &str| !SLOW.iter().any(|slow| name.ends_with(slow));
-        let tally = steps.take("tests", || programs.run(QUICK, is_quick))?;
-        return report(&steps, &tally, test_lab(&steps)?);
+        round.percent = QUICK;
+        let tally = steps.take("tests", || {
+            programs.run(&round, |name| is_quick(name) && is_wanted(name))
+        })?;
+        return report(&steps, &tally, test_lab(&steps, &round)?);
     }
     steps.take("format", format)?;
     // The AVR build has a folder of its own, and mostly one processor's worth of work.
-    let (programs, mut others) = both(
+    let ((programs, examples), ()) = both(
         || check_and_compile(&steps),
         || {
-            for board in firmware::BOARDS {
-                let mut clippy = firmware::cargo(&toolchain, "clippy", board);
-                let step = format!("clippy on the firmware, {}", board.name());
-                steps.run_aside(&step, clippy.args(DENY))?;
+            if !args.kept {
+                for board in firmware::BOARDS {
+                    let mut clippy = firmware::cargo(&toolchain, "clippy", board);
+                    let step = format!("clippy on the firmware, {}", board.name());
+                    steps.run_aside(&step, clippy.args(DENY))?;
+                }
             }
-            build_firmware(&steps, &xtask)?;
-            build_lab(&steps)?;
-            let mut wasm = wasm::check(&toolchain);
-            steps.run_aside("libraries for WebAssembly", &mut wasm)?;
-            steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))
+            build_firmware()?;
+            build_lab(&steps)
         },
     )?;
-    let tally = steps.take("tests on the PC and on the simulated UNO", || {
-        programs.run(100, |_| true)
-    })?;
-    others += test_lab(&steps)?;
-    others += steps.take("tests of the page in Chromium", lab::test)?;
-    others += steps.take("tests of the page inside unoclp", || {
-        let mut serve = cargo();
-        serve.args(["test", "-p", "unoclp-cli", "--features", "page"]);
-        count::tests(serve.args(["--test", "serve"]), count::by_cargo)
-    })?;
+    // So has WebAssembly, and a page runs one UNO at a time.
+    let (tally, of_the_page) = both(
+        || {
+            steps.take("tests on the PC and on the simulated UNO", || {
+                programs.run(&round, is_wanted)
+            })
+        },
+        || test_page(&steps, &toolchain, &xtask),
+    )?;
+    let mut others = examples;
+    others += of_the_page;
+    others += test_lab(&steps, &round)?;
     report(&steps, &tally, others)
+}
+
+/// Builds the page, and tries it in Chromium and inside the program `unoclp`.
+fn test_page(steps: &Steps, toolchain: &Toolchain, xtask: &Path) -> Result<Count> {
+    steps.run_aside("libraries for WebAssembly", &mut wasm::check(toolchain))?;
+    steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))?;
+    let mut page = lab::tests()?;
+    let mut count =
+        steps.count_aside("tests of the page in Chromium", &mut page, count::by_node)?;
+    let mut serve = cargo();
+    serve.args(["test", "-p", "unoclp-cli", "--features", "page"]);
+    serve.args(["--test", "serve"]);
+    let inside = "tests of the page inside unoclp";
+    count += steps.count_aside(inside, &mut serve, count::by_cargo)?;
+    Ok(count)
 }
 
 /// Sets up, builds, and makes many times the rounds of the random tests.
@@ -105,14 +150,17 @@ pub fn run(args: &TestArgs) -> Result<()> {
 /// If a step or a test fails.
 pub fn soak(args: &SoakArgs) -> Result<()> {
     let xtask = itself()?;
-    setup::for_tests()?;
+    setup::for_tests(false)?;
     let steps = Steps::default();
-    let programs = both(
+    let (programs, ()) = both(
         || steps.take("compiling the tests", programs::compile),
         || build_firmware(&steps, &xtask).and_then(|()| build_lab(&steps)),
     )?;
-    let rounds = 100 * args.times;
-    let tests = || programs.run(rounds, is_random);
+    let round = Round {
+        percent: 100 * args.times,
+        ..Round::default()
+    };
+    let tests = || programs.run(&round, is_random);
     let tally = steps.take("random tests", tests)?;
     steps.run_aside("the page", Command::new(&xtask).args(["lab", "--build"]))?;
     let open = steps.take("a page that is open for ten minutes", lab::soak)?;
@@ -169,8 +217,10 @@ fn build_lab(steps: &Steps) -> Result<()> {
     steps.take("the simulated board of the lab", node::build)
 }
 
-fn test_lab(steps: &Steps) -> Result<Count> {
-    steps.take("tests of the simulated board on Node", node::test)
+fn test_lab(steps: &Steps, round: &Round) -> Result<Count> {
+    steps.take("tests of the simulated board on Node", || {
+        node::test(round.firmware.as_deref())
+    })
 }
 
 /// Says how long steps and tests took, what has failed, and how many have passed.

@@ -8,7 +8,10 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use anyhow::{Context, Result};
+
 use crate::shell;
+use crate::toolset::{Pinned, Tools};
 
 /// A Rust with the source of its `core`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,11 +38,21 @@ const FOREIGN: &[&str] = &[
 ];
 
 impl Toolchain {
-    /// Finds one that this workspace can be built with.
+    /// Finds one that this workspace can be built with: the one that has built the tested firmware, else any.
     pub fn find() -> Option<Self> {
-        [Toolchain::Active, Toolchain::Folder("/usr/bin".into())]
-            .into_iter()
-            .find(Toolchain::is_usable)
+        Toolchain::pinned().or_else(|| Toolchain::usable().next())
+    }
+
+    /// The one that has built the tested firmware.
+    pub fn pinned() -> Option<Self> {
+        let pinned = Pinned::read().ok()?;
+        let is_pinned = |version: String| pinned.has_rustc(&version);
+        Toolchain::usable().find(|found| found.version().is_some_and(is_pinned))
+    }
+
+    fn usable() -> impl Iterator<Item = Self> {
+        let here = [Toolchain::Active, Toolchain::Folder("/usr/bin".into())];
+        here.into_iter().filter(Toolchain::is_usable)
     }
 
     fn is_usable(&self) -> bool {
@@ -54,6 +67,14 @@ impl Toolchain {
     /// What its rustc says that it is: name, version, commit and day.
     pub fn version(&self) -> Option<String> {
         shell::output(self.rustc().arg("--version"))
+    }
+
+    /// All that turns the source into a firmware.
+    ///
+    /// # Errors
+    /// If a part of it does not say what it is.
+    pub fn tools(&self) -> Result<Tools> {
+        Tools::with(self.version().context("rustc does not say what it is")?)
     }
 
     /// Whether it comes with clippy.

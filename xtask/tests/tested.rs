@@ -4,32 +4,29 @@
 use std::fs;
 
 use unoclp_boot::{Image, Model};
-use xtask::firmware::{BOARDS, Firmware};
-use xtask::tested::{self, Compiler};
+use xtask::tested;
+use xtask::toolset::{Pinned, Tools};
 
 #[test]
-fn the_sums_are_those_of_the_files() {
-    let (compiler, kept) = tested::kept().unwrap();
-    assert_eq!(tested::text(&compiler, tested::hex).unwrap(), kept);
+fn the_pinned_tools_have_built_what_the_suite_runs_on() {
+    let (pinned, here) = (Pinned::read().unwrap().tools, Tools::of_build().unwrap());
+    assert!(
+        here == pinned,
+        "untested: target/firmware was not built by the tools of firmware/tools.toml:\n{}\
+         `cargo xtask test --kept` runs the suite on the tested firmware. To test what these tools build, pin them: \
+         cargo xtask firmware --keep",
+        pinned.difference(&here)
+    );
 }
 
 #[test]
 fn the_files_are_what_this_tree_builds() {
-    let (tested, _) = tested::kept().unwrap();
-    let here = Compiler::of_build().unwrap();
-    if here != tested {
-        // The sums and the boards hold on every machine; the bytes on one with the compiler that is named.
-        println!("not compared: built by {here}, tested with {tested}");
-        return;
-    }
-    for board in BOARDS {
-        let (built, kept) = (Firmware::of(board).hex, tested::hex(board));
-        assert!(
-            fs::read(&built).unwrap() == fs::read(&kept).unwrap(),
-            "{} is not what this tree builds; once all else passes: cargo xtask firmware --keep",
-            kept.display()
-        );
-    }
+    let unlike = tested::unlike().unwrap();
+    assert!(
+        unlike.is_empty(),
+        "firmware/ is not what this tree builds: {}; once all else passes: cargo xtask firmware --keep",
+        unlike.join(", ")
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@
 //!
 //! Not modelled: the interrupt EE_READY, which a program that asks for it never gets.
 
-use crate::elf::EEPROM_LEN;
+use crate::program::EEPROM_LEN;
 
 /// Cycles of a byte write at 16 MHz: 3.4 ms (datasheet, table 8-1: erase and write in one operation).
 pub const EEPROM_WRITE_CYCLES: u64 = 54_400;

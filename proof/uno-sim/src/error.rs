@@ -1,18 +1,18 @@
 //! What can go wrong in setting up a simulation.
 
 use crate::sd::Kind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Why a simulated board or card could not be made or used.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The firmware is not where it is looked for.
     #[error(
-        "no firmware at {}: build it with `cargo xtask firmware`, or name an ELF file in UNOCLP_ELF",
+        "no firmware at {}: build it with `cargo xtask firmware`, or name a file in UNOCLP_FIRMWARE",
         .0.display()
     )]
     NoFirmware(PathBuf),
-    /// The ELF file cannot be read.
+    /// A file cannot be read.
     #[error("cannot read {}: {source}", path.display())]
     Read {
         /// The file.
@@ -28,7 +28,7 @@ pub enum Error {
         /// Why.
         source: object::Error,
     },
-    /// The program in the ELF file is not one for this chip.
+    /// The program in a file is not one for this chip.
     #[error("{} is not a program for the ATmega328P: {reason}", path.display())]
     NotForThisChip {
         /// The file.
@@ -70,4 +70,20 @@ pub enum Error {
     /// Node cannot be started.
     #[error("cannot start node, which runs avr8js: {0}")]
     NoNode(std::io::Error),
+}
+
+impl Error {
+    /// What becomes of the error of a system that cannot read this file.
+    pub(crate) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Error {
+        let path = path.into();
+        |source| Error::Read { path, source }
+    }
+
+    /// This file holds no program for the chip.
+    pub(crate) fn unfit(path: &Path, reason: impl Into<String>) -> Error {
+        Error::NotForThisChip {
+            path: path.into(),
+            reason: reason.into(),
+        }
+    }
 }

@@ -1,17 +1,17 @@
 //! The unoclp firmware on a simulated Arduino UNO.
 //!
-//! [`Uno`] runs the very ELF file that is flashed to the board, instruction by instruction and with exact cycle counts,
+//! [`Uno`] runs the very program that is flashed to the board, instruction by instruction and with exact cycle counts,
 //! on [simavr](https://github.com/buserror/simavr). Around the chip stand what the wiring says: eight inputs, four
 //! outputs, the LED L, a serial line, and a slot for a virtual SD card ([`sd::SdCard`]), which answers as a card does
 //! and can be given faults.
 //!
 //! ```no_run
 //! use unoclp_uno_sim::sd::{Kind, SdCard};
-//! use unoclp_uno_sim::{Slot, Uno, firmware_elf};
+//! use unoclp_uno_sim::{Slot, Uno, firmware_file};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let card = SdCard::new(Kind::Sdhc, std::fs::read("card.img")?)?;
-//! let mut uno = Uno::new(&firmware_elf()?, Slot::Card(card))?;
+//! let mut uno = Uno::new(&firmware_file()?, Slot::Card(card))?;
 //! uno.run_ms(500)?;
 //! print!("{}", uno.serial());
 //! uno.set_input(0, true);
@@ -43,10 +43,13 @@ mod eeprom;
 mod elf;
 pub mod engine;
 mod error;
+mod files;
 mod halt;
+mod hex;
 mod inputs;
 mod pins;
 pub mod port;
+mod program;
 mod pwm;
 pub mod sd;
 mod size;
@@ -59,14 +62,14 @@ mod wiring;
 
 pub use boot_loader::BootLoader;
 pub use eeprom::{EEPROM_WRITE_CYCLES, EepromWrite};
-pub use elf::{
-    EEPROM_LEN, ENLARGED_FLASH_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol,
-    firmware_elf, nano_elf, unshortened_elf,
-};
 pub use error::Error;
+pub use files::{firmware_file, nano_file, unshortened_file};
 pub use halt::Halt;
 pub use inputs::{ANALOGUE_INPUTS, Analogue, INPUTS};
 pub use pins::{Edge, OUTPUTS, Pin};
+pub use program::{
+    EEPROM_LEN, ENLARGED_FLASH_LEN, FLASH_LEN, Program, RAM_END, RAM_START, Space, Symbol,
+};
 pub use pwm::Pwm;
 pub use uart::{Flaw, Line, Parity, SentByte};
 pub use uno::{CYCLES_PER_MS, STALL, Slot, Uno};

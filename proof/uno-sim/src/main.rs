@@ -24,7 +24,7 @@ use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};
 use unoclp_uno_sim::port::{Options, Pace, Port};
 use unoclp_uno_sim::sd::{Kind, SdCard};
 use unoclp_uno_sim::{
-    BootLoader, EEPROM_LEN, Error, Line, Parity, Program, Slot, Uno, firmware_elf,
+    BootLoader, EEPROM_LEN, Error, Line, Parity, Program, Slot, Uno, firmware_file,
 };
 
 #[derive(Parser)]
@@ -160,7 +160,7 @@ fn main() -> Result<ExitCode> {
             };
             let chip = match boot_loader {
                 Some(boot_loader) => boot_loader.program()?,
-                None => Program::read(&elf.map_or_else(firmware_elf, Ok)?)?,
+                None => Program::read(&elf.map_or_else(firmware_file, Ok)?)?,
             };
             let kept = eeprom.map(Kept::open).transpose()?;
             serve(chip, slot, kept, Line { baud, parity }, options)

@@ -7,13 +7,13 @@ import { CYCLES_PER_MS } from "../../src/board/chip/registers";
 import { readHex } from "../../src/board/hex";
 import type { ResetCause } from "../../src/board/messages";
 
-// Tests are bundled below target/lab, and the firmware is built into target/firmware.
+// Tests are bundled below target/lab, and the firmware into target/firmware.
 const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/lab/") + 1);
 
-/** The firmware as it is flashed. */
+/** The firmware as it is flashed: the one that was built, or the one that is named. */
 export function firmwareHex(): string {
-  const hex = new URL("firmware/unoclp.hex", target);
-  return readFileSync(fileURLToPath(hex), "utf8");
+  const hex = process.env.UNOCLP_FIRMWARE ?? fileURLToPath(new URL("firmware/unoclp.hex", target));
+  return readFileSync(hex, "utf8");
 }
 
 /** Its bytes, as the page has them. */
@@ -23,7 +23,7 @@ export function firmwareBytes(): Uint8Array {
 
 export function firmware(): Uint16Array {
   const flash = readHex(firmwareHex());
-  if (!flash) throw new Error("target/firmware/unoclp.hex is no Intel hex");
+  if (!flash) throw new Error("the firmware is no Intel hex");
   return flash;
 }
 

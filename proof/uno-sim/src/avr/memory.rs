@@ -1,7 +1,7 @@
 //! Registers, RAM and flash of the chip, as they stand.
 
 use super::Avr;
-use crate::elf::RAM_END;
+use crate::program::RAM_END;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
 

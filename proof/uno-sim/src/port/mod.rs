@@ -2,10 +2,10 @@
 //!
 //! ```no_run
 //! use unoclp_uno_sim::port::{Options, Port};
-//! use unoclp_uno_sim::{Program, Slot, firmware_elf};
+//! use unoclp_uno_sim::{Program, Slot, firmware_file};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let program = Program::read(&firmware_elf()?)?;
+//! let program = Program::read(&firmware_file()?)?;
 //! let port = Port::open(program, Slot::Empty, Options::default())?;
 //! println!("{}", port.path().display());
 //! port.with(|uno| uno.set_input(0, true))?;

@@ -4,7 +4,7 @@ use super::Uno;
 use crate::Error;
 use crate::avr::reg;
 use crate::eeprom::EepromWrite;
-use crate::elf::{EEPROM_LEN, Program, RAM_END, RAM_START, Symbol};
+use crate::program::{EEPROM_LEN, Program, RAM_END, RAM_START, Symbol};
 use crate::stack;
 use std::ops::Range;
 

@@ -6,9 +6,9 @@ mod power;
 mod serial;
 
 use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, reg};
-use crate::elf::Program;
 use crate::inputs::{FIRST_D, INPUTS_D, PINS_C};
 use crate::pins::{Edge, Levels, PinRegisters};
+use crate::program::Program;
 use crate::sd::SdCard;
 use crate::stack::StackWatch;
 use crate::wiring::Wired;

@@ -4,8 +4,8 @@ use super::Uno;
 use crate::Halt;
 use crate::avr::reg;
 use crate::eeprom::Moment;
-use crate::elf::RAM_START;
 use crate::pins::Levels;
+use crate::program::RAM_START;
 
 /// Bits of MCUSR: the reset came from the power, or from the button.
 const PORF: u8 = 1 << 0;

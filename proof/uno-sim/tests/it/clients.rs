@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use unoclp_uno_sim::firmware_elf;
+use unoclp_uno_sim::firmware_file;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -27,7 +27,7 @@ impl Serve {
         std::fs::write(&program, PROGRAM).unwrap();
         let mut child = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
             .args(["serve", "--elf"])
-            .arg(firmware_elf().unwrap())
+            .arg(firmware_file().unwrap())
             .arg(program)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

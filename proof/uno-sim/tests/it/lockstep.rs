@@ -11,7 +11,7 @@ use unoclp_testing::rounds;
 use unoclp_uno_sim::Uno;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
-use unoclp_uno_sim::{Program, nano_elf};
+use unoclp_uno_sim::{Program, nano_file};
 
 const PROGRAMS: u32 = 600;
 /// As many as a quick run takes too: of fewer, chance decides how much they do.
@@ -34,7 +34,7 @@ fn random_programs_behave_alike_on_avr8js() {
 /// Of the programs that it takes; the others it refuses. Those are the longest, and the rest do less.
 #[test]
 fn random_programs_behave_alike_on_a_nano() {
-    let firmware = Program::read(&nano_elf().unwrap()).unwrap();
+    let firmware = Program::read(&nano_file().unwrap()).unwrap();
     compare::<Uno>(firmware, Profile::NANO, 50);
 }
 

@@ -4,11 +4,11 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use unoclp_uno_sim::firmware_elf;
+use unoclp_uno_sim::firmware_file;
 
 #[test]
 fn the_firmware_speaks_over_a_pseudo_terminal_until_the_input_ends() {
-    let elf = firmware_elf().unwrap();
+    let elf = firmware_file().unwrap();
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/motor.txt");
     let mut serve = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
         .args(["serve", "--reset", "--elf"])
@@ -63,7 +63,7 @@ fn what_is_missing_is_said() {
 fn served(arguments: &[&str]) -> String {
     let mut serve = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
         .args(["serve", "--reset", "--elf"])
-        .arg(firmware_elf().unwrap())
+        .arg(firmware_file().unwrap())
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -110,7 +110,7 @@ fn what_is_no_eeprom_and_no_program_is_left_alone() {
     let (notes, wrong) = (path("notes.eep"), path("served-wrong.il"));
     std::fs::write(&notes, "not an EEPROM").unwrap();
     std::fs::write(&wrong, "LD I9\nST Q1\n").unwrap();
-    let elf = firmware_elf().unwrap();
+    let elf = firmware_file().unwrap();
     for (arguments, said) in [
         (
             ["serve", "--eeprom", &notes],
@@ -138,7 +138,7 @@ fn a_closed_pipe_ends_it_quietly() {
     drop(reader);
     let output = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
         .args(["serve", "--elf"])
-        .arg(firmware_elf().unwrap())
+        .arg(firmware_file().unwrap())
         .stdin(Stdio::piped())
         .stdout(writer)
         .output()

@@ -8,7 +8,7 @@ use unoclp_core::{Fault, Loader, Millis, Profile};
 use unoclp_host_sim::scenario::{Engine, Refusal, Scenario, check};
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
-use unoclp_uno_sim::{Program, Slot, Uno, firmware_elf, nano_elf, unshortened_elf};
+use unoclp_uno_sim::{Program, Slot, Uno, firmware_file, nano_file, unshortened_file};
 
 /// All cases of the scenario files in these folders, each with its file.
 fn scenarios(folders: &[&str]) -> impl Iterator<Item = (PathBuf, Scenario)> {
@@ -74,8 +74,8 @@ fn every_scenario_in_lockstep_on_avr8js() {
 /// What is flashed, and what the lab's page runs, is what the suite ran on.
 #[test]
 fn the_hex_holds_the_firmware_of_the_suite() {
-    let elf = firmware_elf().unwrap();
-    let hex = std::fs::read(elf.with_file_name("unoclp.hex")).unwrap();
+    let elf = firmware_file().unwrap();
+    let hex = std::fs::read(elf.with_extension("hex")).unwrap();
     let hex = Image::read(&hex, Model::Uno).unwrap();
     let uno = Uno::with_program(common::firmware(), Slot::Empty).unwrap();
     let length = common::firmware().flash_bytes();
@@ -86,7 +86,7 @@ fn the_hex_holds_the_firmware_of_the_suite() {
 /// is the pass's fault, one that fails in both is not.
 #[test]
 fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
-    let firmware = Program::read_enlarged(&unshortened_elf().unwrap()).unwrap();
+    let firmware = Program::read_enlarged(&unshortened_file().unwrap()).unwrap();
     assert!(firmware.flash_bytes() > common::firmware().flash_bytes());
     run_all::<Uno>(
         firmware,
@@ -100,7 +100,7 @@ fn every_scenario_in_lockstep_before_the_firmware_is_shortened() {
 /// which a PC does.
 #[test]
 fn every_scenario_in_lockstep_on_a_nano() {
-    let firmware = Program::read(&nano_elf().unwrap()).unwrap();
+    let firmware = Program::read(&nano_file().unwrap()).unwrap();
     let mut engine = FirmwareEngine::<Uno>::new(firmware, Clock::Lockstep).unwrap();
     let (mut passed, mut refused, mut failed) = (0, 0, Vec::new());
     for (path, scenario) in scenarios(&["programs", "proof/suite"]) {

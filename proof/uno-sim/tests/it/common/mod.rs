@@ -7,11 +7,11 @@ pub mod state;
 use std::path::{Path, PathBuf};
 use unoclp_card::image::{Fat, Image};
 use unoclp_uno_sim::sd::{Kind, SdCard};
-use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_elf};
+use unoclp_uno_sim::{CYCLES_PER_MS, Program, Slot, Uno, firmware_file};
 
 /// The firmware under test.
 pub fn firmware() -> Program {
-    let elf = firmware_elf().unwrap_or_else(|error| panic!("{error}"));
+    let elf = firmware_file().unwrap_or_else(|error| panic!("{error}"));
     Program::read(&elf).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -1,0 +1,126 @@
+//! A program from a file in Intel HEX: a boot loader, or the tested firmware with its symbols beside it.
+
+use crate::Error;
+use crate::program::{FLASH_LEN, Program, RAM_START, Space, Symbol, locate};
+use ihex::Record;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// What stands for the first byte of RAM that the program leaves free.
+const RAM_END: &str = "_end";
+
+/// Reads a firmware and its symbols.
+///
+/// # Errors
+/// Where a file cannot be read, is of another form, or does not fit the chip.
+pub(crate) fn read(path: &Path) -> Result<Program, Error> {
+    let mut program = Program::empty(FLASH_LEN);
+    load(&mut program, path)?;
+    let beside = path.with_extension("symbols");
+    let text = fs::read_to_string(&beside).map_err(Error::read(&beside))?;
+    program.symbols = symbols(&text).map_err(|line| {
+        Error::unfit(
+            &beside,
+            format!("its line {line} is not one of `avr-nm -S`"),
+        )
+    })?;
+    program.static_ram_end = program
+        .symbol(RAM_END)
+        .ok_or_else(|| Error::unfit(&beside, format!("it does not name {RAM_END}")))?
+        .address
+        .max(RAM_START);
+    Ok(program)
+}
+
+impl Program {
+    /// A boot loader from its file in Intel HEX, on a chip that is set to start there, and before it another program:
+    /// these words of flash from address 0 on.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, or is no boot loader for this chip.
+    pub fn boot_loader(path: &Path, before: &[u16]) -> Result<Program, Error> {
+        let mut program = Program::empty(FLASH_LEN);
+        program.flash = vec![0xFF; FLASH_LEN];
+        for (place, word) in program.flash.chunks_exact_mut(2).zip(before) {
+            place.copy_from_slice(&word.to_le_bytes());
+        }
+        program.start = load(&mut program, path)?;
+        match program.start < FLASH_LEN as u32 {
+            true => Ok(program),
+            false => Err(Error::unfit(path, "it is empty")),
+        }
+    }
+}
+
+/// Loads what a file has for flash, and gives its first address; the end of flash where it has nothing.
+///
+/// # Errors
+/// Where the file cannot be read, is of another form, or does not fit the chip.
+pub(crate) fn load(program: &mut Program, path: &Path) -> Result<u32, Error> {
+    let text = fs::read_to_string(path).map_err(Error::read(path))?;
+    let mut first = program.flash_len as u32;
+    for record in ihex::Reader::new(&text) {
+        if let Record::Data { offset, value } =
+            record.map_err(|error| Error::unfit(path, error.to_string()))?
+        {
+            let loaded = program.load(offset.into(), &value);
+            loaded.map_err(|reason| Error::unfit(path, reason))?;
+            first = first.min(offset.into());
+        }
+    }
+    Ok(first)
+}
+
+/// The symbols in what `avr-nm -S` prints, or the number of the line that it does not print: an address, a size where
+/// there is one, a letter for the kind, a name.
+fn symbols(text: &str) -> Result<BTreeMap<String, Symbol>, usize> {
+    let mut symbols = BTreeMap::new();
+    for (number, line) in (1_usize..).zip(text.lines()) {
+        let (name, symbol) = symbol(line).ok_or(number)?;
+        symbols.insert(name, symbol);
+    }
+    Ok(symbols)
+}
+
+fn symbol(line: &str) -> Option<(String, Symbol)> {
+    let number = |digits: &str| u32::from_str_radix(digits, 16).ok();
+    let words: Vec<_> = line.split(' ').collect();
+    let (address, size, name) = match words[..] {
+        [address, size, _, name] => (number(address)?, number(size)?, name),
+        [address, _, name] => (number(address)?, 0, name),
+        _ => return None,
+    };
+    let (space, address): (Space, u32) = locate(address)?;
+    let symbol = Symbol {
+        space,
+        address,
+        size,
+    };
+    Some((name.to_owned(), symbol))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_are_read_as_nm_prints_them() {
+        let text = "0000180c t .loop\n008006e1 00000002 B AGE\n";
+        let read = symbols(text).unwrap();
+        let symbol = |space, address, size| Symbol {
+            space,
+            address,
+            size,
+        };
+        assert_eq!(read[".loop"], symbol(Space::Flash, 0x180C, 0));
+        assert_eq!(read["AGE"], symbol(Space::Data, 0x6E1, 2));
+        for (line, wrong) in ["", "0000180c", "180g t x", "00000000 x t y"]
+            .iter()
+            .zip(0..)
+        {
+            let text = format!("{text}{line}\n");
+            assert_eq!(symbols(&text), Err(3), "{wrong}: {line}");
+        }
+    }
+}
