@@ -295,7 +295,10 @@ impl<S: Simulated> Engine for FirmwareEngine<S> {
                     Some(next) => next,
                     None => {
                         self.run_until(self.tick)?;
-                        self.set_clock(now.wrapping_sub(1))?;
+                        // Time 0 is when scanning began: the board would take a jump of its clock for a long scan.
+                        if now > 0 {
+                            self.set_clock(now.wrapping_sub(1))?;
+                        }
                         now
                     }
                 };

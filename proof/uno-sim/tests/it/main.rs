@@ -7,6 +7,7 @@ mod brackets;
 mod cards;
 mod clients;
 mod common;
+mod demo;
 mod diagnosis;
 mod fault_matrix;
 mod kept;
