@@ -139,7 +139,7 @@ fn every_text_stands_in_a_table() {
         "host-sim/src/scenario",
         "tools/program/src",
         "ladder/draw/src",
-        "language/checked/src",
+        "device/checked/src",
     ] {
         sources(&root.join(folder), &mut files);
     }
