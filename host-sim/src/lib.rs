@@ -1,7 +1,7 @@
 //! The same PLC on a PC, against fake pins and a virtual clock.
 //!
 //! - [`scenario`]: the one test format of the project, and the check that every engine passes
-//! - [`engine`]: the PLC of `unoclp-core` as an engine for scenarios
+//! - [`engine`]: what runs programs and can be compared; the PLC of `unoclp-core` as one
 //! - [`live`]: a running program as it is shown
 //! - [`diagram`]: a run of a scenario as a picture: what was pressed, expected and came
 //! - [`wave`]: the trace of a run for a wave viewer
@@ -19,3 +19,8 @@ pub mod random;
 pub mod scenario;
 pub mod torture;
 pub mod wave;
+
+use unoclp_core::Profile;
+
+/// The board whose programs are run.
+pub const BOARD: Profile = Profile::UNO;

@@ -1,11 +1,11 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
-use crate::engine::{HostEngine, Machine};
-use crate::scenario::{Cell, Engine, Outcome, Refusal, inputs, outputs};
+use crate::engine::{Cell, Engine, HostEngine, Machine, Outcome, Refusal};
+use crate::scenario::{inputs, outputs};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
-use unoclp_program::used::Quantity;
+use unoclp_program::used::{Quantity, Used};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 
 /// Everything that a trace shows of one scan.
@@ -22,12 +22,13 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// The scan that this machine has just done, with these inputs, at this reading of the clock.
-    pub fn of(machine: &Machine, inputs: &Inputs, now: Millis) -> Sample {
+    /// The scan that this machine has just done, with these inputs, at this reading of the clock, of a program that uses
+    /// this.
+    pub fn of(machine: &Machine, used: &Used, inputs: &Inputs, now: Millis) -> Sample {
         let plc = machine.plc();
         Sample {
             inputs: inputs.points,
-            quantities: machine.used().quantities(plc, inputs),
+            quantities: used.quantities(plc, inputs),
             outputs: plc.outputs(),
             timers: plc.timers(now).collect(),
         }
@@ -185,6 +186,8 @@ impl Signal {
 /// The core as an engine for scenarios, with a trace of all its scans.
 pub struct RecordedEngine<W: Write> {
     engine: HostEngine,
+    /// What its program uses.
+    used: Used,
     recorder: Recorder<W>,
     /// The last scan: its reading of the millisecond clock, and its time in ms after the first.
     last: Option<(Millis, u64)>,
@@ -195,6 +198,7 @@ impl<W: Write> RecordedEngine<W> {
     pub fn new(recorder: Recorder<W>) -> RecordedEngine<W> {
         RecordedEngine {
             engine: HostEngine::default(),
+            used: Used::default(),
             recorder,
             last: None,
         }
@@ -211,6 +215,8 @@ impl<W: Write> Engine for RecordedEngine<W> {
 
     fn load(&mut self, file: &[u8]) -> io::Result<Result<(), Refusal>> {
         let Ok(loaded) = self.engine.load(file);
+        let plc = self.engine.machine().map(Machine::plc);
+        self.used = plc.map_or_else(Used::default, |plc| Used::of(plc.needs(), plc.steps()));
         Ok(loaded)
     }
 
@@ -224,7 +230,7 @@ impl<W: Write> Engine for RecordedEngine<W> {
         self.last = Some((now, at));
         if let Some(machine) = self.engine.machine() {
             self.recorder
-                .record(at, &Sample::of(machine, inputs, now))?;
+                .record(at, &Sample::of(machine, &self.used, inputs, now))?;
         }
         Ok(outcome)
     }
@@ -313,6 +319,7 @@ mod tests {
             let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
             engine.load(program.as_bytes()).unwrap().unwrap();
             let mut reference = Machine::new(unoclp_program::load(program.as_bytes()).unwrap());
+            let used = Used::of(reference.plc().needs(), reference.plc().steps());
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
             let mut image = Inputs::default();
@@ -322,7 +329,7 @@ mod tests {
                 let now = start.wrapping_add(at);
                 let _ = engine.scan(&image, now).unwrap();
                 let _ = reference.scan_observed(image, now, |_, _| ());
-                run.push(Sample::of(&reference, &image, now));
+                run.push(Sample::of(&reference, &used, &image, now));
             }
             engine.finish().unwrap();
 

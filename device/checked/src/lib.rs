@@ -1,11 +1,11 @@
-//! What every compiler gives, and every view of a program takes.
+//! A checked program with its memory: what every compiler gives, what a PC runs, what every view of it takes.
 //!
 //! - [`Checked`]: a checked program that owns its memory
 //! - [`SourceMap`]: where each of its steps stands in the text that it was written in
 //! - [`numeric`]: both of a file in numeric code, which needs no compiler
 //!
-//! It owns what compilers and views share, so that neither must know the other. It knows no other language, no
-//! diagram, no file system and no screen.
+//! Owns what compilers, views and the simulated PLC share, so that none must know another. Must not know a language but
+//! numeric code, a diagram, a file system, a screen.
 
 #![forbid(unsafe_code)]
 

@@ -34,6 +34,17 @@ impl Checked {
         owned.map(Checked)
     }
 
+    /// The program of a file in numeric code for this board, for what shows neither its text nor all of its faults.
+    ///
+    /// # Errors
+    /// The first fault of the file.
+    pub fn read(file: &[u8], board: Profile) -> Result<Checked, Fault> {
+        Checked::new(board, |loader| {
+            // The loader itself keeps the fault.
+            let _ = file.iter().try_for_each(|&byte| loader.push(byte));
+        })
+    }
+
     /// The program, to look at.
     pub fn program(&self) -> &Program<'_> {
         self.0.borrow_dependent()

@@ -1,43 +1,10 @@
 //! Running a scenario on an engine.
 
 use super::report::{Change, Columns, Report, Unmet, Verdict};
-use super::{Cell, Goal, Place, Refusal, Scenario, Setting, Step, Timeline};
+use super::{Goal, Place, Scenario, Setting, Step, Timeline};
+use crate::engine::Engine;
 use std::collections::BTreeMap;
-use std::fmt;
 use unoclp_core::{Image, Inputs, Millis};
-
-/// A machine that runs programs: the core on this PC, the firmware in a simulator.
-///
-/// The outer `Result` of each method tells whether the machine itself did its work; a machine
-/// that cannot fail has [`Infallible`](std::convert::Infallible) as its error.
-pub trait Engine {
-    /// Why the machine could not do its work, such as a chip that hangs.
-    type Error: fmt::Display;
-
-    /// Starts anew with this program file: all outputs 0, no timer started, nothing kept of a program
-    /// before. Gives the refusal of a faulty program; after one, and before the first load, nothing is
-    /// scanned.
-    fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Self::Error>;
-
-    /// One scan with these inputs, at this reading of the millisecond clock.
-    fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Self::Error>;
-
-    /// A power cut between two scans: the program starts anew, and retentive markers and numbers are
-    /// kept (NC-12, NC-21).
-    fn restart(&mut self) -> Result<(), Self::Error>;
-
-    /// What a cell holds after the last scan.
-    fn look(&mut self, cell: Cell) -> Result<i32, Self::Error>;
-
-    /// Sets a cell between two scans.
-    fn poke(&mut self, cell: Cell, value: i32) -> Result<(), Self::Error>;
-
-    /// PWM of the output with this number, from 1, after the last scan.
-    fn pwm(&mut self, output: u8) -> Result<u8, Self::Error>;
-}
-
-/// What a scan ends in: the outputs as it leaves them, or a fault, with which all outputs are 0.
-pub type Outcome = Result<Image, Refusal>;
 
 /// Runs a scenario: a scan at 0, 1, 2 … periods, each compared with every expectation in force.
 pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {

@@ -5,7 +5,8 @@
 
 use super::keys::{CaseKeys, FaultKeys, FileKeys, Slip, slip};
 use super::timeline::{Rhythm, known_fault};
-use super::{Both, Goal, Place, ProgramFile, Refusal, Scenario, Wrong};
+use super::{Both, Goal, Place, ProgramFile, Scenario, Wrong};
+use crate::engine::Refusal;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;

@@ -1,6 +1,7 @@
 //! How a program does in an exercise.
 
-use super::{Engine, Exercise, ProgramFile, Report, Scenario, check};
+use super::{Exercise, ProgramFile, Report, Scenario, check};
+use crate::engine::Engine;
 
 /// How a program does in all cases of an exercise.
 #[derive(Clone, Debug)]

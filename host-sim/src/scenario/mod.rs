@@ -22,17 +22,20 @@ mod words;
 mod wrong;
 
 pub use both::Both;
-pub use check::{Engine, Outcome, check};
+pub use check::check;
 pub use exercise::{Case, Exercise};
 pub use grade::{Failing, Grade, grade};
-pub use place::{Cell, Place};
+pub use place::Place;
 pub use plan::{Course, Plan};
 pub use program::{LONGEST, ProgramFile, Unreadable};
 pub use report::{Change, Columns, Report, Unmet, Verdict};
 pub use wrong::{LoadError, Wrong};
 
+#[cfg(doc)]
+use crate::engine::Engine;
+use crate::engine::{Cell, Refusal};
 use std::num::NonZeroU32;
-use unoclp_core::{Cause, Fault, Millis, Point};
+use unoclp_core::{Millis, Point};
 use unoclp_program::{BOARD, Lang};
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
@@ -115,15 +118,6 @@ impl Step {
     }
 }
 
-/// How an engine refuses a program or ends it: what every engine must say alike (NC-11).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Refusal {
-    /// The number of the fault, 11–99.
-    pub number: u8,
-    /// The line, counted from 1; none where the fault has none.
-    pub line: Option<u32>,
-}
-
 impl Scenario {
     /// The path of the scenario's file.
     pub fn name(&self) -> &str {
@@ -162,28 +156,6 @@ impl Scenario {
         match self.goal {
             Goal::Refusal(refusal) => Some(refusal),
             Goal::Run(_) => None,
-        }
-    }
-}
-
-impl Refusal {
-    /// The fault, where there is one of this number.
-    pub fn fault(self) -> Option<Fault> {
-        let cause = Cause::ALL
-            .iter()
-            .find(|cause| cause.number() == self.number)?;
-        Some(Fault {
-            cause: *cause,
-            line: self.line,
-        })
-    }
-}
-
-impl From<Fault> for Refusal {
-    fn from(fault: Fault) -> Refusal {
-        Refusal {
-            number: fault.cause.number(),
-            line: fault.line,
         }
     }
 }

@@ -1,17 +1,9 @@
 //! What a scenario looks at and sets: outputs, PWM, and cells of the program's memory.
 
+use crate::engine::Cell;
 use std::fmt;
 use unoclp_core::isa::{MARKERS, REGISTERS};
 use unoclp_program::BOARD;
-
-/// A cell of a program's memory, which can be set from outside, as Modbus does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Cell {
-    /// The marker with this number, 1–64: 0 or 1.
-    Marker(u8),
-    /// The register with this number, 1–98.
-    Register(u8),
-}
 
 /// What an expectation is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

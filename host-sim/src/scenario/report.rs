@@ -1,6 +1,7 @@
 //! What came of a scenario.
 
-use super::{Both, Place, Refusal, Setting, Timeline};
+use super::{Both, Place, Setting, Timeline};
+use crate::engine::Refusal;
 use std::collections::BTreeSet;
 use unoclp_core::{Image, Inputs, Millis};
 

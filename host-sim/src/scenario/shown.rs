@@ -5,9 +5,9 @@
 
 use super::words::*;
 use super::{
-    Change, Columns, LONGEST, LoadError, MOST_SCANS, Refusal, Report, Unmet, Unreadable, Verdict,
-    Wrong,
+    Change, Columns, LONGEST, LoadError, MOST_SCANS, Report, Unmet, Unreadable, Verdict, Wrong,
 };
+use crate::engine::Refusal;
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};

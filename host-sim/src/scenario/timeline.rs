@@ -3,7 +3,8 @@
 //! Owns which steps, settings and expectations are right. Must not know files, nor what a run is for.
 
 use super::keys::{FileKeys, Slip, StepKeys, StopKeys, slip};
-use super::{Cell, MOST_SCANS, Place, Refusal, Setting, Step, Stop, Timeline, Wrong, within};
+use super::{MOST_SCANS, Place, Setting, Step, Stop, Timeline, Wrong, within};
+use crate::engine::{Cell, Refusal};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;

@@ -4,9 +4,9 @@
 use std::fs;
 use std::path::Path;
 use unoclp_core::Inputs;
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs, random_pause};
-use unoclp_host_sim::scenario::{Engine, ProgramFile, Scenario, check};
+use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
 use unoclp_program::{Source, Written};
 use unoclp_testing::in_languages;
 

@@ -2,9 +2,8 @@
 
 use crate::naive::{self, Naive, World};
 use unoclp_core::{Inputs, Millis, real};
-use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::engine::{Cell, Machine};
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
-use unoclp_host_sim::scenario::Cell;
 
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 1;

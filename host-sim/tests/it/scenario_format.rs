@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::path::PathBuf;
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::engine::{HostEngine, Refusal};
 use unoclp_host_sim::scenario::{
-    Exercise, ProgramFile, Refusal, Scenario, Verdict, check, grade as grade_of,
+    Exercise, ProgramFile, Scenario, Verdict, check, grade as grade_of,
 };
 use unoclp_program::Lang;
 

@@ -49,7 +49,7 @@ impl Program {
         let names = point_names(&program);
         let machine = Machine::new(program.checked);
         let plc = machine.plc();
-        let used = machine.used().clone();
+        let used = program.size.used;
         let outputs = used.outputs.iter().chain(&used.pwm);
         let written = outputs.fold(0, |bits, output| bits | 1 << (output - 1));
         Program {

@@ -1,12 +1,11 @@
 //! The PLC of `unoclp-core` on this PC.
 
-use crate::scenario::{Cell, Engine, Outcome, Refusal};
+use super::{Cell, Engine, Outcome, Refusal};
+use crate::BOARD;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_checked::Checked;
 use unoclp_core::{After, Fault, Image, Inputs, Millis, Plc, Snapshot};
-use unoclp_program::load;
-use unoclp_program::used::Used;
 
 self_cell!(
     /// A running program together with the checked one, whose memory a [`Plc`] only borrows.
@@ -18,34 +17,25 @@ self_cell!(
 );
 
 /// A program that runs on this PC, in run memory of its own.
-pub struct Machine {
-    owned: Owned,
-    used: Used,
-}
+pub struct Machine(Owned);
 
 impl Machine {
     /// A program that is ready to run.
     pub fn new(program: Checked) -> Machine {
-        let used = Used::of(program.program());
-        let owned = Owned::new(MutBorrow::new(program), |program| {
+        let program = MutBorrow::new(program);
+        Machine(Owned::new(program, |program| {
             Plc::new(program.borrow_mut().lend())
-        });
-        Machine { owned, used }
+        }))
     }
 
     /// The PLC, to look at.
     pub fn plc(&self) -> &Plc<'_> {
-        self.owned.borrow_dependent()
-    }
-
-    /// What the program uses.
-    pub fn used(&self) -> &Used {
-        &self.used
+        self.0.borrow_dependent()
     }
 
     /// The PLC, to set something in it between two scans.
     pub fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> T {
-        self.owned.with_dependent_mut(|_, plc| with(plc))
+        self.0.with_dependent_mut(|_, plc| with(plc))
     }
 
     /// What a cell holds.
@@ -72,7 +62,7 @@ impl Machine {
         now: Millis,
         observe: impl FnMut(usize, After),
     ) -> Result<Image, Fault> {
-        self.owned
+        self.0
             .with_dependent_mut(|_, plc| plc.scan_observed(inputs, now, observe))
     }
 }
@@ -95,7 +85,7 @@ impl Engine for HostEngine {
 
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Infallible> {
         self.machine = None;
-        Ok(match load(file) {
+        Ok(match Checked::read(file, BOARD) {
             Ok(program) => {
                 self.machine = Some(Machine::new(program));
                 Ok(())
