@@ -20,6 +20,7 @@ const CRATES: &[&str] = &[
     "unoclp-card",
     "unoclp-checked",
     "unoclp-core",
+    "unoclp-exercise",
     "unoclp-host-sim",
     "unoclp-draw",
     "unoclp-lang",

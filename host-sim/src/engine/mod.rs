@@ -77,6 +77,14 @@ impl Refusal {
     }
 }
 
+impl fmt::Display for Refusal {
+    /// For developers: `fault 24, line 7`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "fault {}", self.number)?;
+        self.line.map_or(Ok(()), |line| write!(f, ", line {line}"))
+    }
+}
+
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Refusal {
         Refusal {

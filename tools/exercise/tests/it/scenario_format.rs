@@ -2,10 +2,10 @@
 
 use std::fs;
 use std::path::PathBuf;
-use unoclp_host_sim::engine::{HostEngine, Refusal};
-use unoclp_host_sim::scenario::{
+use unoclp_exercise::scenario::{
     Exercise, ProgramFile, Scenario, Verdict, check, grade as grade_of,
 };
+use unoclp_host_sim::engine::{HostEngine, Refusal};
 use unoclp_program::Lang;
 
 /// Writes a scenario file for one test.

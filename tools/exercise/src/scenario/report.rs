@@ -1,9 +1,9 @@
 //! What came of a scenario.
 
 use super::{Both, Place, Setting, Timeline};
-use crate::engine::Refusal;
 use std::collections::BTreeSet;
 use unoclp_core::{Image, Inputs, Millis};
+use unoclp_host_sim::engine::Refusal;
 
 /// What came of a scenario on an engine. As text it is the timeline, then `PASS` or `FAIL`.
 #[derive(Clone, Debug)]

@@ -31,11 +31,11 @@ pub use program::{LONGEST, ProgramFile, Unreadable};
 pub use report::{Change, Columns, Report, Unmet, Verdict};
 pub use wrong::{LoadError, Wrong};
 
-#[cfg(doc)]
-use crate::engine::Engine;
-use crate::engine::{Cell, Refusal};
 use std::num::NonZeroU32;
 use unoclp_core::{Millis, Point};
+#[cfg(doc)]
+use unoclp_host_sim::engine::Engine;
+use unoclp_host_sim::engine::{Cell, Refusal};
 use unoclp_program::{BOARD, Lang};
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps

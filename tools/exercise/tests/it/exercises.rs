@@ -4,14 +4,14 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_exercise::scenario::{Both, Exercise, ProgramFile, grade};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Both, Exercise, ProgramFile, grade};
 use unoclp_program::{Lang, Written};
 
 /// The files of a folder below `programs` that end so, in order.
 fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../programs")
+        .join("../../programs")
         .join(folder);
     let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{folder:?}: {error}"));
     let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
@@ -85,7 +85,7 @@ fn each_point_of_an_exercise_has_a_name() {
         let mut used = BTreeSet::new();
         for scenario in exercise.scenarios(&model) {
             let plan = scenario.plan();
-            let report = unoclp_host_sim::scenario::check(&scenario, &mut HostEngine::default());
+            let report = unoclp_exercise::scenario::check(&scenario, &mut HostEngine::default());
             used.extend(
                 plan.inputs
                     .iter()

@@ -7,10 +7,10 @@ use super::words::*;
 use super::{
     Change, Columns, LONGEST, LoadError, MOST_SCANS, Report, Unmet, Unreadable, Verdict, Wrong,
 };
-use crate::engine::Refusal;
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
+use unoclp_host_sim::engine::Refusal;
 use unoclp_program::messages::system;
 use unoclp_program::{BOARD, Lang, diagnosis};
 
@@ -93,13 +93,6 @@ macro_rules! in_english {
     )* };
 }
 in_english! { LoadError Unreadable Report Verdict }
-
-impl fmt::Display for Refusal {
-    /// In English: `fault 24, line 7`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&refusal(*self, Lang::En))
-    }
-}
 
 impl std::error::Error for LoadError {}
 

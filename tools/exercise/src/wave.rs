@@ -1,10 +1,10 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
-use crate::engine::{Cell, Engine, HostEngine, Machine, Outcome, Refusal};
 use crate::scenario::{inputs, outputs};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unoclp_core::{Image, Inputs, Millis, TimerState};
+use unoclp_host_sim::engine::{Cell, Engine, HostEngine, Machine, Outcome, Refusal};
 use unoclp_program::used::{Quantity, Used};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 
@@ -259,8 +259,8 @@ impl<W: Write> Engine for RecordedEngine<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Random, random_inputs, random_program};
     use std::collections::HashMap;
+    use unoclp_host_sim::random::{Random, random_inputs, random_program};
     use vcd::{Command, Parser};
 
     /// Reads a trace back: the value of each signal at each time that the file mentions.

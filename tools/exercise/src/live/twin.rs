@@ -2,8 +2,8 @@
 //! energise.
 
 use super::Flow;
-use crate::engine::Machine;
 use unoclp_core::{Inputs, Millis, Snapshot};
+use unoclp_host_sim::engine::Machine;
 
 /// A program that does what a board does with it.
 pub struct Twin {

@@ -2,9 +2,9 @@
 
 use super::report::{Change, Columns, Report, Unmet, Verdict};
 use super::{Goal, Place, Scenario, Setting, Step, Timeline};
-use crate::engine::Engine;
 use std::collections::BTreeMap;
 use unoclp_core::{Image, Inputs, Millis};
+use unoclp_host_sim::engine::Engine;
 
 /// Runs a scenario: a scan at 0, 1, 2 … periods, each compared with every expectation in force.
 pub fn check<E: Engine>(scenario: &Scenario, engine: &mut E) -> Report {

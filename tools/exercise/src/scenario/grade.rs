@@ -1,7 +1,7 @@
 //! How a program does in an exercise.
 
 use super::{Exercise, ProgramFile, Report, Scenario, check};
-use crate::engine::Engine;
+use unoclp_host_sim::engine::Engine;
 
 /// How a program does in all cases of an exercise.
 #[derive(Clone, Debug)]

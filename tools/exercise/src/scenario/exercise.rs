@@ -6,11 +6,11 @@
 use super::keys::{CaseKeys, FaultKeys, FileKeys, Slip, slip};
 use super::timeline::{Rhythm, known_fault};
 use super::{Both, Goal, Place, ProgramFile, Scenario, Wrong};
-use crate::engine::Refusal;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use unoclp_core::isa::ANALOGUE;
+use unoclp_host_sim::engine::Refusal;
 use unoclp_program::BOARD;
 
 /// A scenario file whose every value has passed its checks.

@@ -56,7 +56,7 @@ fn comes_back(name: &str, program: &Program<'_>) {
 
 #[test]
 fn every_program_of_the_project_comes_back() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut count = 0;
     for folder in ["programs", "proof/suite"] {
         for path in files(&root.join(folder)) {

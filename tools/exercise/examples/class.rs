@@ -1,20 +1,20 @@
 //! How long it takes to grade a class: 200 programs in an exercise of 20 cases, compiled and run as `unoclp grade` does.
 //!
-//! `cargo run --release -p unoclp-host-sim --example class` prints the time, of which the target is 10 s.
+//! `cargo run --release -p unoclp-exercise --example class` prints the time, of which the target is 10 s.
 
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
+use unoclp_exercise::scenario::{Exercise, ProgramFile, grade};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Exercise, ProgramFile, grade};
 use unoclp_program::Written;
 
 const PROGRAMS: usize = 200;
 const CASES: usize = 20;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../programs/exercises");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/exercises");
     let read = |name: &str| fs::read_to_string(folder.join(name));
     // The longest exercise, with its cases over and over.
     let text = read("17-traffic.toml")?;

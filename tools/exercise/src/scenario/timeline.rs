@@ -4,12 +4,12 @@
 
 use super::keys::{FileKeys, Slip, StepKeys, StopKeys, slip};
 use super::{MOST_SCANS, Place, Setting, Step, Stop, Timeline, Wrong, within};
-use crate::engine::{Cell, Refusal};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use unoclp_core::isa::ANALOGUE;
 use unoclp_core::{Cause, Millis, Point};
+use unoclp_host_sim::engine::{Cell, Refusal};
 use unoclp_program::BOARD;
 
 /// A fault that there is, with a line that there can be.

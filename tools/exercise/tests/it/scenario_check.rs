@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 use unoclp_core::{Image, Inputs, Millis};
+use unoclp_exercise::scenario::{Report, Scenario, check};
 use unoclp_host_sim::engine::{Cell, Engine, HostEngine, Outcome, Refusal};
-use unoclp_host_sim::scenario::{Report, Scenario, check};
 
 /// An engine whose outputs depend on the scan's number alone, and which notes what it is given.
 struct Scripted<F> {

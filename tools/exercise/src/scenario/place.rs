@@ -1,8 +1,8 @@
 //! What a scenario looks at and sets: outputs, PWM, and cells of the program's memory.
 
-use crate::engine::Cell;
 use std::fmt;
 use unoclp_core::isa::{MARKERS, REGISTERS};
+use unoclp_host_sim::engine::Cell;
 use unoclp_program::BOARD;
 
 /// What an expectation is about.

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::isa::Opcode;
+use unoclp_exercise::scenario::{Scenario, Verdict, check};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Scenario, Verdict, check};
 
 /// The scenario files in a folder and in all folders below it, in the order of their names.
 fn scenarios(folder: &Path) -> Vec<PathBuf> {
@@ -22,7 +22,7 @@ fn scenarios(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn every_scenario_passes_on_the_core() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut failures = Vec::new();
     let mut count = 0;
     for folder in ["programs", "proof/suite"] {
@@ -53,7 +53,7 @@ fn every_scenario_passes_on_the_core() {
 
 #[test]
 fn every_instruction_has_a_scenario() {
-    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../proof/suite");
+    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proof/suite");
     let mut seen = BTreeSet::new();
     for path in scenarios(&suite) {
         let scenario = Scenario::load(&path).unwrap();

@@ -4,9 +4,9 @@
 use std::fs;
 use std::path::Path;
 use unoclp_core::Inputs;
+use unoclp_exercise::scenario::{ProgramFile, Scenario, check};
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs, random_pause};
-use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
 use unoclp_program::{Source, Written};
 use unoclp_testing::in_languages;
 
@@ -92,7 +92,7 @@ fn structured_text_takes_little_more_than_numeric_code() {
     let rows: String = rows.collect();
     for page in ["structured-text.md", "structured-text.pt-BR.md"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("../docs")
+            .join("../../docs")
             .join(page);
         let text = fs::read_to_string(&path).expect("the page is there");
         let rows = match page.contains("pt-BR") {

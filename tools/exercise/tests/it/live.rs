@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use unoclp_core::{Image, Inputs, Snapshot};
+use unoclp_exercise::live::{Lines, Mark, Twin};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Lines, Mark, Twin};
 use unoclp_program::{Source, Written};
 
 #[derive(Deserialize)]
