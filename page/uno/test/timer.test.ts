@@ -3,8 +3,8 @@
 import { AVRTimer, type AVRTimerConfig, CPU, timer0Config, timer1Config, timer2Config } from "avr8js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RAM_LEN } from "../../src/board/chip/registers";
-import { Timer } from "../../src/board/chip/timer";
+import { RAM_LEN } from "../src/chip/registers";
+import { Timer } from "../src/chip/timer";
 import { Random } from "./random";
 
 const TIMERS = { timer0: timer0Config, timer1: timer1Config, timer2: timer2Config };

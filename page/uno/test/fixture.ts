@@ -2,13 +2,13 @@
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { Board, type Witness } from "../../src/board/board";
-import { CYCLES_PER_MS } from "../../src/board/chip/registers";
-import { readHex } from "../../src/board/hex";
-import type { ResetCause } from "../../src/board/messages";
+import { Board, type Witness } from "../src/board";
+import { CYCLES_PER_MS } from "../src/chip/registers";
+import { readHex } from "../src/hex";
+import type { ResetCause } from "../src/messages";
 
-// Tests are bundled below target/lab, and the firmware is built into target/firmware.
-const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/lab/") + 1);
+// Tests are bundled below target/uno or target/lab, and the firmware is built into target/firmware.
+const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/target/") + 8);
 
 /** The firmware as it is flashed. */
 export function firmwareHex(): string {
@@ -29,7 +29,7 @@ export function firmware(): Uint16Array {
 
 /** The image of a card with the program of this name: `cargo xtask test` puts those in `programs/` here on cards. */
 export function card(program: string): Uint8Array {
-  return new Uint8Array(readFileSync(fileURLToPath(new URL(`lab/cards/${program}.img`, target))));
+  return new Uint8Array(readFileSync(fileURLToPath(new URL(`uno/cards/${program}.img`, target))));
 }
 
 /** Keeps what it hears. */

@@ -2,11 +2,11 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Agenda } from "../../src/board/agenda";
-import { Contacts } from "../../src/board/contacts";
-import { readHex } from "../../src/board/hex";
-import { Lamp } from "../../src/board/lamp";
-import { Pace } from "../../src/board/pace";
+import { Agenda } from "../src/agenda";
+import { Contacts } from "../src/contacts";
+import { readHex } from "../src/hex";
+import { Lamp } from "../src/lamp";
+import { Pace } from "../src/pace";
 import { firmwareHex, ms } from "./fixture";
 
 /** The moments at which a contact changed, and to what. */

@@ -25,8 +25,8 @@ import {
   usart0Config,
   watchdogConfig,
 } from "avr8js";
-import { CLOCK_HZ, RAM_LEN } from "../../src/board/chip/registers";
-import { firmware, runningBoard } from "../board/fixture";
+import { CLOCK_HZ, RAM_LEN } from "../../src/chip/registers";
+import { firmware, runningBoard } from "../fixture";
 
 /** Cycles of a turn, and how many turns each has. */
 const TURN = CLOCK_HZ / 4;

@@ -1,7 +1,7 @@
 // A simulated UNO on the bench: what the suite does to it, and what it is told of a run.
 
-import { Board, type Witness } from "../board/board";
-import { RAM, RAM_LEN } from "../board/chip/registers";
+import { Board, type Witness } from "../board";
+import { RAM, RAM_LEN } from "../chip/registers";
 
 /** How a run ended. */
 const TIME_OVER = 0;

@@ -3,9 +3,9 @@
 import { CPU } from "avr8js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RAM_LEN, UBRRL, UCSRA, UCSRB, UCSRC, UDR } from "../../src/board/chip/registers";
-import { Usart } from "../../src/board/chip/usart";
-import { type Setting, lengthOf, read, settingOf } from "../../src/board/serial";
+import { RAM_LEN, UBRRL, UCSRA, UCSRB, UCSRC, UDR } from "../src/chip/registers";
+import { Usart } from "../src/chip/usart";
+import { type Setting, lengthOf, read, settingOf } from "../src/serial";
 
 const FAST: Setting = settingOf({ baud: 115_200, parity: "none" });
 const EVEN: Setting = settingOf({ baud: 19_200, parity: "even" });

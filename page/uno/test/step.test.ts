@@ -3,9 +3,9 @@
 import { CPU, avrInstruction } from "avr8js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RAM_LEN } from "../../src/board/chip/registers";
-import { KINDS, step } from "../../src/board/chip/step";
-import { FLASH_LEN } from "../../src/board/hex";
+import { RAM_LEN } from "../src/chip/registers";
+import { KINDS, step } from "../src/chip/step";
+import { FLASH_LEN } from "../src/hex";
 import { Random } from "./random";
 
 /** What may stand behind a skip: one word, and each of two. */

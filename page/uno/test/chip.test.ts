@@ -3,8 +3,8 @@
 import { assemble } from "avr8js/dist/esm/utils/assembler";
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { WRITE_CYCLES } from "../../src/board/chip/eeprom";
-import { FLASH_LEN } from "../../src/board/hex";
+import { WRITE_CYCLES } from "../src/chip/eeprom";
+import { FLASH_LEN } from "../src/hex";
 import { type Fixture, ms, newBoard } from "./fixture";
 
 /** A board with this program in assembly, powered. */

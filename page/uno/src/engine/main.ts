@@ -1,6 +1,6 @@
-// The simulated UNO as an engine of the suite, for uno-sim/src/avr8js: requests on standard input, answers on standard
-// output, all of them bytes, numbers with the low byte first. Only a run is answered; what comes before it is obeyed in
-// order. The page does not contain this.
+// The simulated UNO as an engine of the suite, for `proof/uno-sim/src/avr8js.rs`: requests on standard input, answers on
+// standard output, all of them bytes, numbers with the low byte first. Only a run is answered; what comes before it is
+// obeyed in order. The page does not contain this.
 
 import { readSync, writeSync } from "node:fs";
 import { Bench } from "./bench";

@@ -1,56 +1,11 @@
-// The session: commands in, events out, and a clock that the tests turn.
+// The session: commands in, events out.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Command, Event } from "../../src/board/messages";
-import { Session } from "../../src/board/session";
-import { SimulatedLine } from "../../src/line/simulated";
-import { card, firmwareBytes } from "./fixture";
+import type { Command } from "../src/messages";
+import { Desk, running } from "./desk";
+import { firmwareBytes } from "./fixture";
 import { answer, request } from "./modbus";
-
-type Of<Kind extends Event["kind"]> = Extract<Event, { kind: Kind }>;
-
-class Desk {
-  events: Event[] = [];
-  now = 0;
-  /** What each look at the clock takes, ms: a slow machine has more. */
-  look = 0;
-  readonly session = new Session((event) => this.events.push(event), () => (this.now += this.look));
-
-  obey(...commands: Command[]): void {
-    for (const command of commands) this.session.obey(command);
-  }
-
-  /** Lets so much real time pass, as a worker does. */
-  pass(millis: number): void {
-    for (const end = this.now + millis; this.now < end; ) {
-      const wait = this.session.turn();
-      if (wait === null) return;
-      this.now += Math.max(wait, 0.001);
-    }
-  }
-
-  of<Kind extends Event["kind"]>(kind: Kind): Of<Kind>[] {
-    return this.events.filter((event): event is Of<Kind> => event.kind === kind);
-  }
-
-  text(): string {
-    return this.of("serial").map(({ bytes }) => String.fromCharCode(...bytes)).join("");
-  }
-}
-
-function running(program: string): Desk {
-  const desk = new Desk();
-  desk.obey(
-    { kind: "firmware", bytes: firmwareBytes() },
-    { kind: "card", image: card(program) },
-    { kind: "plug", on: true },
-    { kind: "run" },
-  );
-  desk.pass(1000);
-  assert.match(desk.text(), /RUN\r\n$/);
-  return desk;
-}
 
 test("a board is plugged in, runs, and tells what is seen", () => {
   const desk = running("motor");
@@ -230,36 +185,4 @@ test("a program that does what is not simulated ends with the plug pulled, and w
   assert.deepEqual(desk.of("trouble"), [{ kind: "trouble", trouble: "broken" }]);
   assert.deepEqual(desk.of("power").map(({ on }) => on), [true, false]);
   assert.equal(desk.session.turn(), null);
-});
-
-test("a line to the board carries bytes both ways, and a closed one none", async () => {
-  const desk = running("motor");
-  let hear: (message: { readonly data: Event }) => void = () => {};
-  const line = new SimulatedLine({
-    postMessage: (command) => desk.obey(command),
-    addEventListener: (_, heard) => {
-      hear = heard;
-    },
-  });
-  const deliver = (millis: number): void => {
-    desk.events = [];
-    desk.pass(millis);
-    for (const event of desk.events) hear({ data: event });
-  };
-  const came: number[] = [];
-  const closed: string[] = [];
-  const listener = { bytes: (bytes: Uint8Array) => came.push(...bytes), closed: (why: string) => closed.push(why) };
-  await line.open({ baud: 115_200, parity: "none" }, listener);
-  await line.write(request(2, 0, 0, 0, 8));
-  deliver(50);
-  assert.deepEqual(answer(came), [1, 0]);
-
-  await line.reset();
-  deliver(1000);
-  assert.match(String.fromCharCode(...came), /RUN\r\n$/);
-
-  await line.close();
-  await line.close();
-  assert.deepEqual(closed, ["asked"]);
-  await assert.rejects(line.write(request(2, 0, 0, 0, 8)));
 });

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BLOCK_LEN } from "../../src/board/messages";
+import { BLOCK_LEN } from "../src/messages";
 import { type Fixture, card, ms, newBoard, poweredBoard, runningBoard } from "./fixture";
 import { answer, request } from "./modbus";
 
