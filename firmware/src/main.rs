@@ -5,8 +5,8 @@
 //! for ever, watched by the diagnosis and the watchdog, or a fault with everything off; and beside either
 //! the Modbus server.
 //!
-//! Only `board` touches registers. What can go wrong is a value until it is shown; nothing here
-//! panics, and if the compiler's checks ever found otherwise, [`halt`] turns the outputs off.
+//! Owns what runs on the chip; only `board` touches registers. Must not know the text of a program. What can go wrong is a
+//! value until it is shown; if the compiler's checks ever found a panic, [`halt`] turns the outputs off.
 
 #![no_std]
 #![no_main]

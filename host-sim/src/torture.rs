@@ -2,10 +2,10 @@
 //!
 //! `cargo run --release -p unoclp-host-sim --example torture -- 10000000`
 
+use crate::BOARD;
 use crate::random::{Random, random_inputs, random_pause, random_program};
 use unoclp_core::isa::TABLE;
 use unoclp_core::{Cause, Inputs, Loader, Millis, Plc, Program};
-use unoclp_program::BOARD;
 
 /// How the files of a run fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,27 +1,19 @@
-// Bundles what the lab is made of into target/lab: `node build.mjs [part…]`, all parts without a word. `node build.mjs
-// --packages` writes no bundle, and says of which npm packages the page consists.
-//
-// A part is a folder in target/lab with bundles in it, made of the entry points named here.
+// Bundles the page into target/lab: `node build.mjs [part…]`, all parts without a word. `node build.mjs --packages` writes
+// no bundle, and says of which npm packages the page consists.
 
 import { build, transform } from "esbuild";
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { createHash } from "node:crypto";
 import { examples, exercises, lessons } from "./build/lessons.mjs";
 import { packages } from "./build/packages.mjs";
+import { below, bundle, bundleAll, node } from "../bundle.mjs";
 
 const lab = dirname(fileURLToPath(import.meta.url));
 const target = join(lab, "../../target/lab");
 
-/** The files below a folder of the lab whose names end so. */
-function below(folder, end) {
-  const names = readdirSync(join(lab, folder), { recursive: true }).map(String);
-  return names.filter((name) => name.endsWith(end)).map((name) => join(folder, name));
-}
-
-// avr8js as modules: behind the accessors of its other form it runs at half the speed.
-const node = { platform: "node", target: "node18", mainFields: ["module", "main"] };
 const browser = { platform: "browser", target: "es2022", minify: true, mainFields: ["module", "main"], outExtension: { ".js": ".js" } };
 /** Spares the first view the syntax trees: src/page/untreed.ts says how. */
 const untreed = {
@@ -37,7 +29,7 @@ const parts = {
     entryPoints: [
       { in: "src/page/main.ts", out: "page" },
       { in: "src/tools/worker.ts", out: "tools" },
-      { in: "src/board/worker.ts", out: "board" },
+      { in: "../uno/src/worker.ts", out: "board" },
     ],
     splitting: true,
     chunkNames: "part-[hash]",
@@ -45,9 +37,8 @@ const parts = {
     plugins: [untreed],
     around,
   },
-  engine: { ...node, entryPoints: ["src/engine/main.ts"] },
-  bench: { ...node, entryPoints: below("test/bench", ".ts") },
-  test: { ...node, entryPoints: below("test", ".test.ts"), outbase: "test" },
+  bench: { ...node, entryPoints: below(lab, "test/bench", ".ts") },
+  test: { ...node, entryPoints: below(lab, "test", ".test.ts"), outbase: "test" },
 };
 
 /** The file that was built, or the one that the repository has. */
@@ -59,7 +50,7 @@ function found(...files) {
 
 /** The bytes of a hex file, as the flash holds them: compressed they are two thirds of the text. */
 async function binary(file) {
-  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["src/board/hex.ts"] };
+  const read = { absWorkingDir: lab, bundle: true, format: "esm", write: false, entryPoints: ["../uno/src/index.ts"] };
   const { outputFiles } = await build(read);
   const { readHex } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
   const words = readHex(readFileSync(file, "utf8"));
@@ -72,7 +63,7 @@ async function binary(file) {
 async function around(outdir) {
   mkdirSync(outdir, { recursive: true });
   cpSync(join(lab, "static"), outdir, { recursive: true });
-  const uplot = readFileSync(join(lab, "node_modules/uplot/dist/uPlot.min.css"), "utf8");
+  const uplot = readFileSync(createRequire(import.meta.url).resolve("uplot/dist/uPlot.min.css"), "utf8");
   const css = await transform(readFileSync(join(lab, "static/page.css"), "utf8") + uplot, { loader: "css", minify: true });
   writeFileSync(join(outdir, "page.css"), css.code);
   for (const module of ["unoclp.wasm", "unoclp-full.wasm"]) cpSync(found(join("target/lab", module)), join(outdir, module));
@@ -90,38 +81,10 @@ async function around(outdir) {
   await build({ ...browser, absWorkingDir: lab, bundle: true, format: "iife", define, entryPoints: ["src/offline/sw.ts"], outfile: join(outdir, "sw.js") });
 }
 
-/** Bundles a part; `more` are further options of esbuild. */
-function bundle(part, outdir, more) {
-  const { around, ...options } = part;
-  return build({
-    absWorkingDir: lab,
-    bundle: true,
-    format: "esm",
-    outExtension: { ".js": ".mjs" },
-    logLevel: "warning",
-    sourcemap: "linked",
-    outdir,
-    ...options,
-    ...more,
-  });
-}
-
 const asked = process.argv.slice(2);
 if (asked[0] === "--packages") {
-  const { metafile } = await bundle(parts.page, join(target, "page"), { metafile: true, write: false });
+  const { metafile } = await bundle(lab, parts.page, join(target, "page"), { metafile: true, write: false });
   console.log(JSON.stringify(packages(metafile, lab)));
   process.exit();
 }
-for (const name of asked.length > 0 ? asked : Object.keys(parts)) {
-  const part = parts[name];
-  if (!part) {
-    console.error(`no part ${name}; there are ${Object.keys(parts).join(", ")}`);
-    process.exit(2);
-  }
-  const outdir = join(target, name);
-  rmSync(outdir, { recursive: true, force: true });
-  const entryPoints = part.entryPoints.filter((entry) => existsSync(join(lab, entry.in ?? entry)));
-  await bundle(part, outdir, { entryPoints });
-  await part.around?.(outdir);
-  console.log(`${relative(process.cwd(), outdir)}: ${entryPoints.length} bundles`);
-}
+await bundleAll(lab, target, parts, asked);

@@ -1,6 +1,8 @@
 //! What `cargo xtask` can do, one module for each subcommand, and what they share:
 //! [`shell`] runs other programs, [`setup`] sees to it that they are there, [`toolchain`] is the
 //! Rust that compiles for AVR.
+//!
+//! Owns how everything is built, tested, measured and handed out. Must not know the language.
 
 pub mod bench;
 pub mod budget;

@@ -20,6 +20,7 @@ const CRATES: &[&str] = &[
     "unoclp-card",
     "unoclp-checked",
     "unoclp-core",
+    "unoclp-exercise",
     "unoclp-host-sim",
     "unoclp-draw",
     "unoclp-lang",
@@ -90,7 +91,7 @@ const FEATURES: [&str; 6] = [
 /// stay apart: in the place of their call they compress worse.
 fn shrink(module: &Path, to: &Path) -> Result<()> {
     let mut shrink = Command::new("node");
-    shrink.arg(node::folder().join("node_modules/binaryen/bin/wasm-opt"));
+    shrink.arg(node::page().join("node_modules/binaryen/bin/wasm-opt"));
     shrink.args(["-Oz", "--one-caller-inline-max-function-size=30"]);
     shell::run(shrink.args(FEATURES).arg(module).arg("-o").arg(to))
 }

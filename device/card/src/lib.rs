@@ -1,9 +1,9 @@
 //! Finds one file in the root folder of a FAT16 or FAT32 card and reads it, block by block.
 //!
-//! The reader of the PLC's program: small, and able to do no more than it must. It never writes,
-//! it needs no memory but the one block that its device has room for, and no content of a card
-//! makes it panic or read for ever. It knows neither how blocks come from the card nor what the
-//! file says. The firmware and the tests on a PC run this same code.
+//! Owns the way from a name to a file's bytes. Must not know how blocks come from the card, nor what the file says.
+//!
+//! It never writes, it needs no memory but the one block that its device has room for, and no content of a card
+//! makes it panic or read for ever. The firmware and the tests on a PC run this same code.
 //!
 //! ```
 //! use unoclp_card::{Device, Error, File};

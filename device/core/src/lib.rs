@@ -12,8 +12,8 @@
 //! What an instruction is — its code, letters, stored byte and effect — is said once, in [`isa`].
 //! What can be wrong with a program or a card is said once, in [`fault`].
 //!
-//! This crate knows no pin, no file system and no printing. It needs neither `std` nor an
-//! allocator, contains no `unsafe`, and no input makes it panic.
+//! Owns the numeric code and what it does. Must not know a pin, a file system, printing. It needs
+//! neither `std` nor an allocator, contains no `unsafe`, and no input makes it panic.
 //!
 //! The language is defined in `docs/numeric-code.md`; its rulings are cited here as NC-1 … NC-28.
 

@@ -55,8 +55,8 @@
 //! - **A write of several is checked as a whole first**, and only then is anything written.
 //! - **Address 0 is a broadcast**: writes are done and never answered, reads are ignored.
 //!
-//! This crate knows no serial port and no clock, and its server no memory map. It needs neither `std` nor an
-//! allocator, contains no `unsafe`, and no frame makes it panic.
+//! Owns frames, addresses and the form of the EEPROM. Must not know a serial port, a clock, and its server no memory map.
+//! It needs neither `std` nor an allocator, contains no `unsafe`, and no frame makes it panic.
 
 #![no_std]
 #![forbid(unsafe_code)]

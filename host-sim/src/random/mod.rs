@@ -8,8 +8,9 @@ mod write;
 
 pub use stream::Random;
 
+use crate::BOARD;
+use unoclp_checked::Checked;
 use unoclp_core::{Cause, Inputs, Instruction, Millis, Needs};
-use unoclp_program::BOARD;
 
 /// A random program that the board accepts: of any size up to nearly full, with every instruction, and
 /// written in any of the ways that NC-3 allows.
@@ -18,7 +19,7 @@ pub fn random_program(random: &mut Random) -> String {
     loop {
         let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
         let text = write::write(random, &instructions);
-        match unoclp_program::load(text.as_bytes()) {
+        match Checked::read(text.as_bytes(), BOARD) {
             // Sizes were only estimated.
             Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
                 drop(rungs.pop());
@@ -69,7 +70,7 @@ mod tests {
         let (mut smallest, mut most_stored, mut most_linked) = (usize::MAX, 0, 0);
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed));
-            let checked = unoclp_program::load(text.as_bytes())
+            let checked = Checked::read(text.as_bytes(), BOARD)
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             let program = checked.program();
             smallest = smallest.min(program.stored_bytes());
@@ -98,7 +99,7 @@ mod tests {
             let mut random = Random::new(seed);
             let text = random_program(&mut random);
             let mut machine =
-                crate::engine::Machine::new(unoclp_program::load(text.as_bytes()).unwrap());
+                crate::engine::Machine::new(Checked::read(text.as_bytes(), BOARD).unwrap());
             let mut inputs = Inputs::default();
             for now in 0..60 {
                 inputs = random_inputs(&mut random, machine.plc().needs(), inputs);
@@ -132,7 +133,7 @@ mod tests {
         let random = &mut Random::new(seed);
         let text = random_program(random);
         let mut machine =
-            crate::engine::Machine::new(unoclp_program::load(text.as_bytes()).unwrap());
+            crate::engine::Machine::new(Checked::read(text.as_bytes(), BOARD).unwrap());
         let (mut inputs, mut before, mut changes) = (Inputs::default(), Default::default(), 0);
         for scan in 0..40 {
             inputs = random_inputs(random, machine.plc().needs(), inputs);

@@ -1,9 +1,9 @@
 //! The instructions of a random program.
 
 use super::stream::Random;
+use crate::BOARD;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
 use unoclp_core::{Delay, Instruction, KEPT, Target, TimerBlock};
-use unoclp_program::BOARD;
 
 /// A rung, with the new rung that begins it.
 type Rung = Vec<Instruction<'static>>;

@@ -1,10 +1,11 @@
 //! The core against an interpreter that was written from docs/numeric-code.md alone.
 
 use crate::naive::{self, Naive, World};
+use unoclp_checked::Checked;
 use unoclp_core::{Inputs, Millis, real};
-use unoclp_host_sim::engine::Machine;
+use unoclp_host_sim::BOARD;
+use unoclp_host_sim::engine::{Cell, Machine};
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
-use unoclp_host_sim::scenario::Cell;
 
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 1;
@@ -76,7 +77,7 @@ fn the_core_does_what_the_page_says() {
     for seed in seed..seed + PROGRAMS {
         let random = &mut Random::new(seed);
         let program = random_program(random);
-        let mut machine = Machine::new(unoclp_program::load(program.as_bytes()).unwrap());
+        let mut machine = Machine::new(Checked::read(program.as_bytes(), BOARD).unwrap());
         let mut naive = Naive::new(&program);
         let needs = machine.plc().needs();
         let mut inputs = Inputs::default();

@@ -4,6 +4,8 @@
 //! tree of each rung's elements; `fork` and `stores` arrange it, `energise` gives every wire its net; `wrap`
 //! breaks what is too wide; `layout` makes cells of it. Text, terminals and SVG all show those cells.
 //!
+//! Owns the ladder diagram of a program, its pictures, and the editor that draws one. Must not know files, terminals, texts.
+//!
 //! # Rules
 //!
 //! Numeric code is one accumulator, acc, and a stack (NC-6, NC-8); a ladder diagram is wires. Power on a wire is

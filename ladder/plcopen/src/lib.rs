@@ -1,7 +1,7 @@
 //! Projects in PLCopen XML (TC6, 2.01), as OpenPLC Editor and Beremiz write them: to a checked program, and from a
 //! document of the ladder editor.
 //!
-//! It owns what the elements of such a file mean, and how a ladder is drawn in them. It must not know files, nor screens.
+//! Owns what the elements of such a file mean, and how a ladder is drawn in them. Must not know files, screens.
 //!
 //! The way in ([`import`]):
 //!

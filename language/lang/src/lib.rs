@@ -10,7 +10,8 @@
 //! (the tree that all of them come to), [`run`] (the interpreter on the PC). What can be wrong with a text is said
 //! once, in `messages`.
 //!
-//! It knows no pins, no files, no clocks and no screen, and no text makes it panic.
+//! Owns the languages, what can be wrong with a text, and the words for it. Must not know pins, files, clocks, screens. No
+//! text makes it panic.
 
 #![forbid(unsafe_code)]
 

@@ -9,8 +9,8 @@ use crate::words::both;
 use crate::words::{Both, No};
 use serde::Serialize;
 use unoclp_draw::{Ladder, Style, to_screen};
+use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Boxes, Flow};
 use unoclp_program::list::title;
 #[cfg(feature = "full")]
 use unoclp_program::list::{Form, Lost, Paper, list, pages, plcopen, svg};

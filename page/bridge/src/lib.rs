@@ -14,7 +14,7 @@
 //! - `board`: conversations with a board, simulated or real
 //! - `clock`: the times of a page
 //!
-//! It owns the form of requests and answers. It must not know how they are carried, nor what a page looks like.
+//! Owns the form of requests and answers. Must not know how they are carried, nor what a page looks like.
 //! Nothing in a request makes it panic: what is wrong is an answer.
 
 #![deny(unsafe_code)]

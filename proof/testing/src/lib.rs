@@ -1,5 +1,7 @@
 //! What the tests of several crates share: how many rounds they make, random programs of all types, the corpora of the
 //! fuzz targets, and the programs that stand in several languages.
+//!
+//! Owns what tests are made of. Must not know what is tested.
 
 mod languages;
 mod random;

@@ -1,7 +1,7 @@
-//! The firmware on avr8js, which the lab's page runs it on: the simulated board of `page/web/src/board`, in a process of Node.
+//! The firmware on avr8js, which the page runs it on: the simulated board of `page/uno/`, in a process of Node.
 //!
 //! The process obeys requests in order and answers each run with all that can be asked for behind it: registers and RAM,
-//! what was sent, where the program is (`page/web/src/engine/main.ts` has the form of both). So a scan takes one answer.
+//! what was sent, where the program is (`page/uno/src/engine/main.ts` has the form of both). So a scan takes one answer.
 //! A write to the EEPROM takes 4 µs there, not 3.4 ms: keeping a program would take seconds of each start.
 
 use crate::engine::{EngineError, Simulated};
@@ -58,7 +58,7 @@ pub struct Avr8js {
 
 /// Where `cargo xtask test` has built it.
 fn script() -> Result<PathBuf, Error> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/lab/engine/main.mjs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/uno/engine/main.mjs");
     if path.is_file() {
         Ok(path)
     } else {

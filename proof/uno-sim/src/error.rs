@@ -65,7 +65,7 @@ pub enum Error {
     )]
     NoBootLoader(String),
     /// The board on avr8js has not been built.
-    #[error("no {}: build it with `npm ci` and `node build.mjs engine` in page/web/", .0.display())]
+    #[error("no {}: build it with `npm ci` in page/ and `node build.mjs engine` in page/uno/", .0.display())]
     NoAvr8js(PathBuf),
     /// Node cannot be started.
     #[error("cannot start node, which runs avr8js: {0}")]

@@ -33,6 +33,9 @@
 //! - brown-out detection, the interrupt EE_READY, the tolerance of the watchdog's own oscillator;
 //! - contact bounce, and the speed limits of a card.
 //!
+//! Owns the simulated chips, what stands around them, and the firmware as an engine of the suite. Must not know the command
+//! line.
+//!
 //! simavr is under the GPL, version 3 or later, and so is this crate.
 
 mod adc;

@@ -15,9 +15,8 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::Duration;
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Image, Inputs, Millis};
-use unoclp_host_sim::scenario::{
-    self, Cell, Engine, Outcome, ProgramFile, Refusal, Scenario, Verdict,
-};
+use unoclp_exercise::scenario::{self, ProgramFile, Scenario, Verdict};
+use unoclp_host_sim::engine::{Cell, Engine, Outcome, Refusal};
 use unoclp_lang::{Lang, show};
 use unoclp_program::{Refused, Written};
 use unoclp_uno_sim::engine::{Clock, EngineError, UnoEngine};

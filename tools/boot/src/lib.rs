@@ -7,7 +7,7 @@
 //! - [`Unfit`], [`Failure`]: why there is no image, or why it is not on the board; each with a number
 //!   (`docs/flash.md`) and its words in both languages
 //!
-//! It must not know ports or screens.
+//! Owns the form of firmware files and the talk with a boot loader. Must not know ports, screens.
 
 #![forbid(unsafe_code)]
 

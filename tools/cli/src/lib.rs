@@ -7,6 +7,8 @@
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
+//!
+//! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
 pub mod ascii;
 mod lamps;

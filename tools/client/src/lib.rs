@@ -11,8 +11,8 @@
 //! - [`point`]: writing of single points
 //! - [`settings`]: address, rate, parity, direction pin and lock
 //!
-//! What it gives are values; their words are those of whoever shows them. What the addresses stand for is [`map`]'s,
-//! which the firmware serves too.
+//! Owns what is asked of a board, in which order, and what its answers are. Must not know ports, threads, clocks, words:
+//! what it gives are values. What the addresses stand for is [`map`]'s, which the firmware serves too.
 
 #![forbid(unsafe_code)]
 

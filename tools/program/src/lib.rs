@@ -9,8 +9,8 @@
 //! - [`mod@messages`]: the form of a table of texts in two languages
 //! - [`used`]: what a program uses of the board and its memory
 //!
-//! It owns the way from a file's bytes to a checked program, and what a person is shown of it. It knows
-//! no files, no terminal, and nothing of how a program runs.
+//! Owns the way from a file's bytes to a checked program, and what a person is shown of it. Must not know files, a
+//! terminal, how a program runs.
 
 #![forbid(unsafe_code)]
 

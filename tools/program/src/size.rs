@@ -35,7 +35,7 @@ impl Size {
             stored_bytes: program.stored_bytes(),
             linked_bytes: program.linked_bytes(),
             timers: program.timers(),
-            used: Used::of(program),
+            used: Used::of(program.needs(), program.steps()),
             kept: Kept::of(program),
         }
     }

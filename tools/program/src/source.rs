@@ -157,8 +157,5 @@ pub fn point_names(source: &Source) -> BTreeMap<String, String> {
 /// # Errors
 /// The first fault of the file.
 pub fn load(file: &[u8]) -> Result<Checked, Fault> {
-    Checked::new(BOARD, |loader| {
-        // The loader itself keeps the fault.
-        let _ = file.iter().try_for_each(|&byte| loader.push(byte));
-    })
+    Checked::read(file, BOARD)
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 use unoclp_core::isa::{Class, Kind, Opcode, Operand, Value};
-use unoclp_core::{Inputs, Instruction, Plc, Program, Target};
+use unoclp_core::{Inputs, Instruction, Needs, Plc, Steps, Target};
 
 /// What takes a REAL from value alone.
 const TAKE_REAL: &[Opcode] = &[
@@ -61,9 +61,8 @@ pub struct Used {
 }
 
 impl Used {
-    /// What this program uses.
-    pub fn of(program: &Program<'_>) -> Used {
-        let needs = program.needs();
+    /// What a program uses that needs these pins and has these steps.
+    pub fn of(needs: Needs, steps: Steps<'_>) -> Used {
         let bits = |bits: u128, first: u8| -> BTreeSet<u8> {
             let set = (0..99).filter(|bit| bits >> bit & 1 != 0);
             set.map(|bit| bit + first).collect()
@@ -76,7 +75,7 @@ impl Used {
         };
         // Whether value is a REAL, and the register that it was loaded from last.
         let (mut real, mut loaded) = (false, None);
-        for step in program.steps() {
+        for step in steps {
             used.note(&step);
             used.note_real(&step, &mut real, &mut loaded);
         }
@@ -229,7 +228,8 @@ mod tests {
         // D 04 := D 01 * D 02; D 05 := D 04; D 06 := D 03, rounded
         let text = "0 766801 82778502 838404 787600 766804 838405 787600 766803 827868 838406";
         let source = load(text.replace(' ', "\n").as_bytes()).unwrap();
-        let used = Used::of(source.program());
+        let program = source.program();
+        let used = Used::of(program.needs(), program.steps());
         assert_eq!(used.reals, BTreeSet::from([1, 2, 3, 4, 5]));
         assert_eq!([real(0x3F00_0000), real(0)], ["0.5", "0.0"]);
     }

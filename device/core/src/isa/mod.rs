@@ -15,7 +15,7 @@
 //! 4. that handler in `firmware/src/engine/*.s`, in `more.s` where it begins: the linker asks for its label;
 //! 5. its text for people: the row of the table in `docs/numeric-code.md`, and where Instruction List has a word
 //!    for it, that word in `docs/instruction-list.md` and its translation: tests that print what is missing;
-//! 6. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/naive`. A test
+//! 6. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/it/naive`. A test
 //!    names each instruction that no scenario runs; the naive interpreter stops at what it does not know.
 //!
 //! A new kind or class is one more variant of its enum, and the compiler then asks for it everywhere.

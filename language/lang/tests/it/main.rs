@@ -17,6 +17,7 @@ mod random_typed;
 mod round_trip;
 mod shapes;
 mod sizes;
+mod to_st;
 mod twins;
 mod typed;
 mod typed_any_text;

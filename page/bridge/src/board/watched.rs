@@ -8,8 +8,8 @@ use unoclp_client::map::State;
 use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::isa::Class;
 use unoclp_draw::{Ladder, Nets, Symbol};
+use unoclp_exercise::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_program::Source;
 use unoclp_program::used::is_real;
 

@@ -1,6 +1,6 @@
 // The line to a board that `unoclp serve` shares (docs/remote.md): a WebSocket, on which each message is a whole frame.
 
-import type { SerialFormat } from "../board/messages";
+import type { SerialFormat } from "unoclp-uno";
 import type { Line, Listener } from "./line";
 
 /** What the gateway says of the board and of what a visitor may do. */

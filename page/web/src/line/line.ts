@@ -1,6 +1,6 @@
 // The line to a board: bytes out, bytes in. What is behind it, a simulated board or a port, nobody else knows.
 
-import type { SerialFormat } from "../board/messages";
+import type { SerialFormat } from "unoclp-uno";
 
 /** Why a line is closed: asked for, or what the system said. */
 export type Closed = "asked" | "lost";

@@ -1,6 +1,6 @@
 // The line to a board at a port of this computer (WebSerial).
 
-import type { SerialFormat } from "../board/messages";
+import type { SerialFormat } from "unoclp-uno";
 import type { Line, Listener } from "./line";
 
 const PULSE = 120;

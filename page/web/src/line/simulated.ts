@@ -1,6 +1,6 @@
 // The line to the simulated board in a worker.
 
-import type { Command, Event, SerialFormat } from "../board/messages";
+import type { Command, Event, SerialFormat } from "unoclp-uno";
 import type { Line, Listener } from "./line";
 
 /** What a line needs of a worker: `Worker` is one, and tests bring their own. */

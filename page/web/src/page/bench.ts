@@ -1,6 +1,6 @@
 // The bench: one board at a time, simulated or on the desk, and what is known of it.
 
-import type { Event, Pins } from "../board/messages";
+import type { Event, Pins } from "unoclp-uno";
 import type { Line } from "../line/line";
 import type { Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";

@@ -1,6 +1,6 @@
 // A conversation with a board: Rust says what is sent and when; here are the line and the clock.
 
-import type { SerialFormat } from "../board/messages";
+import type { SerialFormat } from "unoclp-uno";
 import type { Line } from "../line/line";
 import type { Asks, News, Order } from "../tools/answers";
 import { Died, type Tools } from "../tools/tools";

@@ -1,6 +1,6 @@
 // The simulated board: its worker, what it keeps in the browser, and its clock.
 
-import type { Command, Event } from "../board/messages";
+import type { Command, Event } from "unoclp-uno";
 import { type BoardWorker, SimulatedLine } from "../line/simulated";
 import type { Clock } from "./conversation";
 import { keepHere, keptHere } from "./place";

@@ -1,7 +1,7 @@
 // How the page speaks to a board: a board may be set otherwise than usual, and keeps for its next start what it does not
 // do yet.
 
-import type { SerialFormat } from "../board/messages";
+import type { SerialFormat } from "unoclp-uno";
 import { keep, kept } from "./kept";
 import { keepHere, keptHere } from "./place";
 

@@ -3,7 +3,7 @@
 use super::{EngineError, UnoEngine, told};
 use crate::{Slot, Uno};
 use unoclp_core::Program;
-use unoclp_host_sim::scenario::Refusal;
+use unoclp_host_sim::engine::Refusal;
 use unoclp_modbus::eeprom::program as kept;
 
 /// How long a board waits for a card that is not there, ms.

@@ -13,7 +13,7 @@ pub use simulated::Simulated;
 use told::{fault, served_fault};
 use unoclp_card::image::{Fat, Image as CardImage};
 use unoclp_core::{Board, Image, Inputs, Loader, Millis};
-use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
+use unoclp_host_sim::engine::{Cell, Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
 const START_UP: u64 = 20_000;

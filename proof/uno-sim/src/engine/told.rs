@@ -3,7 +3,7 @@
 use super::error::EngineError;
 use super::simulated::Simulated;
 use crate::{CYCLES_PER_MS, Halt};
-use unoclp_host_sim::scenario::Refusal;
+use unoclp_host_sim::engine::Refusal;
 use unoclp_modbus::Crc;
 
 /// Cycles in which a board answers a short request at 115200 baud.

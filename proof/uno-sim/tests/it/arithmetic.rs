@@ -3,9 +3,8 @@
 use crate::common;
 use unoclp_core::Inputs;
 use unoclp_core::isa::{Class, Kind, REGISTERS, TABLE};
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::engine::{Cell, Engine, HostEngine};
 use unoclp_host_sim::random::Random;
-use unoclp_host_sim::scenario::{Cell, Engine};
 use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 

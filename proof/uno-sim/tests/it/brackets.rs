@@ -3,8 +3,8 @@
 use crate::common;
 use std::fs;
 use std::path::Path;
-use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Engine, ProgramFile, Scenario, check};
+use unoclp_exercise::scenario::{ProgramFile, Scenario, check};
+use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_program::{Source, Written};
 use unoclp_testing::in_languages;
 use unoclp_uno_sim::CYCLES_PER_MS;

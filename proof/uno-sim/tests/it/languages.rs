@@ -2,7 +2,7 @@
 
 use crate::common;
 use std::fs;
-use unoclp_host_sim::scenario::{ProgramFile, Scenario, check};
+use unoclp_exercise::scenario::{ProgramFile, Scenario, check};
 use unoclp_program::Written;
 use unoclp_testing::in_languages;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};

@@ -2,9 +2,8 @@
 
 use crate::common;
 use unoclp_core::{Image, Inputs, Needs};
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_host_sim::random::{Random, random_inputs};
-use unoclp_host_sim::scenario::Engine;
 use unoclp_testing::rounds;
 use unoclp_uno_sim::engine::{Clock, UnoEngine};
 

@@ -10,7 +10,7 @@ use crate::common;
 use board::{Twins, errors, with_plc};
 use unoclp_core::isa::REGISTERS;
 use unoclp_core::{Board, Plc};
-use unoclp_host_sim::scenario::{Cell, Engine};
+use unoclp_host_sim::engine::{Cell, Engine};
 use unoclp_lang::{CompiledText, TextLanguage, compile_text};
 use unoclp_testing::{Random, rounds, typed_program};
 use unoclp_uno_sim::engine::{Clock, UnoEngine};

@@ -10,7 +10,7 @@ use std::path::Path;
 use unoclp_checked::Diagnosis;
 use unoclp_cli::messages;
 use unoclp_core::Fault;
-use unoclp_host_sim::scenario::{LONGEST, ProgramFile, Unreadable};
+use unoclp_exercise::scenario::{LONGEST, ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Severity, Told};
 use unoclp_program::messages::system;
 use unoclp_program::{NoProgram, Refused, Seal, Source, Written, diagnosis, shown};

@@ -11,12 +11,12 @@ use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::Path;
 use unoclp_cli::panel::{self, App};
 use unoclp_cli::{ascii, messages};
-use unoclp_host_sim::diagram;
-use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{
+use unoclp_exercise::diagram;
+use unoclp_exercise::scenario::{
     Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
 };
-use unoclp_host_sim::wave::{RecordedEngine, Recorder};
+use unoclp_exercise::wave::{RecordedEngine, Recorder};
+use unoclp_host_sim::engine::HostEngine;
 use unoclp_program::{Source, Written, WrittenIn, point_names, shown};
 
 /// Simulates a program in this terminal.

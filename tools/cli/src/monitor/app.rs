@@ -7,7 +7,7 @@ use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_client::map::{Command, State};
 use unoclp_client::watch::{Forced, Reading, Side, Wish};
-use unoclp_host_sim::live::Flow;
+use unoclp_exercise::live::Flow;
 use unoclp_program::BOARD;
 
 /// A board, as far as it is known, and what a person does to it.

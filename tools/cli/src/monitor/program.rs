@@ -7,8 +7,8 @@ use unoclp_checked::SourceMap;
 use unoclp_client::diagnostics::{Kept, Trouble};
 use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::Delay;
+use unoclp_exercise::live::{Flow, Twin};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::{Flow, Twin};
 use unoclp_lang::Spot;
 use unoclp_program::used::Used;
 use unoclp_program::{Source, point_names};
@@ -49,7 +49,7 @@ impl Program {
         let names = point_names(&program);
         let machine = Machine::new(program.checked);
         let plc = machine.plc();
-        let used = machine.used().clone();
+        let used = program.size.used;
         let outputs = used.outputs.iter().chain(&used.pwm);
         let written = outputs.fold(0, |bits, output| bits | 1 << (output - 1));
         Program {

@@ -14,10 +14,11 @@ use std::io::{self, Write};
 use std::time::Duration;
 use unoclp_checked::SourceMap;
 use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
+use unoclp_exercise::live::Flow;
+use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
-use unoclp_host_sim::live::Flow;
-use unoclp_host_sim::wave::{Recorder, Sample};
 use unoclp_lang::Spot;
+use unoclp_program::used::Used;
 use unoclp_program::{BOARD, Source, point_names};
 
 /// Virtual time from scan to scan.
@@ -35,6 +36,8 @@ pub struct App {
     /// What the program is called.
     pub(super) name: String,
     machine: Machine,
+    /// What the program uses.
+    used: Used,
     pub(super) drawn: Drawn,
     /// The line that a fault names, in the text of the program.
     pub(super) fault_line: Option<usize>,
@@ -78,7 +81,8 @@ impl App {
         let machine = Machine::new(program.checked);
         App {
             name: program.name,
-            knobs: Knobs::new(machine.used().analogue.iter().copied()),
+            knobs: Knobs::new(program.size.used.analogue.iter().copied()),
+            used: program.size.used,
             fault: None,
             fault_line: None,
             names,
@@ -143,7 +147,7 @@ impl App {
 
     /// The inputs that have buttons, from 01 to this number: 05 to 08 only where the program reads them.
     pub(super) fn inputs(&self) -> u8 {
-        match self.machine.used().inputs.last() {
+        match self.used.inputs.last() {
             Some(&last) if last > FIRST_INPUTS => BOARD.inputs,
             _ => FIRST_INPUTS,
         }
@@ -154,7 +158,7 @@ impl App {
     pub(super) fn memory(&self) -> Vec<Vec<Span<'static>>> {
         let machine = &self.machine;
         let selected = self.knobs.selected().map(|input| format!("A{input}"));
-        let of_points = machine.used().quantities(machine.plc(), &self.world());
+        let of_points = self.used.quantities(machine.plc(), &self.world());
         let of_points = of_points
             .iter()
             .filter(|of| !self.variables.any() || of.name.starts_with(['A', 'P']));
@@ -246,7 +250,10 @@ impl App {
         self.flow = flow;
         self.scans += 1;
         if let Some(recorder) = &mut self.recorder {
-            recorder.record(self.recorded, &Sample::of(&self.machine, &inputs, now))?;
+            recorder.record(
+                self.recorded,
+                &Sample::of(&self.machine, &self.used, &inputs, now),
+            )?;
             self.recorded += 1;
         }
         Ok(())

@@ -4,7 +4,7 @@ use super::ladder::Rungs;
 use super::listing::Listing;
 use crate::messages;
 use ratatui::text::Line;
-use unoclp_host_sim::live::Flow;
+use unoclp_exercise::live::Flow;
 use unoclp_program::Source;
 
 /// Both ways to look at a program.

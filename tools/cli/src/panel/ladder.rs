@@ -4,7 +4,7 @@ use super::ON;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unoclp_draw::{Cell, Ladder, Names, Picture, Power, Style as Drawn};
-use unoclp_host_sim::live::{Boxes, Flow};
+use unoclp_exercise::live::{Boxes, Flow};
 use unoclp_program::{Source, names};
 
 /// The columns before the left rail, for the number of the rung.

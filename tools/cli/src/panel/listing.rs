@@ -3,7 +3,7 @@
 use super::ON;
 use ratatui::style::Style;
 use ratatui::text::Line;
-use unoclp_host_sim::live::{Flow, Lines, Mark};
+use unoclp_exercise::live::{Flow, Lines, Mark};
 use unoclp_program::Source;
 
 /// The lines of a text, with the steps that tell how each stands.

@@ -15,8 +15,8 @@ use std::io::{self, Write};
 use std::rc::Rc;
 use std::time::Duration;
 use unoclp_core::Image;
+use unoclp_exercise::wave::Recorder;
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_host_sim::wave::Recorder;
 use unoclp_program::{Source, Written};
 
 /// I1 sets Q1 through a TON of 20 ms; I2 or not I3, and Q1, to Q2.

@@ -12,7 +12,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
 use std::collections::BTreeMap;
 use unoclp_core::{Point, Target, TimerState};
-use unoclp_host_sim::scenario::{inputs, outputs};
+use unoclp_exercise::scenario::{inputs, outputs};
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);

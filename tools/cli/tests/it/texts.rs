@@ -9,8 +9,8 @@ const TABLES: &[&str] = &[
     "tools/cli/src/messages/table.rs",
     "tools/cli/src/commands/help.rs",
     "tools/cli/src/commands/refuse.rs",
-    "host-sim/src/diagram/words.rs",
-    "host-sim/src/scenario/words.rs",
+    "tools/exercise/src/diagram/words.rs",
+    "tools/exercise/src/scenario/words.rs",
     "tools/program/src/diagnosis/help.rs",
     "tools/program/src/diagnosis/portuguese.rs",
     "tools/program/src/edit.rs",
@@ -135,11 +135,11 @@ fn every_text_stands_in_a_table() {
     for folder in [
         "tools/cli/src",
         "tools/client/src",
-        "host-sim/src/diagram",
-        "host-sim/src/scenario",
+        "tools/exercise/src/diagram",
+        "tools/exercise/src/scenario",
         "tools/program/src",
         "ladder/draw/src",
-        "language/checked/src",
+        "device/checked/src",
     ] {
         sources(&root.join(folder), &mut files);
     }

@@ -4,8 +4,8 @@
 use crate::common::outcome_in;
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_exercise::scenario::{Exercise, Scenario, check};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Exercise, Scenario, check};
 use unoclp_lang::{Lang, Options, TextLanguage, compile, compile_text};
 use unoclp_program::BOARD;
 

@@ -22,7 +22,7 @@ use clap::Args;
 use row::Row;
 use std::path::{Path, PathBuf};
 use unoclp_cli::messages;
-use unoclp_host_sim::scenario::{Exercise, ProgramFile};
+use unoclp_exercise::scenario::{Exercise, ProgramFile};
 use unoclp_program::shown;
 
 /// What is graded, and how that is told.

@@ -3,7 +3,7 @@
 use super::row::{Fail, Row, Shown};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use unoclp_cli::messages;
-use unoclp_host_sim::scenario::Exercise;
+use unoclp_exercise::scenario::Exercise;
 use unoclp_program::Lang;
 
 const STYLE: &str = include_str!("page.css");

@@ -3,9 +3,9 @@
 use annotate_snippets::Renderer;
 use std::path::Path;
 use unoclp_cli::messages;
-use unoclp_host_sim::diagram;
+use unoclp_exercise::diagram;
+use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_host_sim::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_lang::{self as lang, Lines, Severity, Told};
 use unoclp_program::{NoProgram, Refused, Source, Written, diagnosis, shown};
 

@@ -1,7 +1,7 @@
 //! The rows for a spreadsheet: comma-separated values (RFC 4180).
 
 use super::row::Row;
-use unoclp_host_sim::scenario::Exercise;
+use unoclp_exercise::scenario::Exercise;
 use unoclp_program::harmless;
 
 /// The columns, in both languages: what reads them knows them by these names.

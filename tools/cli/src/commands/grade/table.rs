@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use unoclp_cli::{ascii, messages};
-use unoclp_host_sim::scenario::Exercise;
+use unoclp_exercise::scenario::Exercise;
 use unoclp_program::harmless;
 
 /// A reason is cut behind so many characters.

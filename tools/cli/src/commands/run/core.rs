@@ -11,7 +11,7 @@ use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::Machine;
 use unoclp_lang::typed::{Base, Value};
 use unoclp_lang::{self as lang, Spot};
-use unoclp_program::{Written, point_names};
+use unoclp_program::{Written, point_names, used};
 
 /// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
 pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<Ran>> {
@@ -22,7 +22,7 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
     };
     let names = point_names(&source);
     let mut machine = Machine::new(source.checked);
-    let points = points(&machine, &names);
+    let points = points(&machine, &source.size.used, &names);
     let mut inputs = Inputs::default();
     for (name, written) in arguments.settings()? {
         let names = points
@@ -66,8 +66,7 @@ struct Used {
 }
 
 /// What the program uses, in the order of the addresses.
-fn points(machine: &Machine, names: &BTreeMap<String, String>) -> Vec<Used> {
-    let used = machine.used();
+fn points(machine: &Machine, used: &used::Used, names: &BTreeMap<String, String>) -> Vec<Used> {
     let of = |numbers: &BTreeSet<u8>, spot: fn(u8) -> Spot| -> Vec<Spot> {
         numbers.iter().map(|&number| spot(number)).collect()
     };

@@ -1,0 +1,99 @@
+// A simulated UNO on the bench: what the suite does to it, and what it is told of a run.
+
+import { Board, type Witness } from "../board";
+import { RAM, RAM_LEN } from "../chip/registers";
+
+/** How a run ended. */
+const TIME_OVER = 0;
+const THERE = 1;
+const BROKEN = 2;
+
+/** Inputs that are pressed by number, 1 to 8. */
+const INPUTS = 8;
+
+export class Bench {
+  flash: Uint16Array = new Uint16Array(0);
+  private board: Board | null = null;
+  private sent: number[] = [];
+  /** Bit n: output n + 1 has changed since the power came. */
+  private moved = 0;
+
+  /** A new board with this card in its slot and an erased EEPROM, just powered. */
+  start(card: Uint8Array, eepromWriteCycles: number): void {
+    const witness: Witness = {
+      serial: (byte) => this.sent.push(byte),
+      output: (output) => {
+        this.moved |= 1 << (output - 1);
+      },
+      reset: () => {},
+      power: () => {},
+      eeprom: () => {},
+      card: () => {},
+    };
+    this.board = new Board(this.flash, witness, eepromWriteCycles);
+    this.board.insert(card);
+    this.board.plug(true);
+    this.forget();
+  }
+
+  /** Takes the power away and gives it back. */
+  cutPower(): void {
+    this.board?.plug(false);
+    this.board?.plug(true);
+    this.forget();
+  }
+
+  /** Writes to registers, as the program does, or to RAM. */
+  write(address: number, bytes: Uint8Array): void {
+    const cpu = this.board?.inside?.cpu;
+    if (address >= RAM) cpu?.data.set(bytes, address);
+    else bytes.forEach((byte, n) => cpu?.writeData(address + n, byte));
+  }
+
+  press(closed: number): void {
+    for (let input = 1; input <= INPUTS; input += 1) this.board?.press(input, ((closed >> (input - 1)) & 1) === 1);
+  }
+
+  turn(input: number, reading: number): void {
+    this.board?.setAnalogue(input, { reading });
+  }
+
+  send(bytes: Uint8Array): void {
+    this.board?.send(bytes);
+  }
+
+  /**
+   * Runs to this address, or for so many cycles. The answer: how it ended u8, outputs that have moved u8, where it is
+   * u32, cycles since the board was made as a double, length u32 and bytes of what was sent since the last run or of
+   * what went wrong; then registers and RAM.
+   */
+  run(address: number | null, cycles: number): Uint8Array {
+    let ended = TIME_OVER;
+    let said: Uint8Array;
+    try {
+      if (!this.board) throw new Error("no board has been started");
+      if (address === null) this.board.run(cycles);
+      else if (this.board.runTo(address, cycles)) ended = THERE;
+      said = Uint8Array.from(this.sent.splice(0));
+    } catch (error) {
+      ended = BROKEN;
+      said = new TextEncoder().encode(String(error));
+    }
+    const cpu = this.board?.inside?.cpu;
+    const answer = new Uint8Array(18 + said.length + RAM + RAM_LEN);
+    const view = new DataView(answer.buffer);
+    view.setUint8(0, ended);
+    view.setUint8(1, this.moved);
+    view.setUint32(2, 2 * (cpu?.pc ?? 0), true);
+    view.setFloat64(6, this.board?.now ?? 0, true);
+    view.setUint32(14, said.length, true);
+    answer.set(said, 18);
+    if (cpu) answer.set(cpu.data, 18 + said.length);
+    return answer;
+  }
+
+  private forget(): void {
+    this.moved = 0;
+    this.sent = [];
+  }
+}

@@ -1,0 +1,149 @@
+//! What a scenario file asks of somebody who writes a program: an exercise, and the cases that show whether it is done.
+//!
+//! Owns what an exercise says of itself, and which of it a file may leave out. Must not know how a case runs, nor what is
+//! shown of it.
+
+use super::keys::{CaseKeys, FaultKeys, FileKeys, Slip, slip};
+use super::timeline::{Rhythm, known_fault};
+use super::{Both, Goal, Place, ProgramFile, Scenario, Wrong};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use unoclp_host_sim::engine::Refusal;
+use unoclp_program::BOARD;
+
+/// A scenario file whose every value has passed its checks.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    /// The path of the file.
+    pub name: String,
+    /// What it is called; what the scenario shows, where the file has no title.
+    pub title: Both,
+    /// What the program shall do; none in a file that is a test alone.
+    pub task: Option<Both>,
+    /// What helps, from the first push to almost all.
+    pub hints: Vec<Both>,
+    /// What is connected to each point: `I1`, `A0`, `Q4` …
+    pub names: BTreeMap<String, Both>,
+    /// The inputs, from 1, whose buttons are normally closed: they open as somebody presses them.
+    pub normally_closed: Vec<u8>,
+    /// The file of a program that passes, where one is named.
+    pub program: Option<PathBuf>,
+    cases: Vec<Case>,
+}
+
+/// A run of an exercise.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// What it shows.
+    pub title: Both,
+    /// Whether a student learns its title alone.
+    pub hidden: bool,
+    goal: Goal,
+}
+
+impl Exercise {
+    /// The cases, at least one.
+    pub fn cases(&self) -> &[Case] {
+        &self.cases
+    }
+
+    /// Each case with this program.
+    pub fn scenarios(&self, program: &ProgramFile) -> Vec<Scenario> {
+        let scenario = |case: &Case| Scenario {
+            name: self.name.clone(),
+            about: case.title.clone(),
+            program: program.clone(),
+            goal: case.goal.clone(),
+        };
+        self.cases.iter().map(scenario).collect()
+    }
+
+    /// That of a file of this name, in this folder.
+    pub(super) fn of_keys(name: &str, keys: &FileKeys, folder: &Path) -> Result<Exercise, Slip> {
+        let about = keys.about.as_deref().map(Both::same);
+        let Some(title) = keys.title.clone().or_else(|| about.clone()) else {
+            return Err(slip(None, Wrong::NoTitle));
+        };
+        for point in keys.names.keys() {
+            if !is_point(point.get_ref()) {
+                let name = point.get_ref().clone();
+                return Err(slip(Some(point.span()), Wrong::NotNamed { name }));
+            }
+        }
+        let closed = keys.normally_closed.iter().map(|input| {
+            let name = input.get_ref().clone();
+            let number = (1..=BOARD.inputs).find(|number| format!("I{number}") == name);
+            number.ok_or_else(|| slip(Some(input.span()), Wrong::NotNamed { name }))
+        });
+        let names = keys.names.iter();
+        let program = keys.program.as_ref();
+        Ok(Exercise {
+            name: name.to_owned(),
+            cases: cases(keys, about.as_ref().unwrap_or(&title))?,
+            title,
+            task: keys.task.clone(),
+            hints: keys.hints.clone(),
+            names: names
+                .map(|(point, name)| (point.get_ref().clone(), name.clone()))
+                .collect(),
+            normally_closed: closed.collect::<Result<_, _>>()?,
+            program: program.map(|file| folder.join(file.get_ref())),
+        })
+    }
+}
+
+/// The cases of a file; one of steps alone is a single one, which is about this.
+fn cases(keys: &FileKeys, about: &Both) -> Result<Vec<Case>, Slip> {
+    let rhythm = Rhythm::of(keys)?;
+    if let Some(first) = keys.case.first() {
+        let has_steps = !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some();
+        if has_steps || keys.fault.is_some() {
+            return Err(slip(Some(first.span()), Wrong::CasesAndSteps));
+        }
+        let mut scans = 0;
+        let case = |case: &Spanned<CaseKeys>| {
+            let keys = case.get_ref();
+            let timeline = rhythm.timeline(&keys.step, keys.until.as_ref(), None);
+            let timeline = timeline.and_then(|timeline| timeline.within(&mut scans));
+            Ok(Case {
+                title: keys.title.clone(),
+                hidden: keys.hidden,
+                goal: Goal::Run(timeline.map_err(|slip| slip.or_in(case.span()))?),
+            })
+        };
+        return keys.case.iter().map(case).collect();
+    }
+    let goal = match &keys.fault {
+        Some(fault) => Goal::Refusal(refusal(fault, keys)?),
+        None => {
+            let timeline = rhythm.timeline(&keys.step, keys.until.as_ref(), keys.stops.as_ref())?;
+            let place = keys.until.as_ref().map(Spanned::span);
+            let within = timeline.within(&mut 0);
+            Goal::Run(within.map_err(|slip| match place {
+                Some(place) => slip.or_in(place),
+                None => slip,
+            })?)
+        }
+    };
+    Ok(vec![Case {
+        title: about.clone(),
+        hidden: false,
+        goal,
+    }])
+}
+
+fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Slip> {
+    let &FaultKeys { number, line } = fault.get_ref();
+    if !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some() {
+        return Err(slip(Some(fault.span()), Wrong::FaultAndSteps));
+    }
+    known_fault(number, line, fault.span())
+}
+
+/// Whether something can be connected to a point of this name, or watched there.
+fn is_point(name: &str) -> bool {
+    let inputs = (1..=BOARD.inputs).map(|number| format!("I{number}"));
+    let mut analogue = (0..BOARD.analogue).map(|number| format!("A{number}"));
+    inputs.chain(&mut analogue).any(|point| point == name) || Place::of_name(name).is_some()
+}

@@ -1,0 +1,8 @@
+//! The tests of exercises, in one binary.
+
+mod exercises;
+mod languages;
+mod live;
+mod scenario_check;
+mod scenario_format;
+mod suite;

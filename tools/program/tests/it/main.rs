@@ -1,0 +1,3 @@
+//! Programs as people have written them.
+
+mod documents;
