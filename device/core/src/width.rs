@@ -19,7 +19,9 @@ mod most {
 
 #[cfg(target_arch = "avr")]
 mod most {
+    /// A bit for each point of a kind, in what a program [needs](crate::Needs).
     pub type Bits = u8;
+    /// The bits of an [`Image`](crate::Image).
     pub type ImageBits = u16;
     pub const INPUTS: u8 = 8;
     pub const LABELS: u8 = 32;
