@@ -196,18 +196,15 @@ export class Bench {
   pause(): void {
     this.simulated.tell({ kind: "pause" });
     this.paused.value = true;
-    this.talk?.wake();
   }
 
   goOn(): void {
     this.simulated.tell({ kind: "run" });
     this.paused.value = false;
-    this.talk?.wake();
   }
 
   speed(factor: number): void {
     this.simulated.tell({ kind: "speed", factor });
-    this.talk?.wake();
   }
 
   private forget(): void {
