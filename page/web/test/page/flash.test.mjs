@@ -23,7 +23,7 @@ after(() => lab.end());
  * @param {string} bootLoader @param {boolean} isSmall */
 async function boxed(bootLoader, isSmall) {
   const board = await Served.begin("--boot-loader", bootLoader);
-  const page = await lab.open({ serviceWorkers: "block" });
+  const page = await lab.open();
   const cable = await Cable.between(page, board);
   // The simulated board has taken its own before.
   if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
