@@ -2,7 +2,8 @@
 
 import type { Event, Pins } from "../board/messages";
 import type { Line } from "../line/line";
-import type { Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import { UNO } from "../tools/boards";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { both } from "../words/words";
@@ -18,6 +19,8 @@ export type Upload = { readonly share: number } | "storing" | null;
 
 export class Bench {
   readonly where = new Signal<Where>("simulated");
+  /** What the board at hand has. */
+  readonly board = new Signal<BoardFacts>(UNO);
   readonly seen = new Signal<Seen | null>(null);
   readonly identity = new Signal<string | null>(null);
   /** Why there is no board. */

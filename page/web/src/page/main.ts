@@ -91,7 +91,7 @@ async function load(): Promise<void> {
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));
-  document.addEventListener("too-large", () => open(tooLarge()));
+  document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 
   new OnBoard(bench, program, remote).shown.follow((made) => {
     if (!made) return;

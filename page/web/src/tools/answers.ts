@@ -32,6 +32,29 @@ export interface Problem {
   readonly help: Both;
 }
 
+/** What a board has: how many there are of each kind of point, numbered from 1; analogue inputs from 0. */
+export interface BoardFacts {
+  readonly name: string;
+  /** What people call it. */
+  readonly title: string;
+  readonly inputs: number;
+  /** The first so many of the inputs have a pin of their own; the others share theirs with analogue inputs. */
+  readonly ownInputs: number;
+  readonly outputs: number;
+  readonly analogue: number;
+  /** The outputs that can be PWM. */
+  readonly pwm: readonly number[];
+  readonly markers: number;
+  readonly registers: number;
+  readonly counters: number;
+  readonly timers: number;
+  /** Bytes that a program may take as it is stored, and as it runs. */
+  readonly stored: number;
+  readonly linked: number;
+  /** Whether it is a board that one can buy. */
+  readonly isHardware: boolean;
+}
+
 export interface Uses {
   readonly inputs: readonly number[];
   readonly analogue: readonly number[];
@@ -137,6 +160,9 @@ export interface Live {
   readonly lines: readonly (boolean | number | string | null)[];
 }
 
+/** A point that is forced, by its number, and to what. */
+export type Forced = readonly [number: number, to: boolean];
+
 export interface Seen {
   readonly at: number;
   /** `EMPTY`: nobody has given the board a program yet. */
@@ -152,11 +178,12 @@ export interface Seen {
   readonly faults: number;
   readonly kept: Stored;
   readonly same: boolean | null;
-  readonly inputs: number;
-  readonly outputs: number;
-  /** Those that are forced, and to what. */
-  readonly forcedInputs: readonly [number, number];
-  readonly forcedOutputs: readonly [number, number];
+  /** The numbers of those that are 1. */
+  readonly inputs: readonly number[];
+  readonly outputs: readonly number[];
+  /** The numbers of those that are forced, and to what. */
+  readonly forcedInputs: readonly Forced[];
+  readonly forcedOutputs: readonly Forced[];
   readonly forcingEnds: number | null;
   readonly markers: readonly number[];
   readonly analogue: readonly number[];
