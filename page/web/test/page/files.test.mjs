@@ -63,7 +63,7 @@ test("a report of several pages is saved page by page, each rung on one", async 
   page.on("download", (download) => came.push(download));
   await page.click("#menu-fileMenu");
   await page.getByRole("button", { name: "Salvar páginas para um relatório", exact: true }).click();
-  const last = /** @type {const} */ (["many-1.svg", "many-2.svg", "many-3.svg"]);
+  const last = /** @type {const} */ (["many-1.svg", "many-2.svg", "many-3.svg", "many-4.svg"]);
   while (came.length < last.length) await page.waitForEvent("download");
   assert.deepEqual(came.map((download) => download.suggestedFilename()), last);
   const shown = await (await lab.browser.newContext()).newPage();
