@@ -2,13 +2,13 @@
 //! holds a block of it; from then on the frame of the Modbus server, the settings, and the data of the running program.
 
 use crate::engine::Data;
+use crate::instructions::BOARD;
 use crate::settings::Settings;
 use unoclp_card::Block;
-use unoclp_core::Profile;
 use unoclp_modbus::Frame;
 
 /// Run memory: the code of the program and the data of its instructions, and a byte for the end.
-pub type RunMemory = [u8; Profile::UNO.linked_bytes as usize + 1];
+pub type RunMemory = [u8; BOARD.linked_bytes as usize + 1];
 
 /// Both, in this order: the registers of the program go on from one to the other.
 #[repr(C)]

@@ -6,8 +6,9 @@ use crate::board::serial::Serial;
 use crate::board::watchdog::{self, Start};
 use crate::card::StateFile;
 use crate::decimal::{DIGITS, decimal};
+use crate::instructions::BOARD;
 use crate::store::Kept;
-use unoclp_core::{Cause, Fault, Profile};
+use unoclp_core::{Cause, Fault};
 
 /// Below this the supply is worth a warning, hundredths of a volt.
 const WEAK: u16 = 460;
@@ -66,7 +67,7 @@ pub fn program(serial: &Serial, kept: &Kept) {
     count(serial, kept.codes, flash_text!(" code"));
     serial.text(flash_text!(", "));
     count(serial, used, flash_text!(" byte"));
-    let free = Profile::UNO.stored_bytes.saturating_sub(used);
+    let free = BOARD.stored_bytes.saturating_sub(used);
     value(serial, flash_text!(" used, "), free);
     serial.text(flash_text!(" free, "));
     count(serial, kept.timers.into(), flash_text!(" timer"));

@@ -8,8 +8,8 @@
 
 use crate::board::allowance::{self, LAST_PROGRAM, PROGRAMS_USED};
 use crate::board::eeprom::Eeprom;
-use crate::instructions::Uno;
-use unoclp_core::{Cause, Crc16, Loader, Needs, Profile};
+use crate::instructions::{BOARD, Uno};
+use unoclp_core::{Cause, Crc16, Loader, Needs};
 use unoclp_modbus::eeprom::program::{
     self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
 };
@@ -74,7 +74,7 @@ pub fn load(eeprom: &Eeprom, memory: &mut [u8]) -> Option<Kept> {
 #[inline(never)]
 fn restore(eeprom: &Eeprom, loader: &mut Loader<'_, Uno>) -> Option<Kept> {
     let (length, sum) = (word(eeprom, LENGTH), word(eeprom, SUM));
-    if eeprom.read(MARK) != VALID || length > Profile::UNO.stored_bytes {
+    if eeprom.read(MARK) != VALID || length > BOARD.stored_bytes {
         return None;
     }
     let mut stored = (STORED..STORED + length).map(|address| eeprom.read(address));

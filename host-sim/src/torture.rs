@@ -116,7 +116,7 @@ fn run(program: Program<'_>, random: &mut Random, tally: &mut Tally) -> Result<(
             }
             Err(fault) => return Err(format!("{fault}, outputs {:#b}", plc.outputs().0)),
         };
-        if outputs.0 >> BOARD.outputs != 0 || outputs.0 as u8 & plc.needs().pwm != 0 {
+        if outputs.0 >> BOARD.outputs != 0 || outputs.0 & plc.needs().pwm != 0 {
             return Err(format!("outputs {:#b}", outputs.0));
         }
     }

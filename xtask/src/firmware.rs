@@ -6,7 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use unoclp_boot::Model;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
 use unoclp_modbus::map;
 
@@ -192,15 +192,15 @@ fn target_folder() -> PathBuf {
 /// What room a program has on the board.
 fn program_room() -> String {
     const TIMERS: usize = 16;
-    let Profile {
+    let Board {
         stored_bytes,
         linked_bytes,
         ..
-    } = Profile::UNO;
+    } = Board::UNO;
     format!(
         "programs of up to {} codes, or {} codes and {TIMERS} timers: {} B stored, {} B in run memory",
-        codes_beside(0, &Profile::UNO),
-        codes_beside(TIMERS, &Profile::UNO),
+        codes_beside(0, &Board::UNO),
+        codes_beside(TIMERS, &Board::UNO),
         thousands(stored_bytes.into()),
         thousands(linked_bytes.into())
     )
@@ -208,48 +208,43 @@ fn program_room() -> String {
 
 /// How many contacts, coils and branches, of one byte each, there is room for beside so many timers
 /// (NC-10).
-fn codes_beside(timers: usize, profile: &Profile) -> usize {
-    let row = Opcode::OnDelay.row();
+fn codes_beside(timers: usize, board: &Board) -> usize {
     // Its code, its preset and its output.
-    let (stored_bytes, linked_bytes) = (6, usize::from(row.run));
-    let stored = usize::from(profile.stored_bytes).checked_sub(timers * stored_bytes);
-    let linked = usize::from(profile.linked_bytes).checked_sub(timers * linked_bytes);
+    let (stored_bytes, linked_bytes) = (6, usize::from(board.engine.run_bytes(Opcode::OnDelay)));
+    let stored = usize::from(board.stored_bytes).checked_sub(timers * stored_bytes);
+    let linked = usize::from(board.linked_bytes).checked_sub(timers * linked_bytes);
     stored.min(linked).unwrap_or(0)
 }
 
 #[cfg(test)]
 mod tests {
-    use unoclp_core::Profile;
+    use unoclp_core::Board;
 
     use super::codes_beside;
 
     #[test]
     fn the_smaller_of_both_memories_sets_the_limit() {
-        let profile = |stored_bytes, linked_bytes| Profile {
+        let board = |stored_bytes, linked_bytes| Board {
             stored_bytes,
             linked_bytes,
-            ..Profile::UNO
+            ..Board::UNO
         };
         // A timer takes 6 bytes stored and 11 in run memory.
         let cases = [
-            (profile(900, 960), 0, 900),
-            (profile(900, 960), 16, 960 - 16 * 11),
-            (profile(900, 2_000), 16, 900 - 16 * 6),
-            (profile(900, 11), 1, 0),
-            (profile(900, 10), 1, 0),
-            (profile(5, 2_000), 1, 0),
+            (board(900, 960), 0, 900),
+            (board(900, 960), 16, 960 - 16 * 11),
+            (board(900, 2_000), 16, 900 - 16 * 6),
+            (board(900, 11), 1, 0),
+            (board(900, 10), 1, 0),
+            (board(5, 2_000), 1, 0),
         ];
-        for (profile, timers, codes) in cases {
-            assert_eq!(
-                codes_beside(timers, &profile),
-                codes,
-                "{profile:?}, {timers}"
-            );
+        for (board, timers, codes) in cases {
+            assert_eq!(codes_beside(timers, &board), codes, "{board:?}, {timers}");
         }
     }
 
     #[test]
     fn the_uno_has_room_for_500_codes_and_16_timers() {
-        assert!(codes_beside(16, &Profile::UNO) >= 500);
+        assert!(codes_beside(16, &Board::UNO) >= 500);
     }
 }

@@ -1,15 +1,16 @@
 //! Points and the images that hold one bit for each.
 
+use crate::ImageBits;
+
 /// A point that exists: an input or output of the board, or a branch point of a rung.
 ///
-/// Holds the index 0–15; people and programs count from 1. Because the index always fits an
-/// [`Image`], reading and writing one by it cannot fail.
+/// Holds the index 0–98; people and programs count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Point(u8);
 
 impl Point {
-    /// The most points of one kind that a board may have.
-    pub const MOST: u8 = 16;
+    /// The most points of one kind that a board may have: a code names them by two digits.
+    pub const MOST: u8 = 99;
 
     /// The point with this number, counted from 1, where there are `count` of them.
     pub const fn new(number: u8, count: u8) -> Option<Point> {
@@ -20,23 +21,23 @@ impl Point {
         }
     }
 
-    /// The index, 0–15.
+    /// The index, 0–98.
     pub const fn index(self) -> u8 {
         self.0
     }
 
-    /// The number as programs write it, 1–16.
+    /// The number as programs write it, 1–99.
     pub const fn number(self) -> u8 {
         self.0 + 1
     }
 }
 
-/// The state of up to 16 points at one moment: bit 0 is point 01.
+/// The state of as many points as a board may have, at one moment: bit 0 is point 01. The firmware's is of 16.
 ///
 /// The program sees only images (NC-5): the input image is read before it runs, the output image
 /// is written to the pins after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Image(pub u16);
+pub struct Image(pub ImageBits);
 
 impl Image {
     /// The state of a point.
@@ -53,7 +54,7 @@ impl Image {
         }
     }
 
-    const fn mask(point: Point) -> u16 {
-        1 << (point.0 & 0x0F)
+    const fn mask(point: Point) -> ImageBits {
+        1 << (point.0 & (ImageBits::BITS as u8 - 1))
     }
 }

@@ -3,8 +3,8 @@
 //! Owns which a program keeps, what that takes of program memory, and how old a kept number may be; must not
 //! know in what form a board keeps them.
 
+use crate::Program;
 use crate::isa::Opcode;
-use crate::{Profile, Program};
 
 /// A program keeps so many numbers at most.
 pub const KEPT: u8 = 16;
@@ -65,9 +65,9 @@ impl Program<'_> {
 
     /// How old a kept number may be behind a power cut, minutes: as often as the board's memory stands. None
     /// where nothing is kept.
-    pub fn kept_within(&self, board: &Profile) -> Option<u16> {
+    pub fn kept_within(&self) -> Option<u16> {
         let numbers = usize::from(self.kept_count());
-        let room = usize::from(board.stored_bytes).saturating_sub(self.stored_bytes());
+        let room = usize::from(self.board().stored_bytes).saturating_sub(self.stored_bytes());
         let record = numbers * usize::from(NUMBER_BYTES) + usize::from(RECORD_BYTES);
         let records = (room / record).max(1);
         (numbers > 0).then(|| usize::from(RECORDED).div_ceil(records) as u16)

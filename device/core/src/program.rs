@@ -1,7 +1,8 @@
 //! A checked program.
 
+use crate::held::Held;
 use crate::isa::{Operand, Value};
-use crate::{Instruction, Needs};
+use crate::{Board, Instruction, Needs};
 
 /// An operation with a constant of four bytes.
 const CONSTANT_COST: usize = 6;
@@ -16,6 +17,7 @@ const CONSTANT_COST: usize = 6;
 /// exists; the linked form and all data fit run memory.**
 #[derive(Debug)]
 pub struct Program<'m> {
+    pub(crate) held: Held,
     /// The stored form, then what is left of run memory.
     pub(crate) memory: &'m mut [u8],
     pub(crate) code_bytes: usize,
@@ -29,6 +31,11 @@ pub struct Program<'m> {
 }
 
 impl<'m> Program<'m> {
+    /// The board that it has been checked for.
+    pub fn board(&self) -> Board {
+        self.held.board()
+    }
+
     /// How many codes the file holds, program start and each code with its operand lines as one.
     pub fn codes(&self) -> u16 {
         self.codes
@@ -50,7 +57,7 @@ impl<'m> Program<'m> {
     }
 
     /// The highest register that there is: that of the highest that the program names, and at least
-    /// [`NEAR_REGISTERS`](crate::isa::NEAR_REGISTERS).
+    /// [`Engine::near_registers`](crate::Engine::near_registers).
     pub fn registers(&self) -> usize {
         self.registers.into()
     }

@@ -9,7 +9,7 @@
 //! | 960 … 1023 | [`markers`] |
 
 use crate::map::setting;
-use unoclp_core::{Crc16, Profile};
+use unoclp_core::{Board, Crc16};
 
 /// The program that was last accepted.
 ///
@@ -48,7 +48,7 @@ pub mod program {
     /// Where the stored form begins.
     pub const STORED: u16 = SUM + 2;
     /// The first byte behind the longest program.
-    pub const END: u16 = STORED + Profile::UNO.stored_bytes;
+    pub const END: u16 = STORED + Board::UNO.stored_bytes;
 
     /// The head of a program of this length.
     #[inline(always)]

@@ -3,8 +3,8 @@
 
 use crate::Table;
 use core::fmt;
-use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, COUNTERS, MARKERS, REGISTERS, TIMER_DATA};
+use unoclp_core::Board;
+use unoclp_core::isa::{REGISTERS, TIMER_DATA};
 
 /// Addresses in a row that hold values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,22 +126,22 @@ spans! {
     /// Coils.
     coil: Coils {
         /// The image of the outputs.
-        OUTPUTS = 0, Profile::UNO.outputs, Bit, Rights::Write(locks::WRITING), "output 01–04";
+        OUTPUTS = 0, BOARD.outputs, Bit, Rights::Write(locks::WRITING), "output 01–04";
         /// The markers.
-        MARKERS = 16, super::MARKERS, Bit, Rights::Write(locks::WRITING), "marker M 01–64";
+        MARKERS = 16, BOARD.markers, Bit, Rights::Write(locks::WRITING), "marker M 01–64";
     }
 
     /// Discrete inputs.
     discrete: DiscreteInputs {
         /// The inputs as the program sees them.
-        INPUTS = 0, Profile::UNO.inputs, Bit, Rights::Read, "input 01–08";
+        INPUTS = 0, BOARD.inputs, Bit, Rights::Read, "input 01–08";
     }
 
     /// Input registers. From [`STATE`](input::STATE) to [`FAULTS`](input::FAULTS) they are the diagnostics, which
     /// one request reads.
     input: InputRegisters {
         /// The analogue inputs, 0 to 1023.
-        ANALOGUE = 0, super::ANALOGUE, Word, Rights::Read, "analogue input A 00–04";
+        ANALOGUE = 0, BOARD.analogue, Word, Rights::Read, "analogue input A 00–04";
         /// A [`State`].
         STATE = 16, 1, Word, Rights::Read, "state";
         /// Bits of [`flag`], and the [`form`] of the stored program.
@@ -171,7 +171,7 @@ spans! {
         /// What has elapsed of the timers, ms.
         TIMERS = 128, super::TIMERS, Long, Rights::Read, "timer T 01–87: elapsed time";
         /// What the counters have counted.
-        COUNTERS = 320, super::COUNTERS, Long, Rights::Read, "counter C 01–16: value";
+        COUNTERS = 320, BOARD.counters, Long, Rights::Read, "counter C 01–16: value";
     }
 
     /// Holding registers.
@@ -181,7 +181,7 @@ spans! {
         /// The presets of the timers, ms.
         TIMERS = 128, super::TIMERS, Long, Rights::Write(locks::WRITING), "timer T 01–87: preset";
         /// The presets of the counters.
-        COUNTERS = 320, super::COUNTERS, Long, Rights::Write(locks::WRITING), "counter C 01–16: preset";
+        COUNTERS = 320, BOARD.counters, Long, Rights::Write(locks::WRITING), "counter C 01–16: preset";
         /// Takes a [`Command`]; reads as the state.
         COMMAND = 400, 1, Word, Rights::Write(locks::COMMANDS), "command";
         /// Which inputs are forced, bit 0 input 01.
@@ -203,8 +203,11 @@ spans! {
     }
 }
 
+/// The board that has these addresses.
+const BOARD: Board = Board::UNO;
+
 /// As many timers as fit run memory: the linked form of a timer takes two bytes beside its data.
-const TIMERS: u16 = Profile::UNO.linked_bytes / (2 + TIMER_DATA as u16);
+const TIMERS: u16 = BOARD.linked_bytes / (2 + TIMER_DATA as u16);
 
 /// The most text that a block of an upload holds, bytes.
 pub const BLOCK_BYTES: u8 = (2 * (holding::UPLOAD.values - 1)) as u8;

@@ -5,11 +5,11 @@
 //! the reference takes 70 µs to appear.
 
 use super::shared::Shared;
+use crate::instructions::BOARD;
 use avr_device::atmega328p::ADC;
-use unoclp_core::isa::ANALOGUE;
 
 /// The readings of A 00 … A 04, 0 to 1023.
-pub type Readings = [u16; ANALOGUE as usize];
+pub type Readings = [u16; BOARD.analogue as usize];
 
 /// The reference as a fraction of the supply, in 1024ths, at 4.3 V: more means less supply.
 /// The reference itself is good to 10 %.
@@ -21,7 +21,7 @@ const CENTIVOLTS: u32 = 110 * 1024;
 const REFERENCE: u8 = 0b1110;
 const SUPPLY: u8 = 1 << 6;
 /// Behind the last analogue input comes the reference.
-const LAST: u8 = ANALOGUE;
+const LAST: u8 = BOARD.analogue;
 
 // Static, so that nobody has to carry a pointer to them along.
 

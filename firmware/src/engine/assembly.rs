@@ -5,24 +5,32 @@ use super::data::Data;
 use super::layout::{ADDRESS_BYTES, POINTS, SNAPSHOT_BYTES};
 use super::link::{self, Job};
 use super::memory;
-use crate::instructions::PROFILE;
+use crate::instructions::BOARD;
 use crate::operation::Images;
 use crate::page::Running;
 use core::arch::global_asm;
 use core::mem::offset_of;
 use unoclp_core::isa::{self, Kind, Opcode};
 
-/// Each constant by its name. Of each instruction `OP_` and its name, the byte that stores it, `OWN_` and its
-/// name, the bytes of data that it has of its own, and the label of its handler for Rust to find.
+/// The label of each handler, for Rust to find.
+macro_rules! labels {
+    ($($name:ident $run:literal $handler:ident;)*) => {
+        global_asm!($(concat!("        .global ", stringify!($handler)),)*);
+    };
+}
+
+unoclp_core::uno_engine!(labels);
+
+/// Each constant by its name. Of each instruction `OP_` and its name, the byte that stores it, and `OWN_` and its
+/// name, the bytes of data that it has of its own.
 macro_rules! assembly {
     ({ $($constant:ident = $value:expr;)* }
-        $($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
-            $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+        $($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $own:literal
+            $effect:literal $il:literal $picture:literal;)*) => {
         global_asm!(
             $(concat!("        .equ    ", stringify!($constant), ", {", stringify!($constant), "}"),)*
             $(concat!("        .equ    OP_", stringify!($name), ", ", $stored),)*
             $(concat!("        .equ    OWN_", stringify!($name), ", ", $own),)*
-            $(concat!("        .global ", stringify!($handler)),)*
             include_str!("rules.s"),
             include_str!("first.s"),
             include_str!("more.s"),
@@ -39,7 +47,7 @@ macro_rules! assembly {
 }
 
 unoclp_core::instructions!(assembly {
-    REAL = PROFILE.real as u8;
+    REAL = BOARD.real as u8;
     PAGE_DATA = offset_of!(Running, data);
     DATA_SYSTEM = offset_of!(Data, system);
     DATA_INPUTS = offset_of!(Data, inputs);
@@ -55,10 +63,10 @@ unoclp_core::instructions!(assembly {
     TIMER_DATA = isa::TIMER_DATA;
     COUNTER_DATA = isa::COUNTER_DATA;
     MARKER_TARGET = isa::MARKER_TARGET;
-    NEAR_REGISTERS = isa::NEAR_REGISTERS;
+    NEAR_REGISTERS = BOARD.engine.near_registers;
     POPPED = isa::POPPED;
     BYTE_CONSTANT = isa::BYTE_CONSTANT;
-    LABELS = isa::LABELS;
+    LABELS = BOARD.labels;
     POINTS = POINTS;
     INPUTS = Images::INPUTS;
 
@@ -145,9 +153,10 @@ const _: () = {
     assert!(counter as usize == register as usize + 1);
     assert!(Opcode::Push as usize == counter as usize + 1);
     let bytes = ADDRESS_BYTES + SNAPSHOT_BYTES;
-    assert!(register.row().run as usize == bytes && counter.row().run as usize == bytes);
+    assert!(BOARD.engine.run_bytes(register) as usize == bytes);
+    assert!(BOARD.engine.run_bytes(counter) as usize == bytes);
     // It keeps address and place of a label, 4 bytes, in the registers.
-    assert!(isa::LABELS <= isa::REGISTERS && isa::LABELS.is_power_of_two());
+    assert!(BOARD.labels <= isa::REGISTERS && BOARD.labels.is_power_of_two());
     // The page is left by `subi` with one byte, and all of the data that one byte names stands at its end.
     assert!(offset_of!(Data, registers) < 128);
     assert!(offset_of!(Running, data) >= 0x100 && size_of::<Running>() == 0x200);

@@ -1,7 +1,8 @@
 //! What the engine keeps outside of run memory, at a fixed place in the page: the handlers know it by
 //! address.
 
-use unoclp_core::isa::{ANALOGUE, MARKERS, NEAR_REGISTERS, REGISTER_BYTES, RETENTIVE};
+use crate::instructions::BOARD;
+use unoclp_core::isa::{REGISTER_BYTES, RETENTIVE};
 
 /// A bit of its own, as a byte: [`ON`] or 0.
 pub type Cell = u8;
@@ -24,13 +25,13 @@ pub struct Data {
     /// PWM of the output with this index.
     pub pwm: [u8; 4],
     /// The readings of A 00 … A 04, 0 to 1023.
-    pub analogue: [u16; ANALOGUE as usize],
+    pub analogue: [u16; BOARD.analogue as usize],
     /// How long the last scan took, µs; and the time stamp of this scan, ms.
     pub readings: [u32; 2],
     /// M 01 … M 64.
-    pub markers: [Cell; MARKERS as usize],
+    pub markers: [Cell; BOARD.markers as usize],
     /// D 01 … D 32, low byte first. Run memory, where the others stand, comes right behind.
-    pub registers: [[u8; REGISTER_BYTES]; NEAR_REGISTERS as usize],
+    pub registers: [[u8; REGISTER_BYTES]; BOARD.engine.near_registers as usize],
 }
 
 /// The first of the retentive markers, counted from 0.

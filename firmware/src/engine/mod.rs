@@ -26,20 +26,19 @@ mod rows;
 pub use data::Data;
 
 use crate::board::eeprom::Eeprom;
+use crate::instructions::BOARD;
 use crate::operation::Images;
 use crate::store::Kept;
 use core::mem;
 use data::{Cell, ON};
 use layout::{ADDRESS_BYTES, Layout, POINTS, SNAPSHOT_BYTES};
 use memory::Memory;
-use unoclp_core::isa::{
-    COUNTER_DATA, FAST_INPUTS, JUMP_BUDGET, NEAR_REGISTERS, REGISTER_BYTES, TIMER_DATA,
-};
-use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs, Profile};
+use unoclp_core::isa::{COUNTER_DATA, JUMP_BUDGET, REGISTER_BYTES, TIMER_DATA};
+use unoclp_core::{Cause, Clocks, Debounce, Fault, Image, Millis, Needs};
 
 const _: () = {
-    assert!(FAST_INPUTS == POINTS && Profile::UNO.outputs <= POINTS);
-    assert!(Profile::UNO.inputs as usize <= POINTS as usize + 4);
+    assert!(BOARD.engine.fast_inputs == POINTS && BOARD.outputs <= POINTS);
+    assert!(BOARD.inputs as usize <= POINTS as usize + 4);
     assert!(JUMP_BUDGET < i16::MAX as u16);
 };
 
@@ -101,7 +100,7 @@ impl<'m> Linked<'m> {
             ..
         } = layout.stored;
         let numbers = usize::from(numbers);
-        let far = usize::from(registers - NEAR_REGISTERS) * REGISTER_BYTES;
+        let far = usize::from(registers - BOARD.engine.near_registers) * REGISTER_BYTES;
         let (far, rest) = mem::take(&mut self.own)
             .split_at_mut_checked(far)
             .unwrap_or_default();

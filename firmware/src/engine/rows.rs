@@ -1,4 +1,4 @@
-//! The instruction table of the core in program memory, and which handler runs which instruction.
+//! Which handler runs which instruction.
 
 use crate::board::flash::Table;
 use unoclp_core::isa;
@@ -7,8 +7,7 @@ use unoclp_core::isa;
 pub type Handler = unsafe extern "C" fn();
 
 macro_rules! handlers {
-    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
-        $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+    ($($name:ident $run:literal $handler:ident;)*) => {
         /// The handlers in the order of the instruction table. Instructions without a handler of their own
         /// name any.
         #[unsafe(link_section = ".progmem.data")]
@@ -23,4 +22,4 @@ macro_rules! handlers {
     };
 }
 
-unoclp_core::instructions!(handlers);
+unoclp_core::uno_engine!(handlers);

@@ -33,13 +33,14 @@ pub fn random_program(random: &mut Random) -> String {
 pub fn random_inputs(random: &mut Random, needs: Needs, before: Inputs) -> Inputs {
     let mut inputs = before;
     // A pin that is an analogue input has no button.
-    let buttons = !(u16::from(needs.analogue & 0x0F) << 4) & 0xFF;
+    let buttons = !((needs.analogue & 0x0F) << 4) & 0xFF;
     match random.below(100) {
         0..70 => {}
         70..95 => inputs.points.0 ^= 1 << random.below(BOARD.inputs.into()) & buttons,
-        _ => inputs.points.0 = random.bits() as u16 & buttons,
+        _ => inputs.points.0 = u128::from(random.bits() as u16) & buttons,
     }
-    for (input, reading) in inputs.analogue.iter_mut().enumerate() {
+    let readings = inputs.analogue.iter_mut().take(BOARD.analogue.into());
+    for (input, reading) in readings.enumerate() {
         if needs.analogue >> input & 1 != 0 && random.percent(30) {
             *reading = random.below(1024) as u16;
         }

@@ -27,11 +27,13 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
         timers: 0,
         pushed: 0,
         ifs: Vec::new(),
-        registers: isa::NEAR_REGISTERS,
+        registers: BOARD.engine.near_registers,
     };
     // Seldom: they take much of run memory.
     if draft.random.percent(8) {
-        draft.registers = draft.random.number(isa::NEAR_REGISTERS, isa::REGISTERS);
+        draft.registers = draft
+            .random
+            .number(BOARD.engine.near_registers, isa::REGISTERS);
     }
     let mut rungs = Vec::new();
     // A program may begin without a new rung.
@@ -67,7 +69,7 @@ pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'s
     let timers = instructions
         .iter()
         .filter(|step| Delay::of(step.opcode).is_some());
-    let timers = timers.count().min(isa::TIMERS.into()) as u8;
+    let timers = timers.count().min(BOARD.timers.into()) as u8;
     // Each label once: the first of its number stays.
     let mut labels: Vec<(usize, u8)> = Vec::new();
     let mut defined = Vec::new();
@@ -123,7 +125,7 @@ fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
     while kept.len() < KEPT.into() && random.percent(20) {
         let step = match random.percent(50) {
             true => Instruction::numbered(Opcode::KeepRegister, kept_register(random)),
-            false => Instruction::numbered(Opcode::KeepCounter, random.number(1, isa::COUNTERS)),
+            false => Instruction::numbered(Opcode::KeepCounter, random.number(1, BOARD.counters)),
         };
         if !kept.contains(&step) {
             kept.push(step);
@@ -135,7 +137,7 @@ fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
 fn kept_register(random: &mut Random) -> u8 {
     let last = match random.percent(3) {
         true => isa::REGISTERS,
-        false => isa::NEAR_REGISTERS,
+        false => BOARD.engine.near_registers,
     };
     random.number(1, last)
 }
@@ -186,12 +188,12 @@ impl Draft<'_> {
             Operand::Drum { steps, .. } => steps.len(),
             Operand::Value(Value::Constant(number)) => {
                 let stored = isa::stored_constant(number);
-                usize::from(isa::operand_run_bytes(stored)) + 1
+                usize::from(BOARD.engine.operand_bytes(stored)) + 1
             }
             Operand::Value(_) => 2,
             _ => 0,
         };
-        self.taken += usize::from(instruction.opcode.row().run.max(2)) - 1 + more;
+        self.taken += usize::from(BOARD.engine.run_bytes(instruction.opcode).max(2)) - 1 + more;
         self.rung.push(instruction);
     }
 
@@ -338,7 +340,7 @@ impl Draft<'_> {
 
     /// Counts a register round and round, a few times in each scan.
     fn counted_loop(&mut self) {
-        let label = self.random.number(LOOPS, isa::LABELS);
+        let label = self.random.number(LOOPS, BOARD.labels);
         let register = self.random.number(1, self.registers);
         let constant = |opcode, number| Instruction {
             opcode,
@@ -453,7 +455,7 @@ impl Draft<'_> {
             Kind::None => Operand::None,
             Kind::Timer => Operand::Timer(self.timer()?),
             Kind::Count => Operand::Count {
-                counter: self.random.number(1, isa::COUNTERS),
+                counter: self.random.number(1, BOARD.counters),
                 preset: match self.random.below(10) {
                     0..8 => self.random.below(6) as i32,
                     _ => (self.random.bits() as u32 >> 1).cast_signed(),
@@ -538,11 +540,11 @@ impl Draft<'_> {
             Kind::Pwm => allowed(self.pwm, 1),
             Kind::Analogue => allowed(self.analogue, 0),
             Kind::Marker if self.random.percent(80) => vec![1, 2, 8, 9, 57, 63, 64],
-            Kind::Marker => (1..=isa::MARKERS).collect(),
+            Kind::Marker => (1..=BOARD.markers).collect(),
             Kind::System => (1..=isa::SYSTEM_MARKERS).collect(),
             Kind::Branch => (1..=isa::BRANCH_POINTS).collect(),
-            Kind::TimerQ => (0..isa::TIMERS).collect(),
-            Kind::Counter => (1..=isa::COUNTERS).collect(),
+            Kind::TimerQ => (0..BOARD.timers).collect(),
+            Kind::Counter => (1..=BOARD.counters).collect(),
             Kind::Register => vec![self.register()],
             Kind::Reading => vec![1, 2],
             Kind::Group => (1..=8).collect(),
@@ -599,7 +601,7 @@ impl Draft<'_> {
     }
 
     fn timer(&mut self) -> Option<TimerBlock> {
-        if self.timers >= isa::TIMERS {
+        if self.timers >= BOARD.timers {
             return None;
         }
         self.timers += 1;

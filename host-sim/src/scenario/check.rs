@@ -166,7 +166,7 @@ impl Run {
         engine: &mut E,
     ) -> Result<(), E::Error> {
         let look = |place: &Place| match *place {
-            Place::Output(number) => Ok(i32::from(outputs.0 >> (number - 1) & 1)),
+            Place::Output(number) => Ok((outputs.0 >> (number - 1) & 1) as i32),
             Place::Cell(cell) => engine.look(cell),
             Place::Pwm(output) => engine.pwm(output).map(i32::from),
         };
@@ -178,7 +178,7 @@ impl Run {
             seen: seen?,
         };
         let came = |place: &Place| match *place {
-            Place::Output(number) => i32::from(outputs.0 >> (number - 1) & 1),
+            Place::Output(number) => (outputs.0 >> (number - 1) & 1) as i32,
             _ => self.columns.value(place, &change.seen),
         };
         self.comparisons += self.wanted.len() as u64;

@@ -9,7 +9,6 @@ use super::{Both, Goal, Place, ProgramFile, Refusal, Scenario, Wrong};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
-use unoclp_core::isa::ANALOGUE;
 use unoclp_program::BOARD;
 
 /// A scenario file whose every value has passed its checks.
@@ -144,6 +143,6 @@ fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Slip>
 /// Whether something can be connected to a point of this name, or watched there.
 fn is_point(name: &str) -> bool {
     let inputs = (1..=BOARD.inputs).map(|number| format!("I{number}"));
-    let mut analogue = (0..ANALOGUE).map(|number| format!("A{number}"));
+    let mut analogue = (0..BOARD.analogue).map(|number| format!("A{number}"));
     inputs.chain(&mut analogue).any(|point| point == name) || Place::of_name(name).is_some()
 }

@@ -1,7 +1,7 @@
 //! What a scenario looks at and sets: outputs, PWM, and cells of the program's memory.
 
 use std::fmt;
-use unoclp_core::isa::{MARKERS, REGISTERS};
+use unoclp_core::isa::REGISTERS;
 use unoclp_program::BOARD;
 
 /// A cell of a program's memory, which can be set from outside, as Modbus does.
@@ -20,7 +20,7 @@ pub enum Place {
     Output(u8),
     /// A cell.
     Cell(Cell),
-    /// PWM of the output with this number, 1 or 4: 0 to 255.
+    /// PWM of the output with this number: 0 to 255.
     Pwm(u8),
 }
 
@@ -29,9 +29,9 @@ impl Place {
     pub(super) fn of_name(name: &str) -> Option<Place> {
         let all = |count| 1..=count;
         let outputs = all(BOARD.outputs).map(Place::Output);
-        let markers = all(MARKERS).map(|number| Place::Cell(Cell::Marker(number)));
+        let markers = all(BOARD.markers).map(|number| Place::Cell(Cell::Marker(number)));
         let registers = all(REGISTERS).map(|number| Place::Cell(Cell::Register(number)));
-        let pwm = [1, 4].map(Place::Pwm);
+        let pwm = BOARD.pwm_outputs().map(Place::Pwm);
         outputs
             .chain(markers)
             .chain(registers)

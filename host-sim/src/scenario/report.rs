@@ -152,7 +152,7 @@ impl Report {
     /// What a place was in the scan of this change.
     pub fn came(&self, place: Place, change: &Change) -> i32 {
         match place {
-            Place::Output(number) => i32::from(change.outputs.0 >> (number - 1) & 1),
+            Place::Output(number) => (change.outputs.0 >> (number - 1) & 1) as i32,
             _ => self.columns.value(&place, &change.seen),
         }
     }

@@ -10,7 +10,6 @@ use super::{
 };
 use std::fmt;
 use unoclp_core::Millis;
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS};
 use unoclp_program::messages::system;
 use unoclp_program::{BOARD, Lang, diagnosis};
 
@@ -127,19 +126,30 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
             lang,
             name,
             BOARD.inputs,
-            ANALOGUE - 1,
+            BOARD.analogue - 1,
             BOARD.outputs,
-            MARKERS,
-            REGISTERS,
+            BOARD.markers,
+            unoclp_core::isa::REGISTERS,
         ),
         Wrong::NothingHappens => nothing_happens(lang),
         Wrong::GoesOn => goes_on(lang),
         Wrong::NoScan { at, period } => no_scan(lang, at, period),
         Wrong::Order { at, last } => order(lang, at, last),
-        Wrong::NotSet { name } => {
-            not_set(lang, name, BOARD.inputs, ANALOGUE - 1, MARKERS, REGISTERS)
-        }
-        Wrong::NotExpected { name } => not_expected(lang, name, BOARD.outputs, MARKERS, REGISTERS),
+        Wrong::NotSet { name } => not_set(
+            lang,
+            name,
+            BOARD.inputs,
+            BOARD.analogue - 1,
+            BOARD.markers,
+            unoclp_core::isa::REGISTERS,
+        ),
+        Wrong::NotExpected { name } => not_expected(
+            lang,
+            name,
+            BOARD.outputs,
+            BOARD.markers,
+            unoclp_core::isa::REGISTERS,
+        ),
         Wrong::Value {
             name,
             from,

@@ -7,7 +7,6 @@ use super::{Cell, MOST_SCANS, Place, Refusal, Setting, Step, Stop, Timeline, Wro
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
-use unoclp_core::isa::ANALOGUE;
 use unoclp_core::{Cause, Millis, Point};
 use unoclp_program::BOARD;
 
@@ -175,7 +174,7 @@ fn setting(pair: Pair<'_>) -> Result<Setting, Slip> {
     if let Some(point) = input.and_then(|number| Point::new(number, BOARD.inputs)) {
         return Ok(Setting::Input(point, number(pair, 0..=1)? == 1));
     }
-    if let Some(input) = (0..ANALOGUE).find(|number| *name == format!("A{number}")) {
+    if let Some(input) = (0..BOARD.analogue).find(|number| *name == format!("A{number}")) {
         return Ok(Setting::Analogue(input, number(pair, 0..=1023)? as u16));
     }
     match Place::of_name(name) {

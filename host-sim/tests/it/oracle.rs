@@ -19,7 +19,7 @@ const SCANS: u32 = 60;
 /// What can be seen of a program: outputs, markers, registers, PWM, timers and counters.
 #[derive(Debug, PartialEq, Eq)]
 struct Seen {
-    outputs: u16,
+    outputs: u128,
     markers: Vec<bool>,
     registers: Vec<i64>,
     pwm: [i64; 2],
@@ -51,7 +51,7 @@ fn seen(machine: &Machine, now: i64) -> Seen {
 }
 
 fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
-    let bit = |output: usize| u16::from(naive.outputs[output]) << (output - 1);
+    let bit = |output: usize| u128::from(naive.outputs[output]) << (output - 1);
     let timers = naive.timers.iter();
     let counters = naive.counters[1..=counters].iter();
     Seen {
@@ -96,7 +96,7 @@ fn the_core_does_what_the_page_says() {
             }
             let world = World {
                 inputs: std::array::from_fn(|input| inputs.points.0 >> input & 1 == 1),
-                analogue: inputs.analogue.map(i64::from),
+                analogue: std::array::from_fn(|input| inputs.analogue[input].into()),
             };
             let came = machine.scan_observed(inputs, now as Millis, |_, _| ());
             let right = naive.scan(&world, now);

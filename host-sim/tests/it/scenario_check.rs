@@ -131,7 +131,7 @@ fn of_many_failures_the_first_are_shown() {
     let source = "until = 39\n[[step]]\nat = 0\nexpect = { Q1 = 0 }\n";
     let report = check(
         &scenario("many.toml", source),
-        &mut scripted(|scan| Ok(Image((scan % 2) as u16))),
+        &mut scripted(|scan| Ok(Image((scan % 2) as u128))),
     );
     let told = verdict(&report);
     assert_eq!(told.lines().count(), 10, "{told}");

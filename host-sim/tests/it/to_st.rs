@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_checked::{Checked, numeric};
-use unoclp_core::{Inputs, Profile};
+use unoclp_core::{Board, Inputs};
 use unoclp_host_sim::engine::Machine;
 use unoclp_host_sim::random::{Random, random_inputs, random_pause, random_program};
 use unoclp_lang::{Code, Lang, Severity, TextLanguage, compile_text, to_st};
 use unoclp_testing::rounds;
 
 /// A board with more memory than any: what is compiled again may be longer.
-const LARGE: Profile = Profile {
+const LARGE: Board = Board {
     stored_bytes: 60_000,
     linked_bytes: 60_000,
-    ..Profile::UNO
+    ..Board::UNO
 };
 
 const SCANS: u32 = 200;
@@ -82,7 +82,7 @@ fn at<'t>(text: &'t str, letter: &'t str, address: &'t str) -> impl Iterator<Ite
 fn run(name: &str, text: &str, file: &[u8], programs: [Checked; 2], seed: u64) {
     let needs = programs[0].program().needs();
     let mut machines = programs.map(Machine::new);
-    let markers = at(text, "M", "AT %MX").fold(0_u64, |mask, n| mask | 1 << (n - 1));
+    let markers = at(text, "M", "AT %MX").fold(0_u128, |mask, n| mask | 1 << (n - 1));
     let registers: Vec<u8> = at(text, "D", "AT %MD").collect();
     let random = &mut Random::new(seed);
     let (mut now, mut inputs) = (0, Inputs::default());
@@ -183,7 +183,7 @@ fn samples_are_written_as_they_shall_be() {
             .unwrap()
             .replacen('-', "/", 1);
         let file = fs::read(root.join("../programs").join(&name).with_extension("txt")).unwrap();
-        let (program, map) = numeric(&file, Profile::UNO).unwrap();
+        let (program, map) = numeric(&file, Board::UNO).unwrap();
         let text = to_st(program.program(), &map).unwrap();
         let expected = fs::read_to_string(&path).unwrap();
         assert_eq!(
@@ -197,7 +197,7 @@ fn samples_are_written_as_they_shall_be() {
 
 /// The refusal of this program: its code and its line.
 fn refused(file: &str) -> (u16, String) {
-    let (program, map) = numeric(file.as_bytes(), Profile::UNO).unwrap();
+    let (program, map) = numeric(file.as_bytes(), Board::UNO).unwrap();
     let refused = to_st(program.program(), &map).expect_err(file);
     (refused.code.number(), refused.message(Lang::En))
 }

@@ -2,7 +2,7 @@
 //! A page in WebAssembly has 5 ms for the check. `cargo bench -p unoclp-draw` measures it, and counts what it allocates.
 
 use divan::{AllocProfiler, Bencher, black_box};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_draw::edit::{
     Along, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Row, State, apply,
 };
@@ -43,7 +43,7 @@ fn document() -> Document {
 fn check(bencher: Bencher<'_, '_>) {
     let document = document();
     assert_eq!(document.rungs().len(), RUNGS);
-    bencher.bench_local(|| black_box(&document).check(Profile::UNO));
+    bencher.bench_local(|| black_box(&document).check(Board::UNO));
 }
 
 #[divan::bench]

@@ -9,8 +9,8 @@ use unoclp_core::isa::{Kind, Opcode, Operand, Value};
 pub(crate) const VALUE: &str = "V";
 
 macro_rules! pictures {
-    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
-        $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $own:literal
+        $effect:literal $il:literal $picture:literal;)*) => {
         /// How the instruction table pictures an instruction: `XX`, `operand` and `value` stand for what
         /// `words` puts in.
         pub const fn picture(opcode: Opcode) -> &'static str {

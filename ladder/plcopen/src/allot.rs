@@ -6,7 +6,8 @@ use crate::project::Variable;
 use crate::symbol::{Counts, Symbol, number, point, symbol_of};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
-use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
+use unoclp_core::Board;
+use unoclp_core::isa::{REGISTERS, RETENTIVE};
 use unoclp_draw::Address;
 use unoclp_lang::{Code, Span, Word};
 
@@ -185,9 +186,9 @@ pub(crate) fn allot(
 
 fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
     let (what, most) = match kind {
-        "TON" | "TOF" | "TP" => (("timer", "temporizador"), TIMERS),
-        "BOOL" | "SR" | "RS" => (("marker", "memória"), MARKERS),
-        _ if kind.starts_with("CT") => (("counter", "contador"), COUNTERS),
+        "TON" | "TOF" | "TP" => (("timer", "temporizador"), Board::UNO.timers),
+        "BOOL" | "SR" | "RS" => (("marker", "memória"), Board::UNO.markers),
+        _ if kind.starts_with("CT") => (("counter", "contador"), Board::UNO.counters),
         _ => (("register", "registrador"), REGISTERS),
     };
     let name = variable.name.as_str().into();

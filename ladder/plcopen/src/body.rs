@@ -6,7 +6,7 @@ use crate::project::{Pou, Project, Variable};
 use crate::xml::first;
 use roxmltree::Node;
 use unoclp_checked::SourceMap;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::{
     Code, Diagnostic, Lines, Options, Span, TextLanguage, Trace, compile_text, compile_untyped,
     has_types,
@@ -25,7 +25,7 @@ pub(crate) fn compile(
     xml: &str,
     project: &Project<'_, '_>,
     language: &str,
-    board: Profile,
+    board: Board,
     found: &mut Found,
     imported: &mut Imported,
 ) {

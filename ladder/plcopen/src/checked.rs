@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Cause, Profile};
+use unoclp_core::{Board, Cause};
 use unoclp_draw::Address;
 use unoclp_draw::edit::{Document, Id, visit};
 use unoclp_lang::{Code, Lang, Lines, Span, lacking};
@@ -30,7 +30,7 @@ impl Origins<'_> {
     pub(crate) fn check(
         &self,
         document: &Document,
-        board: Profile,
+        board: Board,
         found: &mut Found,
     ) -> Option<(String, (Checked, SourceMap))> {
         let instructions = match document.instructions() {
@@ -138,7 +138,7 @@ fn letters(line: i32) -> Option<String> {
 }
 
 /// Tells what the loader says of the program.
-fn refuse(fault: &Diagnosis, at: Span, board: Profile, found: &mut Found) {
+fn refuse(fault: &Diagnosis, at: Span, board: Board, found: &mut Found) {
     let cause = fault.fault.cause;
     match cause {
         Cause::ProgramFull | Cause::RunMemoryFull => {

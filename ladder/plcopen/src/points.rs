@@ -9,8 +9,8 @@
 //! | `%IW0` to `%IW4` | analogue inputs 00 to 04 |
 //! | `%QW1` to `%QW4` | PWM of outputs 01 to 04 |
 
-use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, COUNTERS, LABELS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
+use unoclp_core::Board;
+use unoclp_core::isa::{REGISTERS, RETENTIVE};
 use unoclp_draw::Address;
 
 /// What an address names.
@@ -24,16 +24,16 @@ pub(crate) enum Point {
 
 /// The points that are still free.
 pub(crate) struct Points {
-    board: Profile,
+    board: Board,
     markers: u128,
     registers: u128,
-    counters: u32,
-    labels: u64,
+    counters: u128,
+    labels: u128,
     timers: u8,
 }
 
 impl Points {
-    pub(crate) fn new(board: Profile) -> Points {
+    pub(crate) fn new(board: Board) -> Points {
         Points {
             board,
             markers: 0,
@@ -68,9 +68,12 @@ impl Points {
         Some(match letters {
             "I" | "IX" => Point::At(Address::Input(bit_of(self.board.inputs)?)),
             "Q" | "QX" => Point::At(Address::Output(bit_of(self.board.outputs)?)),
-            "M" | "MX" => Point::At(Address::Marker(bit_of(MARKERS)?)),
+            "M" | "MX" => Point::At(Address::Marker(bit_of(self.board.markers)?)),
             "MW" | "MD" => Point::At(Address::Register(word(1, REGISTERS)?)),
-            "IW" => Point::At(Address::Analogue(word(0, ANALOGUE - 1)?)),
+            "IW" => Point::At(Address::Analogue(word(
+                0,
+                self.board.analogue.checked_sub(1)?,
+            )?)),
             "QW" => Point::Pwm(word(1, self.board.outputs)?),
             _ => return None,
         })
@@ -88,7 +91,7 @@ impl Points {
     /// A marker; one that is kept over a power cut, where that is asked for.
     pub(crate) fn marker(&mut self, retain: bool) -> Option<u8> {
         let mut numbers = match retain {
-            true => RETENTIVE..=MARKERS,
+            true => RETENTIVE..=RETENTIVE + 7,
             false => 1..=RETENTIVE - 1,
         };
         let number = numbers.find(|number| self.markers >> number & 1 == 0)?;
@@ -106,11 +109,9 @@ impl Points {
     /// A counter: of one that is called C1 to C16 the one with that number, where it is free.
     pub(crate) fn counter(&mut self, name: &str) -> Option<u8> {
         let own = name.strip_prefix(['C', 'c']).and_then(|n| n.parse().ok());
-        let is_free =
-            |number: &u8| (1..=COUNTERS).contains(number) && self.counters >> number & 1 == 0;
-        let number = own
-            .filter(is_free)
-            .or_else(|| (1..=COUNTERS).find(is_free))?;
+        let most = self.board.counters;
+        let is_free = |number: &u8| (1..=most).contains(number) && self.counters >> number & 1 == 0;
+        let number = own.filter(is_free).or_else(|| (1..=most).find(is_free))?;
         self.counters |= 1 << number;
         Some(number)
     }
@@ -118,7 +119,7 @@ impl Points {
     /// The label with the number that its name says, L1 to L32, where it is free.
     pub(crate) fn own_label(&mut self, name: &str) -> Option<u8> {
         let own: u8 = name.strip_prefix(['L', 'l'])?.parse().ok()?;
-        let is_free = (1..=LABELS).contains(&own) && self.labels >> own & 1 == 0;
+        let is_free = (1..=self.board.labels).contains(&own) && self.labels >> own & 1 == 0;
         if !is_free {
             return None;
         }
@@ -128,14 +129,14 @@ impl Points {
 
     /// A label.
     pub(crate) fn label(&mut self) -> Option<u8> {
-        let number = (1..=LABELS).find(|number| self.labels >> number & 1 == 0)?;
+        let number = (1..=self.board.labels).find(|number| self.labels >> number & 1 == 0)?;
         self.labels |= 1 << number;
         Some(number)
     }
 
     /// A timer, by the order in which they are allotted.
     pub(crate) fn timer(&mut self) -> Option<u8> {
-        self.timers = (self.timers < TIMERS).then_some(self.timers + 1)?;
+        self.timers = (self.timers < self.board.timers).then_some(self.timers + 1)?;
         Some(self.timers)
     }
 }

@@ -18,14 +18,14 @@ use crate::xml::{self, all, first, text};
 use std::collections::HashMap;
 use std::sync::Arc;
 use unoclp_checked::Checked;
-use unoclp_core::Profile;
-use unoclp_core::isa::{Class, Kind, LABELS, OUTPUT_OPERAND, Opcode};
+use unoclp_core::Board;
+use unoclp_core::isa::{Class, Kind, OUTPUT_OPERAND, Opcode};
 use unoclp_draw::edit::{Document, Draft, Id, Node, Series, Step};
 use unoclp_draw::{Address, Names};
 use unoclp_lang::{Code, Span, Told};
 
 /// Reads a project for a board.
-pub fn import(text: &str, board: Profile) -> Imported {
+pub fn import(text: &str, board: Board) -> Imported {
     let mut found = Found::default();
     let mut imported = Imported {
         code: None,
@@ -98,7 +98,7 @@ fn language<'x>(project: &Project<'_, 'x>, found: &mut Found) -> Option<&'x str>
 fn ladder(
     text: &str,
     project: &Project<'_, '_>,
-    board: Profile,
+    board: Board,
     found: &mut Found,
     imported: &mut Imported,
 ) {
@@ -201,7 +201,7 @@ fn labels(flow: &mut Flow<'_, '_, '_>) {
 
 fn no_label(flow: &mut Flow<'_, '_, '_>, at: usize, name: &str) {
     let what = ("label", "rótulo").into();
-    let words = [what, name.into(), LABELS.to_string().into()];
+    let words = [what, name.into(), Board::UNO.labels.to_string().into()];
     flow.tell(Code::XmlNoneLeft, at, words);
 }
 

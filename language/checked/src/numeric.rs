@@ -4,7 +4,7 @@
 //! means: the loader says both.
 
 use crate::{Checked, Place, SourceMap};
-use unoclp_core::{Fault, Loader, Part, Profile};
+use unoclp_core::{Board, Fault, Loader, Part};
 
 /// The byte-order mark of UTF-8, which is no text (NC-3).
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
@@ -35,7 +35,7 @@ impl From<Fault> for Diagnosis {
 ///
 /// # Errors
 /// Its faults in the order in which they are found, at least one.
-pub fn numeric(file: &[u8], board: Profile) -> Result<(Checked, SourceMap), Vec<Diagnosis>> {
+pub fn numeric(file: &[u8], board: Board) -> Result<(Checked, SourceMap), Vec<Diagnosis>> {
     let mut reader = Reader::default();
     let mut faults = Vec::new();
     let mut lacking = [0; 2];

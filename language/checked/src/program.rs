@@ -5,7 +5,7 @@
 
 use self_cell::{MutBorrow, self_cell};
 use std::fmt;
-use unoclp_core::{Fault, Loader, Profile, Program};
+use unoclp_core::{Board, Fault, Loader, Program};
 
 self_cell!(
     struct Owned {
@@ -24,7 +24,7 @@ impl Checked {
     ///
     /// # Errors
     /// The first fault of the file.
-    pub fn new(board: Profile, feed: impl FnOnce(&mut Loader<'_>)) -> Result<Checked, Fault> {
+    pub fn new(board: Board, feed: impl FnOnce(&mut Loader<'_>)) -> Result<Checked, Fault> {
         let memory = MutBorrow::new(vec![0; board.plc_bytes()]);
         let owned = Owned::try_new(memory, |memory| {
             let mut loader = Loader::new(memory.borrow_mut(), board);

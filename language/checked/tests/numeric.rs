@@ -1,17 +1,17 @@
 //! The map of numeric code: what each line of a file comes to.
 
 use unoclp_checked::numeric;
-use unoclp_core::{Cause, Plc, Profile};
+use unoclp_core::{Board, Cause, Plc};
 
 #[test]
 fn a_file_has_a_title_and_each_step_its_place() {
     // A mark, line ends of both kinds, blanks, a rule, comments behind codes, and no end of the last line.
     let file = "\u{FEFF}/ Pump\r\n/ ------\r\n//\r\n/   I1  start\r\n/\r\n\t 0 / here\r\n\r\n/ Fill\n/\n/\n\
         / slowly\n  827301/ RI\n\n/ for 5 s\n847978\n/ the preset\n 5000 / ms\n  7901\n/ the end\n\t-787984";
-    let faults = numeric(file.as_bytes(), Profile::UNO).unwrap_err();
+    let faults = numeric(file.as_bytes(), Board::UNO).unwrap_err();
     assert_eq!(faults[0].fault.cause, Cause::UnknownCode);
     let file = file.replace("-787984", "787984");
-    let (checked, map) = numeric(file.as_bytes(), Profile::UNO).unwrap();
+    let (checked, map) = numeric(file.as_bytes(), Board::UNO).unwrap();
     assert_eq!(checked.program().steps().count(), 3);
     assert_eq!(map.title, ["Pump", "", "  I1  start"]);
     let places: Vec<_> = map.steps.iter().collect();
@@ -37,13 +37,13 @@ fn a_file_has_a_title_and_each_step_its_place() {
 
 #[test]
 fn the_first_bytes_of_a_file_are_no_blanks() {
-    let (_, map) = numeric(b"\xEF\xBB\xBF0\n827301\n", Profile::UNO).unwrap();
+    let (_, map) = numeric(b"\xEF\xBB\xBF0\n827301\n", Board::UNO).unwrap();
     assert_eq!((map.steps[0].line, map.steps[0].column), (2, 1));
 }
 
 #[test]
 fn faults_are_told_in_order_with_their_bytes() {
-    let faults = numeric(b"0\n1\n40\n8x\n", Profile::UNO).unwrap_err();
+    let faults = numeric(b"0\n1\n40\n8x\n", Board::UNO).unwrap_err();
     let told: Vec<_> = faults
         .iter()
         .map(|told| (told.fault.cause, told.fault.line, told.told_at))
@@ -56,12 +56,12 @@ fn faults_are_told_in_order_with_their_bytes() {
             (Cause::BranchLeftOpen, Some(3), None),
         ]
     );
-    assert!(numeric(b"", Profile::UNO).is_err());
+    assert!(numeric(b"", Board::UNO).is_err());
 }
 
 #[test]
 fn a_lent_program_runs_in_its_own_memory() {
-    let (mut checked, _) = numeric(b"0\n827301\n847978\n5000\n7901\n", Profile::UNO).unwrap();
+    let (mut checked, _) = numeric(b"0\n827301\n847978\n5000\n7901\n", Board::UNO).unwrap();
     let stored = checked.program().stored().to_vec();
     let mut plc = Plc::new(checked.lend());
     assert_eq!(plc.stored(), stored);

@@ -7,13 +7,13 @@
 use crate::spell::rung;
 use crate::{Compiled, Dialect, Options, compile};
 use unoclp_core::isa::Class;
-use unoclp_core::{Fault, Instruction, Loader, Profile};
+use unoclp_core::{Board, Fault, Instruction, Loader};
 
 /// Reads a program file back as Instruction List, which compiles to the same codes.
 ///
 /// # Errors
 /// The file's first fault.
-pub fn to_il(file: &[u8], board: Profile) -> Result<String, Fault> {
+pub fn to_il(file: &[u8], board: Board) -> Result<String, Fault> {
     let mut memory = vec![0; usize::from(board.linked_bytes)];
     let mut loader = Loader::new(&mut memory, board);
     for &byte in file {
@@ -26,7 +26,7 @@ pub fn to_il(file: &[u8], board: Profile) -> Result<String, Fault> {
 /// Likewise the instructions of a checked program.
 pub fn instructions_to_il<'c>(
     steps: impl Iterator<Item = Instruction<'c>>,
-    board: Profile,
+    board: Board,
 ) -> String {
     let mut rungs = split(steps);
     let wanted: Vec<i32> = std::iter::once(0)

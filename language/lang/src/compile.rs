@@ -10,7 +10,7 @@ use crate::places::{self, Places};
 use crate::st::has_types;
 use crate::{lower, names, parser, whole};
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 
 /// How to compile.
 #[derive(Clone, Copy, Debug)]
@@ -18,14 +18,14 @@ pub struct Options {
     /// Whose Instruction List it is; none: what the text looks like.
     pub dialect: Option<Dialect>,
     /// What the program must fit.
-    pub board: Profile,
+    pub board: Board,
 }
 
 impl Default for Options {
     fn default() -> Options {
         Options {
             dialect: None,
-            board: Profile::UNO,
+            board: Board::UNO,
         }
     }
 }
@@ -91,7 +91,7 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
 }
 
 /// A text with types or functions of the norm, which the typed tree has.
-fn of_types(text: &str, board: Profile) -> Compiled {
+fn of_types(text: &str, board: Board) -> Compiled {
     let made = compile_text(text, TextLanguage::Il, board);
     Compiled {
         dialect: Dialect::Iec,
@@ -105,7 +105,7 @@ fn of_types(text: &str, board: Profile) -> Compiled {
 fn translate(
     text: &str,
     dialect: Dialect,
-    board: Profile,
+    board: Board,
     parsed: &parser::Parsed,
     found: &mut Found,
 ) -> (Vec<CodeLine>, Option<(Checked, SourceMap)>) {

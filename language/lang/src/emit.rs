@@ -2,13 +2,14 @@
 
 use crate::diagnostics::{Code, Found, Lang, Lines, Span};
 use crate::lacking;
+use crate::limits::LABELS;
 use crate::lower::Lowered;
 use crate::origin::Origin;
 use crate::places::{Places, name};
 use crate::rung::Written;
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::isa::{self, LABELS, Opcode, Operand};
-use unoclp_core::{Cause, Fault, Instruction, Number, Profile, Target, TimerBlock};
+use unoclp_core::isa::{self, Opcode, Operand};
+use unoclp_core::{Board, Cause, Fault, Instruction, Number, Target, TimerBlock};
 
 /// A line of the program file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -220,7 +221,7 @@ pub(crate) fn check(
     text: &str,
     lines: &[CodeLine],
     origins: &[Origin],
-    board: Profile,
+    board: Board,
     mut places: Places<'_>,
     found: &mut Found,
 ) -> Option<(Checked, SourceMap)> {

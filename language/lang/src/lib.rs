@@ -32,6 +32,7 @@ mod lacking;
 mod languages;
 mod lce;
 mod lexer;
+mod limits;
 mod literal;
 mod lower;
 mod messages;

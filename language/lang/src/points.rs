@@ -7,8 +7,8 @@ use crate::Dialect;
 use crate::diagnostics::{Code, Found, Span, Word};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use unoclp_core::Profile;
-use unoclp_core::isa::{ANALOGUE, MARKERS, REGISTERS, SYSTEM_MARKERS};
+use unoclp_core::Board;
+use unoclp_core::isa::{REGISTERS, SYSTEM_MARKERS};
 use unoclp_point::{Address, Count, Kind, Maker, Spelling, Written, read};
 
 /// The outputs that have PWM.
@@ -32,15 +32,15 @@ impl Dialect {
 }
 
 /// The first and the last point of a kind; none of a kind that is not counted, or not without gaps.
-fn range(kind: Kind, board: Profile) -> Option<(u16, u16)> {
+fn range(kind: Kind, board: Board) -> Option<(u16, u16)> {
     Some(match kind {
         Kind::Input => (1, board.inputs.into()),
         Kind::Output => (1, board.outputs.into()),
-        Kind::Marker => (1, MARKERS.into()),
+        Kind::Marker => (1, board.markers.into()),
         Kind::System => (1, SYSTEM_MARKERS.into()),
         Kind::Register => (1, REGISTERS.into()),
-        Kind::Analogue => (0, u16::from(ANALOGUE) - 1),
-        Kind::Group => (1, u16::from(MARKERS) / 8),
+        Kind::Analogue => (0, u16::from(board.analogue).checked_sub(1)?),
+        Kind::Group => (1, board.groups().into()),
         Kind::Pwm | Kind::Always | Kind::Inputs | Kind::Outputs | Kind::Timer | Kind::Counter => {
             return None;
         }
@@ -48,7 +48,7 @@ fn range(kind: Kind, board: Profile) -> Option<(u16, u16)> {
 }
 
 /// Whether a board has this point. Timers and counters are names, which the text's own order numbers.
-pub(crate) fn exists(address: Address, board: Profile) -> bool {
+pub(crate) fn exists(address: Address, board: Board) -> bool {
     match range(address.kind, board) {
         Some((first, last)) => (first..=last).contains(&address.number),
         None => address.kind != Kind::Pwm || PWM.contains(&address.number),
@@ -124,7 +124,7 @@ impl Spellings {
 }
 
 /// What to write instead of a name that is no point of the board: its kind's points in the way in which it is written.
-pub(crate) fn help(name: &str, maker: Maker, board: Profile) -> Word {
+pub(crate) fn help(name: &str, maker: Maker, board: Board) -> Word {
     let upper: String = name.to_uppercase().split_whitespace().collect();
     let of = read(&upper, maker).and_then(|written| {
         let all = all_like(&written, board)?;
@@ -140,7 +140,7 @@ pub(crate) fn help(name: &str, maker: Maker, board: Profile) -> Word {
 type Both = (String, String);
 
 /// `inputs 01 to 08 are %IX0.0 to %IX0.7`, as this one is written; none where there is nothing to count.
-fn all_like(written: &Written, board: Profile) -> Option<Both> {
+fn all_like(written: &Written, board: Board) -> Option<Both> {
     let (en, pt) = plural(written.kind);
     if written.kind == Kind::Pwm {
         let [one, other] = PWM.map(|number| written.like(number).unwrap_or_default());
@@ -161,7 +161,7 @@ fn all_like(written: &Written, board: Profile) -> Option<Both> {
 }
 
 /// The same where a byte has eight bits: which point that would be, and which was meant where bytes of four were.
-fn of_byte(written: &Written, all: Both, board: Profile) -> Both {
+fn of_byte(written: &Written, all: Both, board: Board) -> Both {
     let (en, pt) = all;
     let Some(address) = written.address else {
         return (
@@ -193,7 +193,7 @@ fn of_byte(written: &Written, all: Both, board: Profile) -> Both {
 }
 
 /// The points that a text may name, by their first and last.
-fn every(maker: Maker, board: Profile) -> Both {
+fn every(maker: Maker, board: Board) -> Both {
     let letters: &[(&str, Kind)] = match maker {
         Maker::Simuplc => &[
             ("I0.0", Kind::Input),

@@ -1,6 +1,7 @@
 //! Markers and registers that the program does not name.
 
-use unoclp_core::isa::{NEAR_REGISTERS, REGISTERS, RETENTIVE};
+use crate::limits::NEAR_REGISTERS;
+use unoclp_core::isa::{REGISTERS, RETENTIVE};
 
 /// Which markers and registers are in use.
 #[derive(Clone, Copy, Debug, Default)]

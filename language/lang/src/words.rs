@@ -4,8 +4,8 @@ use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
 
 macro_rules! lines {
-    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
-        $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $own:literal
+        $effect:literal $il:literal $picture:literal;)*) => {
         /// The line of an instruction, or of a contact, a load and a store its operand alone. Empty where
         /// Instruction List has no words for it. `XX` and `operand` stand for what [`words`] puts in.
         const fn line(opcode: Opcode) -> &'static str {

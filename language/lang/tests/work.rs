@@ -7,7 +7,7 @@ use shapes::{IL, ISCL, LCE, ST, Shape, TYPED_IL};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, Stats, StatsAlloc};
 use std::alloc::System;
 use std::hint::black_box;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::{Options, TextLanguage, compile, compile_text};
 
 #[global_allocator]
@@ -27,7 +27,7 @@ fn il(text: &str) {
 }
 
 fn typed(text: &str, language: TextLanguage) {
-    black_box(compile_text(text, language, Profile::UNO));
+    black_box(compile_text(text, language, Board::UNO));
 }
 
 /// One test, for what others allocate meanwhile would count too.

@@ -189,11 +189,8 @@ fn numeric(path: &Path) -> Result<Vec<u8>> {
             let shown = show(&name, &text, &diagnostics, Lang::En, &Renderer::plain());
             bail!("{name} has errors\n{}", shown.trim_end())
         }
-        Err(Refused::Numeric {
-            written: Written { name, .. },
-            ..
-        })
-        | Err(Refused::NoProgram { name, .. }) => bail!("{name} is no program"),
+        Err(Refused::Numeric { written, .. }) => bail!("{} is no program", written.name),
+        Err(Refused::NoProgram { name, .. }) => bail!("{name} is no program"),
     }
 }
 

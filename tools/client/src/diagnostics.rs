@@ -193,12 +193,12 @@ async fn read_to(client: &mut Client, last: Span) -> Result<Vec<u16>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unoclp_core::{Crc16, Loader, Profile};
+    use unoclp_core::{Board, Crc16, Loader};
 
     #[test]
     fn a_board_keeps_what_its_page_says() {
         let mut memory = [0; 960];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        let mut loader = Loader::new(&mut memory, Board::UNO);
         for &byte in b"0\n787600\n827301\n877901\n" {
             loader.push(byte).unwrap();
         }

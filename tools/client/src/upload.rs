@@ -6,7 +6,7 @@ use crate::client::{Client, Failure};
 use crate::diagnostics::{Diagnostics, Kept, Trouble};
 use crate::map::{BLOCK_BYTES, Command, State, flag, holding};
 use std::time::Duration;
-use unoclp_core::isa::{NEAR_REGISTERS, Opcode, Operand, POPPED, Value};
+use unoclp_core::isa::{Opcode, Operand, POPPED, Value};
 use unoclp_core::{Instruction, Program};
 use unoclp_modbus::Exception;
 
@@ -79,15 +79,16 @@ pub enum Broken {
 
 /// The first form of stored programs whose boards know all instructions of this one.
 pub fn needs(program: &Program<'_>) -> u8 {
+    let near = program.board().engine.near_registers;
     let is_new = |step: Instruction<'_>| {
         let value = match step.operand {
             Operand::Value(Value::Popped) => Some(POPPED),
             Operand::Value(Value::Register(register)) => Some(register),
             _ => None,
         };
-        step.opcode as u8 >= Opcode::Push as u8 || value > Some(NEAR_REGISTERS)
+        step.opcode as u8 >= Opcode::Push as u8 || value > Some(near)
     };
-    let many = program.registers() > usize::from(NEAR_REGISTERS);
+    let many = program.registers() > usize::from(near);
     match many || program.steps().any(is_new) {
         true => 2,
         false => 1,

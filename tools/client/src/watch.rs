@@ -8,8 +8,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
-use unoclp_core::isa::NEAR_REGISTERS;
-use unoclp_core::{Image, Inputs, Millis, Snapshot};
+use unoclp_core::{Board, Image, Inputs, Millis, Snapshot};
 use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
@@ -182,7 +181,7 @@ impl Reading {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
-        let near = scope.registers.max(NEAR_REGISTERS.into());
+        let near = scope.registers.max(Board::UNO.engine.near_registers.into());
         // Effects before their causes.
         let mut reading = Reading {
             outputs: outputs(client).await?,
@@ -215,13 +214,13 @@ impl Reading {
         let counters = self.counters.iter();
         let counters: Vec<_> = counters.map(|meter| (meter.value, meter.preset)).collect();
         let board = Snapshot {
-            outputs: Image(self.outputs),
-            markers: self.markers.unwrap_or_default(),
+            outputs: Image(self.outputs.into()),
+            markers: self.markers.unwrap_or_default().into(),
             registers: &self.registers,
             timers: &timers,
             counters: &counters,
         };
-        let mut inputs = Inputs::from(Image(self.inputs));
+        let mut inputs = Inputs::from(Image(self.inputs.into()));
         for (input, value) in inputs.analogue.iter_mut().zip(&self.analogue) {
             *input = *value;
         }

@@ -2,7 +2,6 @@
 //!
 //! How old a number may be is decided in the core.
 
-use crate::BOARD;
 use crate::words;
 use unoclp_core::Program;
 use unoclp_lang::Lang;
@@ -19,7 +18,7 @@ pub struct Kept {
 impl Kept {
     /// What this program keeps; none where it keeps nothing.
     pub fn of(program: &Program<'_>) -> Option<Kept> {
-        let minutes = program.kept_within(&BOARD)?;
+        let minutes = program.kept_within()?;
         let numbers = program.kept_count();
         Some(Kept { numbers, minutes })
     }

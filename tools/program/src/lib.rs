@@ -44,9 +44,9 @@ pub use text::decode;
 pub use written::{Refused, Written};
 pub use written_in::WrittenIn;
 
-use unoclp_core::Profile;
+use unoclp_core::Board;
 
 pub use unoclp_lang::{Diagnostic, Holding, Lang, Shows, Spot, Trace, Variable, literal};
 
 /// The board that every tool of this version checks and simulates for.
-pub const BOARD: Profile = Profile::UNO;
+pub const BOARD: Board = Board::UNO;

@@ -64,8 +64,8 @@ impl Used {
     /// What this program uses.
     pub fn of(program: &Program<'_>) -> Used {
         let needs = program.needs();
-        let bits = |bits: u8, first: u8| -> BTreeSet<u8> {
-            let set = (0..8).filter(|bit| bits >> bit & 1 != 0);
+        let bits = |bits: u128, first: u8| -> BTreeSet<u8> {
+            let set = (0..99).filter(|bit| bits >> bit & 1 != 0);
             set.map(|bit| bit + first).collect()
         };
         let mut used = Used {

@@ -5,7 +5,7 @@
 use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::{
     Colour, Dialect, Options, Span, TextLanguage, Told, colours, colours_of_list, compile_text,
     compile_untyped, has_types,
@@ -21,7 +21,7 @@ pub struct Written {
     /// What it is written in.
     pub language: Result<WrittenIn, NoProgram>,
     /// The board that it is checked for.
-    pub board: Profile,
+    pub board: Board,
 }
 
 /// Why a file is no program.
@@ -37,7 +37,7 @@ pub enum Refused {
     /// The faults of numeric code.
     Numeric {
         /// The file that has them.
-        written: Written,
+        written: Box<Written>,
         /// At least one, in the order in which they are found.
         faults: Vec<Diagnosis>,
     },
@@ -76,7 +76,7 @@ impl Written {
     }
 
     /// The same for another board.
-    pub fn on(mut self, board: Profile) -> Written {
+    pub fn on(mut self, board: Board) -> Written {
         self.board = board;
         self
     }
@@ -168,7 +168,7 @@ impl Written {
         let (checked, map) = match numeric(&self.bytes, self.board) {
             Ok(read) => read,
             Err(faults) => {
-                let written = self;
+                let written = Box::new(self);
                 return Err(Refused::Numeric { written, faults });
             }
         };

@@ -1,10 +1,5 @@
 //! What follows the letters of a code: its number XX, and the lines below it.
 
-use super::{
-    ANALOGUE, BRANCH_POINTS, COUNTERS, LABELS, MARKER_TARGET, MARKERS, POPPED, REGISTERS,
-    SYSTEM_MARKERS, TIMERS,
-};
-
 /// Declares an enum that tells its variants, and finds one by its discriminant without a table: a chain of
 /// comparisons with rising numbers, which a compiler takes for what it is.
 macro_rules! numbered {
@@ -47,35 +42,35 @@ numbered! {
         Output,
         /// Branch point XX of the rung, 01–08.
         Branch,
-        /// Marker XX, 01–64.
+        /// Marker XX.
         Marker,
         /// System marker XX, 01–04.
         System,
         /// Timer XX of the program, counted in file order.
         TimerQ,
-        /// Counter XX, 01–16.
+        /// Counter XX.
         Counter,
         /// Counter XX. Line: preset.
         Count,
-        /// Analogue input A XX, 00–04.
+        /// Analogue input A XX.
         Analogue,
-        /// The output with this number as PWM, 01 or 04.
+        /// The output with this number as PWM.
         Pwm,
         /// System reading XX, 01 or 02.
         Reading,
-        /// Eight markers: group XX, 01–08.
+        /// Eight markers: group XX.
         Group,
         /// Bit XX of the value, or so many bits, 00–31.
         Bit,
         /// So many ms, 00–99.
         Time,
-        /// Label XX, 01–32.
+        /// Label XX.
         Label,
         /// A jump to label XX.
         Jump,
         /// Strength XX, 01–08. Line: time.
         Filter,
-        /// Register XX, 01–98.
+        /// Register XX.
         Register,
         /// Registers from XX on. Lines: `68YY`, the first register to write; how many.
         Move,
@@ -83,7 +78,7 @@ numbered! {
         Drum,
         /// A table of registers from XX on. Line: how many.
         Table,
-        /// Register XX, 01–98; with XX = 99 what was pushed and the value; with XX = 00 a constant. Line then: the
+        /// Register XX; with XX = 99 what was pushed and the value; with XX = 00 a constant. Line then: the
         /// constant.
         Value,
         /// The same of REAL numbers: the line is the 32 bits of one.
@@ -136,15 +131,6 @@ impl Line {
             Line::FromLow | Line::FromHigh | Line::ToLow | Line::ToHigh | Line::FilterTime => 2,
         }
     }
-
-    /// Bytes of run memory that the line, stored as this, adds to those of its instruction's row.
-    pub const fn more_run_bytes(self, stored: u8) -> u8 {
-        match self {
-            Line::Step => 1,
-            Line::Target if stored >= MARKER_TARGET => 1,
-            _ => 0,
-        }
-    }
 }
 
 impl Kind {
@@ -162,28 +148,6 @@ impl Kind {
     /// Whether XX names where an operation takes its operand from: a register, a constant, what was pushed.
     pub const fn is_value(self) -> bool {
         matches!(self, Kind::Value | Kind::Real)
-    }
-
-    /// The numbers that XX may be, first and last; the board has fewer inputs and outputs, and the
-    /// program fewer timers. None where the code has no XX.
-    pub const fn numbers(self) -> Option<(u8, u8)> {
-        Some(match self {
-            Kind::None | Kind::Timer | Kind::Scale => return None,
-            Kind::Input | Kind::Output => (1, 16),
-            Kind::Branch => (1, BRANCH_POINTS),
-            Kind::TimerQ => (1, TIMERS),
-            Kind::Marker => (1, MARKERS),
-            Kind::System | Kind::Pwm => (1, SYSTEM_MARKERS),
-            Kind::Counter | Kind::Count => (1, COUNTERS),
-            Kind::Register | Kind::Move | Kind::Drum | Kind::Table => (1, REGISTERS),
-            Kind::Value | Kind::Real => (0, POPPED),
-            Kind::Analogue => (0, ANALOGUE - 1),
-            Kind::Reading => (1, 2),
-            Kind::Group | Kind::Filter => (1, 8),
-            Kind::Bit => (0, 31),
-            Kind::Label | Kind::Jump => (1, LABELS),
-            Kind::Time => (0, 99),
-        })
     }
 
     /// The first line that follows a code with this XX.
@@ -222,14 +186,3 @@ impl Kind {
         }
     }
 }
-
-const _: () = {
-    let mut index = 0;
-    while index < Kind::ALL.len() {
-        let kind = Kind::ALL[index];
-        assert!(kind.has_number() == kind.numbers().is_some());
-        let registers = kind.is_value() || matches!(kind.numbers(), Some((_, REGISTERS)));
-        assert!(kind.names_registers() == registers);
-        index += 1;
-    }
-};

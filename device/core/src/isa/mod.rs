@@ -6,15 +6,16 @@
 //!
 //! # To add an instruction
 //!
-//! Of a [`Kind`] and a [`Class`] that exist, it takes five places; what is forgotten is named by what stands
+//! Of a [`Kind`] and a [`Class`] that exist, it takes six places; what is forgotten is named by what stands
 //! behind each:
 //!
 //! 1. its row in `device/core/src/isa/table.rs`: whatever comes next does not know the name before;
 //! 2. its effect in `device/core/src/plc/effect.rs`: a match without a wildcard;
-//! 3. its handler in `firmware/src/engine/*.s`, in `more.s` where it begins: the linker asks for its label;
-//! 4. its text for people: the row of the table in `docs/numeric-code.md`, and where Instruction List has a word
+//! 3. its row in `device/core/src/board/uno.rs`, what it takes of run memory and its handler: a match without a wildcard;
+//! 4. that handler in `firmware/src/engine/*.s`, in `more.s` where it begins: the linker asks for its label;
+//! 5. its text for people: the row of the table in `docs/numeric-code.md`, and where Instruction List has a word
 //!    for it, that word in `docs/instruction-list.md` and its translation: tests that print what is missing;
-//! 5. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/naive`. A test
+//! 6. its tests: scenarios in `proof/suite/`, and what it does in the naive interpreter, `host-sim/tests/naive`. A test
 //!    names each instruction that no scenario runs; the naive interpreter stops at what it does not know.
 //!
 //! A new kind or class is one more variant of its enum, and the compiler then asks for it everywhere.
@@ -34,8 +35,10 @@ mod table;
 pub use class::Class;
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};
-pub(crate) use packed::{By, Entry, find, stored_size};
-pub use packed::{KIND_IN_ROW, PACKED, ROW, ROW_BEHIND_POINTS, ROW_OF_FIRST_POINT};
+pub(crate) use packed::{
+    By, Entry, KIND, KINDS, find, packed_kind, packed_rows, packed_run_bytes, stored_size,
+};
+pub use packed::{KIND_IN_ROW, PACKED, ROW, ROW_BEHIND_POINTS, ROW_OF_FIRST_POINT, Rows};
 pub use table::{Opcode, TABLE};
 
 /// One row of the instruction table.
@@ -51,9 +54,6 @@ pub struct Row {
     pub class: Class,
     /// The byte that stores it.
     pub stored: u8,
-    /// Bytes of run memory, its data among them. More for what [`Line::more_run_bytes`] and [`operand_run_bytes`] tell,
-    /// one for inputs from 05 on, two for a store to a register beyond [`NEAR_REGISTERS`], and each counter's data.
-    pub run: u8,
     /// Bytes of run memory that are data of its own, apart from those of timers and counters: of an edge
     /// acc as it was; of a filter whether it has begun, a time stamp, and the smoothed value times 256; of an
     /// integration whether it goes on, a time stamp, and the thousandths that are left; of a number that is kept
@@ -70,38 +70,25 @@ pub const MARKER_TARGET: u8 = 0x40;
 pub const FIRST_POINT: u8 = 0x10;
 /// See [`FIRST_POINT`].
 pub const BEHIND_POINTS: u8 = 0xA0;
+/// Points 01 to this number are held by such a byte.
+pub const POINTS: u8 = 16;
 
-/// Inputs 01 to this number take one byte of run memory, those beyond two.
-pub const FAST_INPUTS: u8 = 4;
 /// The branch points of a rung are 01 to this number (NC-8).
 pub const BRANCH_POINTS: u8 = 8;
 /// The deepest nesting of branches and blocks (NC-8).
 pub const DEEPEST: u8 = 8;
-/// Markers M 01 to this number (NC-12).
-pub const MARKERS: u8 = 64;
-/// The markers from this one on are retentive (NC-12).
+/// The first of the eight retentive markers (NC-12).
 pub const RETENTIVE: u8 = 57;
 /// System markers S 01 to this number (NC-12).
 pub const SYSTEM_MARKERS: u8 = 4;
-/// Counters C 01 to this number (NC-15).
-pub const COUNTERS: u8 = 16;
-/// Registers D 01 to this number (NC-16).
+/// Registers D 01 to this number, at most: of an operation, 99 is [`POPPED`] (NC-16).
 pub const REGISTERS: u8 = 98;
-/// Registers D 01 to this number are always there; those beyond take run memory, 4 bytes each up to the highest that
-/// is named (NC-27).
-pub const NEAR_REGISTERS: u8 = 32;
 /// XX of an operation whose left operand is what was pushed (NC-22).
 pub const POPPED: u8 = 99;
 /// As XX is stored: of a constant of one byte, and of two; of one of four it is 0.
 pub const BYTE_CONSTANT: u8 = 100;
 /// See [`BYTE_CONSTANT`].
 pub const WORD_CONSTANT: u8 = 101;
-/// Labels 01 to this number (NC-19).
-pub const LABELS: u8 = 32;
-/// Analogue inputs A 00 to below this number (NC-18).
-pub const ANALOGUE: u8 = 5;
-/// A program has at most so many timers, because a code names them by two digits.
-pub const TIMERS: u8 = 99;
 
 /// Program start, the first code of a file. It is checked and not stored.
 pub const START: i32 = 0;
@@ -138,20 +125,6 @@ pub const fn stored_constant(number: i32) -> u8 {
         BYTE_CONSTANT
     } else {
         WORD_CONSTANT
-    }
-}
-
-/// Bytes of run memory of an operand whose XX is stored so: where it is from, then an address or a constant.
-pub const fn operand_run_bytes(xx: u8) -> u8 {
-    let bytes = constant_bytes(xx);
-    if bytes > 0 {
-        1 + bytes
-    } else if xx == POPPED {
-        1
-    } else if xx > NEAR_REGISTERS {
-        3
-    } else {
-        2
     }
 }
 

@@ -1,10 +1,9 @@
 //! The instruction table as bytes: a board that keeps constants apart from its RAM keeps it there.
 
 use super::{
-    BEHIND_POINTS, FIRST_POINT, Kind, Line, Row, TABLE, WORD_CONSTANT, constant_bytes, holds_point,
-    xx,
+    BEHIND_POINTS, FIRST_POINT, Kind, Line, Opcode, POINTS, Row, TABLE, WORD_CONSTANT,
+    constant_bytes, holds_point, xx,
 };
-use crate::{Board, Profile};
 
 /// Bytes of a packed row: the code in 28 bits, low byte first, and above it the run bytes; the kind.
 pub const ROW: usize = 5;
@@ -26,72 +25,66 @@ const MOST: u32 = 1 << 27;
 const RUN: u8 = 0x0F;
 /// Bytes of a packed kind: the last XX, and in the highest bit the first, which is 0 or 1; the first of its lines, and
 /// in the high four bits their bytes.
-const KIND: usize = 2;
+pub(crate) const KIND: usize = 2;
 /// Where the kinds begin, behind the rows.
-const KINDS: usize = TABLE.len() * ROW;
+pub(crate) const KINDS: usize = TABLE.len() * ROW;
 
-/// The instruction table without its texts, and behind it the kinds of operands. Only the loader makes
-/// sense of it, through a [`Board`].
-pub const PACKED: [u8; KINDS + Kind::ALL.len() * KIND] = {
-    let mut packed = [0; KINDS + Kind::ALL.len() * KIND];
-    let mut row = 0;
-    while row < TABLE.len() {
-        let Row {
-            code, run, kind, ..
-        } = TABLE[row];
-        let run = if run > RUN { RUN } else { run };
-        assert!(run_bytes(run) == TABLE[row].run && code.unsigned_abs() < MOST);
-        let [a, b, c, d] = code.to_le_bytes();
-        let bytes = [a, b, c, d & CODE | run << 4, kind as u8];
-        let mut byte = 0;
-        while byte < ROW {
-            packed[row * ROW + byte] = bytes[byte];
-            byte += 1;
-        }
-        row += 1;
+/// Bytes of the packed table: the instruction table without its texts, and behind it the kinds of operands, as a board
+/// has them. Only the loader makes sense of it, through [`Rows`].
+pub const PACKED: usize = KINDS + Kind::ALL.len() * KIND;
+
+/// The packed table, from where a board keeps it.
+pub trait Rows {
+    /// Fills bytes with those of the packed table from an index on; with anything beyond its end.
+    fn read(&self, at: usize, bytes: &mut [u8]);
+}
+
+/// The rows, of instructions that take so many bytes of run memory each.
+pub(crate) const fn packed_rows(run: &[u8; TABLE.len()]) -> [u8; KINDS] {
+    let mut rows = [0; KINDS];
+    let mut at = 0;
+    while at < KINDS {
+        rows[at] = row(at / ROW, run[at / ROW])[at % ROW];
+        at += 1;
     }
-    let mut index = 0;
-    while index < Kind::ALL.len() {
-        let kind = Kind::ALL[index];
-        assert!(kind as usize == index);
-        let (first, last) = match kind.numbers() {
-            // As it is stored.
-            Some((first, _)) if kind.is_value() => (first, WORD_CONSTANT),
-            Some(numbers) => numbers,
-            // A code without a number has 0 for it.
-            None => (0, 99),
-        };
-        let line = match kind.first_line(0) {
-            Some(line) => line as u8,
-            None => NO_LINE,
-        };
-        assert!(first <= 1 && last < 0x80 && kind.line_bytes(0) < 16 && line <= NO_LINE);
-        let bytes = [first << 7 | last, kind.line_bytes(0) << 4 | line];
-        let mut byte = 0;
-        while byte < KIND {
-            packed[KINDS + index * KIND + byte] = bytes[byte];
-            byte += 1;
-        }
-        index += 1;
-    }
-    packed
-};
+    rows
+}
+
+/// Bytes of run memory of an instruction, as these rows have them.
+pub(crate) const fn packed_run_bytes(rows: &[u8; KINDS], opcode: Opcode) -> u8 {
+    run_bytes(rows[ROW * row_of(opcode as u8) as usize + RUN_IN_ROW] >> 4)
+}
+
+/// A packed row of the table, of an instruction that takes so many bytes of run memory.
+const fn row(index: usize, run: u8) -> [u8; ROW] {
+    let Row { code, kind, .. } = TABLE[index];
+    let bits = if run > RUN { RUN } else { run };
+    assert!(run_bytes(bits) == run && code.unsigned_abs() < MOST);
+    let [a, b, c, d] = code.to_le_bytes();
+    [a, b, c, d & CODE | bits << 4, kind as u8]
+}
+
+/// A packed kind, of which XX may be these numbers.
+pub(crate) const fn packed_kind(kind: Kind, numbers: Option<(u8, u8)>) -> [u8; KIND] {
+    let (first, last) = match numbers {
+        // As it is stored.
+        Some((first, _)) if kind.is_value() => (first, WORD_CONSTANT),
+        // The loader asks the board itself.
+        Some((first, _)) if matches!(kind, Kind::Input | Kind::Output) => (first, POINTS),
+        Some(numbers) => numbers,
+        // A code without a number has 0 for it.
+        None => (0, 99),
+    };
+    let line = match kind.first_line(0) {
+        Some(line) => line as u8,
+        None => NO_LINE,
+    };
+    assert!(first <= 1 && last < 0x80 && kind.line_bytes(0) < 16 && line <= NO_LINE);
+    [first << 7 | last, kind.line_bytes(0) << 4 | line]
+}
 
 /// In place of a line, where none follows.
 const NO_LINE: u8 = 0x0F;
-
-/// A board that keeps constants in memory like all else.
-impl Board for Profile {
-    fn profile(&self) -> Profile {
-        *self
-    }
-
-    fn read(&self, at: usize, bytes: &mut [u8]) {
-        for (byte, &packed) in bytes.iter_mut().zip(PACKED.iter().skip(at)) {
-            *byte = packed;
-        }
-    }
-}
 
 /// What the loader needs of a row.
 #[derive(Clone, Copy)]
@@ -137,9 +130,9 @@ pub(crate) enum By {
 
 /// The first row that fits, and XX of the code (0 where it has none).
 #[inline(never)]
-pub(crate) fn find(board: &impl Board, by: By) -> Option<(Entry, u8)> {
+pub(crate) fn find(rows: &impl Rows, by: By) -> Option<(Entry, u8)> {
     let (index, xx) = match by {
-        By::Code(code) => find_code(board, code)?,
+        By::Code(code) => find_code(rows, code)?,
         By::Stored(byte) => (row_of(byte), 0),
     };
     if usize::from(index) >= TABLE.len() {
@@ -147,10 +140,10 @@ pub(crate) fn find(board: &impl Board, by: By) -> Option<(Entry, u8)> {
     }
     // What stands behind the rest of the code.
     let mut more = [0; ROW - RUN_IN_ROW];
-    board.read(usize::from(index) * ROW + RUN_IN_ROW, &mut more);
+    rows.read(usize::from(index) * ROW + RUN_IN_ROW, &mut more);
     let [run, kind] = more;
     let mut more = [0; KIND];
-    board.read(KINDS + KIND * usize::from(kind), &mut more);
+    rows.read(KINDS + KIND * usize::from(kind), &mut more);
     let [numbers, lines] = more;
     let entry = Entry {
         kind: Kind::of(kind).unwrap_or(Kind::None),
@@ -170,10 +163,10 @@ const fn run_bytes(bits: u8) -> u8 {
 }
 
 /// The first row that a code fits, and its XX.
-fn find_code(board: &impl Board, code: i32) -> Option<(u8, u8)> {
+fn find_code(rows: &impl Rows, code: i32) -> Option<(u8, u8)> {
     for index in 0..TABLE.len() as u8 {
         let mut row = [0; ROW];
-        board.read(usize::from(index) * ROW, &mut row);
+        rows.read(usize::from(index) * ROW, &mut row);
         let [a, b, c, d, kind] = row;
         let d = if d & SIGN != 0 { d | !CODE } else { d & CODE };
         if let Some(xx) = xx(code, i32::from_le_bytes([a, b, c, d]))

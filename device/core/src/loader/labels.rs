@@ -1,13 +1,14 @@
 //! Labels, and the jumps that lead to them (NC-19).
 
-use crate::isa::{self, By, Kind};
-use crate::{Board, Cause};
+use crate::Cause;
+use crate::isa::{self, By, Kind, Rows};
+use crate::width::LABEL_BYTES;
 
 /// The labels that have been defined.
 #[derive(Default)]
 pub(super) struct Labels {
     /// A bit for each, label 01 the lowest.
-    defined: [u8; isa::LABELS as usize / 8],
+    defined: [u8; LABEL_BYTES],
     /// Whether there is a jump.
     jumps: bool,
     /// The line of the jump that leads nowhere.
@@ -43,14 +44,14 @@ impl Labels {
 
     /// Checks the jumps of a whole program in its stored form; each call tells of one label that is
     /// missing, the first in the program, and then knows it.
-    pub(super) fn check_jumps(&mut self, board: &impl Board, stored: &[u8]) -> Result<(), Cause> {
+    pub(super) fn check_jumps(&mut self, rows: &impl Rows, stored: &[u8]) -> Result<(), Cause> {
         if !self.jumps {
             return Ok(());
         }
         let mut rest = stored;
         while let Some((&byte, behind)) = rest.split_first() {
             // What has been stored makes sense; if not, there is nothing to be found in it.
-            let Some((entry, _)) = isa::find(board, By::Stored(byte)) else {
+            let Some((entry, _)) = isa::find(rows, By::Stored(byte)) else {
                 break;
             };
             if let (Kind::Jump, [label, low, high, ..]) = (entry.kind, behind)

@@ -2,7 +2,7 @@
 
 use super::{Expect, Loader};
 use crate::isa::{self, Kind, Line, MARKER_TARGET, xx};
-use crate::{Board, Cause};
+use crate::{Cause, Facts};
 
 /// The longest time of a filter, ms (NC-17).
 const FILTER_TIME: i16 = 30_000;
@@ -10,7 +10,7 @@ const FILTER_TIME: i16 = 30_000;
 const STEPS: i16 = 32;
 const BEHIND_REGISTERS: i16 = isa::REGISTERS as i16 + 1;
 
-impl<B: Board> Loader<'_, B> {
+impl<F: Facts> Loader<'_, F> {
     /// Takes an operand line as the file has it.
     pub(super) fn operand_line(&mut self, line: Line, code: i32) -> Result<(), Cause> {
         let number = match line {
@@ -47,7 +47,7 @@ impl<B: Board> Loader<'_, B> {
         let size = self.line_bytes(line);
         let more = match line {
             // The room of all steps, taken at once.
-            Line::Steps => self.room.reserve(bytes[0], bytes[0]),
+            Line::Steps => self.room.reserve(bytes[0], self.room.linked_only(bytes[0])),
             Line::Target => self.room.target(bytes[0]),
             Line::Count => {
                 let last = self.highest() as u8 + bytes[0] - 1;
@@ -154,14 +154,14 @@ impl<B: Board> Loader<'_, B> {
     /// What a timer drives exists.
     fn check_target(&mut self, stored: u8) -> Result<(), Cause> {
         if stored >= MARKER_TARGET {
-            return if stored < MARKER_TARGET + isa::MARKERS {
+            return if stored < MARKER_TARGET + self.facts.board().markers {
                 Ok(())
             } else {
                 Err(Cause::NoSuchPoint)
             };
         }
-        if stored < self.board.profile().outputs {
-            self.needs.note(Kind::Output, stored + 1)
+        if stored < self.facts.board().outputs {
+            self.needs.note(self.room.held, Kind::Output, stored + 1)
         } else {
             Err(Cause::NoSuchOutput)
         }

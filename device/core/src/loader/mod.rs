@@ -12,7 +12,7 @@ use crate::kept;
 use crate::needs::Needs;
 use crate::rung::Rung;
 use crate::text::{Part, Text};
-use crate::{Board, Cause, Fault, Point, Profile, Program};
+use crate::{Board, Cause, Facts, Fault, Point, Program};
 use core::mem;
 use labels::Labels;
 use room::Room;
@@ -38,7 +38,7 @@ enum Expect {
 /// the other faults that can be told; but [`finish`](Loader::finish) then gives no program.
 // In this order, what is used most is reached by a short way on AVR, which has 64 bytes of it.
 #[repr(C)]
-pub struct Loader<'m, B = Profile> {
+pub struct Loader<'m, F = Board> {
     expect: Expect,
     /// The line of the next byte, from 1.
     line: u32,
@@ -61,17 +61,17 @@ pub struct Loader<'m, B = Profile> {
     needs: Needs,
     first_fault: Option<Fault>,
     rung: Rung,
-    board: B,
+    facts: F,
 }
 
-impl<'m, B: Board> Loader<'m, B> {
-    /// A loader into this run memory for this board. Where the memory is smaller than the profile's
+impl<'m, F: Facts> Loader<'m, F> {
+    /// A loader into this run memory for this board. Where the memory is smaller than the board's
     /// `linked_bytes`, the memory decides what fits.
     // Loaders stand in large frames, whose far end AVR reaches only by detours: what fills and uses
     // one goes by its address.
     #[inline(never)]
-    pub fn new(memory: &'m mut [u8], board: B) -> Loader<'m, B> {
-        let room = Room::new(memory, &board.profile());
+    pub fn new(memory: &'m mut [u8], facts: F) -> Loader<'m, F> {
+        let room = Room::new(memory, facts.board());
         Loader {
             text: Text::new(),
             rung: Rung::new(),
@@ -79,7 +79,7 @@ impl<'m, B: Board> Loader<'m, B> {
             line: 1,
             block: 0,
             first_fault: None,
-            board,
+            facts,
             room,
             labels: Labels::default(),
             needs: Needs::default(),
@@ -237,7 +237,7 @@ impl<'m, B: Board> Loader<'m, B> {
         if code == isa::START {
             return Err(Cause::SecondStart);
         }
-        let (entry, xx) = isa::find(&self.board, By::Code(code)).ok_or(Cause::UnknownCode)?;
+        let (entry, xx) = isa::find(&self.facts, By::Code(code)).ok_or(Cause::UnknownCode)?;
         let line = u16::try_from(self.line).unwrap_or(u16::MAX);
         let xx = match xx {
             // As it is stored, until its line tells more.
@@ -253,7 +253,7 @@ impl<'m, B: Board> Loader<'m, B> {
         rest: &mut impl Iterator<Item = u8>,
     ) -> Result<(), Cause> {
         let expected = mem::replace(&mut self.expect, Expect::Instruction);
-        let (entry, _) = isa::find(&self.board, By::Stored(byte)).ok_or(Cause::UnknownCode)?;
+        let (entry, _) = isa::find(&self.facts, By::Stored(byte)).ok_or(Cause::UnknownCode)?;
         let mut next = || rest.next().ok_or(Cause::OperandsMissing);
         let xx = if isa::holds_point(byte) {
             (byte & 0x0F) + 1
@@ -298,18 +298,18 @@ impl<'m, B: Board> Loader<'m, B> {
         }
         let mut last = entry.last;
         if kind == Kind::Input {
-            last = self.board.profile().inputs;
+            last = self.facts.board().inputs;
         }
         if kind == Kind::Output {
-            last = self.board.profile().outputs;
+            last = self.facts.board().outputs;
         }
         if xx < entry.first || xx > last {
             return Err(no_such(kind));
         }
-        if !self.board.profile().real && isa::is_real(stored) {
+        if !self.facts.board().real && isa::is_real(stored) {
             return Err(Cause::UnknownCode);
         }
-        self.needs.note(kind, xx)?;
+        self.needs.note(self.room.held, kind, xx)?;
         if kind.is_value() && xx == isa::POPPED || stored == Opcode::StoreTable as u8 {
             self.rung.pop()?;
         }
@@ -416,7 +416,7 @@ impl<'m, B: Board> Loader<'m, B> {
         if mem::take(&mut self.timer) > self.room.timers() {
             return Err(Cause::NoSuchTimer);
         }
-        self.labels.check_jumps(&self.board, self.room.stored())
+        self.labels.check_jumps(&self.facts, self.room.stored())
     }
 }
 

@@ -1,9 +1,10 @@
 //! Where a program is stored while it loads, and what it takes of program and run memory (NC-10).
 
+use crate::held::Held;
 use crate::isa::{self, Entry, Kind, Line, Opcode};
 use crate::kept;
 use crate::needs::Needs;
-use crate::{Cause, Profile, Program};
+use crate::{Board, Cause, Program};
 use core::mem;
 
 /// Of [`Room::behind`] where so many contacts stand in a row, or more; 0 where nothing does that counts.
@@ -16,6 +17,8 @@ const RUNG: u8 = 5;
 /// The memory of a program that is being loaded.
 pub(super) struct Room<'m> {
     memory: &'m mut [u8],
+    /// The board that it checks for.
+    pub(super) held: Held,
     /// Bytes of the stored form that are reserved, and that have been put.
     reserved: usize,
     put: usize,
@@ -37,18 +40,19 @@ pub(super) struct Room<'m> {
 }
 
 impl<'m> Room<'m> {
-    pub(super) fn new(memory: &'m mut [u8], profile: &Profile) -> Room<'m> {
-        let run_most = memory.len().min(profile.linked_bytes.into());
+    pub(super) fn new(memory: &'m mut [u8], board: Board) -> Room<'m> {
+        let run_most = memory.len().min(board.linked_bytes.into());
         Room {
             memory,
+            held: Held::new(board),
             reserved: 0,
             put: 0,
             run_reserved: 0,
-            stored_most: profile.stored_bytes.into(),
+            stored_most: board.stored_bytes.into(),
             run_most,
             timers: 0,
             counters: 0,
-            registers: isa::NEAR_REGISTERS,
+            registers: board.engine.near_registers,
             behind: RUNG,
             kept: 0,
             full: false,
@@ -74,13 +78,14 @@ impl<'m> Room<'m> {
             self.timers = self.timers.saturating_add(1);
         } else if kind.is_value() {
             bytes += isa::constant_bytes(xx);
-            run += isa::operand_run_bytes(xx);
+            run += self.held.board().engine.operand_bytes(xx);
         }
         if matches!(kind, Kind::Counter | Kind::Count) && xx > self.counters {
             self.counters = xx;
         }
+        let near = self.held.near_registers();
         if kind.names_registers() && xx <= isa::REGISTERS {
-            if stored == Opcode::Store as u8 && xx > isa::NEAR_REGISTERS {
+            if stored == Opcode::Store as u8 && xx > near {
                 run += 2;
             }
             self.register(xx);
@@ -109,7 +114,11 @@ impl<'m> Room<'m> {
     /// How much of these bytes of run memory an instruction takes, by what stands before it: the rules of the firmware's
     /// linker.
     fn linked(&mut self, kind: Kind, stored: u8, xx: u8, run: u8) -> u8 {
+        let engine = self.held.board().engine;
         let before = mem::replace(&mut self.behind, 0);
+        if !engine.links {
+            return run;
+        }
         let begins = stored >= Opcode::If as u8 || stored == Opcode::NewRung as u8;
         if begins || kind == Kind::Label {
             self.behind = RUNG;
@@ -117,7 +126,7 @@ impl<'m> Room<'m> {
             return if rung && before >= COIL { run - 1 } else { run };
         }
         if (isa::FIRST_POINT..Opcode::Coil as u8).contains(&stored) {
-            if kind == Kind::Input && xx > isa::FAST_INPUTS {
+            if kind == Kind::Input && xx > engine.fast_inputs {
                 return run + 1;
             }
             self.behind = match before {
@@ -145,7 +154,8 @@ impl<'m> Room<'m> {
         if stored < isa::MARKER_TARGET {
             self.behind = COIL;
         }
-        self.reserve(0, Line::Target.more_run_bytes(stored))
+        let engine = self.held.board().engine;
+        self.reserve(0, engine.line_bytes(Line::Target, stored))
     }
 
     /// The constant behind the code that was put last takes so many bytes as this XX says.
@@ -154,7 +164,15 @@ impl<'m> Room<'m> {
             *last = xx;
         }
         let more = isa::constant_bytes(xx).saturating_sub(1);
-        self.reserve(more, more)
+        self.reserve(more, self.linked_only(more))
+    }
+
+    /// So many bytes, where the board links; none where run memory holds data alone.
+    pub(super) fn linked_only(&self, run: u8) -> u8 {
+        match self.held.board().engine.links {
+            true => run,
+            false => 0,
+        }
     }
 
     /// Notes a line where no stored byte comes, at the end of the memory.
@@ -209,7 +227,7 @@ impl<'m> Room<'m> {
 
     /// Bytes of run memory for what has been reserved, with counters and registers up to the highest.
     fn run_bytes(&self) -> usize {
-        let registers = usize::from(self.registers - isa::NEAR_REGISTERS);
+        let registers = usize::from(self.registers - self.held.near_registers());
         self.run_reserved
             .wrapping_add(isa::COUNTER_DATA * usize::from(self.counters))
             .wrapping_add(isa::REGISTER_BYTES * registers)
@@ -258,6 +276,7 @@ impl<'m> Room<'m> {
     /// The program that the room holds: that of a loader that is done. Its memory is none from then on.
     pub(super) fn program(&mut self, codes: u16, needs: Needs) -> Program<'m> {
         Program {
+            held: self.held,
             memory: mem::take(&mut self.memory),
             code_bytes: self.put,
             run_bytes: self.run_bytes(),

@@ -10,7 +10,7 @@ pub struct Snapshot<'s> {
     /// The image of the outputs.
     pub outputs: Image,
     /// The markers, bit 0 M 01.
-    pub markers: u64,
+    pub markers: u128,
     /// D 01 and those behind it.
     pub registers: &'s [i32],
     /// Elapsed time and preset of T 01 and those behind it.
@@ -46,11 +46,9 @@ impl Plc<'_> {
 
     /// The state of what a timer drives.
     fn reads(&self, target: Target) -> bool {
-        let (bits, number) = match target {
-            Target::Output(number) => (u64::from(self.state.outputs.0), number),
-            Target::Marker(number) => (self.state.markers, number),
-        };
-        bits.checked_shr(u32::from(number).wrapping_sub(1))
-            .is_some_and(|bits| bits & 1 != 0)
+        match target {
+            Target::Output(number) => self.output(number),
+            Target::Marker(number) => self.marker(number),
+        }
     }
 }

@@ -90,8 +90,8 @@ impl Plc<'_> {
             Opcode::LoadSystem if xx == 1 => pass.value = pass.scan_time.into(),
             Opcode::LoadSystem => pass.value = now.cast_signed(),
             Opcode::LoadMarkers => pass.value = i32::from((self.state.markers >> group(xx)) as u8),
-            Opcode::LoadInputs => pass.value = self.state.inputs.image().0.into(),
-            Opcode::LoadOutputs => pass.value = self.state.outputs.0.into(),
+            Opcode::LoadInputs => pass.value = (self.state.inputs.image().0 as u8).into(),
+            Opcode::LoadOutputs => pass.value = (self.state.outputs.0 as u8).into(),
             Opcode::LoadBit => pass.value = acc.into(),
 
             Opcode::Store | Opcode::StoreCount | Opcode::StorePwm if !acc => {}
@@ -104,10 +104,11 @@ impl Plc<'_> {
             }
             Opcode::StoreMarkers | Opcode::StoreOutputs if !acc => {}
             Opcode::StoreMarkers => {
-                self.state.markers &= !(0xFF << group(xx));
-                self.state.markers |= u64::from(value as u8) << group(xx);
+                let (mask, first) = (0xFF << group(xx), group(xx));
+                let markers = self.state.markers & !mask | u128::from(value as u8) << first;
+                self.state.markers = markers & !(!0 << self.board.markers);
             }
-            Opcode::StoreOutputs => self.set_outputs(value as u8),
+            Opcode::StoreOutputs => self.set_outputs(value as u8, 8),
             Opcode::PresetCounter | Opcode::PresetTimer if !acc => {}
             Opcode::PresetCounter => self.with_counter(xx, |c| c.preset = value.max(0)),
             Opcode::PresetTimer => {
@@ -255,7 +256,7 @@ impl Plc<'_> {
         };
         let step = usize::try_from(self.register(register)).ok();
         let outputs = step.and_then(|step| steps.get(step)).copied();
-        self.set_outputs(outputs.unwrap_or(0));
+        self.set_outputs(outputs.unwrap_or(0), 4);
     }
 
     fn filter(&mut self, pass: &mut Pass<'_>, operand: Operand<'_>) {
@@ -338,5 +339,5 @@ fn mask(number: u8) -> u8 {
 
 /// The index of the first marker of a group.
 fn group(number: u8) -> u8 {
-    (number.wrapping_sub(1) & 7) * 8
+    (number.wrapping_sub(1) & 15) * 8
 }

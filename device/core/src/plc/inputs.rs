@@ -1,17 +1,38 @@
 //! What comes into a scan, and the input filter (NC-18).
 
-use crate::isa::ANALOGUE;
-use crate::{Image, Millis};
+use crate::width::{ANALOGUE, INPUTS};
+use crate::{Bits, Image, ImageBits, Millis};
 
 /// What a scan reads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Inputs {
     /// The inputs as the pins show them.
     pub points: Image,
-    /// The readings of A 00 … A 04, 0 to 1023.
+    /// The readings of A 00 and those behind it, 0 to 1023.
     pub analogue: [u16; ANALOGUE as usize],
     /// How long the last scan took, µs.
     pub scan_time: u16,
+}
+
+impl Inputs {
+    /// These inputs, with the readings of A 00 and those behind it.
+    #[must_use]
+    pub fn reading(mut self, readings: &[u16]) -> Inputs {
+        for (place, &reading) in self.analogue.iter_mut().zip(readings) {
+            *place = reading;
+        }
+        self
+    }
+}
+
+impl Default for Inputs {
+    fn default() -> Inputs {
+        Inputs {
+            points: Image(0),
+            analogue: [0; ANALOGUE as usize],
+            scan_time: 0,
+        }
+    }
 }
 
 impl From<Image> for Inputs {
@@ -30,7 +51,7 @@ pub struct Debounce {
     /// Time stamp of the scan before.
     before: Millis,
     /// ms since each input was first seen at the other level; 0 where it is not.
-    differs: [u8; 8],
+    differs: [u8; INPUTS as usize],
 }
 
 impl Default for Debounce {
@@ -45,7 +66,7 @@ impl Debounce {
         Debounce {
             image: Image(0),
             before: 0,
-            differs: [0; 8],
+            differs: [0; INPUTS as usize],
         }
     }
 
@@ -58,8 +79,8 @@ impl Debounce {
     /// are.
     pub fn scan(&mut self, points: Image, time: u8, first: bool, now: Millis) {
         let passed = now.wrapping_sub(self.before).min(Millis::from(MOST)) as u8;
-        let mut changed = (points.0 ^ self.image.0) as u8;
-        let (mut bit, mut other) = (1u8, 0u8);
+        let mut changed = (points.0 ^ self.image.0) as Bits;
+        let (mut bit, mut other): (Bits, Bits) = (1, 0);
         for differs in &mut self.differs {
             // In the scan that first sees it, no time has passed: it is kept as 1, and counted from there.
             *differs = match (changed & 1, *differs) {
@@ -76,9 +97,9 @@ impl Debounce {
         }
         if first || time == 0 {
             self.image = points;
-            self.differs = [0; 8];
+            self.differs = [0; INPUTS as usize];
         } else {
-            self.image.0 ^= u16::from(other);
+            self.image.0 ^= other as ImageBits;
         }
         self.before = now;
     }

@@ -16,9 +16,9 @@ pub use clocks::Clocks;
 pub use inputs::{Debounce, Inputs};
 pub use scan::After;
 
-use crate::isa::{COUNTER_DATA, COUNTERS, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
+use crate::isa::{COUNTER_DATA, Operand, REGISTERS, RETENTIVE, TIMER_DATA};
 use crate::timer::{Delay, Target, Timer};
-use crate::{Image, Millis, Needs, Program, Steps};
+use crate::{Board, Image, Millis, Needs, Point, Program, Steps};
 use counter::Counter;
 
 /// A program with everything it needs to run.
@@ -30,6 +30,7 @@ pub struct Plc<'m> {
     /// Of edges, filters and integrations, in file order.
     own: &'m mut [u8],
     needs: Needs,
+    board: Board,
     state: State,
 }
 
@@ -39,10 +40,10 @@ struct State {
     inputs: Debounce,
     outputs: Image,
     /// Bit 0 is M 01.
-    markers: u64,
+    markers: u128,
     registers: [i32; REGISTERS as usize],
     /// PWM of the output with this index.
-    pwm: [u8; 4],
+    pwm: [u8; Point::MOST as usize],
     clocks: Clocks,
     first: bool,
 }
@@ -75,7 +76,7 @@ pub struct CounterState {
 
 impl<'m> Plc<'m> {
     /// Makes a checked program ready to run: all outputs 0 (NC-7), no timer started. The program's memory
-    /// is to be of [`Profile::plc_bytes`](crate::Profile::plc_bytes); in a shorter one, timers and counters
+    /// is to be of [`Board::plc_bytes`]; in a shorter one, timers and counters
     /// that find no room do nothing.
     pub fn new(program: Program<'m>) -> Plc<'m> {
         let (code, data) = program
@@ -94,6 +95,7 @@ impl<'m> Plc<'m> {
             counters: counters.as_chunks_mut().0,
             own,
             needs: program.needs,
+            board: program.held.board(),
             state: State::new(),
         };
         plc.own.fill(0);
@@ -131,6 +133,11 @@ impl<'m> Plc<'m> {
         self.code
     }
 
+    /// The board that the program has been checked for.
+    pub fn board(&self) -> &Board {
+        &self.board
+    }
+
     /// What the program asks of the board's pins.
     pub fn needs(&self) -> Needs {
         self.needs
@@ -142,13 +149,13 @@ impl<'m> Plc<'m> {
     }
 
     /// The markers as the last scan left them: bit 0 is M 01.
-    pub fn markers(&self) -> u64 {
+    pub fn markers(&self) -> u128 {
         self.state.markers
     }
 
     /// Sets a marker from outside, between two scans.
     pub fn set_marker(&mut self, number: u8, state: bool) {
-        let bit = 1 << (number.wrapping_sub(1) & 63);
+        let bit = 1 << (number.wrapping_sub(1) & 127);
         if state {
             self.state.markers |= bit;
         } else {
@@ -164,7 +171,7 @@ impl<'m> Plc<'m> {
     /// Brings back what was kept over a power cut, before the first scan.
     pub fn retain(&mut self, markers: u8) {
         self.state.markers &= !RETAINED;
-        self.state.markers |= u64::from(markers) << (RETENTIVE - 1);
+        self.state.markers |= u128::from(markers) << (RETENTIVE - 1);
     }
 
     /// The registers, D 01 first.
@@ -251,19 +258,17 @@ impl<'m> Plc<'m> {
     }
 }
 
-const _: () = assert!(COUNTERS as usize * COUNTER_DATA < 256);
-
 /// The retentive markers among all.
-const RETAINED: u64 = !0 << (RETENTIVE - 1);
+const RETAINED: u128 = 0xFF << (RETENTIVE - 1);
 
 impl State {
-    const fn new() -> State {
+    fn new() -> State {
         State {
             inputs: Debounce::new(),
             outputs: Image(0),
             markers: 0,
             registers: [0; REGISTERS as usize],
-            pwm: [0; 4],
+            pwm: [0; Point::MOST as usize],
             clocks: Clocks::new(),
             first: true,
         }

@@ -2,29 +2,31 @@
 
 use super::Plc;
 use super::scan::Pass;
-use crate::{Image, Millis};
+use crate::{Image, ImageBits, Millis};
 
 impl Plc<'_> {
     pub(super) fn input(&self, number: u8) -> bool {
-        self.state.inputs.image().0 & wide(number) != 0
+        self.state.inputs.image().0 & mask(number) != 0
     }
 
     pub(super) fn output(&self, number: u8) -> bool {
-        self.state.outputs.0 & wide(number) != 0
+        self.state.outputs.0 & mask(number) != 0
     }
 
     pub(super) fn set_output(&mut self, number: u8, state: bool) {
-        self.state.outputs.0 &= !wide(number);
-        self.state.outputs.0 |= if state { wide(number) } else { 0 };
+        self.state.outputs.0 &= !mask(number);
+        self.state.outputs.0 |= if state { mask(number) } else { 0 };
     }
 
-    /// All outputs at once, but for those that are PWM.
-    pub(super) fn set_outputs(&mut self, outputs: u8) {
-        self.state.outputs = Image(u16::from(outputs & 0x0F & !self.needs.pwm));
+    /// So many outputs at once, from 01 on, but for those that are PWM.
+    pub(super) fn set_outputs(&mut self, outputs: u8, count: u8) {
+        let all = !(!0 << count.min(self.board.outputs));
+        let outputs = ImageBits::from(outputs) & all & !(self.needs.pwm as ImageBits);
+        self.state.outputs = Image(self.state.outputs.0 & !all | outputs);
     }
 
     pub(super) fn marker(&self, number: u8) -> bool {
-        self.state.markers >> (number.wrapping_sub(1) & 63) & 1 != 0
+        self.state.markers >> (number.wrapping_sub(1) & 127) & 1 != 0
     }
 
     pub(super) fn system(&self, pass: &Pass<'_>, number: u8) -> bool {
@@ -49,6 +51,6 @@ impl Plc<'_> {
 }
 
 /// The bit of an input or output.
-fn wide(number: u8) -> u16 {
-    1 << (number.wrapping_sub(1) & 15)
+fn mask(number: u8) -> ImageBits {
+    1 << (number.wrapping_sub(1) & (ImageBits::BITS as u8 - 1))
 }

@@ -2,6 +2,7 @@
 
 use super::{Inputs, Plc};
 use crate::isa::{Class, JUMP_BUDGET, Opcode};
+use crate::width::ANALOGUE;
 use crate::{Cause, Fault, Image, Millis, Needs, Steps};
 
 /// What an instruction leaves behind.
@@ -17,7 +18,7 @@ pub struct After {
 pub(super) struct Pass<'c> {
     pub(super) steps: Steps<'c>,
     pub(super) now: Millis,
-    pub(super) analogue: [u16; 5],
+    pub(super) analogue: [u16; ANALOGUE as usize],
     pub(super) scan_time: u16,
     /// The result of the rung so far (NC-6).
     pub(super) acc: bool,
@@ -36,7 +37,7 @@ pub(super) struct Pass<'c> {
     pub(super) timers: u8,
     pub(super) own: usize,
     /// What is left for jumps back (NC-19).
-    pub(super) budget: u16,
+    pub(super) budget: usize,
     /// S 04: an arithmetic error in this scan.
     pub(super) error: bool,
 }
@@ -66,7 +67,7 @@ impl Plc<'_> {
         let inputs = inputs.into();
         let first = self.state.first;
         let Needs { filter, .. } = self.needs;
-        let points = Image(inputs.points.0 & u16::from(self.needs.digital()));
+        let points = Image(inputs.points.0 & self.needs.digital(&self.board));
         self.state.inputs.scan(points, filter, first, now);
         self.state.clocks.scan(first, now);
         let code = self.code;
@@ -83,7 +84,7 @@ impl Plc<'_> {
             points: 0,
             timers: 0,
             own: 0,
-            budget: JUMP_BUDGET,
+            budget: JUMP_BUDGET.into(),
             error: false,
         };
         let mut index = 0;
@@ -110,7 +111,7 @@ impl Plc<'_> {
                     index = pass.go_to(code, label);
                     // What lies between is what has been passed over to come back here.
                     if let Some(back) = from.checked_sub(pass.steps.cost()) {
-                        match pass.budget.checked_sub(back as u16) {
+                        match pass.budget.checked_sub(back) {
                             Some(left) => pass.budget = left,
                             None => return Err(self.too_many_jumps(line)),
                         }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use unoclp_core::isa::{Kind, Line, Row, TABLE, holds_point};
-use unoclp_core::{Cause, Fault, Loader, Profile};
+use unoclp_core::{Board, Cause, Fault, Loader};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -184,8 +184,8 @@ fn every_fault_is_explained() {
             assert_eq!(italic, page.translated, "{place}: {below}");
 
             let limit = match cause {
-                Cause::ProgramFull => Profile::UNO.stored_bytes,
-                Cause::RunMemoryFull => Profile::UNO.linked_bytes,
+                Cause::ProgramFull => Board::UNO.stored_bytes,
+                Cause::RunMemoryFull => Board::UNO.linked_bytes,
                 _ => continue,
             };
             let says = entry.join(" ").contains(&format!(" {limit} bytes"));
@@ -245,8 +245,8 @@ fn examples_of_faults() {
 
 /// All the faults of a program that can be told.
 fn faults_of(program: &str) -> Vec<Fault> {
-    let mut memory = [0; Profile::UNO.linked_bytes as usize];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut memory = [0; Board::UNO.linked_bytes as usize];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     let bytes = program.bytes();
     let mut faults: Vec<Fault> = bytes.filter_map(|byte| loader.push(byte).err()).collect();
     while let Err(fault) = loader.end() {
@@ -257,13 +257,13 @@ fn faults_of(program: &str) -> Vec<Fault> {
 
 #[test]
 fn limits_of_the_uno() {
-    let Profile {
+    let Board {
         inputs,
         outputs,
         stored_bytes,
         linked_bytes,
-        real: _,
-    } = Profile::UNO;
+        ..
+    } = Board::UNO;
     for name in ["README.md", "README.pt-BR.md", "docs/numeric-code.md"] {
         let rows = table(&document(name), "profile");
         let numbers: Vec<&str> = rows.iter().map(|row| row[1].as_str()).collect();

@@ -1,9 +1,9 @@
 //! Whatever bytes come as a program file or as a stored program: they are refused, or make a program
 //! that keeps within the board.
 
-use unoclp_core::{Cause, Fault, Image, Inputs, Loader, Plc, Profile, Program};
+use unoclp_core::{Board, Cause, Fault, Image, Inputs, Loader, Plc, Program};
 
-const BOARD: Profile = Profile::UNO;
+const BOARD: Board = Board::UNO;
 /// Scans of each accepted program.
 const SCANS: u32 = 12;
 
@@ -70,16 +70,17 @@ fn run(program: Program<'_>) {
     let mut plc = Plc::new(program);
     for scan in 0..SCANS {
         let inputs = Inputs {
-            points: Image(scan.wrapping_mul(0x9D) as u16 & 0xFF),
-            analogue: [0, 1, 511, 512, 1023].map(|reading: u16| reading ^ scan as u16),
+            points: Image(u128::from(scan.wrapping_mul(0x9D) as u8)),
             scan_time: scan as u16,
+            ..Inputs::default()
         };
+        let inputs = inputs.reading(&[0, 1, 511, 512, 1023].map(|reading| reading ^ scan as u16));
         // From shortly before the wrap of the clock to beyond it.
         let now = (u32::MAX - 400).wrapping_add(scan * 77);
         match plc.scan(inputs, now) {
             Ok(outputs) => {
                 assert_eq!(outputs.0 >> BOARD.outputs, 0);
-                assert_eq!(outputs.0 as u8 & plc.needs().pwm, 0);
+                assert_eq!(outputs.0 & plc.needs().pwm, 0);
             }
             Err(fault) => {
                 assert_eq!(fault.cause, Cause::TooManyJumps);

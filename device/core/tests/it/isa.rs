@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use unoclp_core::isa::{Class, Kind, Opcode, TABLE};
-use unoclp_core::{Delay, Image, Instruction, Loader, Plc, Profile};
+use unoclp_core::{Board, Delay, Image, Instruction, Loader, Plc};
 
 /// Every instruction in one valid program, in an order that the loader accepts.
 const EVERY: &[i32] = &[
@@ -52,7 +52,7 @@ fn text(codes: &[i32]) -> String {
 }
 
 fn load<'m>(memory: &'m mut [u8], text: &str) -> unoclp_core::Program<'m> {
-    let mut loader = Loader::new(memory, Profile::UNO);
+    let mut loader = Loader::new(memory, Board::UNO);
     for byte in text.bytes() {
         loader.push(byte).unwrap();
     }
@@ -81,7 +81,7 @@ fn stored_bytes_are_pinned() {
 #[test]
 fn what_older_versions_stored_means_the_same() {
     let (mut first, mut second) = ([0; 1900], [0; 1900]);
-    let mut loader = Loader::new(&mut first, Profile::UNO);
+    let mut loader = Loader::new(&mut first, Board::UNO);
     loader.restore(&mut STORED.iter().copied()).unwrap();
     let restored = loader.finish().unwrap();
     assert_eq!(restored.stored(), STORED);
@@ -264,7 +264,9 @@ fn opcode_bytes_are_pinned() {
 /// An instruction's code and lines, with operands that a program may have.
 fn sample(opcode: Opcode) -> Vec<i32> {
     let row = opcode.row();
-    let last = row.kind.numbers().map_or(0, |(first, _)| first.max(1));
+    let last = Board::UNO
+        .numbers(row.kind)
+        .map_or(0, |(first, _)| first.max(1));
     let code = row.code + row.code.signum() * i32::from(last);
     let lines: &[i32] = match row.kind {
         Kind::Timer => &[500, 7712],

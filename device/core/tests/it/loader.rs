@@ -1,14 +1,14 @@
 //! What the data files under `proof/suite/` cannot say: memory sizes, and going on after a fault.
 
 use unoclp_core::isa::{Opcode, is_real};
-use unoclp_core::{Cause, Fault, Image, Loader, Plc, Profile};
+use unoclp_core::{Board, Cause, Fault, Image, Loader, Plc};
 
 /// All faults that can be told of a text, as number and line.
 fn faults(text: &[u8]) -> Vec<(u8, Option<u32>)> {
-    faults_on(Profile::UNO, text)
+    faults_on(Board::UNO, text)
 }
 
-fn faults_on(board: Profile, text: &[u8]) -> Vec<(u8, Option<u32>)> {
+fn faults_on(board: Board, text: &[u8]) -> Vec<(u8, Option<u32>)> {
     let mut memory = [0; 2000];
     let mut loader = Loader::new(&mut memory, board);
     let mut faults: Vec<Fault> = Vec::new();
@@ -52,16 +52,16 @@ fn goes_on_after_a_fault() {
 fn a_board_without_real_numbers_knows_no_code_of_them() {
     // NC-23. Only the code is told; the constant behind it is none.
     let text = b"0\n766801\n82656800\n1065353216\n738482\n838402\n";
-    assert_eq!(faults_on(Profile::UNO, text), []);
+    assert_eq!(faults_on(Board::UNO, text), []);
     let told = [(24, Some(3)), (24, Some(5))];
-    assert_eq!(faults_on(Profile::NANO, text), told);
+    assert_eq!(faults_on(Board::NANO, text), told);
     for opcode in Opcode::ALL {
         let is_named = format!("{opcode:?}").starts_with("Real");
         assert_eq!(is_real(opcode.row().stored), is_named, "{opcode:?}");
     }
     // What is stored is refused as well: `ITR`.
     let mut memory = [0; 100];
-    let mut loader = Loader::new(&mut memory, Profile::NANO);
+    let mut loader = Loader::new(&mut memory, Board::NANO);
     let refused = loader.restore(&mut [0xED].into_iter());
     assert_eq!(
         refused.map_err(|fault| fault.cause),
@@ -93,7 +93,7 @@ fn the_last_line_and_the_end_may_both_be_at_fault() {
 fn a_memory_smaller_than_the_profile_decides() {
     for size in 0..20 {
         let mut memory = vec![0; size];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        let mut loader = Loader::new(&mut memory, Board::UNO);
         // 1 + 6 + 5 + 1 = 13 bytes of run memory.
         for byte in b"0\n827301\n847978\n5\n7901\n877902" {
             let _ = loader.push(*byte);
@@ -231,7 +231,7 @@ fn brackets_are_balanced() {
 fn linked(codes: &[i32]) -> usize {
     let lines: String = codes.iter().map(|code| format!("{code}\n")).collect();
     let mut memory = [0; 2000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     for byte in format!("0\n{lines}").bytes() {
         loader.push(byte).unwrap();
     }

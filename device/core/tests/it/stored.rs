@@ -1,13 +1,13 @@
 //! A stored program comes back as itself, or not at all.
 
-use unoclp_core::{Cause, Crc16, Image, Loader, Plc, Profile, Program};
+use unoclp_core::{Board, Cause, Crc16, Image, Loader, Plc, Program};
 
 const TEXT: &str = "0\n827301\n404101\n40\n404101\n-827902\n41\n83877901\n787600\n847978\n70000\n7902\n\
      787600\n766601\n65686800\n-5\n836776\n-300\n-7\n32767\n-32768\n68827702\n2\n1000\n11\n\
      77798601\n6803\n30\n74778001\n";
 
 fn loaded(memory: &mut [u8]) -> Program<'_> {
-    let mut loader = Loader::new(memory, Profile::UNO);
+    let mut loader = Loader::new(memory, Board::UNO);
     TEXT.bytes().for_each(|byte| loader.push(byte).unwrap());
     loader.finish().unwrap()
 }
@@ -22,7 +22,7 @@ fn the_check_sum_is_the_published_one() {
 fn a_stored_program_comes_back() {
     let (mut first, mut second) = ([0; 100], [0; 100]);
     let program = loaded(&mut first);
-    let mut loader = Loader::new(&mut second, Profile::UNO);
+    let mut loader = Loader::new(&mut second, Board::UNO);
     loader
         .restore(&mut program.stored().iter().copied())
         .unwrap();
@@ -33,7 +33,7 @@ fn a_stored_program_comes_back() {
 }
 
 fn restored<'m>(memory: &'m mut [u8], stored: &[u8]) -> Program<'m> {
-    let mut loader = Loader::new(memory, Profile::UNO);
+    let mut loader = Loader::new(memory, Board::UNO);
     loader.restore(&mut stored.iter().copied()).unwrap();
     loader.finish().unwrap()
 }
@@ -47,7 +47,7 @@ fn constants_of_older_versions_come_back() {
     let (mut first, mut second) = ([0; 100], [0; 100]);
     let program = restored(&mut first, &old);
     assert_eq!(program.stored(), old);
-    let mut loader = Loader::new(&mut second, Profile::UNO);
+    let mut loader = Loader::new(&mut second, Board::UNO);
     for byte in b"0\n766800\n5\n65686800\n-2\n77857600\n1000\n838401\n" {
         loader.push(*byte).unwrap();
     }
@@ -84,7 +84,7 @@ fn brackets_and_pushed_values_are_checked_again() {
         // No constant takes 3 bytes.
         (&[0xBB, 102, 1, 2, 3], Cause::NoSuchPoint),
     ] {
-        let mut loader = Loader::new(&mut second, Profile::UNO);
+        let mut loader = Loader::new(&mut second, Board::UNO);
         let _ = loader.restore(&mut stored.iter().copied());
         let fault = loader.finish().err();
         assert_eq!(fault.map(|fault| fault.cause), Some(cause), "{stored:?}");
@@ -103,7 +103,7 @@ fn a_damaged_stored_program_is_refused_or_itself() {
             let mut damaged = stored.clone();
             damaged[place] = byte;
             let mut memory = [0; 100];
-            let mut loader = Loader::new(&mut memory, Profile::UNO);
+            let mut loader = Loader::new(&mut memory, Board::UNO);
             let restored = loader.restore(&mut damaged.iter().copied());
             match (restored, loader.finish()) {
                 (Ok(()), Ok(program)) => {

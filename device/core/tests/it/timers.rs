@@ -1,13 +1,13 @@
 //! What no scenario can wait for: weeks of a timer's life (NC-9).
 
-use unoclp_core::{Delay, Image, Loader, Plc, Profile};
+use unoclp_core::{Board, Delay, Image, Loader, Plc};
 
 const INPUT: Image = Image(1);
 const NONE: Image = Image(0);
 
 fn with_plc(codes: &str, test: impl FnOnce(&mut Plc<'_>)) {
     let mut memory = [0; 100];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     for byte in codes.bytes() {
         loader.push(byte).unwrap();
     }

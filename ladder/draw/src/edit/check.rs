@@ -7,7 +7,7 @@ use super::document::{Document, Id, Node};
 use super::emit::{Code, Emitted, What};
 use super::step::Step;
 use unoclp_core::isa::{Class, START};
-use unoclp_core::{Cause, Fault, Loader, Profile};
+use unoclp_core::{Board, Cause, Fault, Loader};
 
 /// What is wrong in a document, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl Wrong {
 
 impl Document {
     /// What is wrong in it; without an error a board takes it.
-    pub fn check(&self, board: Profile) -> Vec<Mistake> {
+    pub fn check(&self, board: Board) -> Vec<Mistake> {
         let emitted = Emitted::of(self);
         let mut mistakes = Vec::new();
         let mut says = |at, what| mistakes.push(Mistake { at, what });

@@ -1,7 +1,7 @@
 //! The picture itself is read: power is followed along its wires, and must come to the same cells as acc does.
 
 use std::collections::HashMap;
-use unoclp_core::{Image, Loader, Plc, Profile};
+use unoclp_core::{Board, Image, Loader, Plc};
 use unoclp_draw::{Cell, Ladder, Names, Picture, Style, Symbol};
 use unoclp_testing::rounds;
 
@@ -63,7 +63,7 @@ fn power_flows_in_random_pictures_as_it_does_in_the_scan() {
         let codes = rung(&mut random);
         let file = format!("0\n{}\n", codes.join("\n"));
         let mut memory = vec![0; 2_000];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        let mut loader = Loader::new(&mut memory, Board::UNO);
         file.bytes().for_each(|byte| loader.push(byte).unwrap());
         let mut plc = Plc::new(loader.finish().unwrap());
         let ladder = Ladder::new(plc.steps());
@@ -164,7 +164,7 @@ impl<'w> Wires<'w> {
     }
 
     /// Which cells carry power, by nothing but the picture and the inputs.
-    fn follow(&self, inputs: u16) -> HashMap<At, bool> {
+    fn follow(&self, inputs: u128) -> HashMap<At, bool> {
         let mut on: HashMap<At, bool> = HashMap::new();
         for (row, cells) in self.rows.iter().enumerate() {
             for column in 0..cells.len() {
@@ -186,7 +186,7 @@ impl<'w> Wires<'w> {
     }
 
     /// Lets power go on from this cell to those around it.
-    fn spread(&self, at: At, inputs: u16, on: &mut HashMap<At, bool>, names: &mut Vec<String>) {
+    fn spread(&self, at: At, inputs: u128, on: &mut HashMap<At, bool>, names: &mut Vec<String>) {
         let (row, column) = at;
         let cell = &self.rows[row][column];
         let blank_before = self
@@ -269,7 +269,7 @@ impl<'w> Wires<'w> {
     }
 
     /// Power comes to a symbol from the left.
-    fn enter(&self, (row, column): At, inputs: u16, on: &mut HashMap<At, bool>) {
+    fn enter(&self, (row, column): At, inputs: u128, on: &mut HashMap<At, bool>) {
         let Some(index) = self.rows[row][column].element else {
             return;
         };

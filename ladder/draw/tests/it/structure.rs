@@ -1,14 +1,14 @@
 //! What each form of code looks like.
 
 use unoclp_checked::numeric;
-use unoclp_core::{Loader, Profile};
+use unoclp_core::{Board, Loader};
 use unoclp_draw::{Address, Ladder, Names, Style, listing, to_svg};
 
 /// Draws the codes of one rung.
 fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {
     let file = format!("0\n{}\n", codes.replace(' ', "\n"));
     let mut memory = vec![0; 2_000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     file.bytes().for_each(|byte| loader.push(byte).unwrap());
     let program = loader.finish().unwrap();
     let ladder = Ladder::new(program.steps());
@@ -176,7 +176,7 @@ fn a_rung_that_is_too_wide_goes_on_by_name() {
 fn a_listing_tells_rungs_lines_comments_and_labels() {
     let file = "/ Motor\n/ I1  start\n\n0\n/ Forward, as long as\n/ the button is held\n827301\n877901\n\
         787600 / NL\n766603\n\n/ Off\n827302\n847978\n5\n7902";
-    let (checked, map) = numeric(file.as_bytes(), Profile::UNO).unwrap();
+    let (checked, map) = numeric(file.as_bytes(), Board::UNO).unwrap();
     let program = checked.program();
     let ladder = Ladder::new(program.steps());
     let names = Names::from([(Address::Label(3), "again".to_owned())]);

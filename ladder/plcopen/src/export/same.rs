@@ -1,13 +1,13 @@
 //! What is written is read again, and must be the same program.
 
 use super::lost::Lost;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::{Document, Id};
 
 /// What is not read again as it was.
 pub(crate) fn not_read(document: &Document, text: &str) -> Vec<Lost> {
-    let made = crate::import(text, Profile::UNO).document;
+    let made = crate::import(text, Board::UNO).document;
     let own = instructions(document);
     let read = made.as_ref().map(instructions).unwrap_or_default();
 

@@ -2,7 +2,7 @@
 
 use crate::cases::{Case, cases};
 use crate::project;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_host_sim::random::Random;
 use unoclp_plcopen::import;
 
@@ -35,7 +35,7 @@ fn mutated_projects_are_told_or_imported() {
                 text.replace_range(at..=at, &digit.to_string());
             }
         }
-        let made = import(&text, Profile::UNO);
+        let made = import(&text, Board::UNO);
         assert!(
             made.program.is_some() || !made.diagnostics.is_empty(),
             "{text}"
@@ -65,15 +65,12 @@ fn deep_and_large_projects_end() {
         .collect();
     let beside: String = (1..5_000).map(|id| contact(id, &[0])).collect();
     for body in [series, tangled, beside] {
-        let made = import(
-            &project("", &format!("<LD>{rail}{body}</LD>")),
-            Profile::UNO,
-        );
+        let made = import(&project("", &format!("<LD>{rail}{body}</LD>")), Board::UNO);
         assert!(made.program.is_none() && !made.diagnostics.is_empty());
     }
     let deep = format!("{}{}", "<a>".repeat(100_000), "</a>".repeat(100_000));
     for text in [deep, "<a>".repeat(200_000), " ".repeat(2_000_000)] {
-        let made = import(&text, Profile::UNO);
+        let made = import(&text, Board::UNO);
         assert!(made.program.is_none() && !made.diagnostics.is_empty());
     }
 }
@@ -175,7 +172,7 @@ fn each_kind_of_size_is_bounded() {
         ladder(element("contact", 1, "r", &long) + &element("coil", 2, "1", "%QX0.0")),
     ];
     for (index, text) in texts.iter().enumerate() {
-        let made = import(text, Profile::UNO);
+        let made = import(text, Board::UNO);
         assert!(!made.diagnostics.is_empty(), "{index}");
     }
 }

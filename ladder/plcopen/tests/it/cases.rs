@@ -4,7 +4,7 @@ use crate::{Pou, codes, project_of};
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
-use unoclp_core::{Image, Profile};
+use unoclp_core::{Board, Image};
 use unoclp_lang::Lang;
 use unoclp_plcopen::import;
 
@@ -35,13 +35,13 @@ pub(crate) struct Case {
     told: Vec<String>,
     /// The inputs of each scan; bit 0 is input 01.
     #[serde(default)]
-    inputs: Vec<u16>,
+    inputs: Vec<u128>,
     /// When each scan begins, ms; where they do not say, 1 ms apart.
     #[serde(default)]
     times: Vec<u32>,
     /// The outputs of each scan; bit 0 is output 01.
     #[serde(default)]
-    outputs: Vec<u16>,
+    outputs: Vec<u128>,
 }
 
 /// A program besides `Main`.
@@ -94,7 +94,7 @@ fn each_case_becomes_its_code_does_what_it_says_or_is_told() {
     let mut wrong = Vec::new();
     for case in cases() {
         let text = case.text();
-        let made = import(&text, Profile::UNO);
+        let made = import(&text, Board::UNO);
         let sayings: Vec<String> = made
             .diagnostics
             .iter()
@@ -136,7 +136,7 @@ fn each_case_becomes_its_code_does_what_it_says_or_is_told() {
         if let Some((mut program, _)) = made.program {
             let mut plc = unoclp_core::Plc::new(program.lend());
             let scans = (0..).zip(&case.inputs);
-            let outputs: Vec<u16> = scans
+            let outputs: Vec<u128> = scans
                 .map(|(scan, &inputs)| {
                     let at = case.times.get(scan).copied().unwrap_or(scan as u32);
                     plc.scan(Image(inputs), at).unwrap().0
@@ -155,7 +155,7 @@ fn steps_know_their_element_name_and_comment() {
     let cases = cases();
     let case = cases.iter().find(|case| case.about.contains("that blink"));
     let text = case.unwrap().text();
-    let (_, map) = import(&text, Profile::UNO).program.unwrap();
+    let (_, map) = import(&text, Board::UNO).program.unwrap();
     let first = &map.steps[0];
     let line = text.lines().nth(first.line - 1).unwrap();
     assert!(line.contains("<contact localId=\"5\""), "{line}");

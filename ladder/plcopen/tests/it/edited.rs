@@ -5,7 +5,7 @@ mod operations;
 
 use crate::round_trip::comes_back;
 use operations::operation;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_draw::edit::{Document, Editor};
 use unoclp_testing::{Random, rounds};
 
@@ -16,7 +16,7 @@ const EVERY: usize = 5;
 
 /// Whether a board takes it.
 fn compiles(document: &Document) -> bool {
-    let mistakes = document.check(Profile::UNO);
+    let mistakes = document.check(Board::UNO);
     !mistakes.iter().any(|mistake| mistake.what.is_error())
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use unoclp_core::{Loader, Profile};
+use unoclp_core::{Board, Loader};
 use unoclp_draw::edit::Document;
 use unoclp_host_sim::random::{Random, random_program};
 use unoclp_lang::Code;
@@ -10,8 +10,8 @@ use unoclp_plcopen::{export, import};
 
 /// The document of a program file; none where a board refuses it.
 fn document(file: &[u8]) -> Option<Document> {
-    let mut memory = vec![0; usize::from(Profile::UNO.linked_bytes)];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut memory = vec![0; usize::from(Board::UNO.linked_bytes)];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     file.iter().try_for_each(|&byte| loader.push(byte)).ok()?;
     let program = loader.finish().ok()?;
     Some(Document::of_steps(program.steps()))
@@ -29,7 +29,7 @@ pub(crate) fn comes_back(document: &Document) -> bool {
             return false;
         }
     };
-    let made = import(&text, Profile::UNO);
+    let made = import(&text, Board::UNO);
     // A rung without an output, a label without a jump and a program without a point are told, and come back.
     let idle = [Code::XmlNoSink, Code::XmlNoJump, Code::XmlNoPoint];
     let mut told = made.diagnostics.iter();

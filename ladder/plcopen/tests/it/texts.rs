@@ -1,7 +1,7 @@
 //! Bodies of text, and those that are not imported.
 
 use crate::{codes, project};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::Lang;
 use unoclp_plcopen::import;
 
@@ -20,7 +20,7 @@ fn of(language: &str, body: &str) -> String {
 fn structured_text_and_instruction_list_are_compiled() {
     for (language, body) in [("ST", "q := a;\n"), ("IL", "LD a\nST q\n")] {
         let text = of(language, body);
-        let made = import(&text, Profile::UNO);
+        let made = import(&text, Board::UNO);
         let told: Vec<String> = made
             .diagnostics
             .iter()
@@ -38,7 +38,7 @@ fn structured_text_and_instruction_list_are_compiled() {
 #[test]
 fn a_mistake_in_a_body_is_told_at_its_place_in_the_file() {
     let text = of("ST", "q := a AND nothing;\n");
-    let made = import(&text, Profile::UNO);
+    let made = import(&text, Board::UNO);
     assert!(made.program.is_none());
     let told = made.diagnostics.first().unwrap();
     assert_eq!(&text[told.span.range()], "nothing");
@@ -51,7 +51,7 @@ fn addresses_in_a_body_count_as_in_every_language() {
         ("q := a AND %IX1;\n", "ST-142", "%IX1"),
     ] {
         let text = of("ST", body);
-        let made = import(&text, Profile::UNO);
+        let made = import(&text, Board::UNO);
         let told = made.diagnostics.first().unwrap();
         assert_eq!(told.code.to_string(), code, "{body}");
         assert_eq!(&text[told.span.range()], written);
@@ -62,7 +62,7 @@ fn addresses_in_a_body_count_as_in_every_language() {
 fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
     let bodies = ["<SFC/>", "<FBD/>", "<LD/></body><body><LD/>"];
     for (body, code) in bodies.map(|body| (body, "XML-504")) {
-        let made = import(&project("", body), Profile::UNO);
+        let made = import(&project("", body), Board::UNO);
         let told: Vec<String> = made
             .diagnostics
             .iter()
@@ -80,7 +80,7 @@ fn what_is_no_ladder_and_no_text_is_refused_by_its_name() {
             "XML-501",
         ),
     ] {
-        let made = import(text, Profile::UNO);
+        let made = import(text, Board::UNO);
         let told: Vec<String> = made
             .diagnostics
             .iter()

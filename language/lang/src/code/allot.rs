@@ -7,9 +7,10 @@ use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
 use crate::diagnostics::{Code, Found, Word};
+use crate::limits::COUNTERS;
 use crate::typed::{Base, Point, Standard, Tree};
 use std::collections::BTreeMap;
-use unoclp_core::isa::{COUNTERS, REGISTERS, RETENTIVE};
+use unoclp_core::isa::{REGISTERS, RETENTIVE};
 
 /// Gives each cell that is used a place.
 pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) -> Seats {

@@ -9,10 +9,11 @@ use super::pen::{Line, Written};
 use super::seats::Seat;
 use crate::diagnostics::{Code, Found, Lines, Span};
 use crate::emit::{CodeLine, letters};
+use crate::limits::LABELS;
 use crate::origin::Origin;
 use crate::typed::{Cell, Tree};
 use std::collections::HashMap;
-use unoclp_core::isa::{self, JUMP_BUDGET, LABELS, Opcode, Operand, Value};
+use unoclp_core::isa::{self, JUMP_BUDGET, Opcode, Operand, Value};
 use unoclp_core::{Instruction, TimerBlock};
 
 impl Coder<'_, '_> {

@@ -72,7 +72,7 @@ use crate::typed::{Tree, UnitKind};
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 pub use variables::{Held, Holding, Spot, Variable, literal};
 
 /// What has come of a text in a typed language.
@@ -110,7 +110,7 @@ impl CompiledText {
 }
 
 /// Compiles a text for a board.
-pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> CompiledText {
+pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
     let mut found = Found::default();
     let tree = languages::read(text, language, &mut found);
     let mut made = CompiledText {
@@ -129,7 +129,7 @@ pub fn compile_text(text: &str, language: TextLanguage, board: Profile) -> Compi
     made
 }
 
-fn lower(text: &str, tree: &Tree, board: Profile, found: &mut Found, made: &mut CompiledText) {
+fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut CompiledText) {
     if lacks::told(tree, found) {
         return;
     }

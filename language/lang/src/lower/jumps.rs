@@ -229,7 +229,7 @@ impl Lower<'_, '_> {
 /// The number that a label's name asks for: `L07`.
 fn asked_number(name: &str) -> Option<u8> {
     let number = name.strip_prefix('L')?.parse().ok()?;
-    (1..=unoclp_core::isa::LABELS)
+    (1..=crate::limits::LABELS)
         .contains(&number)
         .then_some(number)
 }

@@ -206,7 +206,7 @@ impl Lower<'_, '_> {
                 }
             }
             Place::Bit(Bit::Marker(n)) => {
-                for n in n..=n.saturating_add(count - 1).min(unoclp_core::isa::MARKERS) {
+                for n in n..=n.saturating_add(count - 1).min(crate::limits::MARKERS) {
                     self.write(
                         pick(Opcode::SetMarker, Opcode::ResetMarker),
                         n,

@@ -3,9 +3,10 @@
 use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
 use crate::ast::{Init, Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
+use crate::limits::COUNTERS;
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
-use unoclp_core::isa::{COUNTERS, Opcode};
+use unoclp_core::isa::Opcode;
 use unoclp_point::read;
 
 impl Names<'_> {

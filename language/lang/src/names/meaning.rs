@@ -9,7 +9,7 @@ use crate::temps::Temps;
 use crate::tree::{Bit, Num};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Number, Profile};
+use unoclp_core::{Board, Number};
 
 /// What an operand means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +85,7 @@ pub(crate) struct Initial {
 pub(crate) struct Names<'t> {
     pub text: &'t str,
     pub dialect: Dialect,
-    pub board: Profile,
+    pub board: Board,
     pub timers: Vec<Timer>,
     pub counters: Vec<Counter>,
     pub instances: Vec<Instance>,

@@ -18,7 +18,7 @@ use crate::points::{Spellings, exists};
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
 use std::collections::{HashMap, HashSet};
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
 use unoclp_point::{Kind as Point, read};
 
@@ -29,12 +29,7 @@ const LAST_REGISTER: u32 = REGISTERS as u32;
 
 impl<'t> Names<'t> {
     /// Looks through the whole text, so that no name gets what an address of the text means.
-    pub(crate) fn new(
-        text: &'t str,
-        dialect: Dialect,
-        board: Profile,
-        units: &[Unit],
-    ) -> Names<'t> {
+    pub(crate) fn new(text: &'t str, dialect: Dialect, board: Board, units: &[Unit]) -> Names<'t> {
         let mut names = Names {
             text,
             dialect,
@@ -121,9 +116,9 @@ impl<'t> Names<'t> {
             return;
         };
         let n = (code - row.code).unsigned_abs();
-        let exists = row
-            .kind
-            .numbers()
+        let exists = self
+            .board
+            .numbers(row.kind)
             .is_some_and(|(first, last)| (u32::from(first)..=u32::from(last)).contains(&n));
         // A register 00 is a constant.
         if !exists || n == 0 {

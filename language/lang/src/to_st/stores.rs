@@ -7,13 +7,13 @@ use super::machine::{Machine, Number};
 use super::statement::Statement;
 use super::why::Why;
 use unoclp_core::isa::{Kind, Opcode, Operand};
-use unoclp_core::{Instruction, Profile};
+use unoclp_core::{Board, Instruction};
 
 impl Machine<'_, '_> {
     /// The inputs of the board in their order, but for pins that are inputs only where a step names them.
     pub fn inputs(&self) -> Vec<Option<Place>> {
         let named = self.named(Kind::Input);
-        let inputs = 1..=Profile::UNO.inputs;
+        let inputs = 1..=Board::UNO.inputs;
         inputs
             .map(|n| (n < 5 || named.contains(&n)).then_some(Place::Input(n)))
             .collect()
@@ -22,7 +22,7 @@ impl Machine<'_, '_> {
     /// The outputs of the board in their order, those that are PWM left out.
     pub fn outputs(&self) -> Vec<Option<Place>> {
         let pwm = self.named(Kind::Pwm);
-        let outputs = 1..=Profile::UNO.outputs;
+        let outputs = 1..=Board::UNO.outputs;
         outputs
             .map(|n| (!pwm.contains(&n)).then_some(Place::Output(n)))
             .collect()

@@ -1,11 +1,11 @@
 //! Timers, counters, functions, jumps and numbers do what the norm says of them, on the board's own engine.
 
 use crate::common::{LARGE, inputs, large, plc, program};
-use unoclp_core::{Image, Plc, Profile};
+use unoclp_core::{Board, Image, Plc};
 use unoclp_lang::{Code, Dialect, Options, compile};
 
 /// Runs a text, and gives the outputs of scans with these inputs at these times, as bits.
-fn run(text: &str, scans: &[(u32, u8)]) -> Vec<u16> {
+fn run(text: &str, scans: &[(u32, u8)]) -> Vec<u128> {
     let file = program(text, &large()).file().unwrap();
     let mut memory = vec![0; 4000];
     let mut plc = plc(&file, &mut memory, LARGE);
@@ -16,7 +16,7 @@ fn run(text: &str, scans: &[(u32, u8)]) -> Vec<u16> {
 }
 
 /// Runs a text on one scan after another, 1 ms apart.
-fn steps(text: &str, points: &[u8]) -> Vec<u16> {
+fn steps(text: &str, points: &[u8]) -> Vec<u128> {
     let scans: Vec<(u32, u8)> = (0..).zip(points.iter().copied()).collect();
     run(text, &scans)
 }
@@ -106,7 +106,7 @@ fn the_stack_of_the_makers() {
             let expected = points & 3 != 0 && points & 12 != 0;
             assert_eq!(
                 steps(text, &[points]),
-                [u16::from(expected)],
+                [u128::from(expected)],
                 "{text} {points}"
             );
         }
@@ -177,7 +177,7 @@ fn edges_and_first_values() {
 #[test]
 fn the_accumulator_over_a_label() {
     let choose = "LD I1\nJMPC first\nLD I2\nJMP last\nfirst: LD I3\nlast: ST Q1";
-    for points in 0..8_u16 {
+    for points in 0..8_u128 {
         let (a, b, c) = (points & 1, points >> 1 & 1, points >> 2 & 1);
         let expected = if a == 1 { c } else { b };
         assert_eq!(steps(choose, &[points as u8]), [expected], "{points}");
@@ -194,7 +194,7 @@ fn the_accumulator_over_a_label() {
 #[test]
 fn a_store_between_parentheses() {
     let text = "LD I1\nAND( I2\nST Q2\nOR I3\n)\nST Q1";
-    for points in 0..8_u16 {
+    for points in 0..8_u128 {
         let (a, b, c) = (points & 1, points >> 1 & 1, points >> 2 & 1);
         assert_eq!(
             steps(text, &[points as u8]),
@@ -252,7 +252,7 @@ fn several_errors_in_one_run() {
 fn a_dialect_may_be_said() {
     let options = |dialect| Options {
         dialect: Some(dialect),
-        board: Profile::UNO,
+        board: Board::UNO,
     };
     let text = "LD M0\nST Q1";
     assert!(compile(text, &options(Dialect::Iec)).has_errors());

@@ -1,7 +1,7 @@
 //! A compiled program beside the interpreter: the same values behind each scan, on the core and on the PC.
 
 use unoclp_checked::Checked;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_core::{Image, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
@@ -9,11 +9,11 @@ use unoclp_lang::{CompiledText, Severity, TextLanguage, compile_text};
 use unoclp_testing::Random;
 
 /// A board with room for anything, so that it is not room that is compared.
-pub fn large() -> Profile {
-    Profile {
+pub fn large() -> Board {
+    Board {
         stored_bytes: 30_000,
         linked_bytes: 30_000,
-        ..Profile::UNO
+        ..Board::UNO
     }
 }
 

@@ -43,13 +43,13 @@ struct Case {
     cuts: Vec<u32>,
     /// The inputs of each scan; bit 0 is input 01.
     #[serde(default)]
-    inputs: Vec<u16>,
+    inputs: Vec<u128>,
     /// When each scan begins, ms; where they do not say, 1 ms apart.
     #[serde(default)]
     times: Vec<u32>,
     /// The outputs of each scan; bit 0 is output 01.
     #[serde(default)]
-    outputs: Vec<u16>,
+    outputs: Vec<u128>,
     /// Registers behind the last scan, by their numbers.
     #[serde(default)]
     registers: BTreeMap<String, i32>,

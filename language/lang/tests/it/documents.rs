@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::{
     Code, Diagnostic, Lang, Lines, Options, Severity, Span, TextLanguage, check, compile,
     compile_text,
@@ -156,7 +156,7 @@ fn examples() {
                 "LCE-" => check(text, TextLanguage::Lce).diagnostics,
                 // Those about the board.
                 _ if code.number() > 200 => {
-                    compile_text(text, TextLanguage::St, Profile::UNO).diagnostics
+                    compile_text(text, TextLanguage::St, Board::UNO).diagnostics
                 }
                 _ => check(text, TextLanguage::St).diagnostics,
             };

@@ -1,7 +1,7 @@
 //! Whatever bytes come as a text of a typed language: what is told of them stands in them and can be shown, and what
 //! is made of them runs.
 
-use unoclp_core::{Inputs, Plc, Profile};
+use unoclp_core::{Board, Inputs, Plc};
 use unoclp_lang::run::Machine;
 use unoclp_lang::{Diagnostic, Lang, Severity, TextLanguage, compile_text, show};
 
@@ -18,7 +18,7 @@ pub fn hold(bytes: &[u8]) {
         _ => TextLanguage::Lce,
     };
     let text = String::from_utf8_lossy(rest);
-    let made = compile_text(&text, language, Profile::UNO);
+    let made = compile_text(&text, language, Board::UNO);
     for diagnostic in made.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),

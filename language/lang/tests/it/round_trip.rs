@@ -3,7 +3,7 @@
 use crate::common::{LARGE, Random, large, program};
 use std::fs;
 use std::path::Path;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_core::isa::{Class, Kind, Opcode, Row, TABLE};
 use unoclp_lang::{Options, to_il};
 use unoclp_testing::rounds;
@@ -19,7 +19,7 @@ fn codes(file: &str) -> Vec<i32> {
         .collect()
 }
 
-fn holds(file: &str, board: Profile) -> String {
+fn holds(file: &str, board: Board) -> String {
     let text = to_il(file.as_bytes(), board).unwrap_or_else(|fault| panic!("{fault}\n{file}"));
     let options = Options {
         dialect: None,
@@ -43,7 +43,7 @@ fn sample_programs() {
             continue;
         }
         count += 1;
-        let text = holds(&fs::read_to_string(&path).unwrap(), Profile::UNO);
+        let text = holds(&fs::read_to_string(&path).unwrap(), Board::UNO);
         // Most of it can be said in Instruction List; branch points cannot.
         let as_they_are = text.lines().filter(|line| line.starts_with("CODE")).count();
         assert!(
@@ -199,7 +199,7 @@ fn what_is_pushed_and_what_is_bracketed_is_said() {
     for text in texts {
         let compiled = program(text, &Options::default());
         let file = compiled.file().unwrap();
-        let back = to_il(file.as_bytes(), Profile::UNO).unwrap();
+        let back = to_il(file.as_bytes(), Board::UNO).unwrap();
         let said: Vec<String> = back
             .lines()
             .map(|line| line.trim_end().to_owned())
@@ -231,11 +231,11 @@ fn random_programs() {
 fn listings_come_back_as_they_were() {
     let text = "LD    I1\nAND   I2\nOR(   I3\nANDN  I4\n)\nST    Q1\n";
     let file = program(text, &large()).file().unwrap();
-    assert_eq!(to_il(file.as_bytes(), Profile::UNO).unwrap(), text);
+    assert_eq!(to_il(file.as_bytes(), Board::UNO).unwrap(), text);
 
     let text = "LD    I1\nTON   T1, 20000\nST    Q1\n\nLDN   T1.Q\nCTU   C2, 20\nST    M1\n\nLD    IW4\nGE    500\nS     Q2\n";
     let file = program(text, &large()).file().unwrap();
-    assert_eq!(to_il(file.as_bytes(), Profile::UNO).unwrap(), text);
+    assert_eq!(to_il(file.as_bytes(), Board::UNO).unwrap(), text);
 }
 
 /// What follows the last that a rung drives has no effect, and no compiler would write it.
@@ -259,7 +259,7 @@ fn what_has_no_effect_stands_as_codes_and_nothing_else_of_its_rung() {
             ],
         ),
     ] {
-        let text = holds(file, Profile::UNO);
+        let text = holds(file, Board::UNO);
         for line in lines {
             let has = text
                 .lines()

@@ -7,8 +7,8 @@ use unoclp_core::isa::{Class, Kind, Opcode};
 use unoclp_lang::Options;
 
 macro_rules! rows {
-    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $run:literal $own:literal
-        $effect:literal $handler:ident $il:literal $picture:literal;)*) => {
+    ($($name:ident $kind:ident $class:ident $code:literal $letters:literal $stored:literal $own:literal
+        $effect:literal $il:literal $picture:literal;)*) => {
         /// Every instruction, and how Instruction List says it.
         const ROWS: &[(Opcode, &str)] = &[$((Opcode::$name, $il),)*];
     };

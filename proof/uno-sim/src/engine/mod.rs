@@ -12,8 +12,7 @@ use memory::{Memory, ON};
 pub use simulated::Simulated;
 use told::{fault, served_fault};
 use unoclp_card::image::{Fat, Image as CardImage};
-use unoclp_core::isa::{ANALOGUE, NEAR_REGISTERS};
-use unoclp_core::{Image, Inputs, Loader, Millis, Profile};
+use unoclp_core::{Board, Image, Inputs, Loader, Millis};
 use unoclp_host_sim::scenario::{Cell, Engine, Outcome, Refusal};
 
 /// The longest start-up that is waited for, ms: reading a long file takes a while.
@@ -54,7 +53,7 @@ pub struct FirmwareEngine<S> {
     /// The highest register that the program has: the memory behind it is another's.
     registers: u8,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
-    analogue: [bool; ANALOGUE as usize],
+    analogue: [bool; Board::UNO.analogue as usize],
     uno: Option<S>,
     /// What the running clock will read after the tick that the board stands at.
     next: Option<Millis>,
@@ -78,7 +77,7 @@ impl<S: Simulated> FirmwareEngine<S> {
             millis: symbol("MILLIS", Space::Data)?,
             age: symbol("AGE", Space::Data)?,
             memory: Memory::of(&program),
-            registers: NEAR_REGISTERS,
+            registers: Board::UNO.engine.near_registers,
             analogue: Default::default(),
             program,
             clock,
@@ -148,8 +147,8 @@ impl<S: Simulated> FirmwareEngine<S> {
             return Ok(());
         }
         let readings = self.memory.readings()?;
-        for (index, &reading) in inputs.analogue.iter().enumerate() {
-            let driven = &mut self.analogue[index];
+        let channels = inputs.analogue.iter().zip(&mut self.analogue);
+        for (index, (&reading, driven)) in channels.enumerate() {
             *driven |= reading != 0;
             if *driven {
                 uno.set_reading(index, reading);
@@ -198,14 +197,16 @@ impl UnoEngine {
 
 /// The highest register that a program has.
 fn registers(file: &[u8]) -> u8 {
-    let mut memory = [0; Profile::UNO.linked_bytes as usize];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut memory = [0; Board::UNO.linked_bytes as usize];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     for &byte in file {
         // A fault is the board's to tell.
         let _ = loader.push(byte);
     }
     let program = loader.finish();
-    program.map_or(NEAR_REGISTERS, |program| program.registers() as u8)
+    program.map_or(Board::UNO.engine.near_registers, |program| {
+        program.registers() as u8
+    })
 }
 
 impl<S: Simulated> Engine for FirmwareEngine<S> {

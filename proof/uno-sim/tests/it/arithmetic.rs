@@ -153,7 +153,7 @@ fn random_numbers_come_out_alike() {
             uno.poke(cell, number).unwrap();
         }
         let mut inputs = Inputs::default();
-        inputs.points.0 = u16::from(random.percent(90));
+        inputs.points.0 = u128::from(random.percent(90));
         now = now.wrapping_add(if random.percent(5) {
             random.below(100_000)
         } else {

@@ -2,8 +2,8 @@
 
 use crate::common;
 use unoclp_checked::numeric;
-use unoclp_core::isa::{MARKERS, REGISTERS};
-use unoclp_core::{Image, Inputs, Profile};
+use unoclp_core::isa::REGISTERS;
+use unoclp_core::{Board, Image, Inputs};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_host_sim::random::{Random, random_inputs, random_program};
 use unoclp_host_sim::scenario::{Cell, Engine};
@@ -22,24 +22,24 @@ const SEED: u64 = 0x0C19;
 
 #[test]
 fn random_programs_behave_alike() {
-    compare::<Uno>(common::firmware(), Profile::UNO, 20);
+    compare::<Uno>(common::firmware(), Board::UNO, 20);
 }
 
 /// The same programs on avr8js, which the lab's page runs the firmware on.
 #[test]
 fn random_programs_behave_alike_on_avr8js() {
-    compare::<Avr8js>(common::firmware(), Profile::UNO, 20);
+    compare::<Avr8js>(common::firmware(), Board::UNO, 20);
 }
 
 /// Of the programs that it takes; the others it refuses. Those are the longest, and the rest do less.
 #[test]
 fn random_programs_behave_alike_on_a_nano() {
     let firmware = Program::read(&nano_elf().unwrap()).unwrap();
-    compare::<Uno>(firmware, Profile::NANO, 50);
+    compare::<Uno>(firmware, Board::NANO, 50);
 }
 
 /// In one of `few` scans at least something must change.
-fn compare<S: Simulated>(firmware: Program, board: Profile, few: u64) {
+fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let mut uno = FirmwareEngine::<S>::new(firmware, Clock::Lockstep).unwrap();
     let (mut scans, mut changes, mut faults, mut refused) = (0u64, 0u64, 0u64, 0u32);
@@ -91,7 +91,7 @@ fn compare<S: Simulated>(firmware: Program, board: Profile, few: u64) {
                 break;
             }
             let mut memory = Vec::new();
-            for cell in (1..=MARKERS)
+            for cell in (1..=Board::UNO.markers)
                 .map(Cell::Marker)
                 .chain((1..=REGISTERS).map(Cell::Register))
             {

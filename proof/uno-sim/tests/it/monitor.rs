@@ -9,7 +9,7 @@ use unoclp_client::start::{NotFound, find};
 use unoclp_client::upload::{Behind, Broken, await_start, go_on, stop, upload};
 use unoclp_client::watch::{Forces, Reading, Scope, Side, Wish};
 use unoclp_client::{Failure, Line, Parity, lock};
-use unoclp_core::{Loader, Profile};
+use unoclp_core::{Board, Loader};
 use unoclp_modbus::Exception;
 use unoclp_uno_sim::{Line as Wire, Slot, Uno};
 
@@ -28,8 +28,8 @@ fn board(program: &str) -> Uno {
 
 /// How a board keeps the program of this text.
 fn kept(text: &str) -> Kept {
-    let mut memory = vec![0; Profile::UNO.linked_bytes.into()];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut memory = vec![0; Board::UNO.linked_bytes.into()];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     text.bytes().for_each(|byte| loader.push(byte).unwrap());
     Kept::of(&loader.finish().unwrap())
 }

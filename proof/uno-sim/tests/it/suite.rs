@@ -4,7 +4,7 @@ use crate::common;
 use std::ffi::OsStr;
 use std::path::PathBuf;
 use unoclp_boot::{Image, Model};
-use unoclp_core::{Fault, Loader, Millis, Profile};
+use unoclp_core::{Board, Fault, Loader, Millis};
 use unoclp_host_sim::scenario::{Engine, Refusal, Scenario, check};
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
@@ -106,8 +106,8 @@ fn every_scenario_in_lockstep_on_a_nano() {
     for (path, scenario) in scenarios(&["programs", "proof/suite"]) {
         let program = &scenario.program().bytes;
         match (
-            first_fault(program, Profile::UNO),
-            first_fault(program, Profile::NANO),
+            first_fault(program, Board::UNO),
+            first_fault(program, Board::NANO),
         ) {
             (uno, nano) if uno == nano => {
                 let report = check(&scenario, &mut engine);
@@ -132,7 +132,7 @@ fn every_scenario_in_lockstep_on_a_nano() {
 }
 
 /// The first fault of a program on a board.
-fn first_fault(file: &[u8], board: Profile) -> Option<Fault> {
+fn first_fault(file: &[u8], board: Board) -> Option<Fault> {
     let mut memory = vec![0; board.linked_bytes.into()];
     let mut loader = Loader::new(&mut memory, board);
     for &byte in file {

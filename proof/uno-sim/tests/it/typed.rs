@@ -8,8 +8,8 @@ mod board;
 
 use crate::common;
 use board::{Twins, errors, with_plc};
-use unoclp_core::isa::{MARKERS, REGISTERS};
-use unoclp_core::{Plc, Profile};
+use unoclp_core::isa::REGISTERS;
+use unoclp_core::{Board, Plc};
 use unoclp_host_sim::scenario::{Cell, Engine};
 use unoclp_lang::{CompiledText, TextLanguage, compile_text};
 use unoclp_testing::{Random, rounds, typed_program};
@@ -23,7 +23,7 @@ fn fitting(seed: u64) -> Option<(String, CompiledText)> {
     let sizes = [8, 6, 4, 3, 2, 1];
     sizes.into_iter().find_map(|statements| {
         let text = typed_program(seed, statements);
-        let made = compile_text(&text, TextLanguage::St, Profile::UNO);
+        let made = compile_text(&text, TextLanguage::St, Board::UNO);
         errors(&made).is_none().then_some((text, made))
     })
 }
@@ -87,7 +87,7 @@ fn compared(uno: &mut UnoEngine, seed: u64) -> Result<Option<(u32, u32)>, String
 }
 
 fn cells() -> impl Iterator<Item = Cell> {
-    let markers = (1..=MARKERS).map(Cell::Marker);
+    let markers = (1..=Board::UNO.markers).map(Cell::Marker);
     markers.chain((1..=REGISTERS).map(Cell::Register))
 }
 

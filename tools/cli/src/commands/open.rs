@@ -87,7 +87,7 @@ pub fn check_written(
             Some(source)
         }
         Err(Refused::Numeric { written, faults }) => {
-            let Written { name, bytes, .. } = &written;
+            let Written { name, bytes, .. } = &*written;
             say!(
                 "{}",
                 diagnosis::show(name, bytes, &faults, messages::spoken(), &renderer())

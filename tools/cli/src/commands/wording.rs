@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use unoclp_boot::Model;
 use unoclp_cli::messages;
-use unoclp_core::Profile;
+use unoclp_core::Board;
 use unoclp_lang::{Dialect, Lang, TextLanguage};
 use unoclp_program::{Language, Written, WrittenIn};
 
@@ -37,8 +37,8 @@ impl Wording {
     /// A file of this name, in the language that it is said to be in or else shows.
     pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
         let board = match self.board.firmware() {
-            Model::Uno => Profile::UNO,
-            _ => Profile::NANO,
+            Model::Uno => Board::UNO,
+            _ => Board::NANO,
         };
         Written::new(name, bytes).or_in(self.language).on(board)
     }

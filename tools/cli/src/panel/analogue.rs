@@ -1,11 +1,12 @@
 //! The analogue inputs, as knobs that keys turn.
 
+use std::collections::BTreeMap;
 use unoclp_core::Inputs;
 
 /// What the analogue inputs read, and the one that keys turn.
 #[derive(Clone, Debug, Default)]
 pub struct Knobs {
-    readings: [u16; 5],
+    readings: BTreeMap<u8, u16>,
     /// Those that the program reads.
     used: Vec<u8>,
     /// Which of them, counted from 0.
@@ -36,14 +37,18 @@ impl Knobs {
 
     /// Turns it so far, within its bounds.
     pub fn turn(&mut self, by: i16) {
-        let input = self.selected().map(usize::from);
-        if let Some(reading) = input.and_then(|input| self.readings.get_mut(input)) {
+        if let Some(input) = self.selected() {
+            let reading = self.readings.entry(input).or_default();
             *reading = reading.saturating_add_signed(by).min(MOST);
         }
     }
 
     /// Sets the readings of these inputs.
     pub fn apply(&self, inputs: &mut Inputs) {
-        inputs.analogue = self.readings;
+        for (&input, &reading) in &self.readings {
+            if let Some(place) = inputs.analogue.get_mut(usize::from(input)) {
+                *place = reading;
+            }
+        }
     }
 }

@@ -176,12 +176,12 @@ impl App {
     fn read(&self, spot: Spot) -> Option<i32> {
         let plc = self.machine.plc();
         let at = |number: u8| usize::from(number).checked_sub(1);
-        let bit = |bits: u64, number: u8| Some((bits >> at(number)? & 1) as i32);
+        let bit = |bits: u128, number: u8| Some((bits >> at(number)? & 1) as i32);
         let timer = |number: u8| self.timers().nth(at(number)?);
         let counter = |number: u8| plc.counters().nth(at(number)?);
         match spot {
-            Spot::Input(n) => bit(self.world().points.0.into(), n),
-            Spot::Output(n) => bit(plc.outputs().0.into(), n),
+            Spot::Input(n) => bit(self.world().points.0, n),
+            Spot::Output(n) => bit(plc.outputs().0, n),
             Spot::Marker(n) => bit(plc.markers(), n),
             Spot::System(_) => None,
             Spot::TimerQ(n) => Some(timer(n)?.q.into()),

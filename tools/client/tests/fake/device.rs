@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::Kept;
-use unoclp_core::{Cause, Crc16, Fault, Loader, Profile};
+use unoclp_core::{Cause, Crc16, Fault, Loader};
 use unoclp_modbus::eeprom::program::{FORM, HEAD_BYTES, head};
 use unoclp_modbus::map::{
     self, BLOCK_BYTES, Command, PRODUCT, Span, State, VENDOR, coil, discrete, flag, form, holding,
@@ -21,8 +21,8 @@ pub fn kept(text: &str) -> Kept {
 
 /// How a board keeps it whose stored form has this version.
 fn kept_in(version: u8, text: &[u8]) -> Kept {
-    let mut memory = vec![0; Profile::UNO.linked_bytes.into()];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut memory = vec![0; unoclp_core::Board::UNO.linked_bytes.into()];
+    let mut loader = Loader::new(&mut memory, unoclp_core::Board::UNO);
     text.iter().for_each(|&byte| loader.push(byte).unwrap());
     let program = loader.finish().unwrap();
     let bytes = program.stored_bytes() as u16;
@@ -191,10 +191,10 @@ impl Board {
             Command::Restart => self.restart(),
             Command::Upload => {
                 self.fault = 0;
-                let memory = vec![0; Profile::UNO.linked_bytes.into()].leak();
+                let memory = vec![0; unoclp_core::Board::UNO.linked_bytes.into()].leak();
                 self.upload = Some(Upload {
                     next: 0,
-                    loader: Loader::new(memory, Profile::UNO),
+                    loader: Loader::new(memory, unoclp_core::Board::UNO),
                     texts: [Vec::new(), Vec::new()],
                     second: false,
                 });

@@ -1,7 +1,7 @@
 //! The sheet of a document: everything on it has a place, and something can be inserted wherever it says so.
 
 use unoclp_core::isa::Opcode;
-use unoclp_core::{Loader, Profile, Target};
+use unoclp_core::{Board, Loader, Target};
 use unoclp_draw::edit::{
     Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Step,
 };
@@ -12,7 +12,7 @@ fn document() -> Document {
     let codes =
         "0 827301 40 827901 41 -827302 847978 500 7901 7370 827303 40 41 877902 697868 787600";
     let mut memory = vec![0; 2_000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     let text = codes.replace(' ', "\n");
     text.bytes().for_each(|byte| loader.push(byte).unwrap());
     Document::of_steps(loader.finish().unwrap().steps())

@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 use unoclp_core::isa::{Opcode, REGISTER_OPERAND};
-use unoclp_core::{Profile, Target};
+use unoclp_core::{Board, Target};
 use unoclp_draw::edit::{
     Along, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Gate, Id, Mistake, Node,
     Operation, Place, Refusal, Row, Step, Way,
@@ -48,7 +48,7 @@ fn carry_out(case: &str) -> String {
         }
         Err(mistakes) => writeln!(told, "incomplete: {}", mistakes.len()).unwrap(),
     }
-    for Mistake { at, what } in document.check(Profile::UNO) {
+    for Mistake { at, what } in document.check(Board::UNO) {
         let index = at.map(|id| symbol(document, id));
         writeln!(told, "{what:?} at {}", index.unwrap_or_default()).unwrap();
     }

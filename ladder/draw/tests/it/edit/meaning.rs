@@ -1,6 +1,6 @@
 //! What is drawn is what is done: power that follows the tree of a document comes to its coil as it does in the scan.
 
-use unoclp_core::{Image, Loader, Plc, Profile};
+use unoclp_core::{Board, Image, Loader, Plc};
 use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Along, Cursor, Document, Draft, Editor, Id, Node, Operation, Place, Series, Way, visit,
@@ -21,7 +21,7 @@ fn power_follows_the_tree_as_it_does_in_the_scan() {
         stored += u32::from(codes.contains(&404_103));
         let text: String = codes.iter().map(|code| format!("{code}\n")).collect();
         let mut memory = vec![0; 4_000];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        let mut loader = Loader::new(&mut memory, Board::UNO);
         if text.bytes().any(|byte| loader.push(byte).is_err()) {
             continue;
         }
@@ -92,7 +92,7 @@ fn nodes(document: &Document) -> Vec<Id> {
 }
 
 /// The power behind a series that has this before it.
-fn power(series: &Series, before: bool, inputs: u16) -> bool {
+fn power(series: &Series, before: bool, inputs: u128) -> bool {
     series.iter().fold(before, |before, node| match node {
         Node::Element(element) => {
             let number = element.step.number().unwrap();

@@ -1,7 +1,7 @@
 //! Random operations: none panics, each document can be drawn, and each can be taken back.
 
 use super::operations::operation;
-use unoclp_core::{Loader, Profile};
+use unoclp_core::{Board, Loader};
 use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Drawn, Editor, visit};
 use unoclp_testing::{Random, rounds};
@@ -69,18 +69,18 @@ fn draws(document: &Document) {
             }
         });
     }
-    let _ = document.check(Profile::UNO);
+    let _ = document.check(Board::UNO);
 }
 
 /// Whether it is a program; such a one comes back from its codes.
 fn comes_back(document: &Document) -> bool {
-    let mistakes = document.check(Profile::UNO);
+    let mistakes = document.check(Board::UNO);
     if mistakes.iter().any(|mistake| mistake.what.is_error()) {
         return false;
     }
     let codes = document.codes().unwrap();
     let mut memory = vec![0; 2_000];
-    let mut loader = Loader::new(&mut memory, Profile::UNO);
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     for byte in codes
         .iter()
         .flat_map(|code| format!("{code}\n").into_bytes())

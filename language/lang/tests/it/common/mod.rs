@@ -1,16 +1,14 @@
 //! What the tests share: random numbers, and a board that runs what has been compiled.
 
-use unoclp_core::{Image, Inputs, Loader, Plc, Profile};
+use unoclp_core::{Board, Image, Inputs, Loader, Plc};
 use unoclp_lang::{Compiled, Options, compile};
 pub use unoclp_testing::Random;
 
 /// A board with more memory than any, so that size decides nothing.
-pub const LARGE: Profile = Profile {
-    inputs: 8,
-    outputs: 4,
+pub const LARGE: Board = Board {
     stored_bytes: 60_000,
     linked_bytes: 60_000,
-    real: true,
+    ..Board::UNO
 };
 
 pub fn large() -> Options {
@@ -32,7 +30,7 @@ pub fn program(text: &str, options: &Options) -> Compiled {
 }
 
 /// The program in this memory.
-pub fn plc<'m>(file: &str, memory: &'m mut [u8], board: Profile) -> Plc<'m> {
+pub fn plc<'m>(file: &str, memory: &'m mut [u8], board: Board) -> Plc<'m> {
     let mut loader = Loader::new(memory, board);
     for byte in file.bytes() {
         loader
@@ -48,9 +46,5 @@ pub fn plc<'m>(file: &str, memory: &'m mut [u8], board: Profile) -> Plc<'m> {
 
 /// Inputs as bits, and analogue readings.
 pub fn inputs(points: u8, analogue: [u16; 5]) -> Inputs {
-    Inputs {
-        points: Image(points.into()),
-        analogue,
-        scan_time: 0,
-    }
+    Inputs::from(Image(points.into())).reading(&analogue)
 }

@@ -181,12 +181,12 @@ pub fn full_store() -> Codes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unoclp_core::{Image, Loader, Plc, Profile};
+    use unoclp_core::{Board, Image, Loader, Plc};
 
     /// Takes a program as the firmware does; gives its stored bytes and timers.
     fn load(codes: &[i64], then: impl FnOnce(Plc<'_>)) -> (usize, usize) {
         let mut memory = [0; 960];
-        let mut loader = Loader::new(&mut memory, Profile::UNO);
+        let mut loader = Loader::new(&mut memory, Board::UNO);
         for byte in text(codes).bytes() {
             loader.push(byte).unwrap();
         }

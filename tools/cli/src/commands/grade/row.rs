@@ -94,7 +94,7 @@ impl Row {
                 Row::refused(name, why, String::new())
             }
             Refused::Numeric { written, faults } => {
-                let Written { name, bytes, .. } = written;
+                let Written { name, bytes, .. } = *written;
                 let why = faults.first().map(|fault| {
                     let told = diagnosis::tell(&bytes, fault, speak);
                     in_line(told.line.unwrap_or(1) as usize, told.message)

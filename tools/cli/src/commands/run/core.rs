@@ -119,11 +119,11 @@ impl Used {
 
     fn row(&self, machine: &Machine, inputs: &Inputs, now: Millis) -> Row {
         let plc = machine.plc();
-        let bit = |bits: u64, number: u8| (bits >> number.saturating_sub(1) & 1) as i32;
+        let bit = |bits: u128, number: u8| (bits >> number.saturating_sub(1) & 1) as i32;
         let at = |number: u8| usize::from(number).saturating_sub(1);
         let bits = match self.spot {
-            Spot::Input(n) => bit(inputs.points.0.into(), n),
-            Spot::Output(n) => bit(plc.outputs().0.into(), n),
+            Spot::Input(n) => bit(inputs.points.0, n),
+            Spot::Output(n) => bit(plc.outputs().0, n),
             Spot::Marker(n) => bit(plc.markers(), n),
             Spot::Analogue(n) => inputs.analogue.get(usize::from(n)).map_or(0, |&v| v.into()),
             Spot::Pwm(n) => plc.pwm(n).into(),
