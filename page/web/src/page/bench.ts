@@ -3,7 +3,6 @@
 import type { Event, Pins } from "../board/messages";
 import type { Line } from "../line/line";
 import type { BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
-import { UNO } from "../tools/boards";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { both } from "../words/words";
@@ -20,7 +19,7 @@ export type Upload = { readonly share: number } | "storing" | null;
 export class Bench {
   readonly where = new Signal<Where>("simulated");
   /** What the board at hand has. */
-  readonly board = new Signal<BoardFacts>(UNO);
+  readonly board: Signal<BoardFacts>;
   readonly seen = new Signal<Seen | null>(null);
   readonly identity = new Signal<string | null>(null);
   /** Why there is no board. */
@@ -52,6 +51,7 @@ export class Bench {
     worker: Worker,
     private readonly tell: (both: Both) => void,
   ) {
+    this.board = new Signal(tools.ask("board", {}));
     this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
   }
 

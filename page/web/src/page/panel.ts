@@ -10,7 +10,7 @@ import { h } from "./dom";
 import { icon } from "./icons";
 import { Lamps } from "./lamps";
 import { announce } from "./notes";
-import { upTo } from "./points";
+import { inputsOf, upTo } from "./points";
 
 const SPEEDS = [1, 0.1, 0.01];
 
@@ -40,9 +40,10 @@ export class Panel {
       this.hardware(),
       this.faults(),
     );
-    bench.board.follow(({ inputs, ownInputs, outputs }) => {
-      this.buttons.offer(upTo(inputs), ownInputs);
-      this.lamps.offer(upTo(outputs));
+    bench.board.follow((board) => {
+      const { own, shared } = inputsOf(board);
+      this.buttons.offer([...own, ...shared], own.length);
+      this.lamps.offer(upTo(board.outputs));
     });
     bench.pins.follow((pins) => {
       if (bench.where.value !== "simulated") return;
@@ -116,11 +117,11 @@ export class Panel {
     more.addEventListener("click", () => {
       const all = more.getAttribute("aria-pressed") !== "true";
       more.setAttribute("aria-pressed", String(all));
-      const { inputs, ownInputs } = this.bench.board.value;
-      this.buttons.show(all ? inputs : ownInputs);
+      const { own, shared } = inputsOf(this.bench.board.value);
+      this.buttons.show(all ? own.length + shared.length : own.length);
     });
-    this.bench.board.follow(({ inputs, ownInputs }) => {
-      more.hidden = inputs <= ownInputs;
+    this.bench.board.follow((board) => {
+      more.hidden = board.shared.length === 0;
     });
     return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
       h("p", { class: "note", "data-say": "buttonsHint" }));

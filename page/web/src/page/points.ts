@@ -1,6 +1,6 @@
 // The points that a program uses, and what a reading says of each.
 
-import type { Made, Seen } from "../tools/answers";
+import type { BoardFacts, Made, Seen } from "../tools/answers";
 
 export interface Point {
   /** `I1`, `Q2`, `M5`, `D12`, `T1`, `C2`, `A0`. */
@@ -14,6 +14,12 @@ export interface Point {
   value(seen: Seen): number;
   /** The preset of a timer or counter. */
   preset?(seen: Seen): number;
+}
+
+/** The inputs of a board that have a pin of their own, and those that share theirs with an analogue input. */
+export function inputsOf({ inputs, shared }: BoardFacts): { own: number[]; shared: number[] } {
+  const is = new Set(shared.map(([input]) => input));
+  return { own: upTo(inputs).filter((input) => !is.has(input)), shared: [...is] };
 }
 
 /** The numbers of so many points. */

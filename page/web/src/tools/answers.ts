@@ -34,25 +34,34 @@ export interface Problem {
 
 /** What a board has: how many there are of each kind of point, numbered from 1; analogue inputs from 0. */
 export interface BoardFacts {
-  readonly name: string;
+  /** How a request names it, and each that there is. */
+  readonly id: string;
+  readonly all: readonly string[];
   /** What people call it. */
-  readonly title: string;
+  readonly name: string;
+  /** Whether a board can be flashed that has this; if not, its programs run on a PC alone. */
+  readonly firmware: boolean;
+  /** Whether it has the instructions of REAL numbers. */
+  readonly real: boolean;
   readonly inputs: number;
-  /** The first so many of the inputs have a pin of their own; the others share theirs with analogue inputs. */
-  readonly ownInputs: number;
   readonly outputs: number;
   readonly analogue: number;
   /** The outputs that can be PWM. */
   readonly pwm: readonly number[];
+  /** An input and the analogue input on the same pin: a program has the one or the other. */
+  readonly shared: readonly (readonly [input: number, analogue: number])[];
   readonly markers: number;
+  /** The first and the last marker that keeps its state over a power cut. */
+  readonly retentive: readonly [number, number];
   readonly registers: number;
+  /** Registers to this number take no memory of a program. */
+  readonly nearRegisters: number;
   readonly counters: number;
   readonly timers: number;
+  readonly labels: number;
   /** Bytes that a program may take as it is stored, and as it runs. */
   readonly stored: number;
   readonly linked: number;
-  /** Whether it is a board that one can buy. */
-  readonly isHardware: boolean;
 }
 
 export interface Uses {
@@ -306,6 +315,7 @@ export interface Shelf {
 
 /** What may be asked, and what is answered. */
 export interface Asks {
+  board: { ask: { board?: string }; answer: BoardFacts };
   check: { ask: Text; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
   list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
