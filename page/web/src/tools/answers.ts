@@ -316,7 +316,7 @@ export interface Shelf {
 /** What may be asked, and what is answered. */
 export interface Asks {
   board: { ask: { board?: string }; answer: BoardFacts };
-  check: { ask: Text; answer: Checked };
+  check: { ask: Text & { board?: string }; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
   list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
   /** The ladder on pages of paper. */

@@ -70,6 +70,11 @@ export const TABLE = {
   notKept: ["This browser does not keep the program: a reload would lose it. Save it as a file.", "Este navegador não guarda o programa: recarregar a página o perderia. Salve-o em um arquivo."],
 
   board: ["Board", "Placa"],
+  forBoard: ["Board that the program is for", "Placa para a qual é o programa"],
+  noBoard: ["{name} is no UNO, and no board at all: only this computer runs its programs.", "{name} não é um UNO, nem placa alguma: só este computador executa seus programas."],
+  heldBy: ["This program also fits on {names}.", "Este programa também cabe em {names}."],
+  heldByNone: ["No board holds this program. {name}: {why}", "Nenhuma placa comporta este programa. {name}: {why}"],
+  notOn: ["Nothing was sent: {name} does not hold this program. {why}", "Nada foi enviado: {name} não comporta este programa. {why}"],
   simulated: ["Simulated UNO", "UNO simulado"],
   desk: ["UNO on the desk", "UNO na mesa"],
   run: ["Run on the board", "Executar na placa"],
