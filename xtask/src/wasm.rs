@@ -4,10 +4,11 @@
 //! standard library from source. For the check nothing is linked, and no code is made: that takes an eighth of the
 //! time.
 
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 
 use crate::node;
 use crate::shell;
@@ -87,11 +88,27 @@ const FEATURES: [&str; 6] = [
     "--enable-sign-ext",
 ];
 
-/// Writes a module in fewer bytes, by the Binaryen among the packages of the lab. Large functions that are called once
-/// stay apart: in the place of their call they compress worse.
+/// How a module becomes smaller. Large functions that are called once stay apart: in the place of their call they compress
+/// worse.
+const SHRINK: [&str; 2] = ["-Oz", "--one-caller-inline-max-function-size=30"];
+
+/// Writes a module in fewer bytes, by the Binaryen among the packages of the lab, unless it did so with this one before:
+/// that takes longer than all else where nothing has changed.
 fn shrink(module: &Path, to: &Path) -> Result<()> {
+    let packages = node::page().join("node_modules/binaryen");
+    let mut from = [SHRINK.as_slice(), &FEATURES]
+        .concat()
+        .concat()
+        .into_bytes();
+    for file in [packages.join("package.json"), module.to_owned()] {
+        from.extend(fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?);
+    }
+    let before = to.with_extension("from");
+    if to.exists() && fs::read(&before).is_ok_and(|before| before == from) {
+        return Ok(());
+    }
     let mut shrink = Command::new("node");
-    shrink.arg(node::page().join("node_modules/binaryen/bin/wasm-opt"));
-    shrink.args(["-Oz", "--one-caller-inline-max-function-size=30"]);
-    shell::run(shrink.args(FEATURES).arg(module).arg("-o").arg(to))
+    shrink.arg(packages.join("bin/wasm-opt")).args(SHRINK);
+    shell::run(shrink.args(FEATURES).arg(module).arg("-o").arg(to))?;
+    fs::write(&before, from).with_context(|| format!("cannot write {}", before.display()))
 }

@@ -5,6 +5,7 @@ use crate::draw;
 #[cfg(feature = "full")]
 use crate::draw::As;
 use crate::draw::Speak;
+use crate::facts::{self, Facts};
 use crate::given::{Given, wrong};
 use crate::program::{self, Text};
 use crate::words::No;
@@ -22,6 +23,8 @@ use serde::Serialize;
 pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
     let ask = given.text("ask")?;
     Ok(match ask.as_str() {
+        // What a board has: each limit of its points and its memory, so that a page needs to know none.
+        "board" => json(Facts::of(facts::board(&mut given)?)),
         // What there is to say of a text: its problems, or its program.
         "check" => json(program::check(Text::of(&mut given)?)?),
         // Its ladder, for a page that shows it live, in so many columns where that is enough.

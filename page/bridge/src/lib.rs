@@ -4,6 +4,7 @@
 //! [`unoclp_answer`]. Everything else is [`answer`], which tests call without a browser.
 //!
 //! - `call`: which requests there are; `given`: what each of them gives
+//! - `facts`: the board that a program is for, and what it has
 //! - `program`: a text as a person has written it, and what there is to show of it
 //! - `tell`: problems, with their places
 //! - `draw`: ladders and lists
@@ -29,6 +30,7 @@ mod draw;
 mod edit;
 #[cfg(feature = "full")]
 mod exercise;
+mod facts;
 #[cfg(feature = "full")]
 mod flash;
 mod given;

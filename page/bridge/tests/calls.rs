@@ -27,6 +27,32 @@ fn file(name: &str) -> String {
 }
 
 #[test]
+fn a_board_tells_what_it_has() {
+    let uno = ok(json!({ "ask": "board" }));
+    assert_eq!(
+        uno,
+        json!({
+            "id": "uno", "name": "UNO", "all": ["uno", "nano"], "firmware": true, "real": true,
+            "inputs": 8, "outputs": 4, "analogue": 5, "pwm": [1, 4],
+            "shared": [[5, 0], [6, 1], [7, 2], [8, 3]],
+            "markers": 64, "retentive": [57, 64], "registers": 98, "nearRegisters": 32,
+            "counters": 16, "timers": 99, "labels": 32, "stored": 900, "linked": 960,
+        })
+    );
+    assert_eq!(ok(json!({ "ask": "board", "board": "uno" })), uno);
+    let nano = ok(json!({ "ask": "board", "board": "nano" }));
+    assert_eq!(
+        (&nano["id"], &nano["real"]),
+        (&json!("nano"), &json!(false))
+    );
+    let told = ask(json!({ "ask": "board", "board": "mega" }));
+    assert!(
+        told["error"]["en"].as_str().unwrap().contains("mega"),
+        "{told}"
+    );
+}
+
+#[test]
 fn a_problem_is_told_with_its_place_and_in_both_languages() {
     // Before the place stand characters of one, two and four bytes: 1, 1 and 2 units of UTF-16.
     let text = "(* aé😀 *) STT Q1\n";

@@ -12,7 +12,7 @@ const target = import.meta.url.slice(0, import.meta.url.lastIndexOf("/target/") 
 
 /** The firmware as it is flashed: the one that was built, or the one that is named. */
 export function firmwareHex(): string {
-  const hex = process.env.UNOCLP_FIRMWARE ?? fileURLToPath(new URL("firmware/unoclp.hex", target));
+  const hex = process.env["UNOCLP_FIRMWARE"] ?? fileURLToPath(new URL("firmware/unoclp.hex", target));
   return readFileSync(hex, "utf8");
 }
 

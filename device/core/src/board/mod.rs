@@ -48,6 +48,26 @@ pub struct Board {
 }
 
 impl Board {
+    /// Every board.
+    pub const ALL: [Board; 2] = [Board::UNO, Board::NANO];
+
+    /// The board of this name, in small or capital letters.
+    pub fn named(name: &str) -> Option<Board> {
+        let is = |board: &Board| board.name.eq_ignore_ascii_case(name);
+        Board::ALL.into_iter().find(is)
+    }
+
+    /// Whether there is a firmware for it; if not, the core runs its programs, on a PC alone.
+    pub const fn has_firmware(&self) -> bool {
+        self.engine.links
+    }
+
+    /// The input that shares its pin with this analogue input, where one does.
+    pub fn shares(&self, analogue: u8) -> Option<u8> {
+        let input = self.shared_from.checked_add(analogue)?;
+        (self.shared_from > 0 && analogue < self.analogue && input <= self.inputs).then_some(input)
+    }
+
     /// Bytes of memory in which a [`Plc`](crate::Plc) runs any program that fits: it keeps the stored form,
     /// which may be longer than the linked form, beside the data.
     pub const fn plc_bytes(&self) -> usize {

@@ -55,12 +55,12 @@ pub struct Seen {
     kept: Kept,
     /// Whether the board keeps the program that is watched; none: none is.
     same: Option<bool>,
-    /// Bit 0 is input 01.
-    inputs: u16,
-    outputs: u16,
-    /// Those that are forced, and to what.
-    forced_inputs: [u16; 2],
-    forced_outputs: [u16; 2],
+    /// The numbers of those that are 1.
+    inputs: Vec<u8>,
+    outputs: Vec<u8>,
+    /// The numbers of those that are forced, and to what.
+    forced_inputs: Vec<(u8, bool)>,
+    forced_outputs: Vec<(u8, bool)>,
     /// Seconds without a request that end it; 0, 255: none do.
     forcing_ends: Option<u8>,
     /// The numbers of those that are 1.
@@ -93,7 +93,6 @@ impl Seen {
         live: Option<Live>,
     ) -> Seen {
         let board: &Diagnostics = &reading.diagnostics;
-        let forced = |forces: Forces| [forces.points, forces.to];
         let meters = |meters: &[Meter]| {
             let pair = |meter: &Meter| [meter.value, meter.preset];
             meters.iter().map(pair).collect()
@@ -125,14 +124,12 @@ impl Seen {
             faults: board.faults,
             kept: board.program.into(),
             same,
-            inputs: reading.inputs,
-            outputs: reading.outputs,
+            inputs: numbers(reading.inputs.into()).collect(),
+            outputs: numbers(reading.outputs.into()).collect(),
             forced_inputs: forced(reading.forced_inputs),
             forced_outputs: forced(reading.forced_outputs),
             forcing_ends: reading.forcing_ends,
-            markers: (1..=64)
-                .filter(|marker| markers >> (marker - 1) & 1 != 0)
-                .collect(),
+            markers: numbers(markers).collect(),
             analogue: reading.analogue.clone(),
             registers: reading.registers.clone(),
             timers: meters(&reading.timers),
@@ -140,6 +137,17 @@ impl Seen {
             live,
         }
     }
+}
+
+/// The numbers of the points that are 1: bit 0 is point 01.
+fn numbers(bits: u64) -> impl Iterator<Item = u8> {
+    (1..=64).filter(move |number| bits >> (number - 1) & 1 != 0)
+}
+
+/// The points that are forced, and to what.
+fn forced(forces: Forces) -> Vec<(u8, bool)> {
+    let to = |number: u8| (number, u32::from(forces.to) >> (number - 1) & 1 != 0);
+    numbers(forces.points.into()).map(to).collect()
 }
 
 /// The settings as a page has them.

@@ -2,7 +2,7 @@
 
 import type { Event, Pins } from "unoclp-uno";
 import type { Line } from "../line/line";
-import type { Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { both } from "../words/words";
@@ -18,6 +18,8 @@ export type Upload = { readonly share: number } | "storing" | null;
 
 export class Bench {
   readonly where = new Signal<Where>("simulated");
+  /** What the board at hand has. */
+  readonly board: Signal<BoardFacts>;
   readonly seen = new Signal<Seen | null>(null);
   readonly identity = new Signal<string | null>(null);
   /** Why there is no board. */
@@ -49,6 +51,7 @@ export class Bench {
     worker: Worker,
     private readonly tell: (both: Both) => void,
   ) {
+    this.board = new Signal(tools.ask("board", {}));
     this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
   }
 
@@ -196,18 +199,15 @@ export class Bench {
   pause(): void {
     this.simulated.tell({ kind: "pause" });
     this.paused.value = true;
-    this.talk?.wake();
   }
 
   goOn(): void {
     this.simulated.tell({ kind: "run" });
     this.paused.value = false;
-    this.talk?.wake();
   }
 
   speed(factor: number): void {
     this.simulated.tell({ kind: "speed", factor });
-    this.talk?.wake();
   }
 
   private forget(): void {

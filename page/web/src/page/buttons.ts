@@ -1,7 +1,9 @@
 // The buttons of the inputs: held by mouse, finger or key; latched with shift, or while the switch says so.
 
+import type { Forced } from "../tools/answers";
 import { say, speak } from "../words/words";
 import { h } from "./dom";
+import { markForced } from "./forced";
 import { keepHere, keptHere } from "./place";
 
 /** What a button does: whether it is pressed, and how its contact stands then. */
@@ -11,24 +13,27 @@ export class Buttons {
   readonly root = h("div", { class: "points" });
   /** Makes each press latch, or let go: a finger has no shift. */
   readonly latching = h("button", { type: "button", class: "quiet small", id: "latch", "data-say": "latch", "aria-pressed": "false" });
-  private readonly places: HTMLElement[] = [];
+  /** By the numbers of the inputs. */
+  private readonly places = new Map<number, HTMLElement>();
   private readonly latched = new Set<number>();
   private readonly held = new Set<number>();
   /** Those whose contacts are normally closed. */
   private closed = new Set(closedBefore());
 
   constructor(private readonly press: Press) {
-    for (let input = 1; input <= 8; input++) this.places.push(this.place(input));
-    this.root.append(...this.places);
-    this.show(4);
     this.latching.addEventListener("click", () => this.latching.setAttribute("aria-pressed", String(!this.latches)));
+    speak.follow(() => {
+      for (const [input, place] of this.places) {
+        place.querySelector(".press")?.setAttribute("aria-label", say("buttonOf", { n: input }));
+        this.kind(input);
+      }
+    });
     // Keys work wherever nothing is typed.
     const digit = (event: KeyboardEvent): number => {
       const target = event.target as HTMLElement;
       const types = target.closest("input:not([type=checkbox]):not([type=range]), textarea, select, .cm-editor");
       const bare = !event.ctrlKey && !event.altKey && !event.metaKey;
-      const match = /^(?:Digit|Numpad)([1-8])$/.exec(event.code);
-      return !types && bare && match ? Number(match[1]) : 0;
+      return !types && bare ? this.keyOf(event) : 0;
     };
     document.addEventListener("keydown", (event) => {
       const input = digit(event);
@@ -37,12 +42,32 @@ export class Buttons {
       else this.hold(input, true);
     });
     document.addEventListener("keyup", (event) => {
-      const match = /^(?:Digit|Numpad)([1-8])$/.exec(event.code);
-      if (match) this.hold(Number(match[1]), false);
+      const input = this.keyOf(event);
+      if (input) this.hold(input, false);
     });
     addEventListener("blur", () => {
       for (const input of [...this.held]) this.hold(input, false);
     });
+  }
+
+  /** The input of a key with a digit; 0 where there is none. */
+  private keyOf(event: KeyboardEvent): number {
+    const input = Number(/^(?:Digit|Numpad)(\d)$/.exec(event.code)?.[1]);
+    return this.places.has(input) ? input : 0;
+  }
+
+  /** Has a button for each of these inputs, and shows the first so many. */
+  offer(inputs: readonly number[], first: number): void {
+    for (const input of [...this.held, ...this.latched].filter((input) => !inputs.includes(input))) {
+      this.held.delete(input);
+      this.latched.delete(input);
+      this.tell(input);
+    }
+    const places = inputs.map((input) => [input, this.places.get(input) ?? this.place(input)] as const);
+    this.places.clear();
+    for (const [input, place] of places) this.places.set(input, place);
+    this.root.replaceChildren(...this.places.values());
+    this.show(first);
   }
 
   /** Makes the contacts of these inputs normally closed, and all others normally open. */
@@ -50,11 +75,16 @@ export class Buttons {
     const before = this.closed;
     this.closed = new Set(inputs);
     keepHere("contacts", JSON.stringify([...this.closed]));
-    for (let input = 1; input <= 8; input++) {
+    for (const input of this.places.keys()) {
       this.kind(input);
       if (before.has(input) !== this.closed.has(input)) this.tell(input);
     }
-    if (inputs.some((input) => input > 4)) this.show(8);
+    this.showTo(inputs);
+  }
+
+  /** Shows all, where one of these is hidden. */
+  showTo(inputs: readonly number[]): void {
+    if (inputs.some((input) => this.places.get(input)?.hidden)) this.show(this.places.size);
   }
 
   /** Tells a board that has just got its power how the contacts stand. */
@@ -62,29 +92,25 @@ export class Buttons {
     for (const input of new Set([...this.closed, ...this.latched])) this.tell(input);
   }
 
-  /** Shows the first four, or all; none that is pressed is hidden. */
+  /** Shows the first so many. */
   show(count: number): void {
-    this.places.forEach((place, index) => {
+    [...this.places.values()].forEach((place, index) => {
       place.hidden = index >= count;
     });
   }
 
   /** What the program calls its inputs. */
   names(symbols: Readonly<Record<string, string>>): void {
-    this.places.forEach((place, index) => {
+    for (const [input, place] of this.places) {
       const name = place.querySelector(".name");
-      if (name) name.textContent = symbols[`I${index + 1}`] ?? "";
-    });
+      if (name) name.textContent = symbols[`I${input}`] ?? "";
+    }
   }
 
-  /** Marks what is forced: bit 0 is input 01. */
-  forced(points: number, to: number): void {
-    this.places.forEach((place, index) => {
-      const forced = ((points >> index) & 1) !== 0;
-      place.classList.toggle("is-forced", forced);
-      const mark = place.querySelector(".forced-mark");
-      if (mark) mark.textContent = forced ? `${say("forced")} ${(to >> index) & 1}` : "";
-    });
+  /** Marks what is forced. */
+  forced(points: readonly Forced[]): void {
+    const forced = new Map(points);
+    for (const [input, place] of this.places) markForced(place, forced.get(input));
   }
 
   private place(input: number): HTMLElement {
@@ -110,14 +136,14 @@ export class Buttons {
     button.addEventListener("click", (event) => {
       if (event.detail === 0 && event.isTrusted && !this.byKey) this.latch(input);
     });
-    speak.follow(() => button.setAttribute("aria-label", say("buttonOf", { n: input })));
+    button.setAttribute("aria-label", say("buttonOf", { n: input }));
     const kind = h("button", { type: "button", class: "quiet small contact", "data-contact": input, "aria-pressed": "false",
       click: () => this.normallyClosed(this.closed.has(input) ? [...this.closed].filter((one) => one !== input) : [...this.closed, input]) });
-    speak.follow(() => this.kind(input, kind));
+    this.kind(input, kind);
     return h("div", { class: "place" }, button, kind, h("span", { class: "name" }), h("span", { class: "forced-mark" }));
   }
 
-  private kind(input: number, button = this.places[input - 1]?.querySelector<HTMLElement>(".contact")): void {
+  private kind(input: number, button = this.places.get(input)?.querySelector<HTMLElement>(".contact")): void {
     if (!button) return;
     const closed = this.closed.has(input);
     const kind = say(closed ? "contactClosed" : "contactOpen");
@@ -155,7 +181,7 @@ export class Buttons {
   }
 
   private mark(input: number): void {
-    const button = this.places[input - 1]?.querySelector(".press");
+    const button = this.places.get(input)?.querySelector(".press");
     button?.setAttribute("aria-pressed", String(this.held.has(input) || this.latched.has(input)));
     button?.classList.toggle("latched", this.latched.has(input));
   }
@@ -165,7 +191,7 @@ export class Buttons {
 function closedBefore(): number[] {
   try {
     const inputs = JSON.parse(keptHere("contacts") ?? "[]") as unknown;
-    return Array.isArray(inputs) ? inputs.filter((input) => Number.isInteger(input) && input >= 1 && input <= 8) : [];
+    return Array.isArray(inputs) ? inputs.filter((input) => Number.isInteger(input)) : [];
   } catch {
     return [];
   }

@@ -11,9 +11,11 @@ export interface Clock {
   now(): number;
   /** How much of it passes in a unit of real time; 0: it stands. */
   factor(): number;
+  /** Who hears that it goes at another speed from now on. */
+  readonly turned: Set<() => void>;
 }
 
-export const WALL: Clock = { now: () => performance.now(), factor: () => 1 };
+export const WALL: Clock = { now: () => performance.now(), factor: () => 1, turned: new Set() };
 
 export class Conversation {
   private came: number[] = [];
@@ -28,7 +30,9 @@ export class Conversation {
     private readonly clock: Clock,
     private readonly hear: (news: News) => void,
     private readonly died: () => void,
-  ) {}
+  ) {
+    clock.turned.add(this.turned);
+  }
 
   /** Opens a line and begins to speak. `heard` gets all bytes that come, `lost` is called when the line closes by itself. */
   static async open(
@@ -75,11 +79,6 @@ export class Conversation {
     this.step();
   }
 
-  /** Goes on, if it is time: the clock may go at another speed now. */
-  wake(): void {
-    this.schedule();
-  }
-
   async close(): Promise<void> {
     this.end();
     await this.line.close();
@@ -88,6 +87,7 @@ export class Conversation {
   private end(): void {
     if (this.over) return;
     this.over = true;
+    this.clock.turned.delete(this.turned);
     clearTimeout(this.timer);
     this.leave();
   }
@@ -123,6 +123,9 @@ export class Conversation {
       return null;
     }
   }
+
+  /** What was to be waited for was reckoned at the speed of before. */
+  private readonly turned = (): void => this.schedule();
 
   private schedule(): void {
     clearTimeout(this.timer);

@@ -54,6 +54,8 @@ export class ProgramDocument {
   readonly text: Signal<Text>;
   /** The drawing that the text came from last, or null. */
   readonly drawing = new Signal<Drawing | null>(lastDrawing());
+  /** The board that it is written for, as a request names it; empty: the usual one. */
+  readonly board = new Signal(keptHere("board") ?? "");
   /** How many elements of the drawing are to be completed before all of it is the program. */
   readonly lacks = new Signal(0);
   /** Counts the programs that were opened: each begins a drawing of its own. */
@@ -68,6 +70,12 @@ export class ProgramDocument {
 
   constructor(private readonly tools: RemoteTools) {
     this.text = new Signal(lastText() ?? FIRST);
+    this.board.follow((board) => {
+      tools.board = board || undefined;
+      keepHere("board", board);
+      // The same text is another program there.
+      this.text.value = { ...this.text.value };
+    });
     this.text.follow(() => {
       this.keep();
       this.weigh();

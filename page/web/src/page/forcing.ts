@@ -2,6 +2,7 @@
 
 import type { Live, Text } from "../tools/answers";
 import type { Bench } from "./bench";
+import { forcedTo, pinOf } from "./points";
 
 /** What runs, as long as it is this text. */
 export function liveOf({ on, seen }: Bench, text: Text): Live | null {
@@ -12,10 +13,8 @@ export function liveOf({ on, seen }: Bench, text: Text): Live | null {
 /** A click on a contact or coil: forced to 1, to 0, let go. */
 export function force(bench: Bench, point: string): void {
   const seen = bench.seen.value;
-  const output = point.startsWith("Q");
-  if (!seen || !/^[IQ]\d$/.test(point)) return;
-  const number = Number(point.slice(1));
-  const [points, to] = output ? seen.forcedOutputs : seen.forcedInputs;
-  const bit = (bits: number): boolean => ((bits >> (number - 1)) & 1) !== 0;
-  void bench.ask({ do: "force", output, number, to: !bit(points) ? true : bit(to) ? false : null });
+  const pin = pinOf(point);
+  if (!seen || !pin) return;
+  const now = forcedTo(seen, point);
+  void bench.ask({ do: "force", ...pin, to: now === null ? true : now ? false : null });
 }

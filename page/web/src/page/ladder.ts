@@ -4,6 +4,7 @@ import type { Live, Seen } from "../tools/answers";
 import { dress, h } from "./dom";
 import { keep, kept } from "./kept";
 import { decimal } from "./numbers";
+import { forcedNames } from "./points";
 
 /** CSS pixels beside the drawing. */
 const MARGIN = 14;
@@ -108,11 +109,9 @@ export class LadderView {
 
   /** Marks what is forced. */
   forced(seen: Seen | null): void {
-    for (const [letter, points] of [["I", seen?.forcedInputs[0] ?? 0], ["Q", seen?.forcedOutputs[0] ?? 0]] as const) {
-      for (let number = 1; number <= 8; number++) {
-        const forced = ((points >> (number - 1)) & 1) !== 0;
-        for (const element of this.points.get(letter + number) ?? []) element.classList.toggle("forced", forced);
-      }
+    const forced = new Set(seen ? forcedNames(seen) : []);
+    for (const [point, elements] of this.points) {
+      for (const element of elements) element.classList.toggle("forced", forced.has(point));
     }
   }
 

@@ -12,6 +12,7 @@ import { Desk } from "./desk";
 import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
+import { ForBoard } from "./forboard";
 import { download, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
 import { note } from "./notes";
@@ -37,7 +38,9 @@ async function load(): Promise<void> {
   const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
   const program = new ProgramDocument(remote);
   const board = new Worker("board.js", { type: "module" });
-  const bench = new Bench(await Tools.of(module), modules, board, (both) => note(told(both)));
+  const tools = await Tools.of(module);
+  const bench = new Bench(tools, modules, board, (both) => note(told(both)));
+  const forBoard = new ForBoard(tools, remote, program);
 
   byId("stuck").remove();
   const editor = new Editor(byId("editor"), program.text.value.text, {
@@ -86,12 +89,12 @@ async function load(): Promise<void> {
     { id: "card", title: "tabCard", panel: card.panel, shown: () => void card.show() },
     { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
-  const view = new ProgramView(program, editor, remote, bench, problems, tabs, open);
-  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, tabs, () => view.goDraw()), new Desk(bench, modules).control);
+  const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
+  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, forBoard, tabs, () => view.goDraw()), new Desk(bench, modules).control);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
   const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
   takeDrops(byId("drop"), (file) => void take(file));
-  document.addEventListener("too-large", () => open(tooLarge()));
+  document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 
   new OnBoard(bench, program, remote).shown.follow((made) => {
     if (!made) return;

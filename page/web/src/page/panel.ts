@@ -10,6 +10,7 @@ import { h } from "./dom";
 import { icon } from "./icons";
 import { Lamps } from "./lamps";
 import { announce } from "./notes";
+import { inputsOf, upTo } from "./points";
 
 const SPEEDS = [1, 0.1, 0.01];
 
@@ -39,16 +40,21 @@ export class Panel {
       this.hardware(),
       this.faults(),
     );
+    bench.board.follow((board) => {
+      const { own, shared } = inputsOf(board);
+      this.buttons.offer([...own, ...shared], own.length);
+      this.lamps.offer(upTo(board.outputs));
+    });
     bench.pins.follow((pins) => {
       if (bench.where.value !== "simulated") return;
-      this.lamps.light(pins?.outputs ?? [0, 0, 0, 0]);
+      this.lamps.light((output) => pins?.outputs[output - 1] ?? 0);
       this.uno.led13 = (pins?.led ?? 0) > 0;
     });
     bench.seen.follow((seen) => {
       this.state();
-      this.buttons.forced(seen?.forcedInputs[0] ?? 0, seen?.forcedInputs[1] ?? 0);
-      this.lamps.forced(seen?.forcedOutputs[0] ?? 0, seen?.forcedOutputs[1] ?? 0);
-      if (bench.where.value === "desk" && seen) this.lamps.light([0, 1, 2, 3].map((bit) => (seen.outputs >> bit) & 1));
+      this.buttons.forced(seen?.forcedInputs ?? []);
+      this.lamps.forced(seen?.forcedOutputs ?? []);
+      if (bench.where.value === "desk" && seen) this.lamps.light((output) => Number(seen.outputs.includes(output)));
     });
     for (const signal of [bench.lost, bench.power, bench.upload, bench.paused, speak]) (signal as typeof bench.lost).follow(() => this.state());
     bench.power.follow((on) => {
@@ -66,7 +72,7 @@ export class Panel {
   uses(made: Made): void {
     this.buttons.names(made.symbols);
     this.lamps.names(made.symbols);
-    if (made.uses.inputs.some((input) => input > 4)) this.buttons.show(8);
+    this.buttons.showTo(made.uses.inputs);
     const inputs = made.uses.analogue;
     if (inputs.join() === [...this.readings.keys()].join()) return;
     for (const input of this.readings.keys()) if (!inputs.includes(input)) this.simulated({ kind: "analogue", input, to: "open" });
@@ -111,7 +117,11 @@ export class Panel {
     more.addEventListener("click", () => {
       const all = more.getAttribute("aria-pressed") !== "true";
       more.setAttribute("aria-pressed", String(all));
-      this.buttons.show(all ? 8 : 4);
+      const { own, shared } = inputsOf(this.bench.board.value);
+      this.buttons.show(all ? own.length + shared.length : own.length);
+    });
+    this.bench.board.follow((board) => {
+      more.hidden = board.shared.length === 0;
     });
     return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
       h("p", { class: "note", "data-say": "buttonsHint" }));

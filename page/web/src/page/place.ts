@@ -4,7 +4,7 @@
 import { keep, kept } from "./kept";
 
 /** What a place holds, each under a key of its own. */
-const KINDS = ["program", "drawing", "eeprom", "ways", "contacts"] as const;
+const KINDS = ["program", "drawing", "eeprom", "ways", "contacts", "board"] as const;
 type Kind = (typeof KINDS)[number];
 
 /** Places that are kept; the oldest go first. */

@@ -1,6 +1,6 @@
 // The points that a program uses, and what a reading says of each.
 
-import type { Made, Seen } from "../tools/answers";
+import type { BoardFacts, Made, Seen } from "../tools/answers";
 
 export interface Point {
   /** `I1`, `Q2`, `M5`, `D12`, `T1`, `C2`, `A0`. */
@@ -16,7 +16,40 @@ export interface Point {
   preset?(seen: Seen): number;
 }
 
-const bit = (bits: number, number: number): number => (bits >> (number - 1)) & 1;
+/** The inputs of a board that have a pin of their own, and those that share theirs with an analogue input. */
+export function inputsOf({ inputs, shared }: BoardFacts): { own: number[]; shared: number[] } {
+  const is = new Set(shared.map(([input]) => input));
+  return { own: upTo(inputs).filter((input) => !is.has(input)), shared: [...is] };
+}
+
+/** The numbers of so many points. */
+export function upTo(count: number): number[] {
+  return Array.from({ length: count }, (_, index) => index + 1);
+}
+
+/** An input or an output, by its number. */
+interface Pin {
+  readonly output: boolean;
+  readonly number: number;
+}
+
+/** The input or output of this name; null for all else. */
+export function pinOf(name: string): Pin | null {
+  const [, letter, number] = /^([A-Z])(\d+)$/.exec(name) ?? [];
+  return letter === "I" || letter === "Q" ? { output: letter === "Q", number: Number(number) } : null;
+}
+
+/** What an input or output is forced to; null where it is not. */
+export function forcedTo(seen: Seen, name: string): boolean | null {
+  const pin = pinOf(name);
+  const all = pin?.output ? seen.forcedOutputs : seen.forcedInputs;
+  return all.find(([number]) => number === pin?.number)?.[1] ?? null;
+}
+
+/** The names of all that is forced. */
+export function forcedNames({ forcedInputs, forcedOutputs }: Seen): string[] {
+  return [...forcedInputs.map(([number]) => `I${number}`), ...forcedOutputs.map(([number]) => `Q${number}`)];
+}
 
 /** A number of 32 bits as the REAL that they hold. */
 export function real(bits: number): number {
@@ -29,9 +62,9 @@ export function pointsOf(made: Made): Point[] {
   const add = (letter: string, numbers: readonly number[], rest: (number: number) => Omit<Point, "name" | "called">): void => {
     for (const number of numbers) points.push({ name: letter + number, called: symbols[letter + number] ?? "", ...rest(number) });
   };
-  const outputs = [...new Set([...uses.outputs, ...uses.pwm])].sort();
-  add("I", uses.inputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => bit(seen.inputs, n) }));
-  add("Q", outputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => bit(seen.outputs, n) }));
+  const outputs = [...new Set([...uses.outputs, ...uses.pwm])].sort((one, other) => one - other);
+  add("I", uses.inputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => Number(seen.inputs.includes(n)) }));
+  add("Q", outputs, (n) => ({ kind: "bit", hand: "force", value: (seen) => Number(seen.outputs.includes(n)) }));
   add("A", uses.analogue, (n) => ({ kind: "number", hand: "none", value: (seen) => seen.analogue[n] ?? 0 }));
   const meter = (of: "timers" | "counters") => (n: number): Omit<Point, "name" | "called"> => ({
     kind: "meter",

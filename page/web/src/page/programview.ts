@@ -9,6 +9,7 @@ import { type Looked, type ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import type { Screen } from "./draw/screen";
 import type { Editor } from "./editor";
+import type { ForBoard } from "./forboard";
 import { force, liveOf } from "./forcing";
 import { keep, kept } from "./kept";
 import { LadderView } from "./ladder";
@@ -41,6 +42,7 @@ export class ProgramView {
     tabs: Tabs,
     /** Opens another program, which can be undone. */
     private readonly open: (text: Text) => void,
+    forBoard: ForBoard,
   ) {
     this.ladder = new LadderView(byId("ladder"), {
       line: (line) => this.editor.go(line),
@@ -48,7 +50,8 @@ export class ProgramView {
     });
     byId("drawing").append(this.ladder.zoomButtons());
     this.count.addEventListener("click", () => tabs.open("problems"));
-    byId("program-bar").append(this.views(), this.count, h("span", { class: "grow" }), this.size);
+    byId("program-bar").append(this.views(), this.count, h("span", { class: "grow" }), forBoard.control, this.size);
+    byId("program-bar").after(forBoard.note);
     const name = byId("name") as HTMLInputElement;
     name.addEventListener("change", () => {
       this.program.text.value = { ...this.program.text.value, name: name.value.trim() || "program.il" };

@@ -7,6 +7,7 @@ import { keepHere, keptHere } from "./place";
 
 export class SimulatedBoard implements Clock {
   readonly line: SimulatedLine;
+  readonly turned = new Set<() => void>();
   /** Simulated ms since the power came, and when that was known. */
   private at = 0;
   private known = performance.now();
@@ -21,19 +22,28 @@ export class SimulatedBoard implements Clock {
   ) {
     this.line = new SimulatedLine(worker);
     worker.addEventListener("message", ({ data }) => {
-      this.note(data);
+      this.turning(() => this.note(data));
       hear(data);
     });
   }
 
   tell(command: Command): void {
-    if (command.kind === "speed") {
-      this.settle(this.now());
-      this.pace = Math.min(command.factor, 1);
-    }
-    if (command.kind === "run") this.settle(this.now(), true);
-    if (command.kind === "pause") this.settle(this.now(), false);
+    this.turning(() => {
+      if (command.kind === "speed") {
+        this.settle(this.now());
+        this.pace = Math.min(command.factor, 1);
+      }
+      if (command.kind === "run") this.settle(this.now(), true);
+      if (command.kind === "pause") this.settle(this.now(), false);
+    });
     this.worker.postMessage(command);
+  }
+
+  /** Tells who waits by this clock, where it goes at another speed after this. */
+  private turning(act: () => void): void {
+    const before = this.factor();
+    act();
+    if (this.factor() !== before) for (const hear of [...this.turned]) hear();
   }
 
   /** Gives it firmware, what its EEPROM was, and power. */

@@ -5,12 +5,13 @@ import { say, speak, told } from "../words/words";
 import type { Bench } from "./bench";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
+import type { ForBoard } from "./forboard";
 import { icon } from "./icons";
 import { note } from "./notes";
 import { whyNot } from "./problems";
 import type { Tabs } from "./tabs";
 
-export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs, goDraw: () => void): HTMLElement {
+export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): HTMLElement {
   const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"), h("span", { "data-say": "run" }));
   const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
   const about = h("p", { class: "note", id: "about-program" });
@@ -21,6 +22,10 @@ export function startControl(bench: Bench, program: ProgramDocument, tabs: Tabs,
       else tabs.open("problems");
       return note(whyNot(program));
     }
+    // What the board at hand lacks is said before anything is sent.
+    const board = bench.board.value;
+    const lack = forBoard.chosen.firmware ? null : await forBoard.lack(board, looked.text);
+    if (lack !== null) return note(say("notOn", { name: board.name, why: lack }));
     try {
       await bench.put(looked.text);
       bench.on.value = looked.text;

@@ -9,7 +9,7 @@ import { download } from "./files";
 import { Moments } from "./moments";
 import { announce } from "./notes";
 import { decimal, fixed } from "./numbers";
-import type { Point } from "./points";
+import { type Point, upTo } from "./points";
 import { Recorder } from "./recorder";
 import { timingSvg } from "./timing";
 
@@ -25,9 +25,9 @@ export class Trend {
   private readonly moments = new Moments();
   /** A reading of the simulated board, and its time: what pins have done until then comes behind it. */
   private held: { readonly seen: Seen; readonly at: number } | null = null;
-  /** The pins of the inputs, bit 0 input 01, and which of the inputs are forced. */
+  /** The pins of the inputs, bit 0 input 01, and what the inputs are forced to. */
   private closed = 0;
-  private forced = 0;
+  private forced: ReadonlyMap<number, boolean> = new Map();
   private readonly plot = h("div", { class: "trend", role: "img" });
   private readonly channels = h("div", { class: "channels" });
   /** The time of the cursor, and what each channel is there. */
@@ -43,7 +43,7 @@ export class Trend {
   private follows = true;
   private asked = false;
 
-  constructor(bench: Bench) {
+  constructor(private readonly bench: Bench) {
     bench.events.add((event) => {
       const { recorder } = this;
       if (event.kind === "power" && event.on) this.clear();
@@ -81,11 +81,10 @@ export class Trend {
   private inputs(at: number, closed: number): void {
     const turned = closed ^ this.closed;
     this.closed = closed;
-    for (let input = 1; input <= 8; input++) {
-      const bit = 1 << (input - 1);
-      if (this.forced & bit) continue;
-      this.recorder.note(`I${input}`, at, Number((closed & bit) !== 0));
-      if (turned & bit) this.moments.turned(at, "input");
+    for (const input of upTo(this.bench.board.value.inputs)) {
+      if (this.forced.has(input)) continue;
+      this.recorder.note(`I${input}`, at, isSet(closed, input));
+      if (isSet(turned, input)) this.moments.turned(at, "input");
     }
   }
 
@@ -103,10 +102,9 @@ export class Trend {
       const runs = point.kind === "meter" && recorder.last(point.name) === 0 && point.value(seen) < (point.preset?.(seen) ?? 0);
       recorder.note(point.name, runs ? at : moment, point.value(seen), point.kind === "bit");
     }
-    const [forced, to] = seen.forcedInputs;
-    for (let input = 1; input <= 8; input++) {
-      const bit = 1 << (input - 1);
-      if ((forced | this.forced) & bit) recorder.note(`I${input}`, moment, Number(((forced & bit ? to : this.closed) & bit) !== 0));
+    const forced = new Map(seen.forcedInputs);
+    for (const input of new Set([...forced.keys(), ...this.forced.keys()])) {
+      recorder.note(`I${input}`, moment, Number(forced.get(input) ?? isSet(this.closed, input)));
     }
     this.forced = forced;
     recorder.now = Math.max(recorder.now, at);
@@ -324,4 +322,9 @@ export class Trend {
       chart.setSize({ width: this.plot.clientWidth, height: chart.height });
     }
   }
+}
+
+/** Whether the pin of an input is closed, 0 or 1: bit 0 is input 01. */
+function isSet(pins: number, input: number): number {
+  return (pins >> (input - 1)) & 1;
 }

@@ -6,7 +6,7 @@ import type { Bench } from "./bench";
 import { h } from "./dom";
 import { announce } from "./notes";
 import { decimal } from "./numbers";
-import type { Point } from "./points";
+import { type Point, forcedNames, forcedTo, pinOf } from "./points";
 
 interface Row {
   readonly point: Point;
@@ -60,9 +60,9 @@ export class Watch {
   private hands(point: Point): HTMLElement[] {
     const small = (text: string, click: () => void): HTMLElement =>
       h("button", { type: "button", class: "small", "aria-label": `${point.name}: ${text}`, click }, text);
-    if (point.hand === "force") {
-      const force = (to: boolean | null) => (): void =>
-        void this.bench.ask({ do: "force", output: point.name.startsWith("Q"), number: Number(point.name.slice(1)), to });
+    const pin = pinOf(point.name);
+    if (pin && point.hand === "force") {
+      const force = (to: boolean | null) => (): void => void this.bench.ask({ do: "force", ...pin, to });
       return [h("span", { class: "group" }, small(say("force1"), force(true)), small(say("force0"), force(false)), small(say("letGo"), force(null)))];
     }
     if (point.hand === "none") return [];
@@ -85,8 +85,7 @@ export class Watch {
 
   private tell(seen: Seen | null): void {
     if (!seen) return;
-    const names = (letter: string, points: number): string[] => [1, 2, 3, 4, 5, 6, 7, 8].filter((n) => (points >> (n - 1)) & 1).map((n) => letter + n);
-    const forced = [...names("I", seen.forcedInputs[0]), ...names("Q", seen.forcedOutputs[0])].join(", ");
+    const forced = forcedNames(seen).join(", ");
     if (forced === this.forced) return;
     this.forced = forced;
     announce(forced ? `${say("forced")}: ${forced}` : say("allLetGo"));
@@ -96,8 +95,7 @@ export class Watch {
     for (const { point, root, value, preset } of this.rows) {
       put(value, seen ? shown(point, point.value(seen)) : "–");
       put(preset, seen && point.preset ? String(point.preset(seen)) : "");
-      const forced = seen && point.hand === "force" ? (point.name.startsWith("Q") ? seen.forcedOutputs : seen.forcedInputs)[0] : 0;
-      const is = ((forced >> (Number(point.name.slice(1)) - 1)) & 1) !== 0;
+      const is = seen !== null && point.hand === "force" && forcedTo(seen, point.name) !== null;
       root.classList.toggle("is-forced", is);
       if (is) put(value, `${value.textContent} · ${say("forced")}`);
     }

@@ -32,6 +32,38 @@ export interface Problem {
   readonly help: Both;
 }
 
+/** What a board has: how many there are of each kind of point, numbered from 1; analogue inputs from 0. */
+export interface BoardFacts {
+  /** How a request names it, and each that there is. */
+  readonly id: string;
+  readonly all: readonly string[];
+  /** What people call it. */
+  readonly name: string;
+  /** Whether a board can be flashed that has this; if not, its programs run on a PC alone. */
+  readonly firmware: boolean;
+  /** Whether it has the instructions of REAL numbers. */
+  readonly real: boolean;
+  readonly inputs: number;
+  readonly outputs: number;
+  readonly analogue: number;
+  /** The outputs that can be PWM. */
+  readonly pwm: readonly number[];
+  /** An input and the analogue input on the same pin: a program has the one or the other. */
+  readonly shared: readonly (readonly [input: number, analogue: number])[];
+  readonly markers: number;
+  /** The first and the last marker that keeps its state over a power cut. */
+  readonly retentive: readonly [number, number];
+  readonly registers: number;
+  /** Registers to this number take no memory of a program. */
+  readonly nearRegisters: number;
+  readonly counters: number;
+  readonly timers: number;
+  readonly labels: number;
+  /** Bytes that a program may take as it is stored, and as it runs. */
+  readonly stored: number;
+  readonly linked: number;
+}
+
 export interface Uses {
   readonly inputs: readonly number[];
   readonly analogue: readonly number[];
@@ -137,6 +169,9 @@ export interface Live {
   readonly lines: readonly (boolean | number | string | null)[];
 }
 
+/** A point that is forced, by its number, and to what. */
+export type Forced = readonly [number: number, to: boolean];
+
 export interface Seen {
   readonly at: number;
   /** `EMPTY`: nobody has given the board a program yet. */
@@ -152,11 +187,12 @@ export interface Seen {
   readonly faults: number;
   readonly kept: Stored;
   readonly same: boolean | null;
-  readonly inputs: number;
-  readonly outputs: number;
-  /** Those that are forced, and to what. */
-  readonly forcedInputs: readonly [number, number];
-  readonly forcedOutputs: readonly [number, number];
+  /** The numbers of those that are 1. */
+  readonly inputs: readonly number[];
+  readonly outputs: readonly number[];
+  /** The numbers of those that are forced, and to what. */
+  readonly forcedInputs: readonly Forced[];
+  readonly forcedOutputs: readonly Forced[];
   readonly forcingEnds: number | null;
   readonly markers: readonly number[];
   readonly analogue: readonly number[];
@@ -279,7 +315,8 @@ export interface Shelf {
 
 /** What may be asked, and what is answered. */
 export interface Asks {
-  check: { ask: Text; answer: Checked };
+  board: { ask: { board?: string }; answer: BoardFacts };
+  check: { ask: Text & { board?: string }; answer: Checked };
   ladder: { ask: Text & { width: number; speak: Speak }; answer: { readonly svg: string } };
   list: { ask: Text & { as: "ladder" | "il" | "st" | "numeric" | "svg" | "xml"; width: number; speak: Speak }; answer: string };
   /** The ladder on pages of paper. */

@@ -7,6 +7,8 @@ import { Refusal } from "./tools";
 import type { Answered, Asked } from "./worker";
 
 export class RemoteTools {
+  /** The board that texts are compiled for, where a request says no other. */
+  board: string | undefined;
   private last = 0;
   private readonly waiting = new Map<number, (answered: Answered) => void>();
   private whole: Promise<void> | null = null;
@@ -44,7 +46,7 @@ export class RemoteTools {
     const id = ++this.last;
     return new Promise((resolve) => {
       this.waiting.set(id, resolve);
-      this.post({ id, what, request });
+      this.post({ id, what, request: { board: this.board, ...(request as object) } });
     });
   }
 

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { Lab, choose, type } from "./harness.mjs";
+import { Lab, choose, give, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {readonly [en: RegExp, pt: RegExp]} Said */
 
@@ -25,9 +25,7 @@ const file = (name, bytes) => (/** @type {Page} */ page) => choose(page, name, b
 /** @param {Buffer} bytes */
 const image = (bytes) => async (/** @type {Page} */ page) => {
   await page.click("#tab-card");
-  const chooser = page.waitForEvent("filechooser");
-  await page.click("#open-card");
-  await (await chooser).setFiles({ name: "card.img", mimeType: "application/octet-stream", buffer: bytes });
+  await give(page, () => page.click("#open-card"), "card.img", bytes);
 };
 
 /** A card as the page makes one, with no entry of its FAT free: FAT16, in a partition. @param {Page} page */
@@ -71,7 +69,7 @@ const BAD = [
 
 for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
   test(`bad files, links and cards are named, and lose nothing, ${locale}`, async (t) => {
-    const page = await lab.open({ locale });
+    const page = await lab.still({ locale });
     await type(page, "LD I3\nST Q3 (* mine *)\n", "mine.il");
     for (const [name, bad, said] of BAD) {
       await t.test(name, async () => {
@@ -90,7 +88,7 @@ for (const [index, locale] of ["en-US", "pt-BR"].entries()) {
 }
 
 test("a text that Rust does not look at is a problem, and the next one is looked at again", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   // Characters that take three bytes each.
   await type(page, "");
   await paste(page, "…\n", 300_000);
@@ -102,7 +100,7 @@ test("a text that Rust does not look at is a problem, and the next one is looked
 });
 
 test("a browser that keeps nothing says so, and offers the file", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await page.context().addInitScript(() => {
     Storage.prototype.setItem = () => {
       throw new DOMException("full", "QuotaExceededError");
@@ -119,7 +117,7 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
 });
 
 test("a browser without WebAssembly says so in plain HTML, and gives the program back", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await type(page, "LD I3\nST Q3\n", "mine.il");
   await page.locator('.ladder .element[data-point="Q3"]').waitFor();
   await page.context().addInitScript("delete window.WebAssembly");

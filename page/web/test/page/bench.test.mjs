@@ -30,7 +30,7 @@ test("a card runs its program after a reset, and shows its files", async () => {
 });
 
 test("the page works without its server, once it was there", async () => {
-  const page = await lab.open();
+  const page = await lab.open({ serviceWorkers: "allow" });
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready;
   });

@@ -2,14 +2,11 @@
 // @ts-check
 
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fingers, holding, mouse, touch } from "./hands.mjs";
-import { Lab, keptText, lamp, pictures, run, type } from "./harness.mjs";
-
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+import { Lab, clean, keptText, lamp, lightAndDark, pictures, run, still, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @type {Lab} */
@@ -22,7 +19,7 @@ after(() => lab.end());
 
 /** What the three programs compile to. */
 const SEAL_IN = [0, 827301, 40, 827901, 41, -827302, 877901];
-const TON_CHAIN = [0, 827301, 847978, 2000, 7901, 787600, 828401, 847978, 1000, 7902];
+const TON_CHAIN = [0, 827301, 847978, 400, 7901, 787600, 828401, 847978, 200, 7902];
 const COUNTER = [0, 827301, 67848501, 5, 787600, 827302, 67846801, 5, 787600, 76686701, 716900, 3, 877901];
 
 /** The codes of what is drawn, as the page shows them. @param {Page} page */
@@ -52,6 +49,7 @@ async function keys(page, presses) {
 async function undone(page) {
   await page.reload();
   await page.locator("html[data-ready=yes]").waitFor({ state: "attached" });
+  await still(page);
   await page.locator("#sheet .element").first().waitFor();
   await page.focus("#sheet");
   for (let left = 100; left > 0 && (await page.isEnabled("#draw-undo")); left--) {
@@ -108,9 +106,9 @@ test("seal-in with a branch, by the keyboard alone", async () => {
 test("a chain of timers, by the keyboard alone", async () => {
   const page = await lab.emptySheet();
   await page.focus("#sheet");
-  await keys(page, "c =I1 Enter o =Q1 Tab Tab =2000 Enter Shift+Enter");
+  await keys(page, "c =I1 Enter o =Q1 Tab Tab =400 Enter Shift+Enter");
   await page.locator('#sheet .rung[data-rung="2"]').waitFor();
-  await keys(page, "c =T1 Enter o =Q2 Tab Tab =1000 Enter");
+  await keys(page, "c =T1 Enter o =Q2 Tab Tab =200 Enter");
   assert.deepEqual(await codes(page), TON_CHAIN);
   await chains(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
@@ -206,12 +204,12 @@ async function below(page, rung) {
 test("a chain of timers, by mouse", async () => {
   const page = await lab.emptySheet();
   await place(page, "contact", { point: "I1" });
-  await place(page, "ton", { point: "Q1", line0: "2000" });
+  await place(page, "ton", { point: "Q1", line0: "400" });
   await below(page, 2);
   await place(page, "contact", { point: "T1" });
-  await place(page, "ton", { point: "Q2", line0: "1000" });
+  await place(page, "ton", { point: "Q2", line0: "200" });
+  // What these codes do on the board is seen above.
   assert.deepEqual(await codes(page), TON_CHAIN);
-  await chains(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -227,7 +225,6 @@ test("an up-down counter with a comparison, by mouse", async () => {
   await place(page, "ge", { left: "C1", operand: "3" });
   await place(page, "coil", { point: "Q1" });
   assert.deepEqual(await codes(page), COUNTER);
-  await counts(page);
   assert.deepEqual(await undone(page), { elements: 0, text: "" });
   await page.context().close();
 });
@@ -333,40 +330,32 @@ test("elements and rungs are copied, moved, found and named", async () => {
   await page.context().close();
 });
 
-for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-  test(`axe-core finds nothing on the drawing screen, ${colorScheme}`, async () => {
-    const page = await lab.emptySheet({ colorScheme, locale: "pt-BR" });
-    const clean = async (/** @type {string} */ where) => {
-      await page.evaluate(axe);
-      const found = await page.evaluate(async () => {
-        // @ts-expect-error axe-core has put itself there.
-        const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-        return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);
-      });
-      assert.deepEqual(found, [], where);
-    };
-    await place(page, "contact", { point: "I1", name: "liga" });
-    await page.click('.palette [data-what="ton"]');
-    await clean("the form");
-    await page.keyboard.press("Escape");
-    // Its preset is missing: what is wrong is said.
-    await page.locator("#mistakes .error").first().waitFor();
-    await clean("a mistake");
-    await page.screenshot({ path: join(pictures, `draw-${colorScheme}.png`) });
-    await page.click("#draw-symbols");
-    await clean("the names");
-    await page.locator("#symbols header button").click();
-    await page.focus("#sheet");
-    await page.keyboard.press("?");
-    await page.locator("dialog#keys").waitFor();
-    await clean("the keys");
-    await page.screenshot({ path: join(pictures, `draw-keys-${colorScheme}.png`) });
-    await page.context().close();
+test("axe-core finds nothing on the drawing screen, light and dark", async () => {
+  const page = await lab.emptySheet({ locale: "pt-BR" });
+  const shot = (/** @type {string} */ name) => lightAndDark(page, async (colorScheme) => {
+    await page.screenshot({ path: join(pictures, `${name}-${colorScheme}.png`) });
   });
-}
+  await place(page, "contact", { point: "I1", name: "liga" });
+  await page.click('.palette [data-what="ton"]');
+  await clean(page, "the form");
+  await page.keyboard.press("Escape");
+  // Its preset is missing: what is wrong is said.
+  await page.locator("#mistakes .error").first().waitFor();
+  await clean(page, "a mistake");
+  await shot("draw");
+  await page.click("#draw-symbols");
+  await clean(page, "the names");
+  await page.locator("#symbols header button").click();
+  await page.focus("#sheet");
+  await page.keyboard.press("?");
+  await page.locator("dialog#keys").waitFor();
+  await clean(page, "the keys");
+  await shot("draw-keys");
+  await page.context().close();
+});
 
 test("a text that a hand has changed is drawn, and undo takes it back", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await page.click("#view-draw");
   await page.locator('#sheet .element[data-point="Q1"]').first().waitFor();
   const before = await keptText(page);
@@ -383,7 +372,7 @@ test("a text that a hand has changed is drawn, and undo takes it back", async ()
 });
 
 test("a program of another language is shown, and a copy of it is drawn", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await type(page, "VAR\n  go AT %IX1 : BOOL;\n  lamp AT %QX1 : BOOL;\nEND_VAR\nlamp := go;\n", "count.st");
   await page.locator("#tongue", { hasText: "Structured Text" }).waitFor();
   await page.click("#view-draw");
@@ -399,7 +388,7 @@ test("a program of another language is shown, and a copy of it is drawn", async 
 
 for (const [locale, width, name] of /** @type {const} */ ([["en-US", "612", "Name:"], ["pt-BR", "59[45]", "Nome:"]])) {
   test(`a drawing is printed on whole pages, no rung on two, ${locale}`, async () => {
-    const page = await lab.open({ locale });
+    const page = await lab.still({ locale });
     const rungs = Array.from({ length: 30 }, (_, at) => `LD I${(at % 4) + 1}\nST M${at + 1}\n`);
     await type(page, `(* Thirty rungs *)\n${rungs.join("")}`, "thirty.il");
     await page.click("#view-draw");

@@ -17,7 +17,7 @@ before(async () => {
 after(() => lab.end());
 
 test("an exercise shows its task and hints, and the first failing case as a timing diagram", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await page.focus("#exercises");
   await page.keyboard.press("Enter");
   const exercise = page.locator("#exercise");
@@ -65,7 +65,7 @@ test("an exercise shows its task and hints, and the first failing case as a timi
 });
 
 test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
-  const page = await lab.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const page = await lab.still({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.tap("#exercises");
   await page.selectOption("#exercise-list", { index: 5 });
   await page.tap("#exercise-check");

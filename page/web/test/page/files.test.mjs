@@ -23,7 +23,7 @@ async function downloaded(page, click) {
 }
 
 test("a file is opened in its language and encoding", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await choose(page, "latin.il", Buffer.from("(* memória *)\nLD I1\nST Q3\n", "latin1"));
   await page.locator('.ladder .element[data-point="Q3"]').waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /memória/);
@@ -44,7 +44,7 @@ test("a project of OpenPLC Editor is opened, shown as ladder, and runs", async (
 });
 
 test("a program that no project can hold is told so, and nothing is saved", async () => {
-  const page = await lab.open({ locale: "pt-BR" });
+  const page = await lab.still({ locale: "pt-BR" });
   await choose(page, "08-parking.txt", readFileSync(new URL("../../../../programs/tutorial/08-parking.txt", import.meta.url)));
   await page.locator(".ladder .element").first().waitFor();
   await page.click("#menu-fileMenu");
@@ -54,7 +54,7 @@ test("a program that no project can hold is told so, and nothing is saved", asyn
 });
 
 test("a report of several pages is saved page by page, each rung on one", async () => {
-  const page = await lab.open({ locale: "pt-BR" });
+  const page = await lab.still({ locale: "pt-BR" });
   const rungs = Array.from({ length: 30 }, (_, at) => `LD I${(at % 4) + 1}\nST M${at + 1}\n`);
   await choose(page, "many.il", Buffer.from(rungs.join("")));
   await page.locator('.ladder .element[data-point="M30"]').waitFor();
@@ -63,10 +63,10 @@ test("a report of several pages is saved page by page, each rung on one", async 
   page.on("download", (download) => came.push(download));
   await page.click("#menu-fileMenu");
   await page.getByRole("button", { name: "Salvar páginas para um relatório", exact: true }).click();
-  const last = /** @type {const} */ (["many-1.svg", "many-2.svg", "many-3.svg"]);
+  const last = /** @type {const} */ (["many-1.svg", "many-2.svg", "many-3.svg", "many-4.svg"]);
   while (came.length < last.length) await page.waitForEvent("download");
   assert.deepEqual(came.map((download) => download.suggestedFilename()), last);
-  const shown = await lab.open();
+  const shown = await (await lab.browser.newContext()).newPage();
   let rung = 0;
   for (const download of came) {
     const text = readFileSync(await download.path(), "utf8");
@@ -87,7 +87,7 @@ test("a report of several pages is saved page by page, each rung on one", async 
 });
 
 test("a file that is dropped on the page is opened", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   const data = await page.evaluateHandle(() => {
     const transfer = new DataTransfer();
     transfer.items.add(new File(["LD I2\nST Q4\n"], "dropped.il"));

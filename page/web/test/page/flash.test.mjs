@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, run, type } from "./harness.mjs";
+import { Lab, run, still, type } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 import { Served } from "./served.mjs";
 
@@ -23,8 +23,10 @@ after(() => lab.end());
  * @param {string} bootLoader @param {boolean} isSmall */
 async function boxed(bootLoader, isSmall) {
   const board = await Served.begin("--boot-loader", bootLoader);
-  const page = await lab.open({ serviceWorkers: "block" });
+  const page = await lab.open();
   const cable = await Cable.between(page, board);
+  // The board at the port is in a hurry: the page's own one stands.
+  await still(page);
   // The simulated board has taken its own before.
   if (isSmall) await page.route(/unoclp(-nano)?\.hex$/, (route) => route.fulfill({ body: SMALL }));
   await page.click("#connect");

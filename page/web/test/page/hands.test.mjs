@@ -68,10 +68,10 @@ const STEPS = [
     await lamp(page, 4, false);
     await hand.press(page, "#latch");
   }],
-  ["all eight buttons are shown", async (page, hand) => {
-    await hand.press(page, named(page, "8 buttons"));
+  ["all buttons are shown", async (page, hand) => {
+    await hand.press(page, named(page, "All buttons"));
     await page.locator('[data-input="8"]').waitFor();
-    await hand.press(page, named(page, "8 buttons"));
+    await hand.press(page, named(page, "All buttons"));
     await page.locator('[data-input="8"]').waitFor({ state: "hidden" });
   }],
   ["a knob is turned", async (page, hand) => {

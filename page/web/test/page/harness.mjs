@@ -1,8 +1,10 @@
 // The page in a real Chromium: served from its folder of static files, and driven without a pause that waits for time.
 // @ts-check
 
-import { existsSync, readFileSync } from "node:fs";
+import assert from "node:assert/strict";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -24,13 +26,34 @@ function browserPath() {
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** What axe-core finds, in short. @param {import("playwright-core").Page} page */
-export async function findings(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
+/** What axe-core finds, in short; of some rules alone, where there are some. @param {import("playwright-core").Page} page
+ * @param {string[]} rules */
+export async function findings(page, rules = []) {
+  if (!(await page.evaluate("'axe' in window"))) await page.evaluate(axe);
+  return page.evaluate(async (rules) => {
+    const only = rules.length > 0 ? { runOnly: rules } : {};
     // @ts-expect-error axe-core has put itself there.
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"], ...only });
     return violations.map((/** @type {any} */ one) => `${one.id}: ${one.nodes.map((/** @type {any} */ node) => `${node.html.slice(0, 140)} ${node.failureSummary}`).join(" | ")}`);
+  }, rules);
+}
+
+/** Does something to a page that is light, and again where it is dark. @param {import("playwright-core").Page} page
+ * @param {(colorScheme: "light" | "dark") => Promise<void>} act */
+export async function lightAndDark(page, act) {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    await page.emulateMedia({ colorScheme });
+    await page.locator(`html[data-theme=${colorScheme}]`).waitFor();
+    await act(colorScheme);
+  }
+  await page.emulateMedia({ colorScheme: "light" });
+}
+
+/** Fails where axe-core finds something, light or dark: there it looks at colours alone, for all else is the same.
+ * @param {import("playwright-core").Page} page @param {string} where */
+export async function clean(page, where) {
+  await lightAndDark(page, async (colorScheme) => {
+    assert.deepEqual(await findings(page, colorScheme === "dark" ? ["color-contrast"] : []), [], `${where}, ${colorScheme}`);
   });
 }
 
@@ -61,7 +84,9 @@ export class Lab {
   /** A page in a browser that has kept this; its board need not answer.
    * @param {import("playwright-core").BrowserContextOptions} options @param {Readonly<Record<string, string>>} kept */
   async other(options = {}, kept = {}, address = this.server.url) {
-    const context = await this.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-US", ...options });
+    // Without a network nobody is here, and to keep the page for that takes half a second.
+    const usual = /** @type {const} */ ({ viewport: { width: 1440, height: 900 }, locale: "en-US", serviceWorkers: "block" });
+    const context = await this.browser.newContext({ ...usual, ...options });
     const origin = new URL(address).origin;
     const localStorage = Object.entries(kept).map(([name, value]) => ({ name, value }));
     if (localStorage.length > 0) await context.setStorageState({ cookies: [], origins: [{ origin, localStorage }] });
@@ -76,9 +101,18 @@ export class Lab {
     return page;
   }
 
-  /** A page with an empty sheet. @param {import("playwright-core").BrowserContextOptions} options */
+  /** A page for what needs no board: its time stands. @param {import("playwright-core").BrowserContextOptions} options */
+  async still(options = {}) {
+    const page = await this.other(options);
+    await still(page);
+    return page;
+  }
+
+  /** A page with an empty sheet; its board is ready, and its time stands until a program is run.
+   * @param {import("playwright-core").BrowserContextOptions} options */
   async emptySheet(options = {}) {
     const page = await this.open(options);
+    await still(page);
     await page.click("#menu-fileMenu");
     await page.locator(".menu button", { hasText: /^(New|Novo)$/ }).click();
     await page.click("#view-draw");
@@ -106,12 +140,32 @@ export async function type(page, text, name = "") {
   await page.keyboard.insertText(text);
 }
 
-/** Opens a file by the menu. @param {import("playwright-core").Page} page @param {string} name @param {Buffer} buffer */
-export async function choose(page, name, buffer) {
+/** Has the time of the simulated board stand: it takes half a processor. Running a program lets it go on.
+ * @param {import("playwright-core").Page} page */
+export async function still(page) {
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector("#pause")).click());
+}
+
+/** Files that a browser opens: it reads them from the disk, for it is slow to be told bytes. */
+const files = mkdtempSync(join(tmpdir(), "unoclp-page-"));
+process.once("exit", () => rmSync(files, { recursive: true, force: true }));
+
+/** Gives a file to the page that this act asks for. @param {import("playwright-core").Page} page @param {() => Promise<void>} act
+ * @param {string} name @param {Buffer} bytes */
+export async function give(page, act, name, bytes) {
+  const file = join(files, name);
+  writeFileSync(file, bytes);
   const chooser = page.waitForEvent("filechooser");
-  await page.click("#menu-fileMenu");
-  await page.locator("#menu-fileMenu + div button").nth(1).click();
-  await (await chooser).setFiles({ name, mimeType: "text/plain", buffer });
+  await act();
+  await (await chooser).setFiles(file);
+}
+
+/** Opens a file by the menu. @param {import("playwright-core").Page} page @param {string} name @param {Buffer} bytes */
+export async function choose(page, name, bytes) {
+  await give(page, async () => {
+    await page.click("#menu-fileMenu");
+    await page.locator("#menu-fileMenu + div button").nth(1).click();
+  }, name, bytes);
 }
 
 /** Puts the program on the board, by the button, and waits until it runs.

@@ -40,11 +40,11 @@ async function linkTo(page, program) {
 }
 
 test("two tabs and a link keep a program each", async () => {
-  const maker = await lab.open();
+  const maker = await lab.still();
   const link = await linkTo(maker, "LD I4\nST Q4\n");
   await maker.context().close();
 
-  const one = await lab.open();
+  const one = await lab.still();
   await type(one, "LD I1\nST Q3\n", "mine.il");
   const two = await tab(one);
   assert.match(await text(two), /LD I1/, "a new tab begins as the last one");
@@ -67,7 +67,7 @@ test("two tabs and a link keep a program each", async () => {
 });
 
 test("a tab that was duplicated has a place of its own", async () => {
-  const one = await lab.open();
+  const one = await lab.still();
   await type(one, "LD I1\nST Q3\n");
   const place = await one.evaluate(() => sessionStorage.getItem("place"));
   const other = await one.context().newPage();
@@ -91,7 +91,7 @@ test("the program and the board of version 0.2.0 are still there", async () => {
 });
 
 test("an undo by a note can be done again, with the drawing that it took", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   const entry = async (/** @type {string} */ name) => {
     await page.click("#menu-fileMenu");
     await page.getByRole("button", { name, exact: true }).click();
@@ -117,7 +117,7 @@ test("an undo by a note can be done again, with the drawing that it took", async
 });
 
 test("a note ends, whatever it offers", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await page.clock.install();
   await page.evaluate(() => document.querySelector("#menu-fileMenu")?.dispatchEvent(new MouseEvent("click")));
   await page.getByRole("button", { name: "New", exact: true }).click();

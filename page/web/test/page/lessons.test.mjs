@@ -22,7 +22,7 @@ const WORDS = {
 for (const locale of /** @type {const} */ (["en-US", "pt-BR"])) {
   for (const hand of [mouse, keyboard]) {
     test(`each step of the tutorial passes, ${locale}, by ${hand.name}`, async () => {
-      const page = await lab.open({ locale, ...hand.options });
+      const page = await lab.still({ locale, ...hand.options });
       const words = WORDS[locale];
       const lesson = page.locator("#lesson");
       const press = (/** @type {string} */ name) => hand.press(page, lesson.getByRole("button", { name, exact: true }));

@@ -40,6 +40,8 @@ function random(seed) {
 const IL = { name: "a.il", text: "LD I1\nTON T1, 20\nST Q1\n" };
 const ST = { name: "a.st", text: "PROGRAM p VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM" };
 const GOOD = [
+  { ask: "board" },
+  { ask: "board", board: "nano" },
   { ask: "check", ...IL },
   { ask: "check", ...ST },
   { ask: "check", name: "P.TXT", text: "0\n787600\n827301\n877901\n" },
@@ -78,6 +80,8 @@ for (const file of ["unoclp.wasm", "unoclp-full.wasm"]) {
 
   test(`${file} checks, draws and speaks to a board`, async () => {
     const call = await load(file);
+    const { ok: uno } = ask(call, { ask: "board" });
+    assert.deepEqual([uno.name, uno.inputs, uno.outputs, uno.shared.length], ["UNO", 8, 4, 4]);
     const { ok } = ask(call, { ask: "check", ...IL });
     assert.equal(ok.language, "il");
     assert.match(ok.program.code, /847978/);

@@ -2,7 +2,7 @@
 // @ts-check
 
 import { after, before, test } from "node:test";
-import { Lab, lamp, run } from "./harness.mjs";
+import { Lab, lamp, run, still } from "./harness.mjs";
 import { Cable } from "./port.mjs";
 
 /** @type {Lab} */
@@ -58,6 +58,7 @@ for (const [what, answer, english, portuguese] of /** @type {const} */ ([
   test(`${what} is told, and offered the firmware`, async () => {
     const page = await lab.open();
     await Cable.between(page, device([...answer]));
+    await still(page);
     await page.click("#connect");
     await page.locator("#status", { hasText: english }).waitFor();
     await page.selectOption("#speak", "pt");

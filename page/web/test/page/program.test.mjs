@@ -70,7 +70,7 @@ test("seal-in runs by the keyboard alone", async () => {
 });
 
 test("nothing typed is lost by a reload", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await type(page, "LD I3\nST Q3\n", "mine.il");
   await page.locator('.ladder .element[data-point="Q3"]').waitFor();
   await page.reload();
@@ -94,7 +94,7 @@ test("a program in a typed language runs, live", async () => {
 });
 
 test("each keystroke in 300 lines changes the problems", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   const rungs = Array.from({ length: 75 }, (_, index) => `LD I${(index % 4) + 1}\nANDN M${(index % 60) + 1}\nOR I3\nST M${((index + 7) % 60) + 1}\n`);
   await type(page, rungs.join(""));
   await page.locator("#problem-count").waitFor();

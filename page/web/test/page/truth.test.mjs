@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, choose, lamp, pictures, run, state, type } from "./harness.mjs";
+import { Lab, PATIENCE, choose, lamp, pictures, run, state, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -49,6 +49,17 @@ async function changes(page) {
   const [head = [], ...rest] = rows;
   /** The first time at which a point is this. @param {string} point @param {string} value */
   return (point, value) => Number(rest.find((row) => row[head.indexOf(point)] === value)?.[0] ?? Number.NaN);
+}
+
+/** The same, as soon as all of these are among them: a reading is noted with what follows it.
+ * @param {Page} page @param {[point: string, value: string][]} all */
+async function changesWith(page, all) {
+  const until = Date.now() + PATIENCE;
+  for (;;) {
+    const first = await changes(page);
+    if (all.every(([point, value]) => !Number.isNaN(first(point, value)))) return first;
+    assert.ok(Date.now() < until, `not all of ${all.join(" ")} are in the timing diagram`);
+  }
 }
 
 test("a board that holds no program is not at fault", async () => {
@@ -110,8 +121,7 @@ test("in the timing diagram no effect comes before its cause, and a forced input
     await lamp(page, 2, true);
     await page.locator('#panel-watch tr[data-point="T1"] td:nth-child(3)', { hasText: "300" }).waitFor({ state: "attached" });
   });
-  await page.evaluate(() => new Promise((wake) => setTimeout(wake, 400)));
-  let first = await changes(page);
+  let first = await changesWith(page, [["I1", "1"], ["M1", "1"], ["Q1", "1"], ["I2", "1"], ["T1", "300"], ["Q2", "1"]]);
   assert.ok(first("I1", "1") <= first("M1", "1"), `I1 ${first("I1", "1")} M1 ${first("M1", "1")}`);
   assert.ok(first("M1", "1") <= first("Q1", "1"), `M1 ${first("M1", "1")} Q1 ${first("Q1", "1")}`);
   assert.ok(first("I2", "1") <= first("Q2", "1"));
@@ -124,8 +134,7 @@ test("in the timing diagram no effect comes before its cause, and a forced input
   await lamp(page, 1, true);
   await page.locator("#panel-watch tr.is-forced[data-point=I1]").waitFor();
   await page.click("#tab-trend");
-  await page.evaluate(() => new Promise((wake) => setTimeout(wake, 400)));
-  first = await changes(page);
+  first = await changesWith(page, [["I1", "1"], ["M1", "1"], ["Q1", "1"]]);
   assert.ok(first("I1", "1") <= first("M1", "1"), `I1 ${first("I1", "1")} M1 ${first("M1", "1")}`);
   assert.ok(first("I1", "1") <= first("Q1", "1"), `I1 ${first("I1", "1")} Q1 ${first("Q1", "1")}`);
   await page.context().close();
@@ -241,7 +250,7 @@ test("on an address of the network, Connect says why the browser keeps ports fro
 });
 
 test("a teacher's file of an exercise is opened as one, another check is named; neither replaces the program", async () => {
-  const page = await lab.open();
+  const page = await lab.still();
   await type(page, "LD I3\nST Q3 (* mine *)\n", "mine.il");
   const toml = readFileSync(new URL("../../../../programs/exercises/05-motor.toml", import.meta.url), "utf8");
   await choose(page, "teacher.toml", Buffer.from(toml));
@@ -305,7 +314,7 @@ test("in Portuguese people read a decimal comma, and the editor's panels are in 
 });
 
 test("the menu of the drawing opens where one clicks, and New keeps the focus", async () => {
-  const page = await lab.open({ viewport: { width: 1366, height: 768 } });
+  const page = await lab.still({ viewport: { width: 1366, height: 768 } });
   await page.click("#view-draw");
   const contact = page.locator('#sheet .element[data-point="I2"]');
   const box = await contact.boundingBox();
