@@ -78,6 +78,17 @@ fn stored_bytes_are_pinned() {
     assert_eq!(load(&mut memory, &text(EVERY)).stored(), expected);
 }
 
+/// ARCHITECTURE.md says so to whoever adds an instruction. A row from 0x10 to 0x9F takes sixteen bytes, one for each point.
+#[test]
+fn no_stored_byte_is_left_for_another_instruction() {
+    let taken = TABLE.iter().flat_map(|row| match row.stored {
+        first @ 0x10..0xA0 => first..=first + 15,
+        only => only..=only,
+    });
+    let taken: Vec<u8> = taken.collect();
+    assert_eq!(taken, (1..=u8::MAX).collect::<Vec<_>>());
+}
+
 #[test]
 fn what_older_versions_stored_means_the_same() {
     let (mut first, mut second) = ([0; 1900], [0; 1900]);

@@ -1,10 +1,13 @@
 //! The language of a program, in every command: by its name, by its first words, by `--language`; and what is none.
 
 use crate::common::{empty_folder, file, outcome, outcome_in};
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use unoclp_lang::TextLanguage;
+use unoclp_program::WrittenIn;
 
 const LAMP: [(&str, &str, &str); 5] = [
     (
@@ -184,5 +187,35 @@ fn no_page_of_the_repository_is_a_program() {
             "{}",
             path.display()
         );
+    }
+}
+
+/// What the compiler does not ask of whoever adds a language: the sentences, in both languages, and the page's lists.
+#[test]
+fn every_door_names_every_language() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let doors = [
+        ("tools/cli/src/main.rs", '.'),
+        ("tools/cli/src/commands/help.rs", '.'),
+        ("tools/cli/src/messages/table.rs", '.'),
+        ("page/web/src/page/files.ts", '.'),
+        ("page/web/src/tools/answers.ts", '"'),
+        ("page/web/src/page/programview.ts", ' '),
+    ];
+    for language in TextLanguage::ALL {
+        let written = WrittenIn::named(language.name());
+        assert!(written.is_some(), "{language:?} is no file's");
+    }
+    let ends = WrittenIn::ALL.map(WrittenIn::name);
+    for (door, before) in doors {
+        let text = fs::read_to_string(root.join(door)).expect(door);
+        let words: BTreeSet<&str> = text
+            .split(before)
+            .map(|word| word.split(|c: char| !c.is_alphanumeric()).next())
+            .map(Option::unwrap_or_default)
+            .collect();
+        let named = |end: &&str| *end == "numeric" || words.contains(end);
+        let missing = ends.iter().find(|end| !named(end));
+        assert_eq!(missing, None, "{door} does not name it");
     }
 }
