@@ -7,8 +7,8 @@ use crate::symbol::{Counts, Symbol, number, point, symbol_of};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 use unoclp_core::isa::{COUNTERS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
-use unoclp_draw::Address;
 use unoclp_lang::{Code, Span, Word};
+use unoclp_point::Address;
 
 /// What is allotted for the whole project.
 pub(crate) struct Allotted {

@@ -5,9 +5,9 @@ use crate::flow::Flow;
 use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Gate, Step};
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit to an output of a block that is 0 or 1.

@@ -6,9 +6,9 @@ use crate::network::edge;
 use crate::symbol::{Counts, Meaning, Symbol};
 use crate::xml::says;
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Coil, Draft, Gate, Step};
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit with the contact of this element.

@@ -3,8 +3,8 @@
 use crate::circuit::{Circuit, Leaf, leaves};
 use std::collections::HashSet;
 use unoclp_core::isa::{Class, Kind};
-use unoclp_draw::Address;
 use unoclp_draw::edit::Step;
+use unoclp_point::Address;
 
 /// The points that circuits read and write.
 #[derive(Default)]

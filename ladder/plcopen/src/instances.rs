@@ -4,9 +4,9 @@ use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Call, Flow};
 use crate::symbol::{Counts, Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Coil, Draft, Step};
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The instance that a block is called with, which no other block may be.

@@ -11,7 +11,7 @@
 
 use unoclp_core::Profile;
 use unoclp_core::isa::{ANALOGUE, COUNTERS, LABELS, MARKERS, REGISTERS, RETENTIVE, TIMERS};
-use unoclp_draw::Address;
+use unoclp_point::Address;
 
 /// What an address names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

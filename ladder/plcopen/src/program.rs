@@ -20,9 +20,10 @@ use std::sync::Arc;
 use unoclp_checked::Checked;
 use unoclp_core::Profile;
 use unoclp_core::isa::{Class, Kind, LABELS, OUTPUT_OPERAND, Opcode};
+use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Draft, Id, Node, Series, Step};
-use unoclp_draw::{Address, Names};
 use unoclp_lang::{Code, Span, Told};
+use unoclp_point::Address;
 
 /// Reads a project for a board.
 pub fn import(text: &str, board: Profile) -> Imported {

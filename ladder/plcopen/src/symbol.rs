@@ -1,9 +1,9 @@
 //! What variables are on the board, and what is written at contacts and inputs.
 
 use crate::points::Point;
-use unoclp_draw::Address;
 use unoclp_lang::given;
 use unoclp_lang::typed::Base;
+use unoclp_point::Address;
 
 /// What a variable is on the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,9 +4,9 @@ use crate::circuit::Part;
 use crate::flow::Flow;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::{Class, Opcode, POPPED};
-use unoclp_draw::Address;
 use unoclp_draw::edit::Step;
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// Whether an output of a block is a number.

@@ -57,7 +57,7 @@ mod whole;
 mod words;
 
 pub use back::{instructions_to_il, to_il};
-pub use code::{CompiledText, Held, Holding, Shows, Spot, Trace, Variable, compile_text, literal};
+pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
 pub use compile::{Compiled, Options, compile, compile_untyped};

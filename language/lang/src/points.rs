@@ -41,17 +41,15 @@ fn range(kind: Kind, board: Profile) -> Option<(u16, u16)> {
         Kind::Register => (1, REGISTERS.into()),
         Kind::Analogue => (0, u16::from(ANALOGUE) - 1),
         Kind::Group => (1, u16::from(MARKERS) / 8),
-        Kind::Pwm | Kind::Always | Kind::Inputs | Kind::Outputs | Kind::Timer | Kind::Counter => {
-            return None;
-        }
+        _ => return None,
     })
 }
 
 /// Whether a board has this point. Timers and counters are names, which the text's own order numbers.
 pub(crate) fn exists(address: Address, board: Profile) -> bool {
-    match range(address.kind, board) {
-        Some((first, last)) => (first..=last).contains(&address.number),
-        None => address.kind != Kind::Pwm || PWM.contains(&address.number),
+    match range(address.kind(), board) {
+        Some((first, last)) => (first..=last).contains(&address.number().into()),
+        None => address.kind() != Kind::Pwm || PWM.contains(&address.number().into()),
     }
 }
 
@@ -70,8 +68,8 @@ fn plural(kind: Kind) -> (&'static str, &'static str) {
 }
 
 /// What messages call a point: `input 05`.
-pub(crate) fn named(address: Address) -> Word {
-    let (en, pt) = match address.kind {
+pub(crate) fn named(kind: Kind, number: u16) -> Word {
+    let (en, pt) = match kind {
         Kind::Input => ("input", "entrada"),
         Kind::Output => ("output", "saída"),
         Kind::Marker => ("marker", "memória"),
@@ -82,7 +80,6 @@ pub(crate) fn named(address: Address) -> Word {
         Kind::Outputs => return ("thing, all outputs", "todas as saídas").into(),
         _ => return ("point", "ponto").into(),
     };
-    let number = address.number;
     Word::Both(format!("{en} {number:02}"), format!("{pt} {number:02}"))
 }
 
@@ -119,7 +116,15 @@ impl Spellings {
             let text = text.get(span.range()).unwrap_or_default();
             text.split_whitespace().collect::<String>().into()
         };
-        found.tell(code, other, [written(one), written(other), named(address)]);
+        found.tell(
+            code,
+            other,
+            [
+                written(one),
+                written(other),
+                named(address.kind(), address.number().into()),
+            ],
+        );
     }
 }
 
@@ -163,13 +168,13 @@ fn all_like(written: &Written, board: Profile) -> Option<Both> {
 /// The same where a byte has eight bits: which point that would be, and which was meant where bytes of four were.
 fn of_byte(written: &Written, all: Both, board: Profile) -> Both {
     let (en, pt) = all;
-    let Some(address) = written.address else {
+    let Some(number) = written.number else {
         return (
             format!("the bits of a byte are 0 to 7: {en}"),
             format!("os bits de um byte são 0 a 7: {pt}"),
         );
     };
-    let is = named(address);
+    let is = named(written.kind, number);
     let Word::Both(is_en, is_pt) = is else {
         return (en, pt);
     };
@@ -179,10 +184,13 @@ fn of_byte(written: &Written, all: Both, board: Profile) -> Both {
     let four = written.byte_and_bit().filter(|(_, bit)| *bit < 4);
     let meant = four.and_then(|(group, bit)| {
         let number = group.checked_mul(4)?.checked_add(bit + 1)?;
-        let meant = Address::new(written.kind, number);
+        let meant = Address::new(written.kind, number.try_into().ok()?);
         (written.kind != Kind::Marker && exists(meant, board)).then_some(meant)
     });
-    let meant = meant.and_then(|meant| Some((named(meant), written.like(meant.number)?)));
+    let meant = meant.and_then(|meant| {
+        let number = meant.number().into();
+        Some((named(meant.kind(), number), written.like(number)?))
+    });
     match meant {
         Some((Word::Both(one, uma), like)) => (
             format!("{en}; for {one} write {like}"),

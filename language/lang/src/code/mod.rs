@@ -73,7 +73,7 @@ use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Profile;
-pub use variables::{Held, Holding, Spot, Variable, literal};
+pub use variables::{Held, Holding, Variable, literal};
 
 /// What has come of a text in a typed language.
 #[derive(Debug)]

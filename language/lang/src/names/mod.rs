@@ -159,7 +159,7 @@ impl<'t> Names<'t> {
         let Some(address) = address.filter(|address| exists(*address, self.board)) else {
             return;
         };
-        match (address.kind, address.number) {
+        match (address.kind(), address.number()) {
             (Point::Marker, n) => self.temps.markers |= 1 << (n - 1),
             (Point::Group, n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
             (Point::Register, n) => self.temps.registers |= 1 << (n - 1),

@@ -10,13 +10,17 @@ use unoclp_point::{Kind, Written};
 impl Names<'_> {
     /// What a point of the text means. What is wrong with it is told.
     pub(super) fn point(&mut self, written: &Written, span: Span, found: &mut Found) -> Place {
+        let is_block = matches!(written.kind, Kind::Timer | Kind::Counter);
+        if is_block && written.number.is_some() {
+            return self.block(written, span, found);
+        }
         let address = written.address;
         let Some(address) = address.filter(|address| exists(*address, self.board)) else {
             self.told_no_point(span, found);
             return Place::Unknown;
         };
-        let number = address.number as u8;
-        let place = match address.kind {
+        let number = address.number();
+        let place = match address.kind() {
             Kind::Input => Place::Bit(Bit::Input(number)),
             Kind::Output => Place::Bit(Bit::Output(number)),
             Kind::Marker => Place::Bit(Bit::Marker(number)),
@@ -28,7 +32,7 @@ impl Names<'_> {
             Kind::Group => Place::Number(Num::Group(number)),
             Kind::Inputs => Place::Number(Num::Inputs),
             Kind::Outputs => Place::Number(Num::Outputs),
-            Kind::Timer | Kind::Counter => return self.block(written, span, found),
+            _ => return Place::Unknown,
         };
         let here = (Code::SamePoint, span);
         self.points.note((address, written), here, self.text, found);

@@ -6,11 +6,11 @@ use crate::words::{Both, No, Offer, both};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
 use unoclp_lang::duration;
+use unoclp_point::Address;
 use unoclp_program::BOARD;
 use unoclp_program::drawn::is_name;
 
