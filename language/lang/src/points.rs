@@ -53,6 +53,34 @@ pub(crate) fn exists(address: Address, board: Profile) -> bool {
     }
 }
 
+/// The point that an address names, where a typed program can have a variable there; in capitals and without blanks.
+pub(crate) fn variable(key: &str, maker: Maker, board: Profile) -> Option<(Address, Written<'_>)> {
+    let written = read(key, maker)?;
+    let address = written.address.filter(|address| exists(*address, board))?;
+    let is_variable = matches!(
+        address,
+        Address::Input(_)
+            | Address::Output(_)
+            | Address::Marker(_)
+            | Address::System(_)
+            | Address::Analogue(_)
+            | Address::Pwm(_)
+            | Address::Register(_)
+    );
+    is_variable.then_some((address, written))
+}
+
+/// The point that an address names as the norm writes it: `%IX0.4`.
+///
+/// # Errors
+/// What to write, where a program can have no variable there.
+pub fn point(written: &str, board: Profile) -> Result<Address, Word> {
+    let key: String = written.to_uppercase().split_whitespace().collect();
+    let point = variable(&key, Maker::Iec, board).filter(|_| key.starts_with('%'));
+    let help = || help(written, Maker::Iec, board);
+    point.map(|(address, _)| address).ok_or_else(help)
+}
+
 /// What the points of a kind are called.
 fn plural(kind: Kind) -> (&'static str, &'static str) {
     match kind {

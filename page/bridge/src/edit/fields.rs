@@ -301,19 +301,8 @@ fn point(step: &Step) -> Option<Address> {
         };
         return u8::try_from(line - base).ok().map(of);
     }
-    let number = step.number()?;
-    Some(match kind {
-        Kind::Input => Address::Input(number),
-        Kind::Output | Kind::Pwm => Address::Output(number),
-        Kind::Marker => Address::Marker(number),
-        Kind::System => Address::System(number),
-        Kind::TimerQ => Address::Timer(number),
-        Kind::Counter | Kind::Count => Address::Counter(number),
-        Kind::Register | Kind::Move | Kind::Drum | Kind::Table => Address::Register(number),
-        Kind::Analogue => Address::Analogue(number),
-        Kind::Label | Kind::Jump => Address::Label(number),
-        _ => return None,
-    })
+    let number = step.number().filter(|_| !kind.is_value())?;
+    Address::in_code(kind, number)
 }
 
 /// Whether a code of this kind names a point, alone or with others.

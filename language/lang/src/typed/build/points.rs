@@ -6,7 +6,7 @@ use crate::diagnostics::{Code, Span};
 use crate::points;
 use crate::typed::{Base, Cell, TypeId, Value};
 use unoclp_core::Profile;
-use unoclp_point::{Address, Kind, Maker, read};
+use unoclp_point::{Address, Maker};
 
 /// What the cell of a point holds.
 pub(crate) fn point_base(point: Address) -> Base {
@@ -67,21 +67,7 @@ impl Builder<'_, '_> {
     /// The point that an address names in a maker's way; none where a program has no such point, which is not told.
     pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Address> {
         let key: String = written.to_uppercase().split_whitespace().collect();
-        let written = read(&key, maker)?;
-        let address = written.address?;
-        let is_cell = matches!(
-            address.kind(),
-            Kind::Input
-                | Kind::Output
-                | Kind::Marker
-                | Kind::System
-                | Kind::Analogue
-                | Kind::Pwm
-                | Kind::Register
-        );
-        if !is_cell || !points::exists(address, Profile::UNO) {
-            return None;
-        }
+        let (address, written) = points::variable(&key, maker, Profile::UNO)?;
         let here = (Code::StSamePoint, at);
         self.spellings
             .note((address, &written), here, self.text, self.found);
