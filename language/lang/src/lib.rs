@@ -70,7 +70,7 @@ pub use lacking::lacking;
 pub use languages::{CheckedText, TextLanguage, check};
 pub use literal::duration;
 pub use operators::is_operator;
-pub use points::point;
+pub use points::{no_such_point, point};
 pub use show::show;
 pub use st::has_types;
 pub use to_st::to_st;

@@ -4,7 +4,7 @@
 //! with a point; how one is written, `unoclp-point` knows.
 
 use crate::Dialect;
-use crate::diagnostics::{Code, Found, Span, Word};
+use crate::diagnostics::{Code, Diagnostic, Found, Span, Word};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use unoclp_core::Profile;
@@ -79,6 +79,14 @@ pub fn point(written: &str, board: Profile) -> Result<Address, Word> {
     let point = variable(&key, Maker::Iec, board).filter(|_| key.starts_with('%'));
     let help = || help(written, Maker::Iec, board);
     point.map(|(address, _)| address).ok_or_else(help)
+}
+
+/// What is told of a point that the board lacks, as Instruction List tells it; none of one that it has.
+pub fn no_such_point(point: Address, board: Profile) -> Option<Diagnostic> {
+    let name = point.to_string();
+    let help = || help(&name, Maker::Iec, board);
+    let words = (!exists(point, board)).then(|| vec![name.as_str().into(), help()]);
+    words.map(|words| Diagnostic::new(Code::NoSuchPoint, Span::default(), words))
 }
 
 /// What the points of a kind are called.

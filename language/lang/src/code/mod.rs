@@ -102,7 +102,7 @@ impl CompiledText {
     /// two places.
     pub fn places(&self) -> Vec<Option<String>> {
         let place = |variable: &Variable| match variable.holding {
-            Holding::One((spot, _)) => Some(spot.to_string()),
+            Holding::One((point, _)) => Some(format!("{point:#}")),
             _ => None,
         };
         self.variables.iter().map(place).collect()

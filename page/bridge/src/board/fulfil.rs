@@ -8,7 +8,7 @@ use super::settle::settle;
 use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::Text;
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, both, told};
 use unoclp_client::diagnostics;
 use unoclp_client::map::{Command, State, holding};
 use unoclp_client::point;
@@ -16,8 +16,10 @@ use unoclp_client::settings::Settings;
 use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
 use unoclp_client::watch::{Side, Wish};
 use unoclp_client::{Client, Failure};
+use unoclp_lang::no_such_point;
 use unoclp_modbus::Exception;
 use unoclp_point::Address;
+use unoclp_program::BOARD;
 
 /// Does what is ordered; gives what there is to say behind it.
 pub(super) async fn fulfil(
@@ -40,7 +42,11 @@ pub(super) async fn fulfil(
             wish(client, Wish::Force(side, number.saturating_sub(1), to)).await
         }
         Order::Set { point: name, value } => {
-            let point = Address::parse(&name).filter(|point| point::is_written(*point));
+            let point = Address::parse(&name);
+            if let Some(lacking) = point.and_then(|point| no_such_point(point, BOARD)) {
+                return Err(Undone::Told(both(|lang| told(&lacking, lang))));
+            }
+            let point = point.filter(|point| point::is_written(*point));
             let point = point.ok_or_else(|| both(|lang| words::no_point(lang, &name)))?;
             point::set(client, point, value).await?;
             Ok(None)

@@ -2,14 +2,14 @@
 
 use super::words;
 use crate::given::{Given, wrong};
-use crate::words::{Both, No, Offer, both};
+use crate::words::{Both, No, Offer, both, told};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
-use unoclp_lang::duration;
+use unoclp_lang::{duration, no_such_point};
 use unoclp_point::Address;
 use unoclp_program::BOARD;
 use unoclp_program::drawn::is_name;
@@ -380,7 +380,10 @@ fn pointed(table: &Table, value: &str) -> Result<(Option<Address>, Option<String
     }
     let name = Some(name.trim().to_owned()).filter(|name| !name.is_empty());
     match table.point(value).or_else(|| Address::parse(first)) {
-        Some(point) => Ok((Some(point), name)),
+        Some(point) => match no_such_point(point, BOARD) {
+            Some(lacking) => Err(both(|lang| told(&lacking, lang)).into()),
+            None => Ok((Some(point), name)),
+        },
         None => Err(both(|lang| words::no_such_point(lang, value)).into()),
     }
 }
