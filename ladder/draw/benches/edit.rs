@@ -3,10 +3,11 @@
 
 use divan::{AllocProfiler, Bencher, black_box};
 use unoclp_core::Board;
+use unoclp_draw::Names;
 use unoclp_draw::edit::{
     Along, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Row, State, apply,
 };
-use unoclp_draw::{Address, Names};
+use unoclp_point::Address;
 
 #[global_allocator]
 static ALLOCATOR: AllocProfiler = AllocProfiler::system();

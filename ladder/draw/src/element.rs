@@ -1,7 +1,7 @@
 //! Elements: the symbols on the wires of a rung.
 
-use crate::Address;
 use crate::power::{Net, Nets};
+use unoclp_point::Address;
 
 /// A symbol on a wire.
 #[derive(Clone, Debug)]

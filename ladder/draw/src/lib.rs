@@ -36,7 +36,6 @@
 
 #![forbid(unsafe_code)]
 
-mod address;
 mod block;
 mod build;
 mod drawing;
@@ -57,7 +56,6 @@ mod value;
 mod words;
 mod wrap;
 
-pub use address::{Address, Names};
 pub use block::Cell;
 pub use drawing::{Drawing, NARROWEST, Picture, Style};
 pub use element::{Element, Symbol};
@@ -67,3 +65,9 @@ pub use power::{Net, Nets, Power};
 pub use svg_page::{Area, Labels, Paper, Report, Sheet};
 pub use svg_page::{to_report, to_screen, to_sheet, to_svg};
 pub use words::picture;
+
+use std::collections::BTreeMap;
+use unoclp_point::Address;
+
+/// What the points of a program are called; those without a name are shown by number alone.
+pub type Names = BTreeMap<Address, String>;

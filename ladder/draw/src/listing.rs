@@ -1,9 +1,10 @@
 //! A drawing as a listing: each rung with its number, its lines in the file, and what it is about.
 
 use crate::words::picture;
-use crate::{Address, Drawing, Names};
+use crate::{Drawing, Names};
 use unicode_width::UnicodeWidthStr;
 use unoclp_checked::SourceMap;
+use unoclp_point::Address;
 
 /// What a rung is called: by its number, from 1, and its first and last line, if it has lines.
 pub type Title<'t> = &'t dyn Fn(usize, Option<(usize, usize)>) -> String;

@@ -4,9 +4,10 @@ use crate::element::Role;
 use crate::tree::Gate;
 use crate::value::Load;
 use crate::words::{VALUE, amount, picture, words};
-use crate::{Address, Element, Symbol};
+use crate::{Element, Symbol};
+use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Operand};
-use unoclp_core::{Instruction, Target};
+use unoclp_point::Address;
 
 impl Element {
     /// The symbols of an instruction that has some: one, or of a timer its box and its coil.
@@ -25,7 +26,7 @@ impl Element {
             let preset = amount(block.preset.cast_signed());
             let text = format!("{words} {point} {preset} ms");
             let timer = Element::boxed(step, Role::Function, text, Some(point));
-            let mut coil = Element::coil(step, ' ', target(block.target));
+            let mut coil = Element::coil(step, ' ', block.target.into());
             coil.steps.clear();
             return vec![timer, coil];
         }
@@ -98,13 +99,6 @@ impl Element {
         let mut element = Element::boxed(close, Role::Function, text.to_owned(), None);
         element.steps.clear();
         element
-    }
-}
-
-fn target(target: Target) -> Address {
-    match target {
-        Target::Output(number) => Address::Output(number),
-        Target::Marker(number) => Address::Marker(number),
     }
 }
 

@@ -1,9 +1,8 @@
 //! The words of a symbol: those of the instruction table, with the operands put in.
 
-use crate::Address;
-use crate::address::UNKNOWN;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand, Value};
+use unoclp_point::{Address, UNKNOWN};
 
 /// The value where its source is not known.
 pub(crate) const VALUE: &str = "V";

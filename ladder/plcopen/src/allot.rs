@@ -3,13 +3,13 @@
 use crate::found::Found;
 use crate::points::Points;
 use crate::project::Variable;
-use crate::symbol::{Counts, Symbol, number, point, symbol_of};
+use crate::symbol::{Counts, Symbol, number, point};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
-use unoclp_draw::Address;
 use unoclp_lang::{Code, Span, Word};
+use unoclp_point::Address;
 
 /// What is allotted for the whole project.
 pub(crate) struct Allotted {
@@ -85,20 +85,19 @@ pub(crate) fn allot(
     let is_bit = kind == "BOOL";
     let is_number = is_number(&kind);
     let symbol = if let Some(address) = &variable.address {
-        let Some(point) = all.points.address(address) else {
-            found.tell_at(Code::XmlAddress, at, [who.clone(), address.as_str().into()]);
-            return None;
+        let point = match all.points.address(address) {
+            Ok(point) => point,
+            Err(help) => {
+                let words = [who.clone(), address.as_str().into(), help];
+                found.tell_at(Code::XmlAddress, at, words);
+                return None;
+            }
         };
-        let symbol = symbol_of(point);
-        let fits = match symbol {
-            Symbol::Bit(_) => is_bit,
-            _ => is_number,
+        let (fits, wanted) = match point.is_bit() {
+            true => (is_bit, "BOOL"),
+            false => (is_number, "INT"),
         };
         if !fits {
-            let wanted = match symbol {
-                Symbol::Bit(_) => "BOOL",
-                _ => "INT",
-            };
             let words = [
                 who.clone(),
                 variable.name.as_str().into(),
@@ -108,20 +107,23 @@ pub(crate) fn allot(
             found.tell_at(Code::XmlType, at, words);
             return None;
         }
-        Some(symbol)
+        Some(Symbol::At(point))
     } else if variable.constant && (is_bit || is_number) {
         return Some(Symbol::Constant(first.unwrap_or(0)));
     } else {
         match kind.split('_').next().unwrap_or_default() {
             _ if is_bit => {
                 let marker = all.points.marker(variable.retain);
-                marker.map(|marker| Symbol::Bit(Address::Marker(marker)))
+                marker.map(|marker| Symbol::At(Address::Marker(marker)))
             }
             _ if is_number => {
                 let register = all.points.register();
-                register.map(|register| Symbol::Number(Address::Register(register)))
+                register.map(|register| Symbol::At(Address::Register(register)))
             }
-            "TON" | "TOF" | "TP" => all.points.timer().map(Symbol::Timer),
+            "TON" | "TOF" | "TP" => {
+                let timer = all.points.timer();
+                timer.map(|timer| Symbol::At(Address::Timer(timer)))
+            }
             "CTU" => all
                 .points
                 .counter(&variable.name)
@@ -157,7 +159,7 @@ pub(crate) fn allot(
     let first = first.filter(|first| *first != 0 && !variable.retain);
     let is_read = matches!(
         symbol,
-        Symbol::Bit(Address::Input(_)) | Symbol::Number(Address::Analogue(_))
+        Symbol::At(Address::Input(_) | Address::Analogue(_) | Address::System(_))
     );
     let name = || [who.clone(), variable.name.as_str().into()];
     let first = match first {
@@ -170,7 +172,7 @@ pub(crate) fn allot(
     if variable.retain && !is_read && !can_be_kept(symbol) {
         found.tell_at(Code::XmlNotKept, at, name());
     }
-    let keeps = variable.retain && matches!(symbol, Symbol::Number(Address::Register(_)));
+    let keeps = variable.retain && matches!(symbol, Symbol::At(Address::Register(_)));
     if first.is_some() || keeps {
         all.begun.push((symbol, first, keeps, at));
     }
@@ -199,8 +201,8 @@ fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
 /// Whether a board keeps it over a power cut.
 fn can_be_kept(symbol: Symbol) -> bool {
     match symbol {
-        Symbol::Bit(Address::Marker(marker)) | Symbol::Latch(marker) => marker >= RETENTIVE,
-        Symbol::Number(Address::Register(_)) | Symbol::Constant(_) => true,
+        Symbol::At(Address::Marker(marker)) | Symbol::Latch(marker) => marker >= RETENTIVE,
+        Symbol::At(Address::Register(_)) | Symbol::Constant(_) => true,
         _ => false,
     }
 }

@@ -5,7 +5,6 @@ use crate::flow::Flow;
 use crate::pins::is_numbered;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Gate, Step};
 use unoclp_lang::Code;
 
@@ -160,18 +159,10 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         if from.kind != "inVariable" || !pin.edge.is_empty() || from.negated() {
             return None;
         }
-        let Meaning::Symbol(Symbol::Bit(point)) = self.meaning(wire.from, &from.written)? else {
+        let Meaning::Symbol(Symbol::At(point)) = self.meaning(wire.from, &from.written)? else {
             return None;
         };
-        let opcode = match (point, pin.negated) {
-            (Address::Input(_), false) => Opcode::XorInput,
-            (Address::Input(_), true) => Opcode::XorInputNot,
-            (Address::Output(_), false) => Opcode::XorOutput,
-            (Address::Output(_), true) => Opcode::XorOutputNot,
-            (Address::Marker(_), false) => Opcode::XorMarker,
-            (Address::Marker(_), true) => Opcode::XorMarkerNot,
-            _ => return None,
-        };
+        let opcode = point.xor(pin.negated)?;
         Some(Step::new(opcode).with_number(point.number()))
     }
 

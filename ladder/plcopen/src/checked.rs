@@ -7,9 +7,9 @@ use std::sync::Arc;
 use unoclp_checked::{Checked, Diagnosis, SourceMap, numeric};
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Cause};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Document, Id, visit};
 use unoclp_lang::{Code, Lang, Lines, Span, lacking};
+use unoclp_point::Address;
 
 /// Where what stands in a document came from.
 pub(crate) struct Origins<'t> {

@@ -3,12 +3,12 @@
 use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Flow, edge_of};
 use crate::network::edge;
-use crate::symbol::{Counts, Meaning, Symbol};
+use crate::symbol::{Counts, Meaning, Symbol, point};
 use crate::xml::says;
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Coil, Draft, Gate, Step};
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit with the contact of this element.
@@ -24,27 +24,17 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         let part = match meaning {
             Meaning::Truth(truth) => never(truth == negated),
             Meaning::Symbol(Symbol::Constant(number)) => never((number != 0) == negated),
-            Meaning::AtZero(counter) | Meaning::Symbol(Symbol::Counter(counter, Counts::Down)) => {
-                Some(Step::new(zero).with_number(counter).into())
-            }
+            Meaning::Symbol(
+                Symbol::At(Address::AtZero(counter)) | Symbol::Counter(counter, Counts::Down),
+            ) => Some(Step::new(zero).with_number(counter).into()),
             Meaning::Symbol(symbol) => {
-                let point = match symbol {
-                    Symbol::Bit(point) => Some(point),
-                    Symbol::Timer(timer) => Some(Address::Timer(timer)),
-                    Symbol::Counter(counter, _) => Some(Address::Counter(counter)),
-                    Symbol::Latch(marker) => Some(Address::Marker(marker)),
-                    _ => None,
-                };
-                let draft = point.and_then(|point| Draft::contact(Some(point), negated).ok());
+                let draft =
+                    point(symbol).and_then(|point| Draft::contact(Some(point), negated).ok());
                 let Some(draft) = draft else {
                     self.wants(at, written, "INT", "BOOL");
                     return None;
                 };
                 Some(draft.step.into())
-            }
-            Meaning::Elapsed(_) | Meaning::Count(_) => {
-                self.wants(at, written, "INT", "BOOL");
-                return None;
             }
         };
         let Some(part) = part else {
@@ -84,15 +74,14 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             _ => Coil::Normal,
         };
         let step = match symbol {
-            Symbol::Bit(point @ (Address::Output(_) | Address::Marker(_))) => {
+            Symbol::At(point @ (Address::Output(_) | Address::Marker(_))) => {
                 Draft::coil(Some(point), coil).ok().map(|draft| draft.step)
             }
-            Symbol::Bit(_) | Symbol::Constant(_) | Symbol::Timer(_) | Symbol::Counter(..) => None,
-            Symbol::Latch(_) | Symbol::Edge => None,
-            Symbol::Number(_) | Symbol::Pwm(_) => {
+            Symbol::At(Address::Register(_) | Address::Analogue(_) | Address::Pwm(_)) => {
                 self.wants(at, written, "INT", "BOOL");
                 return None;
             }
+            _ => None,
         };
         let Some(step) = step else {
             self.tell(Code::XmlWritten, at, [written.as_str().into()]);

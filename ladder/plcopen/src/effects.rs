@@ -3,8 +3,8 @@
 use crate::circuit::{Circuit, Leaf, leaves};
 use std::collections::HashSet;
 use unoclp_core::isa::{Class, Kind};
-use unoclp_draw::Address;
 use unoclp_draw::edit::Step;
+use unoclp_point::Address;
 
 /// The points that circuits read and write.
 #[derive(Default)]
@@ -66,13 +66,8 @@ impl Effects {
 /// The point that an instruction of an import names.
 fn point(step: &Step) -> Option<Address> {
     let number = step.number()?;
-    Some(match step.opcode().row().kind {
-        Kind::Input => Address::Input(number),
-        Kind::Output | Kind::Pwm => Address::Output(number),
-        Kind::Marker => Address::Marker(number),
-        Kind::TimerQ | Kind::Time | Kind::Timer => Address::Timer(number),
-        Kind::Counter | Kind::Count => Address::Counter(number),
-        Kind::Value | Kind::Register => Address::Register(number),
-        _ => return None,
-    })
+    match step.opcode().row().kind {
+        Kind::Time | Kind::Timer => Some(Address::Timer(number)),
+        kind => Address::in_code(kind, number),
+    }
 }

@@ -11,6 +11,7 @@ use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::Step;
 use unoclp_lang::{Code, Word};
+use unoclp_point::Address;
 
 /// More elements than this stand in no series.
 const DEEPEST: usize = 200;
@@ -248,12 +249,16 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
             .meaning(written, &who, place, self.all, self.found)?;
         let reads_block = match meaning {
             Meaning::Symbol(symbol) => {
-                matches!(
-                    symbol,
-                    Symbol::Timer(_) | Symbol::Counter(..) | Symbol::Latch(_)
-                )
+                let of_block = |point| {
+                    use Address::{AtZero, Count, Elapsed, Timer};
+                    matches!(point, Timer(_) | Elapsed(_) | Count(_) | AtZero(_))
+                };
+                match symbol {
+                    Symbol::At(point) => of_block(point),
+                    Symbol::Counter(..) | Symbol::Latch(_) => true,
+                    Symbol::Constant(_) | Symbol::Edge => false,
+                }
             }
-            Meaning::AtZero(_) | Meaning::Elapsed(_) | Meaning::Count(_) => true,
             Meaning::Truth(_) => false,
         };
         let name = written.split('.').next().unwrap_or_default().trim();

@@ -4,9 +4,9 @@ use crate::circuit::{Circuit, Item, Leaf, Part, followed};
 use crate::flow::{Call, Flow};
 use crate::symbol::{Counts, Meaning, Symbol};
 use unoclp_core::isa::Opcode;
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Coil, Draft, Step};
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The instance that a block is called with, which no other block may be.
@@ -20,7 +20,9 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         }
         let block = element.block();
         let fits = match meaning {
-            Meaning::Symbol(Symbol::Timer(_)) => matches!(block.as_str(), "TON" | "TOF" | "TP"),
+            Meaning::Symbol(Symbol::At(Address::Timer(_))) => {
+                matches!(block.as_str(), "TON" | "TOF" | "TP")
+            }
             Meaning::Symbol(Symbol::Counter(_, counts)) => match counts {
                 Counts::Up => block == "CTU" || block.starts_with("CTU_"),
                 Counts::Down => block == "CTD" || block.starts_with("CTD_"),
@@ -139,7 +141,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// The circuit that calls a timer; its power is Q.
     fn timed(&mut self, at: usize) -> Option<Circuit> {
         self.unconditional(at)?;
-        let Some(Symbol::Timer(timer)) = self.instance(at) else {
+        let Some(Symbol::At(Address::Timer(timer))) = self.instance(at) else {
             return None;
         };
         let circuit = self.power(at, "IN")?;

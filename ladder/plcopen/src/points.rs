@@ -1,26 +1,11 @@
 //! Which points of the board a program has: those that addresses name, and those that are allotted.
 //!
-//! | address | point |
-//! | --- | --- |
-//! | `%IX0.0` to `%IX0.7` | inputs 01 to 08 |
-//! | `%QX0.0` to `%QX0.3` | outputs 01 to 04 |
-//! | `%MX0.0` to `%MX7.7` | markers 01 to 64 |
-//! | `%MW1` to `%MW98`, `%MD1` to `%MD98` | registers 01 to 98 |
-//! | `%IW0` to `%IW4` | analogue inputs 00 to 04 |
-//! | `%QW1` to `%QW4` | PWM of outputs 01 to 04 |
+//! Owns which are still free. Must not know how an address is written: the languages read it.
 
 use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
-use unoclp_draw::Address;
-
-/// What an address names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Point {
-    /// A bit, a register or an analogue input.
-    At(Address),
-    /// The PWM of an output.
-    Pwm(u8),
-}
+use unoclp_lang::Word;
+use unoclp_point::Address;
 
 /// The points that are still free.
 pub(crate) struct Points {
@@ -44,46 +29,19 @@ impl Points {
         }
     }
 
-    /// The point that an address names: `%IX0.0`; none where the board has none.
-    pub(crate) fn address(&self, address: &str) -> Option<Point> {
-        let address = address.trim().strip_prefix('%')?.to_ascii_uppercase();
-        let digits = address.find(|c: char| c.is_ascii_digit())?;
-        let (letters, numbers) = address.split_at(digits);
-        let (first, bit) = match numbers.split_once('.') {
-            Some((first, bit)) => (first.parse().ok()?, Some(bit.parse::<u8>().ok()?)),
-            None => (numbers.parse::<u8>().ok()?, None),
-        };
-        let bit_of = |most: u8| {
-            let number = match bit {
-                Some(bit) if bit < 8 => first.checked_mul(8)?.checked_add(bit)?,
-                Some(_) => return None,
-                // Without a bit it is the number of the point, as in other languages.
-                None => first.checked_sub(1)?,
-            };
-            (number < most).then_some(number + 1)
-        };
-        let word = |least: u8, most: u8| {
-            (bit.is_none() && (least..=most).contains(&first)).then_some(first)
-        };
-        Some(match letters {
-            "I" | "IX" => Point::At(Address::Input(bit_of(self.board.inputs)?)),
-            "Q" | "QX" => Point::At(Address::Output(bit_of(self.board.outputs)?)),
-            "M" | "MX" => Point::At(Address::Marker(bit_of(self.board.markers)?)),
-            "MW" | "MD" => Point::At(Address::Register(word(1, REGISTERS)?)),
-            "IW" => Point::At(Address::Analogue(word(
-                0,
-                self.board.analogue.checked_sub(1)?,
-            )?)),
-            "QW" => Point::Pwm(word(1, self.board.outputs)?),
-            _ => return None,
-        })
+    /// The point that an address names: `%IX0.0`.
+    ///
+    /// # Errors
+    /// What to write, where the board has no such point.
+    pub(crate) fn address(&self, address: &str) -> Result<Address, Word> {
+        unoclp_lang::point(address, self.board)
     }
 
     /// Leaves out the point of this address where others are allotted.
     pub(crate) fn take(&mut self, address: &str) {
         match self.address(address) {
-            Some(Point::At(Address::Marker(number))) => self.markers |= 1 << number,
-            Some(Point::At(Address::Register(number))) => self.registers |= 1 << number,
+            Ok(Address::Marker(number)) => self.markers |= 1 << number,
+            Ok(Address::Register(number)) => self.registers |= 1 << number,
             _ => {}
         }
     }

@@ -20,9 +20,10 @@ use std::sync::Arc;
 use unoclp_checked::Checked;
 use unoclp_core::Board;
 use unoclp_core::isa::{Class, Kind, OUTPUT_OPERAND, Opcode};
+use unoclp_draw::Names;
 use unoclp_draw::edit::{Document, Draft, Id, Node, Series, Step};
-use unoclp_draw::{Address, Names};
 use unoclp_lang::{Code, Span, Told};
+use unoclp_point::Address;
 
 /// Reads a project for a board.
 pub fn import(text: &str, board: Board) -> Imported {
@@ -215,7 +216,7 @@ fn documentation(pou: &Pou<'_, '_>) -> Vec<String> {
 fn begin(all: &Allotted, rungs: &mut Rungs) {
     let mut parts: Vec<Part> = Vec::new();
     for (symbol, _, keeps, _) in &all.begun {
-        if let (Symbol::Number(point), true) = (symbol, keeps) {
+        if let (Symbol::At(point), true) = (symbol, keeps) {
             parts.push(
                 Step::new(Opcode::KeepRegister)
                     .with_number(point.number())
@@ -230,19 +231,18 @@ fn begin(all: &Allotted, rungs: &mut Rungs) {
             parts.push(Step::new(Opcode::SystemContact).with_number(1).into());
         }
         match symbol {
-            Symbol::Bit(point) => {
+            Symbol::At(point) if point.is_bit() => {
                 let set = Draft::coil(Some(*point), unoclp_draw::edit::Coil::Set);
                 parts.extend(set.ok().map(|draft| Part::from(draft.step)));
             }
-            Symbol::Number(Address::Register(_)) | Symbol::Pwm(_) => {
+            Symbol::At(point @ (Address::Register(_) | Address::Pwm(_))) => {
                 let load = Step::new(Opcode::Load).with_number(0);
                 parts.push(load.with_lines([Some(*first)]).into());
-                let store = match symbol {
-                    Symbol::Pwm(output) => Step::new(Opcode::StorePwm).with_number(*output),
-                    Symbol::Number(point) => Step::new(Opcode::Store).with_number(point.number()),
-                    _ => continue,
+                let store = match point {
+                    Address::Pwm(_) => Opcode::StorePwm,
+                    _ => Opcode::Store,
                 };
-                parts.push(store.into());
+                parts.push(Step::new(store).with_number(point.number()).into());
             }
             _ => {}
         }

@@ -3,10 +3,11 @@
 use crate::allot::{Allotted, Place, allot, by_name};
 use crate::found::Found;
 use crate::project::Variable;
-use crate::symbol::{Counts, Meaning, Symbol, number, symbol_of};
+use crate::symbol::{Counts, Meaning, Symbol, number};
 use std::collections::HashMap;
 use std::sync::Arc;
 use unoclp_lang::{Code, Span, Word};
+use unoclp_point::Address;
 
 /// The names of one program.
 pub(crate) struct Scope {
@@ -36,11 +37,14 @@ impl Scope {
             _ => {}
         }
         if upper.starts_with('%') {
-            let point = all.points.address(&upper);
-            if point.is_none() {
-                found.tell_at(Code::XmlAddress, at, [who.clone(), written.into()]);
-            }
-            return point.map(|point| Meaning::Symbol(symbol_of(point)));
+            return match all.points.address(written) {
+                Ok(point) => Some(Meaning::Symbol(Symbol::At(point))),
+                Err(help) => {
+                    let words = [who.clone(), written.trim().into(), help];
+                    found.tell_at(Code::XmlAddress, at, words);
+                    None
+                }
+            };
         }
         if upper.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')
             || upper.contains('#')
@@ -59,22 +63,26 @@ impl Scope {
         let member = upper.split_once('.').map(|(_, member)| member);
         let own = written.trim().split('.').next().unwrap_or_default();
         let symbol = self.symbol(own, who, at, all, found)?;
-        let meaning = match (symbol, member) {
-            (symbol, None) => Some(Meaning::Symbol(symbol)),
-            (Symbol::Timer(_), Some("Q")) => Some(Meaning::Symbol(symbol)),
-            (Symbol::Timer(timer), Some("ET")) => Some(Meaning::Elapsed(timer)),
-            (Symbol::Counter(counter, Counts::Down), Some("Q")) => Some(Meaning::AtZero(counter)),
-            (Symbol::Counter(counter, Counts::Both), Some("QD")) => Some(Meaning::AtZero(counter)),
-            (Symbol::Counter(_, Counts::Up), Some("Q")) => Some(Meaning::Symbol(symbol)),
-            (Symbol::Counter(_, Counts::Both), Some("QU")) => Some(Meaning::Symbol(symbol)),
-            (Symbol::Counter(counter, _), Some("CV")) => Some(Meaning::Count(counter)),
-            (Symbol::Latch(_), Some("Q1")) => Some(Meaning::Symbol(symbol)),
+        let meant = match (symbol, member) {
+            (symbol, None) => Some(symbol),
+            (Symbol::At(Address::Timer(_)), Some("Q")) => Some(symbol),
+            (Symbol::At(Address::Timer(timer)), Some("ET")) => {
+                Some(Symbol::At(Address::Elapsed(timer)))
+            }
+            (Symbol::Counter(counter, Counts::Down), Some("Q"))
+            | (Symbol::Counter(counter, Counts::Both), Some("QD")) => {
+                Some(Symbol::At(Address::AtZero(counter)))
+            }
+            (Symbol::Counter(_, Counts::Up), Some("Q")) => Some(symbol),
+            (Symbol::Counter(_, Counts::Both), Some("QU")) => Some(symbol),
+            (Symbol::Counter(counter, _), Some("CV")) => Some(Symbol::At(Address::Count(counter))),
+            (Symbol::Latch(_), Some("Q1")) => Some(symbol),
             _ => None,
         };
-        if meaning.is_none() {
+        if meant.is_none() {
             found.tell_at(Code::XmlUndeclared, at, [who.clone(), written.into()]);
         }
-        meaning
+        meant.map(Meaning::Symbol)
     }
 
     /// The point of a variable, which gets one where it has none yet.

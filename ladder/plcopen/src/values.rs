@@ -4,9 +4,9 @@ use crate::circuit::Part;
 use crate::flow::Flow;
 use crate::symbol::{Meaning, Symbol};
 use unoclp_core::isa::{Class, Opcode, POPPED};
-use unoclp_draw::Address;
 use unoclp_draw::edit::Step;
 use unoclp_lang::Code;
+use unoclp_point::Address;
 
 impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
     /// Whether an output of a block is a number.
@@ -66,22 +66,15 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
                 .with_lines([Some(number)])
         };
         let step = match self.meaning(wire.from, &written)? {
-            Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
-                Step::new(Opcode::Load).with_number(register)
-            }
-            Meaning::Symbol(Symbol::Number(point)) => {
-                Step::new(Opcode::LoadAnalogue).with_number(point.number())
-            }
-            Meaning::Symbol(Symbol::Constant(number)) => constant(number),
-            Meaning::Truth(truth) => constant(i32::from(truth)),
-            Meaning::Elapsed(timer) => Step::new(Opcode::LoadTimer).with_number(timer),
-            Meaning::Count(counter) => Step::new(Opcode::LoadCount).with_number(counter),
-            Meaning::Symbol(_) | Meaning::AtZero(_) => {
-                self.wants(at, &written, "BOOL", "INT");
-                return None;
-            }
+            Meaning::Symbol(Symbol::At(point)) => load(point),
+            Meaning::Symbol(Symbol::Constant(number)) => Some(constant(number)),
+            Meaning::Truth(truth) => Some(constant(i32::from(truth))),
+            Meaning::Symbol(_) => None,
         };
-        Some(vec![step])
+        if step.is_none() {
+            self.wants(at, &written, "BOOL", "INT");
+        }
+        step.map(|step| vec![step])
     }
 
     /// Tells that a number is taken for a truth, which could be negated or have an edge.
@@ -242,13 +235,15 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             return None;
         }
         match self.meaning(at, written)? {
-            Meaning::Symbol(Symbol::Number(Address::Register(register))) => {
+            Meaning::Symbol(Symbol::At(Address::Register(register))) => {
                 Some(Step::new(Opcode::Store).with_number(register))
             }
-            Meaning::Symbol(Symbol::Pwm(output)) => {
+            Meaning::Symbol(Symbol::At(Address::Pwm(output))) => {
                 Some(Step::new(Opcode::StorePwm).with_number(output))
             }
-            Meaning::Symbol(Symbol::Bit(_)) => {
+            Meaning::Symbol(Symbol::At(
+                Address::Input(_) | Address::Output(_) | Address::Marker(_) | Address::System(_),
+            )) => {
                 self.wants(at, written, "BOOL", "INT");
                 None
             }
@@ -258,4 +253,16 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
             }
         }
     }
+}
+
+/// The instruction that loads this number; none of a bit.
+fn load(point: Address) -> Option<Step> {
+    let opcode = match point {
+        Address::Register(_) => Opcode::Load,
+        Address::Analogue(_) => Opcode::LoadAnalogue,
+        Address::Elapsed(_) => Opcode::LoadTimer,
+        Address::Count(_) => Opcode::LoadCount,
+        _ => return None,
+    };
+    Some(Step::new(opcode).with_number(point.number()))
 }

@@ -4,7 +4,7 @@ use crate::ast::Var;
 use crate::comments::{Comments, words};
 use crate::diagnostics::{Found, Lines, Span};
 use crate::parser;
-use unoclp_point::{Kind, read};
+use unoclp_point::{Address, Kind, read};
 
 /// What a text declares.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -20,8 +20,8 @@ pub struct Declared {
 /// A point that a text gives a name: `start AT %I1 : BOOL; (* green *)`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct DeclaredPoint {
-    /// As the board's documents spell it: `I1`, `Q1`, `M5`, `S1`, `D3`, `A0`.
-    pub point: String,
+    /// An input, an output, a marker, a register or an analogue input.
+    pub point: Address,
     /// As the text writes it.
     pub name: String,
     /// The comment behind it in its line; empty without one.
@@ -38,17 +38,18 @@ pub fn declared(text: &str) -> Declared {
     let points = vars.iter().filter_map(|var| {
         let written = read(var.at.as_ref()?.name()?, dialect.maker())?;
         let at = written.address?;
-        let letter = match at.kind {
-            Kind::Input => 'I',
-            Kind::Output => 'Q',
-            Kind::Marker => 'M',
-            Kind::System => 'S',
-            Kind::Register => 'D',
-            Kind::Analogue => 'A',
-            _ => return None,
-        };
+        let has_row = matches!(
+            at.kind(),
+            Kind::Input
+                | Kind::Output
+                | Kind::Marker
+                | Kind::System
+                | Kind::Register
+                | Kind::Analogue
+        );
+        has_row.then_some(())?;
         Some(DeclaredPoint {
-            point: format!("{letter}{}", at.number),
+            point: at,
             name: text.get(var.name.span.range())?.to_owned(),
             comment: behind(text, var, &parsed.comments),
         })

@@ -59,7 +59,7 @@ mod whole;
 mod words;
 
 pub use back::{instructions_to_il, to_il};
-pub use code::{CompiledText, Held, Holding, Shows, Spot, Trace, Variable, compile_text, literal};
+pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
 pub use compile::{Compiled, Options, compile, compile_untyped};
@@ -72,6 +72,7 @@ pub use lacking::lacking;
 pub use languages::{CheckedText, TextLanguage, check};
 pub use literal::duration;
 pub use operators::is_operator;
+pub use points::{no_such_point, point};
 pub use show::show;
 pub use st::has_types;
 pub use to_st::to_st;

@@ -14,7 +14,7 @@ pub(crate) fn value(text: &str) -> Option<i32> {
         "2" => whole(rest, 2),
         "8" => whole(rest, 8),
         "16" => whole(rest, 16),
-        "T" | "TIME" => time(rest),
+        "T" | "TIME" => short_time(rest),
         "REAL" => real(rest),
         "SINT" | "INT" | "DINT" | "USINT" | "UINT" | "UDINT" | "BYTE" | "WORD" | "DWORD"
             if rest.matches('#').count() <= 1 =>
@@ -29,7 +29,7 @@ pub(crate) fn value(text: &str) -> Option<i32> {
 /// The ms of a time that a person writes, with its `T#` or without: `4s`, `T#4s`, `1m30s`; none without a unit.
 pub fn duration(text: &str) -> Option<i32> {
     match text.split_once('#') {
-        None => time(text),
+        None => short_time(text),
         Some(_) if text.to_ascii_lowercase().starts_with('t') => value(text),
         Some(_) => None,
     }
@@ -56,7 +56,7 @@ pub(crate) fn fault(text: &str) -> (Code, String) {
             .is_some_and(|t| t.eq_ignore_ascii_case("TIME#"));
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '_');
     match behind {
-        None if time(&point).is_some() => (Code::TimePrefix, format!("T#{point}")),
+        None if short_time(&point).is_some() => (Code::TimePrefix, format!("T#{point}")),
         Some(_) if timed && text.contains(',') => (Code::DecimalComma, point),
         Some(rest) if timed && !rest.is_empty() && rest.chars().all(digits) => {
             (Code::TimeUnit, text.to_owned())
@@ -84,27 +84,27 @@ fn whole(digits: &str, radix: u32) -> Option<i32> {
     }
 }
 
+/// The ms of a time that fit 32 bits.
+fn short_time(text: &str) -> Option<i32> {
+    i32::try_from(time(text)?).ok()
+}
+
 /// Parts from days to ms, each with its unit; only the last may have a fraction.
-fn time(text: &str) -> Option<i32> {
+pub(crate) fn time(text: &str) -> Option<i128> {
     let text = text.to_ascii_lowercase().replace('_', "");
     let mut rest = text.as_str();
-    let mut ms = 0_u64;
-    let mut smaller_than = u64::MAX;
-    if rest.is_empty() {
-        return None;
-    }
+    let (mut sum, mut last, mut ended) = (0_i128, i128::MAX, rest.is_empty());
     while !rest.is_empty() {
-        let digits = rest.len()
-            - rest
-                .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.')
-                .len();
+        if ended {
+            return None;
+        }
+        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.')?;
         let (number, behind) = rest.split_at(digits);
-        let letters = behind.len()
-            - behind
-                .trim_start_matches(|c: char| c.is_ascii_alphabetic())
-                .len();
+        let letters = behind
+            .find(|c: char| !c.is_ascii_alphabetic())
+            .unwrap_or(behind.len());
         let (unit, behind) = behind.split_at(letters);
-        let unit = match unit {
+        let size = match unit {
             "d" => 86_400_000,
             "h" => 3_600_000,
             "m" => 60_000,
@@ -112,20 +112,24 @@ fn time(text: &str) -> Option<i32> {
             "ms" => 1,
             _ => return None,
         };
-        if unit >= smaller_than {
+        if size >= last {
             return None;
         }
-        smaller_than = unit;
-        let (whole, fraction) = number.split_once('.').unwrap_or((number, "0"));
-        let whole: u64 = whole.parse().ok()?;
-        let parts: u64 = fraction.get(..fraction.len().min(6))?.parse().ok()?;
-        let scale = 10_u64.pow(fraction.len().min(6) as u32);
-        ms = ms
-            .checked_add(whole.checked_mul(unit)?)?
-            .checked_add(parts * unit / scale)?;
+        last = size;
+        sum += match number.split_once('.') {
+            None => number.parse::<u64>().ok().map(i128::from)? * size,
+            Some((whole, fraction)) => {
+                ended = true;
+                let whole: i128 = whole.parse::<u32>().ok()?.into();
+                let scale = 10_i128
+                    .checked_pow(u32::try_from(fraction.len()).ok().filter(|n| *n <= 18)?)?;
+                let fraction: i128 = fraction.parse::<u64>().ok()?.into();
+                whole * size + (fraction * size + scale / 2) / scale
+            }
+        };
         rest = behind;
     }
-    i32::try_from(ms).ok()
+    (!ended || last != i128::MAX).then_some(sum)
 }
 
 #[cfg(test)]
@@ -148,6 +152,8 @@ mod tests {
             ("T#s", None),
             ("T#", None),
             ("T#25d", None),
+            ("T#1.5h2m", None),
+            ("T#1.5006s", Some(1501)),
             ("99999999999", None),
             ("2#3", None),
             ("7#3", None),

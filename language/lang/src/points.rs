@@ -4,7 +4,7 @@
 //! with a point; how one is written, `unoclp-point` knows.
 
 use crate::Dialect;
-use crate::diagnostics::{Code, Found, Span, Word};
+use crate::diagnostics::{Code, Diagnostic, Found, Span, Word};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use unoclp_core::Board;
@@ -41,18 +41,52 @@ fn range(kind: Kind, board: Board) -> Option<(u16, u16)> {
         Kind::Register => (1, REGISTERS.into()),
         Kind::Analogue => (0, u16::from(board.analogue).checked_sub(1)?),
         Kind::Group => (1, board.groups().into()),
-        Kind::Pwm | Kind::Always | Kind::Inputs | Kind::Outputs | Kind::Timer | Kind::Counter => {
-            return None;
-        }
+        _ => return None,
     })
 }
 
 /// Whether a board has this point. Timers and counters are names, which the text's own order numbers.
 pub(crate) fn exists(address: Address, board: Board) -> bool {
-    match range(address.kind, board) {
-        Some((first, last)) => (first..=last).contains(&address.number),
-        None => address.kind != Kind::Pwm || PWM.contains(&address.number),
+    match range(address.kind(), board) {
+        Some((first, last)) => (first..=last).contains(&address.number().into()),
+        None => address.kind() != Kind::Pwm || PWM.contains(&address.number().into()),
     }
+}
+
+/// The point that an address names, where a typed program can have a variable there; in capitals and without blanks.
+pub(crate) fn variable(key: &str, maker: Maker, board: Board) -> Option<(Address, Written<'_>)> {
+    let written = read(key, maker)?;
+    let address = written.address.filter(|address| exists(*address, board))?;
+    let is_variable = matches!(
+        address,
+        Address::Input(_)
+            | Address::Output(_)
+            | Address::Marker(_)
+            | Address::System(_)
+            | Address::Analogue(_)
+            | Address::Pwm(_)
+            | Address::Register(_)
+    );
+    is_variable.then_some((address, written))
+}
+
+/// The point that an address names as the norm writes it: `%IX0.4`.
+///
+/// # Errors
+/// What to write, where a program can have no variable there.
+pub fn point(written: &str, board: Board) -> Result<Address, Word> {
+    let key: String = written.to_uppercase().split_whitespace().collect();
+    let point = variable(&key, Maker::Iec, board).filter(|_| key.starts_with('%'));
+    let help = || help(written, Maker::Iec, board);
+    point.map(|(address, _)| address).ok_or_else(help)
+}
+
+/// What is told of a point that the board lacks, as Instruction List tells it; none of one that it has.
+pub fn no_such_point(point: Address, board: Board) -> Option<Diagnostic> {
+    let name = point.to_string();
+    let help = || help(&name, Maker::Iec, board);
+    let words = (!exists(point, board)).then(|| vec![name.as_str().into(), help()]);
+    words.map(|words| Diagnostic::new(Code::NoSuchPoint, Span::default(), words))
 }
 
 /// What the points of a kind are called.
@@ -70,8 +104,8 @@ fn plural(kind: Kind) -> (&'static str, &'static str) {
 }
 
 /// What messages call a point: `input 05`.
-pub(crate) fn named(address: Address) -> Word {
-    let (en, pt) = match address.kind {
+pub(crate) fn named(kind: Kind, number: u16) -> Word {
+    let (en, pt) = match kind {
         Kind::Input => ("input", "entrada"),
         Kind::Output => ("output", "saída"),
         Kind::Marker => ("marker", "memória"),
@@ -82,7 +116,6 @@ pub(crate) fn named(address: Address) -> Word {
         Kind::Outputs => return ("thing, all outputs", "todas as saídas").into(),
         _ => return ("point", "ponto").into(),
     };
-    let number = address.number;
     Word::Both(format!("{en} {number:02}"), format!("{pt} {number:02}"))
 }
 
@@ -119,7 +152,15 @@ impl Spellings {
             let text = text.get(span.range()).unwrap_or_default();
             text.split_whitespace().collect::<String>().into()
         };
-        found.tell(code, other, [written(one), written(other), named(address)]);
+        found.tell(
+            code,
+            other,
+            [
+                written(one),
+                written(other),
+                named(address.kind(), address.number().into()),
+            ],
+        );
     }
 }
 
@@ -163,13 +204,13 @@ fn all_like(written: &Written, board: Board) -> Option<Both> {
 /// The same where a byte has eight bits: which point that would be, and which was meant where bytes of four were.
 fn of_byte(written: &Written, all: Both, board: Board) -> Both {
     let (en, pt) = all;
-    let Some(address) = written.address else {
+    let Some(number) = written.number else {
         return (
             format!("the bits of a byte are 0 to 7: {en}"),
             format!("os bits de um byte são 0 a 7: {pt}"),
         );
     };
-    let is = named(address);
+    let is = named(written.kind, number);
     let Word::Both(is_en, is_pt) = is else {
         return (en, pt);
     };
@@ -179,10 +220,13 @@ fn of_byte(written: &Written, all: Both, board: Board) -> Both {
     let four = written.byte_and_bit().filter(|(_, bit)| *bit < 4);
     let meant = four.and_then(|(group, bit)| {
         let number = group.checked_mul(4)?.checked_add(bit + 1)?;
-        let meant = Address::new(written.kind, number);
+        let meant = Address::new(written.kind, number.try_into().ok()?);
         (written.kind != Kind::Marker && exists(meant, board)).then_some(meant)
     });
-    let meant = meant.and_then(|meant| Some((named(meant), written.like(meant.number)?)));
+    let meant = meant.and_then(|meant| {
+        let number = meant.number().into();
+        Some((named(meant.kind(), number), written.like(number)?))
+    });
     match meant {
         Some((Word::Both(one, uma), like)) => (
             format!("{en}; for {one} write {like}"),

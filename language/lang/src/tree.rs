@@ -5,38 +5,22 @@
 
 use crate::diagnostics::Span;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
-/// A bit of the board that can be read.
+/// A bit that can be read; the Q of a timer by its index among the names, since its number depends on its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bit {
-    Input(u8),
-    Output(u8),
-    Marker(u8),
-    System(u8),
-    /// Q of the timer with this index among the names.
+    At(Address),
     Timer(usize),
-    /// The counter has reached its preset.
-    Reached(u8),
-    /// The counter is 0 or less.
-    Zero(u8),
 }
 
-/// A number of the board that can be read or written.
+/// A number that can be read or written; those of a timer by its index likewise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Num {
     Const(i32),
-    Register(u8),
-    Analogue(u8),
-    Pwm(u8),
-    Count(u8),
-    CountPreset(u8),
-    /// Of the timer with this index among the names.
+    At(Address),
     Elapsed(usize),
     TimerPreset(usize),
-    /// Eight markers.
-    Group(u8),
-    Inputs,
-    Outputs,
 }
 
 /// A logic expression.
@@ -214,13 +198,7 @@ impl Expr {
 
     /// Whether there is a code for XOR with it.
     pub(crate) fn is_xor_point(&self) -> bool {
-        matches!(
-            self,
-            Expr::Lit {
-                bit: Bit::Input(_) | Bit::Output(_) | Bit::Marker(_),
-                ..
-            }
-        )
+        matches!(self, Expr::Lit { bit: Bit::At(point), .. } if point.xor(false).is_some())
     }
 
     /// The same, with each NOT where it takes fewest codes.

@@ -1,7 +1,7 @@
 //! A point of a board, and each way in which a text writes one.
 //!
-//! Owns what byte and bit, letters and numbers mean; said here, once, for every language. Must not know a language, a
-//! screen, nor how many points a board has: that is the board's to say.
+//! Owns what byte and bit, letters and numbers mean, and which point an instruction names; said here, once, for all. Must
+//! not know a language, a screen, nor how many points a board has: that is the board's to say.
 //!
 //! | written | point |
 //! | --- | --- |
@@ -17,9 +17,10 @@
 #![forbid(unsafe_code)]
 
 mod address;
+mod code;
 mod notation;
 mod read;
 
-pub use address::{Address, Kind};
+pub use address::{Address, Kind, UNKNOWN};
 pub use notation::{Count, Maker};
 pub use read::{LETTERS, Spelling, Written, is_block, read};

@@ -13,7 +13,9 @@ pub const LETTERS: [&str; 26] = [
 pub struct Written<'t> {
     /// What kind of point the letters name.
     pub kind: Kind,
-    /// Which point; none where it is written as none can be: bit 8 of a byte, the digit 8 of an octal number.
+    /// Its number; none where it is written as none can be: bit 8 of a byte, the digit 8 of an octal number.
+    pub number: Option<u16>,
+    /// Which point; none where no board can have it.
     pub address: Option<Address>,
     /// How the text counts here.
     pub count: Count,
@@ -102,7 +104,8 @@ pub fn read(name: &str, maker: Maker) -> Option<Written<'_>> {
         let number = digits.parse().ok();
         return Some(Written {
             kind,
-            address: number.map(|number| Address::new(kind, number)),
+            number,
+            address: address(kind, number),
             count: Count::Numbered,
             before,
             member: part,
@@ -123,7 +126,8 @@ pub fn read(name: &str, maker: Maker) -> Option<Written<'_>> {
     };
     Some(Written {
         kind,
-        address: number.map(|number| Address::new(kind, number)),
+        number,
+        address: address(kind, number),
         count,
         before,
         member: None,
@@ -131,6 +135,11 @@ pub fn read(name: &str, maker: Maker) -> Option<Written<'_>> {
         digits,
         bit: part,
     })
+}
+
+fn address(kind: Kind, number: Option<u16>) -> Option<Address> {
+    let number = u8::try_from(number?).ok()?;
+    Some(Address::new(kind, number))
 }
 
 /// Whether a name is that of a timer or counter as a whole: `T0`, `C1`.
@@ -145,7 +154,7 @@ pub fn is_block(name: &str) -> bool {
 mod tests {
     use super::*;
 
-    const fn at(kind: Kind, number: u16) -> Option<Address> {
+    const fn at(kind: Kind, number: u8) -> Option<Address> {
         Some(Address::new(kind, number))
     }
 
@@ -173,6 +182,7 @@ mod tests {
             ("SM0.0", at(Always, 0)),
             ("SM0.5", at(System, 2)),
             ("SM0.2", None),
+            ("M300", None),
             ("I99999999999", None),
             ("M8191.7", None),
         ] {
@@ -215,7 +225,7 @@ mod tests {
         for (maker, name) in all {
             let written = read(name, maker).unwrap();
             for number in 1..=16 {
-                let other = written.like(number).unwrap();
+                let other = written.like(number.into()).unwrap();
                 let again = read(&other, maker).and_then(|again| again.address);
                 assert_eq!(again, at(written.kind, number), "{other}");
             }

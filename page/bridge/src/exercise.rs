@@ -4,11 +4,11 @@ use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use unoclp_draw::Address;
 use unoclp_draw::edit::Row;
 use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
+use unoclp_point::Address;
 use unoclp_program::{Lang, drawn};
 
 /// What an exercise says of itself.

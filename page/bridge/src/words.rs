@@ -5,6 +5,7 @@ use unoclp_client::Failure;
 use unoclp_client::diagnostics::Trouble;
 use unoclp_client::start::NotFound;
 use unoclp_client::upload::{Behind, Broken};
+use unoclp_lang::Diagnostic;
 use unoclp_modbus::Exception;
 use unoclp_program::{Lang, NoProgram, diagnosis};
 
@@ -84,6 +85,11 @@ pub fn both(say: impl Fn(Lang) -> String) -> Both {
         en: say(Lang::En),
         pt: say(Lang::Pt),
     }
+}
+
+/// What is wrong, and what to do.
+pub fn told(diagnostic: &Diagnostic, lang: Lang) -> String {
+    format!("{}: {}", diagnostic.message(lang), diagnostic.help(lang))
 }
 
 unoclp_program::messages! {

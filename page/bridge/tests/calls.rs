@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use unoclp_bridge::{Boards, answer};
+use unoclp_lang::{Lang, Options};
 
 fn ask(request: Value) -> Value {
     told(&request.to_string(), &mut Boards::default())
@@ -549,6 +550,34 @@ fn a_name_that_cannot_be_one_is_refused_with_what_to_do() {
         );
         assert_ne!(told["error"]["en"], Value::Null, "{value}: {told}");
         assert_ne!(told["error"]["en"], told["error"]["pt"]);
+    }
+}
+
+/// What a text in Instruction List is told of the same point.
+fn of_a_text(point: &str) -> (String, String) {
+    let compiled = unoclp_lang::compile(&format!("LD {point}\nST Q1\n"), &Options::default());
+    let said = |lang| {
+        let told = &compiled.diagnostics[0];
+        format!("{}: {}", told.message(lang), told.help(lang))
+    };
+    (said(Lang::En), said(Lang::Pt))
+}
+
+#[test]
+fn a_point_that_the_board_lacks_is_told_as_in_a_text() {
+    let (_, mut boards) = drawn(
+        "",
+        &json!([{ "do": "insert", "what": "contact", "place": "behind" }]),
+    );
+    for point in ["I9", "Q5", "M99", "M0"] {
+        let act = json!({ "do": "edit", "fields": [{ "key": "point", "value": point }] });
+        let told = told(
+            &json!({ "ask": "edit", "act": act, "width": 64 }).to_string(),
+            &mut boards,
+        );
+        let (en, pt) = of_a_text(point);
+        assert_eq!(told["error"]["en"], en, "{told}");
+        assert_eq!(told["error"]["pt"], pt, "{told}");
     }
 }
 

@@ -5,7 +5,8 @@
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use unoclp_lang::typed::{Base, Value};
-use unoclp_lang::{Holding, Spot, Variable};
+use unoclp_lang::{Holding, Variable};
+use unoclp_point::Address;
 
 /// What is 1.
 const ON: Style = Style::new().fg(Color::Green).add_modifier(Modifier::BOLD);
@@ -39,8 +40,8 @@ impl Variables {
         !self.0.is_empty()
     }
 
-    /// Those that PRINT asks to show, where `read` gives what stands in a spot.
-    pub fn watched(&self, read: impl Fn(Spot) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
+    /// Those that PRINT asks to show, where `read` gives what stands at a point.
+    pub fn watched(&self, read: impl Fn(Address) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
         let watched = self.0.iter().filter(|variable| variable.is_watched);
         watched
             .filter_map(|variable| spans(variable, &read))
@@ -48,9 +49,9 @@ impl Variables {
     }
 
     /// The others that are analogue inputs.
-    pub fn analogue(&self, read: impl Fn(Spot) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
+    pub fn analogue(&self, read: impl Fn(Address) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
         let is_analogue =
-            |of: &&Variable| matches!(of.holding, Holding::One((Spot::Analogue(_), _)));
+            |of: &&Variable| matches!(of.holding, Holding::One((Address::Analogue(_), _)));
         let others = self.0.iter().filter(|variable| !variable.is_watched);
         others
             .filter(is_analogue)
@@ -59,11 +60,11 @@ impl Variables {
     }
 
     /// The others, as far as no lamp and no timer shows them.
-    pub fn others(&self, read: impl Fn(Spot) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
+    pub fn others(&self, read: impl Fn(Address) -> Option<i32>) -> Vec<Vec<Span<'static>>> {
         let in_memory = |variable: &&Variable| match variable.holding {
-            Holding::One((spot, _)) => matches!(
-                spot,
-                Spot::Register(_) | Spot::Marker(_) | Spot::Count(_) | Spot::System(_)
+            Holding::One((point, _)) => matches!(
+                point,
+                Address::Register(_) | Address::Marker(_) | Address::Count(_) | Address::System(_)
             ),
             Holding::Either { .. } => true,
             Holding::Constant(..) => false,
@@ -77,7 +78,10 @@ impl Variables {
 }
 
 /// ` level 12.5  `, ` run ●  `
-fn spans(variable: &Variable, read: &impl Fn(Spot) -> Option<i32>) -> Option<Vec<Span<'static>>> {
+fn spans(
+    variable: &Variable,
+    read: &impl Fn(Address) -> Option<i32>,
+) -> Option<Vec<Span<'static>>> {
     let shown = match variable.value(read)? {
         (Value::Int(0), Base::Bool) => Span::raw("○"),
         (Value::Int(_), Base::Bool) => Span::styled("●", ON),

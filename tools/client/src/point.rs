@@ -3,48 +3,46 @@
 use crate::client::{Client, Failure};
 use crate::map::{Span, Width, coil, holding};
 use unoclp_modbus::Exception;
+use unoclp_point::Address;
 
-/// A point that a client may write.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Point {
-    span: Span,
-    index: u16,
+/// Where the map has a point that a client may write, and which of the span it is; of a timer or counter its preset.
+/// None where a board has no such point.
+fn place(point: Address) -> Option<(Span, u16)> {
+    let span = match point {
+        Address::Output(_) => coil::OUTPUTS,
+        Address::Marker(_) => coil::MARKERS,
+        Address::Register(_) => holding::REGISTERS,
+        Address::Timer(_) => holding::TIMERS,
+        Address::Counter(_) => holding::COUNTERS,
+        _ => return None,
+    };
+    let index = u16::from(point.number()).checked_sub(1)?;
+    (index < span.values).then_some((span, index))
 }
 
-impl Point {
-    /// The point of this name: `Q1`, `M5`, `D12`, the preset of `T1` or `C2`; none where a board has no such point.
-    pub fn named(name: &str) -> Option<Point> {
-        let letter = name.chars().next()?;
-        let number: u16 = name.get(letter.len_utf8()..)?.parse().ok()?;
-        let span = match letter {
-            'Q' => coil::OUTPUTS,
-            'M' => coil::MARKERS,
-            'D' => holding::REGISTERS,
-            'T' => holding::TIMERS,
-            'C' => holding::COUNTERS,
-            _ => return None,
-        };
-        let index = number.checked_sub(1).filter(|&index| index < span.values)?;
-        Some(Point { span, index })
-    }
+/// Whether a client may write this point.
+pub fn is_written(point: Address) -> bool {
+    place(point).is_some()
+}
 
-    /// Writes it; a bit is 0 where the value is. An output keeps it until a rung writes it.
-    ///
-    /// # Errors
-    /// [`Failure`].
-    pub async fn set(self, client: &mut Client, value: i32) -> Result<(), Failure> {
-        let Point { span, index } = self;
-        match span.width {
-            Width::Bit => client.set_bit(span.first + index, value != 0).await,
-            Width::Long => {
-                let value = value.cast_unsigned();
-                let words = [(value >> 16) as u16, value as u16];
-                let first = span.first + 2 * index;
-                client.set_words(Span { first, ..span }, &words).await
-            }
-            // No point that has a name is one word.
-            Width::Word => Err(Failure::Refused(Exception::IllegalDataAddress)),
+/// Writes a point; a bit is 0 where the value is. An output keeps it until a rung writes it.
+///
+/// # Errors
+/// [`Failure`]; of a point that no client may write, that it is refused.
+pub async fn set(client: &mut Client, point: Address, value: i32) -> Result<(), Failure> {
+    // No point that has a name is one word.
+    let refused = Err(Failure::Refused(Exception::IllegalDataAddress));
+    match place(point) {
+        Some((span, index)) if span.width == Width::Bit => {
+            client.set_bit(span.first + index, value != 0).await
         }
+        Some((span, index)) if span.width == Width::Long => {
+            let value = value.cast_unsigned();
+            let words = [(value >> 16) as u16, value as u16];
+            let first = span.first + 2 * index;
+            client.set_words(Span { first, ..span }, &words).await
+        }
+        _ => refused,
     }
 }
 
@@ -56,8 +54,8 @@ mod tests {
 
     /// The first frame that is sent to set this point.
     fn frame(name: &str, value: i32) -> Vec<u8> {
-        let point = Point::named(name).expect(name);
-        let talk = async move |client: &mut Client| point.set(client, value).await;
+        let point = Address::parse(name).expect(name);
+        let talk = async move |client: &mut Client| set(client, point, value).await;
         let mut conversation = Conversation::new(Line::default(), Patience::default(), talk);
         let gap = Duration::from_millis(10);
         let first = conversation.step(Duration::ZERO, &[]);
@@ -85,7 +83,8 @@ mod tests {
         for name in [
             "", "Q", "Q0", "Q5", "M65", "D99", "C17", "T88", "I1", "é1", "Q-1", "D1.5",
         ] {
-            assert_eq!(Point::named(name), None, "{name}");
+            let point = Address::parse(name).filter(|point| is_written(*point));
+            assert_eq!(point, None, "{name}");
         }
     }
 }

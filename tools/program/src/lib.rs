@@ -46,7 +46,7 @@ pub use written_in::WrittenIn;
 
 use unoclp_core::Board;
 
-pub use unoclp_lang::{Diagnostic, Holding, Lang, Shows, Spot, Trace, Variable, literal};
+pub use unoclp_lang::{Diagnostic, Holding, Lang, Shows, Trace, Variable, literal};
 
 /// The board that every tool of this version checks and simulates for.
 pub const BOARD: Board = Board::UNO;

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Fault, Program};
 use unoclp_draw::{Ladder, Names};
-use unoclp_lang::{Dialect, Holding, Spot, TextLanguage, Told, Trace, Variable};
+use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
+use unoclp_point::Kind;
 
 /// A program that has been read, compiled and checked: only [`Written::check`](crate::Written::check) makes one.
 #[derive(Debug)]
@@ -127,18 +128,13 @@ pub fn point_names(source: &Source) -> BTreeMap<String, String> {
         .map(|(point, name)| (point.to_string(), name))
         .collect();
     for variable in &source.variables {
-        let Holding::One((spot, _)) = variable.holding else {
+        let Holding::One((point, _)) = variable.holding else {
             continue;
         };
-        let point = match spot {
-            Spot::Input(n) => format!("I{n}"),
-            Spot::Output(n) => format!("Q{n}"),
-            Spot::Analogue(n) => format!("A{n}"),
-            Spot::Pwm(n) => format!("P{n}"),
-            Spot::TimerQ(n) | Spot::Elapsed(n) => format!("T{n}"),
-            Spot::Count(n) | Spot::Reached(n) | Spot::AtZero(n) => format!("C{n}"),
-            Spot::Register(_) | Spot::Marker(_) | Spot::System(_) => continue,
-        };
+        if matches!(point.kind(), Kind::Register | Kind::Marker | Kind::System) {
+            continue;
+        }
+        let point = point.to_string();
         // A timer and a counter are called as their block: `pause` of `pause.Q`.
         match variable.name.rsplit_once('.') {
             Some((block, _)) if point.starts_with(['T', 'C']) => {

@@ -4,9 +4,9 @@ use super::document::{Element, Id};
 use super::refusal::Refusal;
 use super::step::Step;
 use super::which::{self, Coil};
-use crate::Address;
 use unoclp_core::Target;
 use unoclp_core::isa::{Class, Opcode};
+use unoclp_point::Address;
 
 /// An element that is yet to be inserted: what it does, and of a comparison what it looks at.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

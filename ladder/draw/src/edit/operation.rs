@@ -5,7 +5,7 @@ use super::document::{Begin, Gate, Id};
 use super::draft::Draft;
 use super::table::Row;
 use super::which::Coil;
-use crate::Address;
+use unoclp_point::Address;
 
 /// What can be done to a document, at its cursor. The same operations in the same order always give the same document,
 /// so a log of them can be made again.

@@ -121,7 +121,7 @@ fn heading(rung: &Rung, title: String, document: &Document) -> Vec<String> {
     };
     lines.extend(part.map(|part| format!("{}:", picture(part))));
     lines.extend(rung.labels.iter().map(|&label| {
-        let point = crate::Address::Label(label);
+        let point = unoclp_point::Address::Label(label);
         let name = document.table().get(point).map_or("", |row| &row.name);
         format!("{point}: {name}").trim_end().to_owned()
     }));

@@ -10,12 +10,13 @@ use super::document::{
 use super::emit::Emitted;
 use super::step::Step;
 use super::table::{Row, Table};
+use crate::Names;
 use crate::ladder::ends_between;
-use crate::{Address, Names};
 use std::sync::Arc;
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode};
+use unoclp_point::Address;
 
 impl Document {
     /// The document of a program's steps.

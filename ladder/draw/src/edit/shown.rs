@@ -1,11 +1,11 @@
 //! What a step looks like, complete or not.
 
 use super::step::{Step, target};
-use crate::address::UNKNOWN;
 use crate::words::{NO_PRESET, picture};
 use crate::{Element, Symbol};
 use unoclp_core::isa::{Kind, Opcode, Operand, REGISTER_OPERAND, Value};
 use unoclp_core::{Instruction, Target, TimerBlock};
+use unoclp_point::UNKNOWN;
 
 /// The outputs of a drum's steps, bit 0 output 01; those that are missing are 0.
 pub(crate) fn drum(step: &Step) -> Vec<u8> {

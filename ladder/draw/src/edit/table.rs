@@ -1,7 +1,8 @@
 //! The symbol table: what the points of a program are called, and what they are for.
 
-use crate::{Address, Names};
+use crate::Names;
 use std::collections::BTreeMap;
+use unoclp_point::Address;
 
 /// What points are called, and what they are for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

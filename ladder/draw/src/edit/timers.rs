@@ -4,10 +4,10 @@
 use super::clip::Renamed;
 use super::document::{Document, Id, Node, visit, visit_mut};
 use super::step::Step;
-use crate::Address;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use unoclp_core::isa::Kind;
+use unoclp_point::Address;
 
 /// Lets what names a timer of `before` name the same in `after`; a timer that is gone leaves its address missing.
 /// `pasted` tells what was copied into it, and what numbers mean there.

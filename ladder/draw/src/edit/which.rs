@@ -2,10 +2,9 @@
 
 use super::refusal::Refusal;
 use super::step::{Step, target_line};
-use crate::Address;
 use crate::words::picture;
-use unoclp_core::Target;
-use unoclp_core::isa::{Class, Kind, Opcode};
+use unoclp_core::isa::{Class, Kind, Opcode, POPPED};
+use unoclp_point::Address;
 
 /// Which coil of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -49,21 +48,16 @@ pub(crate) fn with_address(step: &Step, address: Option<Address>) -> Result<Step
     let other = same.or_else(|| Opcode::ALL.iter().find(like));
     let &other = other.ok_or(Refusal::NotThatAddress)?;
     let number = address.number();
-    if number > unoclp_core::isa::POPPED {
+    if number > POPPED {
         return Err(Refusal::OutOfRange);
     }
     Ok(step.clone().with_opcode(other).with_number(number))
 }
 
 fn with_target(step: &Step, address: Option<Address>) -> Result<Step, Refusal> {
-    let target = match address {
-        None => None,
-        Some(Address::Output(number)) => Some(Target::Output(number)),
-        Some(Address::Marker(number)) => Some(Target::Marker(number)),
-        Some(_) => return Err(Refusal::NotThatAddress),
-    };
+    let target = address.map(|address| address.target().ok_or(Refusal::NotThatAddress));
     let preset = step.lines().first().copied().flatten();
-    let lines = [preset, target.map(target_line)];
+    let lines = [preset, target.transpose()?.map(target_line)];
     Ok(step.clone().with_lines(lines))
 }
 
@@ -79,25 +73,13 @@ fn is_like(one: Opcode, other: Opcode) -> bool {
         }
 }
 
-/// Whether an instruction names points of this kind.
+/// Whether an instruction names this point.
 fn takes(opcode: Opcode, address: Address) -> bool {
     let kind = opcode.row().kind;
-    match address {
-        Address::Input(_) => kind == Kind::Input,
-        Address::Output(_) => matches!(kind, Kind::Output | Kind::Pwm),
-        Address::Marker(_) => kind == Kind::Marker,
-        Address::System(_) => kind == Kind::System,
-        Address::Timer(_) => kind == Kind::TimerQ,
-        Address::Counter(_) => matches!(kind, Kind::Counter | Kind::Count),
-        Address::Register(number) => match kind {
-            Kind::Register | Kind::Move | Kind::Drum | Kind::Table => true,
-            // 00 is a constant, 99 what was pushed.
-            Kind::Value | Kind::Real => (1..unoclp_core::isa::POPPED).contains(&number),
-            _ => false,
-        },
-        Address::Analogue(_) => kind == Kind::Analogue,
-        Address::Label(_) => kind == Kind::Jump,
-    }
+    let named = Address::in_code(kind, address.number()) == Some(address);
+    // 00 is a constant, 99 what was pushed; a label is no operand.
+    let is_operand = !kind.is_value() || (1..POPPED).contains(&address.number());
+    named && is_operand && kind != Kind::Label
 }
 
 /// The step as this coil of its point.

@@ -2,7 +2,8 @@
 
 use unoclp_checked::numeric;
 use unoclp_core::{Board, Loader};
-use unoclp_draw::{Address, Ladder, Names, Style, listing, to_svg};
+use unoclp_draw::{Ladder, Names, Style, listing, to_svg};
+use unoclp_point::Address;
 
 /// Draws the codes of one rung.
 fn drawn(codes: &str, names: &[(Address, &str)], width: usize) -> String {

@@ -3,8 +3,8 @@
 use super::counters::input;
 use super::draw::{Draw, ROW};
 use super::xml::{At, Source};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Element, Node, Rung};
+use unoclp_point::Address;
 
 impl Draw {
     /// Draws the rungs that are the inputs of one counter.

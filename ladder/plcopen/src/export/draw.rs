@@ -6,8 +6,8 @@ use super::names::Variables;
 use super::xml::{At, Body, Source};
 use std::collections::HashMap;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Begin, Block, Document, Gate, Id, Node, Rung, visit};
+use unoclp_point::Address;
 
 /// From one element to the next, and from one row to the next.
 pub(crate) const COLUMN: i64 = 120;

@@ -3,8 +3,8 @@
 use super::counters::input;
 use super::draw::{COLUMN, Draw, Wire, timer};
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Element, Step};
+use unoclp_point::Address;
 
 impl Draw {
     pub(crate) fn element(&mut self, element: &Element, wire: &mut Wire) {

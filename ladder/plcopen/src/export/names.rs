@@ -2,7 +2,8 @@
 
 use crate::points::written;
 use std::collections::{BTreeMap, HashSet};
-use unoclp_draw::{Address, Names};
+use unoclp_draw::Names;
+use unoclp_point::Address;
 
 /// The variables of a project, as they are met.
 pub(crate) struct Variables {

@@ -3,8 +3,8 @@
 use super::draw::{Draw, Values, Wire};
 use super::xml::Source;
 use unoclp_core::isa::{Class, Kind, Opcode, POPPED};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Element, Step};
+use unoclp_point::Address;
 
 impl Draw {
     /// An instruction on numbers.

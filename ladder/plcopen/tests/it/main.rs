@@ -3,6 +3,7 @@
 mod any_text;
 mod cases;
 mod edited;
+mod no_such_points;
 mod round_trip;
 mod texts;
 

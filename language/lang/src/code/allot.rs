@@ -8,9 +8,10 @@ use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
 use crate::diagnostics::{Code, Found, Word};
 use crate::limits::COUNTERS;
-use crate::typed::{Base, Point, Standard, Tree};
+use crate::typed::{Base, Standard, Tree};
 use std::collections::BTreeMap;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_point::Address;
 
 /// Gives each cell that is used a place.
 pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) -> Seats {
@@ -84,16 +85,7 @@ fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
 impl Allotter<'_> {
     fn points(&mut self, tree: &Tree, uses: &Uses) {
         for (cell, point) in &tree.points {
-            let number = |n: u32| u8::try_from(n).unwrap_or(u8::MAX);
-            let seat = match *point {
-                Point::Input(n) => Seat::Input(number(n)),
-                Point::Output(n) => Seat::Output(number(n)),
-                Point::Marker(n) => Seat::Marker(number(n)),
-                Point::System(n) => Seat::System(number(n)),
-                Point::Analogue(n) => Seat::Analogue(number(n)),
-                Point::Pwm(n) => Seat::Pwm(number(n)),
-                Point::Register(n) => Seat::Register(number(n)),
-            };
+            let seat = Seat::At(*point);
             self.seats.take(seat);
             self.seats.of.insert(*cell, seat);
             if tree
@@ -106,11 +98,11 @@ impl Allotter<'_> {
         }
         // Behind the others, whose registers are the program's choice.
         for (cell, point) in &tree.points {
-            if let Point::Pwm(output) = *point
+            if let Address::Pwm(output) = *point
                 && uses.get(*cell).is_some_and(|of| of.reads > 0)
                 && self.seat(*cell, Base::Int, false).is_some()
             {
-                self.seats.outputs.insert(*cell, output as u8);
+                self.seats.outputs.insert(*cell, output);
             }
         }
     }
@@ -118,8 +110,8 @@ impl Allotter<'_> {
     /// Has the board keep what stands at a point.
     fn keep(&mut self, cell: u32, seat: Seat) {
         match seat {
-            Seat::Register(register) => self.seats.kept_registers.push(register),
-            Seat::Marker(RETENTIVE..) => {}
+            Seat::At(Address::Register(register)) => self.seats.kept_registers.push(register),
+            Seat::At(Address::Marker(RETENTIVE..)) => {}
             _ => {
                 let (_, at) = self.place(cell);
                 let word = Word::Both("value at this place".into(), "valor neste lugar".into());
@@ -142,7 +134,7 @@ impl Allotter<'_> {
         match seat {
             Some(seat) => {
                 self.seats.of.insert(cell, seat);
-                if let Seat::Register(register) = seat
+                if let Seat::At(Address::Register(register)) = seat
                     && retain
                 {
                     self.seats.kept_registers.push(register);
@@ -174,7 +166,9 @@ impl Allotter<'_> {
                 continue;
             };
             for (cell, register) in row.clone().zip(first..) {
-                self.seats.of.insert(cell, Seat::Register(register));
+                self.seats
+                    .of
+                    .insert(cell, Seat::At(Address::Register(register)));
                 if flat
                     .cells
                     .get(cell as usize)
@@ -232,7 +226,9 @@ impl Allotter<'_> {
             }
             let number = counters;
             self.seats.counters.insert(cell, number);
-            self.seats.of.insert(cell + count, Seat::Count(number));
+            self.seats
+                .of
+                .insert(cell + count, Seat::At(Address::Count(number)));
             if kept {
                 self.seats.kept_counters.push(number);
             }
@@ -240,12 +236,16 @@ impl Allotter<'_> {
                 && !kept
                 && (live(part) || steady(flat, uses, cell + preset))
             {
-                self.seats.of.insert(cell + part, Seat::Reached(number));
+                self.seats
+                    .of
+                    .insert(cell + part, Seat::At(Address::Reached(number)));
             }
             if let Some(part) = down
                 && live(part)
             {
-                self.seats.of.insert(cell + part, Seat::Zero(number));
+                self.seats
+                    .of
+                    .insert(cell + part, Seat::At(Address::AtZero(number)));
             }
         }
     }

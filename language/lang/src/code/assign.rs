@@ -9,6 +9,7 @@ use super::seats::Seat;
 use super::traces::Shows;
 use crate::typed::{Base, Expr, ExprKind, Place, Store, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+use unoclp_point::Address;
 
 /// The type that a number has where it is stored.
 fn stored_as(value: &Expr, store: Store) -> Base {
@@ -43,7 +44,7 @@ impl Coder<'_, '_> {
             return false;
         }
         let seat = |cell| self.seats.of.get(&cell).copied();
-        let (Some(Seat::Register(held)), Some(Seat::Register(goal))) =
+        let (Some(Seat::At(Address::Register(held))), Some(Seat::At(Address::Register(goal)))) =
             (seat(from.offset), seat(to.offset))
         else {
             return false;
@@ -68,9 +69,9 @@ impl Coder<'_, '_> {
         for line in stores {
             self.shows_number_at(line, base, cell);
         }
-        if self.pen.holds == Some(Seat::Register(held)) {
-            self.pen.holds = Some(Seat::Register(goal));
-        } else if self.pen.holds == Some(Seat::Register(goal)) {
+        if self.pen.holds == Some(Seat::At(Address::Register(held))) {
+            self.pen.holds = Some(Seat::At(Address::Register(goal)));
+        } else if self.pen.holds == Some(Seat::At(Address::Register(goal))) {
             self.pen.holds = None;
         }
         true
@@ -88,7 +89,9 @@ impl Coder<'_, '_> {
             self.value(value);
             self.narrowed(value, store);
             let within = self.within(value, store);
-            if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
+            if let (Some(Seat::At(Address::Register(first))), Ok(length)) =
+                (seat, u8::try_from(index.count))
+            {
                 let table = Operand::Table { first, length };
                 self.pen.with(Opcode::StoreTable, table, Some(to.offset));
                 self.shows_number(stored_as(value, store), to.offset);
@@ -173,7 +176,9 @@ impl Coder<'_, '_> {
                 base: Base::Dint,
                 ..held
             });
-            if let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count)) {
+            if let (Some(Seat::At(Address::Register(first))), Ok(length)) =
+                (seat, u8::try_from(index.count))
+            {
                 let table = Operand::Table { first, length };
                 self.pen.with(Opcode::StoreTable, table, Some(to.offset));
                 self.shows_number(Base::Bool, to.offset);
@@ -182,14 +187,14 @@ impl Coder<'_, '_> {
             return;
         }
         match (seat, known) {
-            (Some(Seat::Register(_)), Some(known)) => {
+            (Some(Seat::At(Address::Register(_))), Some(known)) => {
                 self.pen.fresh();
                 self.pen
                     .operation(Opcode::Load, Taken::Constant(known.into()), None);
                 self.store(to.offset);
                 self.shows_number(Base::Bool, to.offset);
             }
-            (Some(Seat::Register(_)), None) => {
+            (Some(Seat::At(Address::Register(_))), None) => {
                 self.bit(value, false);
                 self.pen.changes_value(Opcode::LoadBit);
                 self.pen.fresh();

@@ -9,27 +9,11 @@ use super::seats::Seat;
 use crate::typed::Expr;
 use unoclp_core::isa::Opcode;
 
-/// The opcodes of a bit's contact, open and closed.
-fn contact(seat: Seat) -> Option<(Opcode, Opcode, u8)> {
-    Some(match seat {
-        Seat::Input(n) => (Opcode::InputContact, Opcode::InputContactNot, n),
-        Seat::Output(n) => (Opcode::OutputContact, Opcode::OutputContactNot, n),
-        Seat::Marker(n) => (Opcode::MarkerContact, Opcode::MarkerContactNot, n),
-        Seat::System(n) => (Opcode::SystemContact, Opcode::SystemContactNot, n),
-        Seat::Reached(n) => (Opcode::CounterContact, Opcode::CounterContactNot, n),
-        Seat::Zero(n) => (Opcode::ZeroContact, Opcode::ZeroContactNot, n),
-        _ => return None,
-    })
-}
-
 fn xor(seat: Seat, negated: bool) -> Option<(Opcode, u8)> {
-    let pick = |plain, inverted| if negated { inverted } else { plain };
-    Some(match seat {
-        Seat::Input(n) => (pick(Opcode::XorInput, Opcode::XorInputNot), n),
-        Seat::Output(n) => (pick(Opcode::XorOutput, Opcode::XorOutputNot), n),
-        Seat::Marker(n) => (pick(Opcode::XorMarker, Opcode::XorMarkerNot), n),
-        _ => return None,
-    })
+    match seat {
+        Seat::At(point) => Some((point.xor(negated)?, point.number())),
+        Seat::Timer(_) | Seat::Elapsed(_) => None,
+    }
 }
 
 impl Coder<'_, '_> {
@@ -137,9 +121,10 @@ impl Coder<'_, '_> {
                 self.changes();
             }
             Bit::Contact(seat, negated, cell) => {
-                if let Some((open, closed, number)) = contact(*seat) {
-                    let opcode = if *negated { closed } else { open };
-                    self.pen.numbered(opcode, number, Some(*cell));
+                if let Seat::At(point) = seat
+                    && let Some(opcode) = point.contact(*negated)
+                {
+                    self.pen.numbered(opcode, point.number(), Some(*cell));
                 }
                 self.changes();
             }

@@ -13,6 +13,7 @@ use super::traces::Shows;
 use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+use unoclp_point::Address;
 
 impl Coder<'_, '_> {
     /// Calls a block; whether the step behind it is done too.
@@ -68,7 +69,7 @@ impl Coder<'_, '_> {
                 self.counts(Opcode::CountUp, counter, &up, &preset, cell);
                 self.shows_counter(counter, false);
                 self.reset(counter, &reset, cell);
-                self.reached(cell + 3, Seat::Reached(counter));
+                self.reached(cell + 3, Seat::At(Address::Reached(counter)));
             }
             Standard::Ctd => {
                 let (down, load, mut preset) = (input(self, 0), input(self, 1), input(self, 2));
@@ -84,7 +85,7 @@ impl Coder<'_, '_> {
                 self.counts(Opcode::CountDown, counter, &down, own, cell);
                 self.shows_counter(counter, true);
                 self.load_counter(counter, &load, &preset, cell);
-                self.reached(cell + 3, Seat::Zero(counter));
+                self.reached(cell + 3, Seat::At(Address::AtZero(counter)));
             }
             Standard::Ctud => {
                 let (up, down) = (input(self, 0), input(self, 1));
@@ -103,8 +104,8 @@ impl Coder<'_, '_> {
                 self.counts_down_too(counter, &down, own, &preset, cell);
                 self.load_counter(counter, &load, &preset, cell);
                 self.reset(counter, &reset, cell);
-                self.reached(cell + 5, Seat::Reached(counter));
-                self.reached(cell + 6, Seat::Zero(counter));
+                self.reached(cell + 5, Seat::At(Address::Reached(counter)));
+                self.reached(cell + 6, Seat::At(Address::AtZero(counter)));
             }
         }
         false
@@ -133,7 +134,7 @@ impl Coder<'_, '_> {
     /// acc into whatever the bit is; behind it acc may be anything.
     fn drive_any(&mut self, seat: Seat, cell: u32) {
         match seat {
-            Seat::Register(_) => {
+            Seat::At(Address::Register(_)) => {
                 self.pen.changes_value(Opcode::LoadBit);
                 self.pen.fresh();
                 self.store(cell);
@@ -187,7 +188,7 @@ impl Coder<'_, '_> {
             None => Acc::Bit(Seat::Timer(timer)),
         };
         let elapsed = self.seats.of.get(&(cell + 3)).copied();
-        if let Some(Seat::Register(_)) = elapsed {
+        if let Some(Seat::At(Address::Register(_))) = elapsed {
             if block == Standard::Tof {
                 // While Q is 1 the time runs; where it falls, it is the preset from then on.
                 self.pen.of_timer(Opcode::LoadTimer, timer, None);
@@ -225,8 +226,8 @@ impl Coder<'_, '_> {
             return None;
         }
         match self.seats.of.get(&to.offset)? {
-            seat @ Seat::Output(n) => Some((Target::Output(*n), *seat)),
-            seat @ Seat::Marker(n) => Some((Target::Marker(*n), *seat)),
+            seat @ Seat::At(Address::Output(n)) => Some((Target::Output(*n), *seat)),
+            seat @ Seat::At(Address::Marker(n)) => Some((Target::Marker(*n), *seat)),
             _ => None,
         }
     }

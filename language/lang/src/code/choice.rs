@@ -9,6 +9,7 @@ use super::seats::Seat;
 use super::traces::Shows;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Store, Unary};
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// IFs in one another, at most: one of the eight (NC-28) is left for checks of values.
 pub(super) const MOST_IFS: u32 = 7;
@@ -108,7 +109,10 @@ impl Coder<'_, '_> {
             return None;
         };
         let seat = self.seats.of.get(&to.offset).copied()?;
-        let coil = matches!(seat, Seat::Marker(_) | Seat::Output(_));
+        let coil = matches!(
+            seat,
+            Seat::At(Address::Marker(_)) | Seat::At(Address::Output(_))
+        );
         let bit = coil && value.base == Base::Bool && to.indices.is_empty();
         bit.then(|| (to.offset, seat, known.is_true()))
     }
@@ -120,7 +124,10 @@ impl Coder<'_, '_> {
             && steps.iter().enumerate().all(|(at, step)| match &step.does {
                 Does::Assign(to, value, Store::Narrow(base)) if value.base != Base::Bool => {
                     let seat = self.seats.of.get(&to.offset);
-                    let stored = matches!(seat, Some(Seat::Register(_) | Seat::Pwm(_)));
+                    let stored = matches!(
+                        seat,
+                        Some(Seat::At(Address::Register(_)) | Seat::At(Address::Pwm(_)))
+                    );
                     stored
                         && to.indices.is_empty()
                         && self.is_harmless(value)

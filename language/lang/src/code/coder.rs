@@ -10,6 +10,7 @@ use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span};
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Value as Taken};
+use unoclp_point::Address;
 
 pub(super) struct Coder<'a, 'f> {
     pub flat: &'a Flat,
@@ -42,17 +43,19 @@ impl Coder<'_, '_> {
     /// Value into the register of this cell, where acc is 1.
     pub(super) fn store(&mut self, cell: u32) {
         match self.seats.of.get(&cell) {
-            Some(&Seat::Register(register)) => {
+            Some(&Seat::At(Address::Register(register))) => {
                 self.pen.numbered(Opcode::Store, register, Some(cell));
                 if self.pen.acc == Acc::One {
-                    self.pen.holds = Some(Seat::Register(register));
+                    self.pen.holds = Some(Seat::At(Address::Register(register)));
                 }
                 if let Some(&output) = self.seats.outputs.get(&cell) {
                     self.pen.numbered(Opcode::StorePwm, output, Some(cell));
                 }
             }
-            Some(&Seat::Pwm(output)) => self.pen.numbered(Opcode::StorePwm, output, Some(cell)),
-            Some(&Seat::Count(counter)) => {
+            Some(&Seat::At(Address::Pwm(output))) => {
+                self.pen.numbered(Opcode::StorePwm, output, Some(cell))
+            }
+            Some(&Seat::At(Address::Count(counter))) => {
                 self.pen.numbered(Opcode::StoreCount, counter, Some(cell));
             }
             _ => {}
@@ -62,8 +65,8 @@ impl Coder<'_, '_> {
     /// A coil: the bit := acc.
     pub(super) fn drive(&mut self, seat: Seat, cell: u32) {
         match seat {
-            Seat::Output(n) => self.pen.numbered(Opcode::Coil, n, Some(cell)),
-            Seat::Marker(n) => self.pen.numbered(Opcode::MarkerCoil, n, Some(cell)),
+            Seat::At(Address::Output(n)) => self.pen.numbered(Opcode::Coil, n, Some(cell)),
+            Seat::At(Address::Marker(n)) => self.pen.numbered(Opcode::MarkerCoil, n, Some(cell)),
             _ => return,
         }
         // acc is what the bit holds now; where it is 1 for certain, that is worth more.
@@ -75,12 +78,14 @@ impl Coder<'_, '_> {
     /// Sets or resets a bit where acc is 1.
     pub(super) fn coil(&mut self, seat: Seat, set: bool, cell: u32) {
         let (opcode, number) = match (seat, set) {
-            (Seat::Output(n), true) if self.pen.acc == Acc::One => (Opcode::Coil, n),
-            (Seat::Marker(n), true) if self.pen.acc == Acc::One => (Opcode::MarkerCoil, n),
-            (Seat::Output(n), true) => (Opcode::SetCoil, n),
-            (Seat::Output(n), false) => (Opcode::ResetCoil, n),
-            (Seat::Marker(n), true) => (Opcode::SetMarker, n),
-            (Seat::Marker(n), false) => (Opcode::ResetMarker, n),
+            (Seat::At(Address::Output(n)), true) if self.pen.acc == Acc::One => (Opcode::Coil, n),
+            (Seat::At(Address::Marker(n)), true) if self.pen.acc == Acc::One => {
+                (Opcode::MarkerCoil, n)
+            }
+            (Seat::At(Address::Output(n)), true) => (Opcode::SetCoil, n),
+            (Seat::At(Address::Output(n)), false) => (Opcode::ResetCoil, n),
+            (Seat::At(Address::Marker(n)), true) => (Opcode::SetMarker, n),
+            (Seat::At(Address::Marker(n)), false) => (Opcode::ResetMarker, n),
             _ => return,
         };
         self.pen.numbered(opcode, number, Some(cell));
@@ -98,7 +103,7 @@ impl Coder<'_, '_> {
             return target;
         }
         let target = match self.seats.lasting(true) {
-            Some(Seat::Marker(n)) => Target::Marker(n),
+            Some(Seat::At(Address::Marker(n))) => Target::Marker(n),
             _ => {
                 let words = ("marker", "memória");
                 let most = "56".to_owned();

@@ -7,6 +7,7 @@ use super::flat::place;
 use super::seats::Seat;
 use crate::typed::{Base, Compare, Convert, Expr, ExprKind, Place, Store, Value};
 use unoclp_core::isa::{Opcode, Operand};
+use unoclp_point::Address;
 
 impl Coder<'_, '_> {
     pub(super) fn copy(&mut self, to: &Place, from: &Place, cells: u32) {
@@ -14,11 +15,11 @@ impl Coder<'_, '_> {
         if to.indices.is_empty() && from.indices.is_empty() {
             let rows = (0..cells).map(|n| (seat(self, from.offset + n), seat(self, to.offset + n)));
             let moved = match (seat(self, from.offset), seat(self, to.offset)) {
-                (Some(Seat::Register(a)), Some(Seat::Register(b))) => {
+                (Some(Seat::At(Address::Register(a))), Some(Seat::At(Address::Register(b)))) => {
+                    let register = |n| Seat::At(Address::Register(n));
                     let mut rows = rows.zip(0_u8..);
                     let row = rows.all(|((x, y), n)| {
-                        x == a.checked_add(n).map(Seat::Register)
-                            && y == b.checked_add(n).map(Seat::Register)
+                        x == a.checked_add(n).map(register) && y == b.checked_add(n).map(register)
                     });
                     row.then_some((a, b))
                 }

@@ -15,6 +15,7 @@ use crate::typed::{Cell, Tree};
 use std::collections::HashMap;
 use unoclp_core::isa::{self, JUMP_BUDGET, Opcode, Operand, Value};
 use unoclp_core::{Instruction, TimerBlock};
+use unoclp_point::Address;
 
 impl Coder<'_, '_> {
     /// First values, in the first scan after each start; of what is kept only where nothing is kept.
@@ -34,11 +35,15 @@ impl Coder<'_, '_> {
             }
         }
         own.sort_by_key(|(seat, value, number)| {
-            (matches!(seat, Seat::Register(_)), *value, *number)
+            (
+                matches!(seat, Seat::At(Address::Register(_))),
+                *value,
+                *number,
+            )
         });
         kept.sort_by_key(|(_, value, number)| (*value, *number));
         if !kept.is_empty()
-            && let Some(Seat::Register(flag)) = self.seats.lasting(false)
+            && let Some(Seat::At(Address::Register(flag))) = self.seats.lasting(false)
         {
             self.seats.kept_registers.push(flag);
             self.declared(&kept, &names);
@@ -68,11 +73,11 @@ impl Coder<'_, '_> {
         let settable = matches!(
             member,
             Some(
-                Seat::Register(_)
-                    | Seat::Marker(_)
-                    | Seat::Output(_)
-                    | Seat::Pwm(_)
-                    | Seat::Count(_)
+                Seat::At(Address::Register(_))
+                    | Seat::At(Address::Marker(_))
+                    | Seat::At(Address::Output(_))
+                    | Seat::At(Address::Pwm(_))
+                    | Seat::At(Address::Count(_))
             )
         );
         let _ = cell;
@@ -94,8 +99,8 @@ impl Coder<'_, '_> {
                 self.pen.at = *at;
             }
             let bit = match seat {
-                Seat::Marker(n) => Some((Opcode::SetMarker, n)),
-                Seat::Output(n) => Some((Opcode::SetCoil, n)),
+                Seat::At(Address::Marker(n)) => Some((Opcode::SetMarker, n)),
+                Seat::At(Address::Output(n)) => Some((Opcode::SetCoil, n)),
                 _ => None,
             };
             if let Some((opcode, number)) = bit {

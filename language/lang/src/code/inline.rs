@@ -5,8 +5,9 @@
 use super::flat::{Does, Flat, Step};
 use super::pure;
 use crate::diagnostics::{Code, Found, Span};
-use crate::typed::{Base, Cell, Expr, Place, Point, Stmt, StmtKind, Tree, Value};
+use crate::typed::{Base, Cell, Expr, Place, Stmt, StmtKind, Tree, Value};
 use std::collections::HashMap;
+use unoclp_point::Address;
 
 /// More steps than this fit no board.
 pub(super) const MOST_STEPS: usize = 4_000;
@@ -61,7 +62,7 @@ pub(super) struct Inliner<'t, 'f> {
 /// The program without its calls.
 pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
     let points = tree.points.iter();
-    let analogue = points.filter(|(_, point)| matches!(point, Point::Analogue(_)));
+    let analogue = points.filter(|(_, point)| matches!(point, Address::Analogue(_)));
     let mut inliner = Inliner {
         tree,
         analogue: analogue.map(|(cell, _)| *cell).collect(),

@@ -7,6 +7,7 @@ use super::fails::may_fail;
 use super::flat::{constant, read};
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
+use unoclp_point::Address;
 
 /// Logic whose negations stand at its contacts.
 #[derive(Clone, Debug)]
@@ -117,7 +118,7 @@ impl Coder<'_, '_> {
             ExprKind::Constant(value) => Bit::Is(value.is_true() != negated),
             ExprKind::Read(place) if place.indices.is_empty() => {
                 match self.seats.of.get(&place.offset) {
-                    Some(Seat::Register(_)) => {
+                    Some(Seat::At(Address::Register(_))) => {
                         let held = read(place.offset, Base::Dint, from.at);
                         test(Compare::NotEqual, &held, &none(&held))
                     }

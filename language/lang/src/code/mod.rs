@@ -73,7 +73,7 @@ use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Board;
-pub use variables::{Held, Holding, Spot, Variable, literal};
+pub use variables::{Held, Holding, Variable, literal};
 
 /// What has come of a text in a typed language.
 #[derive(Debug)]
@@ -102,7 +102,7 @@ impl CompiledText {
     /// two places.
     pub fn places(&self) -> Vec<Option<String>> {
         let place = |variable: &Variable| match variable.holding {
-            Holding::One((spot, _)) => Some(spot.to_string()),
+            Holding::One((point, _)) => Some(format!("{point:#}")),
             _ => None,
         };
         self.variables.iter().map(place).collect()

@@ -8,6 +8,7 @@ use super::operand::bits;
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Place, Unary, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
+use unoclp_point::Address;
 
 impl Coder<'_, '_> {
     /// Brings the first into value, and the second to where an operation can take it from.
@@ -74,7 +75,8 @@ impl Coder<'_, '_> {
         let seat = self.seats.of.get(&place.offset).copied();
         if let Some(index) = place.indices.first() {
             self.value(&index.subscript);
-            let (Some(Seat::Register(first)), Ok(length)) = (seat, u8::try_from(index.count))
+            let (Some(Seat::At(Address::Register(first))), Ok(length)) =
+                (seat, u8::try_from(index.count))
             else {
                 return;
             };
@@ -84,20 +86,20 @@ impl Coder<'_, '_> {
             return;
         }
         match seat {
-            Some(Seat::Register(register)) => {
+            Some(Seat::At(Address::Register(register))) => {
                 if self.pen.holds != seat {
                     self.pen
                         .operation(Opcode::Load, Taken::Register(register), cell);
                     self.pen.holds = seat;
                 }
             }
-            Some(Seat::Analogue(n)) => {
+            Some(Seat::At(Address::Analogue(n))) => {
                 if self.pen.holds != seat {
                     self.pen.numbered(Opcode::LoadAnalogue, n, cell);
                     self.pen.holds = seat;
                 }
             }
-            Some(Seat::Count(n)) => {
+            Some(Seat::At(Address::Count(n))) => {
                 self.pen.numbered(Opcode::LoadCount, n, cell);
                 self.pen.holds = None;
             }

@@ -7,6 +7,7 @@ use super::ranges::bounds;
 use super::seats::Seat;
 use crate::typed::{Base, Binary, Convert, Expr, ExprKind, Value, Width};
 use unoclp_core::isa::Value as Taken;
+use unoclp_point::Address;
 
 /// A constant as a register holds it.
 pub(super) fn bits(value: &Value, base: Base) -> i32 {
@@ -24,7 +25,7 @@ impl Coder<'_, '_> {
             ExprKind::Constant(value) => Some(Taken::Constant(bits(value, expr.base))),
             ExprKind::Read(place) if place.indices.is_empty() => {
                 match self.seats.of.get(&place.offset) {
-                    Some(Seat::Register(register)) => Some(Taken::Register(*register)),
+                    Some(Seat::At(Address::Register(register))) => Some(Taken::Register(*register)),
                     _ => None,
                 }
             }

@@ -5,27 +5,16 @@
 use super::flat::TEMPORARY;
 use std::collections::HashMap;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_point::Address;
 
-/// A place of the board.
+/// A place of the board; a timer by its index, since its number depends on where its block will stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Seat {
-    Input(u8),
-    Output(u8),
-    Marker(u8),
-    System(u8),
-    /// Q of the timer with this index.
+    At(Address),
+    /// Its Q.
     Timer(usize),
-    /// A counter has reached its preset.
-    Reached(u8),
-    /// It is 0 or less.
-    Zero(u8),
-    Register(u8),
-    Analogue(u8),
-    Pwm(u8),
-    /// The elapsed time of the timer with this index.
+    /// Its elapsed time.
     Elapsed(usize),
-    /// A counter's number.
-    Count(u8),
 }
 
 /// All of it.
@@ -56,28 +45,32 @@ impl Seats {
 
     pub(super) fn take(&mut self, seat: Seat) {
         match seat {
-            Seat::Marker(n @ 1..=64) => self.markers |= 1 << (n - 1),
-            Seat::Register(n @ 1..=98) => self.registers |= 1 << (n - 1),
+            Seat::At(Address::Marker(n @ 1..=64)) => self.markers |= 1 << (n - 1),
+            Seat::At(Address::Register(n @ 1..=98)) => self.registers |= 1 << (n - 1),
             _ => {}
         }
     }
 
     pub(super) fn release(&mut self, seat: Seat) {
         match seat {
-            Seat::Marker(n @ 1..=64) => self.markers &= !(1 << (n - 1)),
-            Seat::Register(n @ 1..=98) => self.registers &= !(1 << (n - 1)),
+            Seat::At(Address::Marker(n @ 1..=64)) => self.markers &= !(1 << (n - 1)),
+            Seat::At(Address::Register(n @ 1..=98)) => self.registers &= !(1 << (n - 1)),
             _ => {}
         }
     }
 
     pub(super) fn marker(&mut self, mut range: std::ops::Range<u8>) -> Option<Seat> {
-        let seat = Seat::Marker(range.find(|n| self.markers >> (n - 1) & 1 == 0)?);
+        let seat = Seat::At(Address::Marker(
+            range.find(|n| self.markers >> (n - 1) & 1 == 0)?,
+        ));
         self.take(seat);
         Some(seat)
     }
 
     pub(super) fn register(&mut self) -> Option<Seat> {
-        let seat = Seat::Register((1..=REGISTERS).find(|n| self.registers >> (n - 1) & 1 == 0)?);
+        let seat = Seat::At(Address::Register(
+            (1..=REGISTERS).find(|n| self.registers >> (n - 1) & 1 == 0)?,
+        ));
         self.take(seat);
         Some(seat)
     }
@@ -90,7 +83,7 @@ impl Seats {
                 .checked_add(length)
                 .is_some_and(|end| end <= REGISTERS + 1 && (*first..end).all(is_free))
         })?;
-        (first..first + length).for_each(|n| self.take(Seat::Register(n)));
+        (first..first + length).for_each(|n| self.take(Seat::At(Address::Register(n))));
         Some(first)
     }
 
@@ -105,9 +98,9 @@ impl Seats {
         let seat = seat.unwrap_or_else(|| {
             self.none_left = true;
             if bit {
-                Seat::Marker(1)
+                Seat::At(Address::Marker(1))
             } else {
-                Seat::Register(1)
+                Seat::At(Address::Register(1))
             }
         });
         self.of.insert(cell, seat);

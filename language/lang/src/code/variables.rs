@@ -5,67 +5,21 @@
 use super::seats::{Seat, Seats};
 use crate::typed::{Base, Expr, ExprKind, Holds, Root, Stmt, StmtKind, Symbol, Tree, Value, Width};
 use std::collections::HashSet;
-use std::fmt;
 use std::sync::Arc;
+use unoclp_point::Address;
 
-/// Where the board keeps a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Spot {
-    /// An input.
-    Input(u8),
-    /// An output.
-    Output(u8),
-    /// A marker.
-    Marker(u8),
-    /// A system marker.
-    System(u8),
-    /// The Q of a timer.
-    TimerQ(u8),
-    /// The elapsed time of a timer.
-    Elapsed(u8),
-    /// Whether a counter has reached its preset.
-    Reached(u8),
-    /// Whether a counter is at 0 or less.
-    AtZero(u8),
-    /// The number of a counter.
-    Count(u8),
-    /// A register.
-    Register(u8),
-    /// An analogue input, from 0.
-    Analogue(u8),
-    /// The PWM of an output.
-    Pwm(u8),
-}
-
-impl fmt::Display for Spot {
-    /// `D 01`, `M 03`, `Q 01`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (letter, number) = match *self {
-            Spot::Input(n) => ('I', n),
-            Spot::Output(n) | Spot::Pwm(n) => ('Q', n),
-            Spot::Marker(n) => ('M', n),
-            Spot::System(n) => ('S', n),
-            Spot::TimerQ(n) | Spot::Elapsed(n) => ('T', n),
-            Spot::Reached(n) | Spot::AtZero(n) | Spot::Count(n) => ('C', n),
-            Spot::Register(n) => ('D', n),
-            Spot::Analogue(n) => ('A', n),
-        };
-        write!(f, "{letter} {number:02}")
-    }
-}
-
-/// A value of this type in this spot.
-pub type Held = (Spot, Base);
+/// A value of this type at this point.
+pub type Held = (Address, Base);
 
 /// How the board holds a variable.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Holding {
-    /// Always in one spot.
+    /// Always at one point.
     One(Held),
     /// In one of two, as a bit says: a variable that holds what was last written.
     Either {
         /// The bit.
-        flag: Spot,
+        flag: Address,
         /// The one that is meant if it is 1; none if the program never reads it so.
         set: Option<Held>,
         /// And if it is 0.
@@ -92,11 +46,11 @@ pub struct Variable {
 
 impl Variable {
     /// Where it stands, as `read` tells of a bit which of two is meant; none if nowhere.
-    pub fn spot(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<Spot> {
-        self.held(read).map(|(spot, _)| spot)
+    pub fn point(&self, read: impl Fn(Address) -> Option<i32>) -> Option<Address> {
+        self.held(read).map(|(point, _)| point)
     }
 
-    fn held(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<Held> {
+    fn held(&self, read: impl Fn(Address) -> Option<i32>) -> Option<Held> {
         match &self.holding {
             Holding::One(held) => Some(*held),
             Holding::Either { flag, set, clear } => match read(*flag)? {
@@ -107,19 +61,19 @@ impl Variable {
         }
     }
 
-    /// What it holds, and of what type, where `read` gives what stands in a spot.
-    pub fn value(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<(Value, Base)> {
+    /// What it holds, and of what type, where `read` gives what stands at a point.
+    pub fn value(&self, read: impl Fn(Address) -> Option<i32>) -> Option<(Value, Base)> {
         match &self.holding {
             Holding::Constant(value, base) => Some((value.clone(), *base)),
             _ => {
-                let (spot, base) = self.held(&read)?;
-                Some((of_bits(read(spot)?, base), base))
+                let (point, base) = self.held(&read)?;
+                Some((of_bits(read(point)?, base), base))
             }
         }
     }
 
     /// What it holds, as a literal of its type.
-    pub fn shown(&self, read: impl Fn(Spot) -> Option<i32>) -> Option<String> {
+    pub fn shown(&self, read: impl Fn(Address) -> Option<i32>) -> Option<String> {
         let (value, base) = self.value(read)?;
         Some(named(&value, base, &self.values))
     }
@@ -154,11 +108,11 @@ pub(super) fn variables(tree: &Tree, seats: &Seats, timers: &[u8]) -> Vec<Variab
         watch(&unit.body, &mut watched);
     }
     let held = |cell: u32| {
-        let spot = match seats.outputs.get(&cell) {
-            Some(&output) => Spot::Pwm(output),
-            None => seats.of.get(&cell)?.spot(timers)?,
+        let point = match seats.outputs.get(&cell) {
+            Some(&output) => Address::Pwm(output),
+            None => seats.of.get(&cell)?.address(timers)?,
         };
-        Some((spot, tree.cells.get(cell as usize)?.base))
+        Some((point, tree.cells.get(cell as usize)?.base))
     };
     let variable = |symbol: &Symbol| {
         let (holding, cells) = match symbol.holds {
@@ -219,21 +173,12 @@ fn of_print(shown: &Expr, cells: &mut HashSet<u32>) {
 
 impl Seat {
     /// What the board calls it; a timer by its number.
-    fn spot(self, timers: &[u8]) -> Option<Spot> {
+    fn address(self, timers: &[u8]) -> Option<Address> {
         let timer = |index: usize| timers.get(index).copied().filter(|&n| n > 0);
         Some(match self {
-            Seat::Input(n) => Spot::Input(n),
-            Seat::Output(n) => Spot::Output(n),
-            Seat::Marker(n) => Spot::Marker(n),
-            Seat::System(n) => Spot::System(n),
-            Seat::Timer(index) => Spot::TimerQ(timer(index)?),
-            Seat::Elapsed(index) => Spot::Elapsed(timer(index)?),
-            Seat::Reached(n) => Spot::Reached(n),
-            Seat::Zero(n) => Spot::AtZero(n),
-            Seat::Count(n) => Spot::Count(n),
-            Seat::Register(n) => Spot::Register(n),
-            Seat::Analogue(n) => Spot::Analogue(n),
-            Seat::Pwm(n) => Spot::Pwm(n),
+            Seat::At(address) => address,
+            Seat::Timer(index) => Address::TimerQ(timer(index)?),
+            Seat::Elapsed(index) => Address::Elapsed(timer(index)?),
         })
     }
 }

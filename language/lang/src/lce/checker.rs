@@ -1,9 +1,10 @@
 //! What a program is checked with: its names, its variables and where they live.
 
 use crate::diagnostics::Span;
+use crate::typed::Base;
 use crate::typed::build::Builder;
-use crate::typed::{Base, Point};
 use std::collections::HashMap;
+use unoclp_point::Address;
 
 pub(super) struct Checker<'t, 'f> {
     pub builder: Builder<'t, 'f>,
@@ -24,7 +25,7 @@ pub(super) enum Slot {
     /// A variable, by its number here.
     Variable(usize),
     /// A point of the board.
-    Point(Point),
+    Point(Address),
 }
 
 /// What is written to a variable.

@@ -8,6 +8,7 @@ use crate::diagnostics::Code;
 use crate::names::near::nearest;
 use crate::points;
 use crate::typed::build::both;
+use crate::typed::build::points::point_base;
 use crate::typed::{Base, Cell, Holds, Symbol, Value};
 use unoclp_core::Board;
 use unoclp_point::Maker;
@@ -160,15 +161,8 @@ impl Checker<'_, '_> {
         let symbol = |Shown { name, slot, at }| {
             let (holds, type_name) = match slot {
                 Slot::Point(point) => {
-                    let base = if point.is_bit() {
-                        Base::Bool
-                    } else {
-                        Base::Int
-                    };
-                    (
-                        Holds::Cell(self.builder.point(point)),
-                        base.name().to_owned(),
-                    )
+                    let cell = self.builder.point(point);
+                    (Holds::Cell(cell), point_base(point).name().to_owned())
                 }
                 Slot::Variable(number) => match self.cells(number) {
                     Cells::One(cell, base) => (Holds::Cell(cell), base.name().to_owned()),

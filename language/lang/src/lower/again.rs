@@ -11,6 +11,7 @@ use crate::tree::{Bit, Expr};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// What remembers a state from one call to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,7 +89,7 @@ impl Lower<'_, '_> {
         self.freeze(span);
         let now = self.fixed_bit(expr, span);
         let before = Expr::Lit {
-            bit: Bit::Marker(memory),
+            bit: Bit::At(Address::Marker(memory)),
             negated: false,
             span,
         };

@@ -5,6 +5,7 @@ use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 use crate::tree::{Bit, Expr, Number};
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// MPS: the accumulator is kept, and stays what it is.
@@ -59,7 +60,7 @@ impl Lower<'_, '_> {
             let input = matches!(
                 acc,
                 Acc::Bit(Expr::Lit {
-                    bit: Bit::Input(_),
+                    bit: Bit::At(Address::Input(_)),
                     ..
                 })
             );

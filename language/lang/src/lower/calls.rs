@@ -10,6 +10,7 @@ use crate::names::{Initial, Place};
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// CAL, CALC, CALCN.
@@ -123,7 +124,7 @@ impl Lower<'_, '_> {
         };
         self.run_trigger(opcode, marker, expr, span);
         for param in params.iter().filter(|param| param.out) {
-            let acc = lit(Bit::Marker(marker), span);
+            let acc = lit(Bit::At(Address::Marker(marker)), span);
             self.store_to(acc, &param.value, param.negated, param.value.span);
         }
     }
@@ -176,7 +177,7 @@ impl Lower<'_, '_> {
     /// has been kept yet. A register that is kept with them tells that.
     pub(super) fn initials(&mut self) {
         let first = |span| Expr::Lit {
-            bit: Bit::System(1),
+            bit: Bit::At(Address::System(1)),
             negated: false,
             span,
         };
@@ -188,13 +189,13 @@ impl Lower<'_, '_> {
         let number = |num, span| Box::new(Number::Leaf(num, span));
         let never = |span: Span| Expr::Compare {
             op: Opcode::Equal,
-            left: number(Num::Register(begun), span.empty()),
+            left: number(Num::At(Address::Register(begun)), span.empty()),
             right: number(Num::Const(0), span.empty()),
             span: span.empty(),
         };
         let mut initials = std::mem::take(&mut self.names.retained.initials);
         initials.push(Initial {
-            place: Place::Number(Num::Register(begun)),
+            place: Place::Number(Num::At(Address::Register(begun))),
             value: 1,
             span,
         });
@@ -207,11 +208,11 @@ impl Lower<'_, '_> {
             let span = initial.span;
             self.rungs.logic(when(span), span);
             match initial.place {
-                Place::Bit(Bit::Output(n)) => self.write(Opcode::SetCoil, n, span),
-                Place::Bit(Bit::Marker(n)) if initial.value == 0 => {
+                Place::Bit(Bit::At(Address::Output(n))) => self.write(Opcode::SetCoil, n, span),
+                Place::Bit(Bit::At(Address::Marker(n))) if initial.value == 0 => {
                     self.write(Opcode::ResetMarker, n, span);
                 }
-                Place::Bit(Bit::Marker(n)) => self.write(Opcode::SetMarker, n, span),
+                Place::Bit(Bit::At(Address::Marker(n))) => self.write(Opcode::SetMarker, n, span),
                 Place::Number(num) => {
                     let value = Number::Leaf(Num::Const(initial.value), span);
                     self.rungs.number(&value);

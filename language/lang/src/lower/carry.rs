@@ -8,6 +8,7 @@ use crate::tree::{Bit, Expr, Num, Number};
 use std::collections::HashSet;
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// Where the ways to a label leave the accumulator.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +107,7 @@ impl Lower<'_, '_> {
                 self.rungs.fresh(span);
                 self.rungs.number(&number);
                 self.write(Opcode::Store, register, span);
-                self.acc = Acc::Number(Number::Leaf(Num::Register(register), span));
+                self.acc = Acc::Number(Number::Leaf(Num::At(Address::Register(register)), span));
             }
         }
     }
@@ -119,8 +120,10 @@ impl Lower<'_, '_> {
         };
         self.labels[label].carry = Some(carry);
         match carry {
-            Carry::Marker(marker) => super::timers::lit(Bit::Marker(marker), span),
-            Carry::Register(register) => Acc::Number(Number::Leaf(Num::Register(register), span)),
+            Carry::Marker(marker) => super::timers::lit(Bit::At(Address::Marker(marker)), span),
+            Carry::Register(register) => {
+                Acc::Number(Number::Leaf(Num::At(Address::Register(register)), span))
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::operators::Op;
 use crate::rung::{Holds, Written};
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// What no preset is: none is given here.
 const UNSAID: i32 = -1;
@@ -99,9 +100,9 @@ impl Lower<'_, '_> {
         self.count(counter, inputs, span);
         let number = self.names.counters[counter].number;
         let q = if down {
-            Bit::Zero(number)
+            Bit::At(Address::AtZero(number))
         } else {
-            Bit::Reached(number)
+            Bit::At(Address::Reached(number))
         };
         self.acc = match (by_norm, self.rungs.holds == Holds::Bit(q)) {
             (false, _) => Acc::Empty,
@@ -143,7 +144,9 @@ impl Lower<'_, '_> {
             }
         }
         // What is asked of the counter itself is asked before it counts.
-        let own = |bit: Bit| bit == Bit::Reached(number) || bit == Bit::Zero(number);
+        let own = |bit: Bit| {
+            bit == Bit::At(Address::Reached(number)) || bit == Bit::At(Address::AtZero(number))
+        };
         let later = [&inputs.down, &inputs.load, &inputs.reset];
         let asks =
             |expr: &&Option<Expr>| expr.as_ref().is_some_and(|e| e.is_first() || e.reads(&own));
@@ -175,8 +178,16 @@ impl Lower<'_, '_> {
             Some(Preset::Unsaid) | None => self.names.counters[counter].preset.unwrap_or(0),
         };
         for (expr, opcode, bit) in [
-            (inputs.up, Opcode::CountUp, Bit::Reached(number)),
-            (inputs.down, Opcode::CountDown, Bit::Zero(number)),
+            (
+                inputs.up,
+                Opcode::CountUp,
+                Bit::At(Address::Reached(number)),
+            ),
+            (
+                inputs.down,
+                Opcode::CountDown,
+                Bit::At(Address::AtZero(number)),
+            ),
         ] {
             if let Some(expr) = expr {
                 self.rungs.logic(expr, span);
@@ -261,10 +272,12 @@ impl Lower<'_, '_> {
         let number = self.names.counters[counter].number;
         for param in params.iter().filter(|param| param.out) {
             let acc = match param.name.as_ref().map(|name| name.text.as_str()) {
-                Some("Q") if kind == Opcode::CountDown => lit(Bit::Zero(number), span),
-                Some("Q" | "QU") => lit(Bit::Reached(number), span),
-                Some("QD") => lit(Bit::Zero(number), span),
-                Some("CV") => Acc::Number(Number::Leaf(Num::Count(number), span)),
+                Some("Q") if kind == Opcode::CountDown => {
+                    lit(Bit::At(Address::AtZero(number)), span)
+                }
+                Some("Q" | "QU") => lit(Bit::At(Address::Reached(number)), span),
+                Some("QD") => lit(Bit::At(Address::AtZero(number)), span),
+                Some("CV") => Acc::Number(Number::Leaf(Num::At(Address::Count(number)), span)),
                 _ => {
                     self.no_parameter(
                         &name,

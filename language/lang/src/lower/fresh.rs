@@ -9,6 +9,7 @@ use crate::operators::Op;
 use crate::tree::{Bit, Num, Number};
 use std::collections::HashSet;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// Gives first values to what is new at this call of a unit; `given` are the inputs that the call gives.
@@ -44,11 +45,13 @@ impl Lower<'_, '_> {
         let mut loaded = None;
         for (name, value, at) in names {
             match self.names.instances[instance].names.get(name).copied() {
-                Some(Place::Bit(Bit::Marker(n))) if value == 0 => {
+                Some(Place::Bit(Bit::At(Address::Marker(n)))) if value == 0 => {
                     self.write(Opcode::ResetMarker, n, at);
                 }
-                Some(Place::Bit(Bit::Marker(n))) => self.write(Opcode::SetMarker, n, at),
-                Some(Place::Number(Num::Register(n))) => {
+                Some(Place::Bit(Bit::At(Address::Marker(n)))) => {
+                    self.write(Opcode::SetMarker, n, at)
+                }
+                Some(Place::Number(Num::At(Address::Register(n)))) => {
                     if loaded.replace(value) != Some(value) {
                         self.rungs.number(&Number::Leaf(Num::Const(value), at));
                     }

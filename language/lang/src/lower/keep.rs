@@ -4,6 +4,7 @@ use super::{Acc, Lower, MOST_LINKS};
 use crate::diagnostics::Span;
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::Target;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// Brings an expression into the board's accumulator, where the text's stays on it.
@@ -34,15 +35,15 @@ impl Lower<'_, '_> {
     pub(super) fn fixed(&mut self, acc: Acc, span: Span) -> Acc {
         match acc {
             Acc::Bit(expr) => Acc::Bit(self.fixed_bit(expr, span)),
-            Acc::Number(Number::Leaf(Num::Register(n), at))
+            Acc::Number(Number::Leaf(Num::At(Address::Register(n)), at))
                 if self.rungs.temps.is_busy_register(n) =>
             {
-                Acc::Number(Number::Leaf(Num::Register(n), at))
+                Acc::Number(Number::Leaf(Num::At(Address::Register(n)), at))
             }
             Acc::Number(number) if number.constant().is_none() => {
                 self.rungs.number(&number);
                 let register = self.rungs.keep(span);
-                Acc::Number(Number::Leaf(Num::Register(register), span))
+                Acc::Number(Number::Leaf(Num::At(Address::Register(register)), span))
             }
             other => other,
         }
@@ -52,7 +53,7 @@ impl Lower<'_, '_> {
         match expr {
             Expr::Const(_) => return expr,
             Expr::Lit {
-                bit: Bit::Marker(n),
+                bit: Bit::At(Address::Marker(n)),
                 ..
             } if self.rungs.temps.is_busy(n) => return expr,
             _ => {}
@@ -61,7 +62,7 @@ impl Lower<'_, '_> {
         self.rungs.logic(expr, span);
         self.rungs.coil(Target::Marker(marker), false, span);
         Expr::Lit {
-            bit: Bit::Marker(marker),
+            bit: Bit::At(Address::Marker(marker)),
             negated: false,
             span,
         }

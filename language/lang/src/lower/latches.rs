@@ -7,6 +7,7 @@ use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::tree::{Bit, Expr};
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// An input of a block that the text stores to.
@@ -76,7 +77,7 @@ impl Lower<'_, '_> {
         // What wins may ask for the state before.
         if let Some(expr) = &last
             && first.0.is_some()
-            && expr.reads(&|bit| bit == Bit::Marker(marker))
+            && expr.reads(&|bit| bit == Bit::At(Address::Marker(marker)))
         {
             last = Some(self.fixed_bit(expr.clone(), span));
         }
@@ -87,7 +88,7 @@ impl Lower<'_, '_> {
             }
         }
         for param in params.iter().filter(|param| param.out) {
-            let acc = lit(Bit::Marker(marker), span);
+            let acc = lit(Bit::At(Address::Marker(marker)), span);
             self.store_to(acc, &param.value, param.negated, param.value.span);
         }
         self.acc = Acc::Empty;

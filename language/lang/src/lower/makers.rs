@@ -9,6 +9,7 @@ use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::tree::{Bit, Expr};
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// ms that a step of a maker's usual timer is.
 const STEP: i32 = 100;
@@ -137,7 +138,7 @@ impl Lower<'_, '_> {
         let input = matches!(
             expr,
             Expr::Lit {
-                bit: Bit::Input(_),
+                bit: Bit::At(Address::Input(_)),
                 ..
             }
         );

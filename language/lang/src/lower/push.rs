@@ -10,6 +10,7 @@ use crate::names::Place;
 use crate::rung::Written;
 use crate::tree::{Expr, Num, Number};
 use unoclp_core::isa::{Class, Opcode, REGISTERS, Value};
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     /// PUSH: the number waits on the board's stack, and stays where it is.
@@ -74,7 +75,7 @@ impl Lower<'_, '_> {
         };
         self.only(instr, 2);
         let register = match self.place(first) {
-            Place::Number(Num::Register(register)) => Some(register),
+            Place::Number(Num::At(Address::Register(register))) => Some(register),
             Place::Unknown => return None,
             _ => None,
         };

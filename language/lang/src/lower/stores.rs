@@ -9,6 +9,7 @@ use crate::rung::Written;
 use crate::tree::{Bit, Num, Number};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     pub(super) fn store(&mut self, instr: &Instr, next: Option<&Stmt>) {
@@ -35,25 +36,28 @@ impl Lower<'_, '_> {
         span: Span,
     ) -> Acc {
         let place = self.place(operand);
-        self.writes |= !matches!(place, Place::Bit(Bit::Input(_)));
+        self.writes |= !matches!(place, Place::Bit(Bit::At(Address::Input(_))));
         match place {
-            Place::Bit(Bit::Input(_)) => {
+            Place::Bit(Bit::At(Address::Input(_))) => {
                 let name = self.spelled(operand);
                 self.found
                     .tell(Code::StoreToInput, operand.span, [name.into()]);
                 acc
             }
-            Place::Bit(Bit::Output(n)) => {
+            Place::Bit(Bit::At(Address::Output(n))) => {
                 self.note_coil(n, operand);
                 self.store_bit(acc, Target::Output(n), negated, operand, span)
             }
-            Place::Bit(Bit::Marker(n)) => {
+            Place::Bit(Bit::At(Address::Marker(n))) => {
                 self.store_bit(acc, Target::Marker(n), negated, operand, span)
             }
             Place::Number(num)
                 if !matches!(
                     num,
-                    Num::Const(_) | Num::Analogue(_) | Num::Elapsed(_) | Num::Inputs
+                    Num::Const(_)
+                        | Num::At(Address::Analogue(_))
+                        | Num::Elapsed(_)
+                        | Num::At(Address::Inputs(_))
                 ) =>
             {
                 self.store_number(acc, num, negated, operand, span)
@@ -125,7 +129,10 @@ impl Lower<'_, '_> {
         self.rungs.fresh(span);
         self.rungs.number(&number);
         // What takes one code to load again is loaded again: it outlives what others do with the value.
-        if !matches!(number, Number::Leaf(Num::Const(_) | Num::Register(_), _)) {
+        if !matches!(
+            number,
+            Number::Leaf(Num::Const(_) | Num::At(Address::Register(_)), _)
+        ) {
             number = Number::Live;
         }
         if negated {
@@ -142,16 +149,15 @@ impl Lower<'_, '_> {
         }
         // The register may be what the expression reads.
         match (&number, num) {
-            (Number::Leaf(Num::Register(read), at), Num::Register(written))
-                if *read == written && negated =>
-            {
-                Acc::Number(Number::Binary(
-                    Opcode::XorWord,
-                    Box::new(number.clone()),
-                    Box::new(Number::Leaf(Num::Const(-1), *at)),
-                    *at,
-                ))
-            }
+            (
+                Number::Leaf(Num::At(Address::Register(read)), at),
+                Num::At(Address::Register(written)),
+            ) if *read == written && negated => Acc::Number(Number::Binary(
+                Opcode::XorWord,
+                Box::new(number.clone()),
+                Box::new(Number::Leaf(Num::Const(-1), *at)),
+                *at,
+            )),
             _ => Acc::Number(number),
         }
     }
@@ -159,11 +165,11 @@ impl Lower<'_, '_> {
     /// The code that stores the board's value.
     pub(super) fn stored_in(&self, num: Num) -> Written {
         match num {
-            Num::Register(n) => Written::Numbered(Opcode::Store, n),
-            Num::Count(n) => Written::Numbered(Opcode::StoreCount, n),
-            Num::CountPreset(n) => Written::Numbered(Opcode::PresetCounter, n),
-            Num::Pwm(n) => Written::Numbered(Opcode::StorePwm, n),
-            Num::Group(n) => Written::Numbered(Opcode::StoreMarkers, n),
+            Num::At(Address::Register(n)) => Written::Numbered(Opcode::Store, n),
+            Num::At(Address::Count(n)) => Written::Numbered(Opcode::StoreCount, n),
+            Num::At(Address::CountPreset(n)) => Written::Numbered(Opcode::PresetCounter, n),
+            Num::At(Address::Pwm(n)) => Written::Numbered(Opcode::StorePwm, n),
+            Num::At(Address::Group(n)) => Written::Numbered(Opcode::StoreMarkers, n),
             Num::TimerPreset(timer) => self.rungs.of_timer(Opcode::PresetTimer, timer),
             _ => Written::Plain(Opcode::StoreOutputs),
         }
@@ -188,7 +194,7 @@ impl Lower<'_, '_> {
         };
         self.only(instr, 2);
         let place = self.place(operand);
-        if let Place::Bit(Bit::Input(_)) = place {
+        if let Place::Bit(Bit::At(Address::Input(_))) = place {
             let name = self.spelled(operand);
             self.found
                 .tell(Code::StoreToInput, operand.span, [name.into()]);
@@ -199,13 +205,13 @@ impl Lower<'_, '_> {
         self.bring(expr, instr.whole);
         let pick = |on, off| if set { on } else { off };
         match place {
-            Place::Bit(Bit::Output(n)) => {
+            Place::Bit(Bit::At(Address::Output(n))) => {
                 let last = n.saturating_add(count - 1).min(self.names.board.outputs);
                 for n in n..=last {
                     self.write(pick(Opcode::SetCoil, Opcode::ResetCoil), n, operand.span);
                 }
             }
-            Place::Bit(Bit::Marker(n)) => {
+            Place::Bit(Bit::At(Address::Marker(n))) => {
                 for n in n..=n.saturating_add(count - 1).min(crate::limits::MARKERS) {
                     self.write(
                         pick(Opcode::SetMarker, Opcode::ResetMarker),

@@ -9,6 +9,7 @@ use crate::tree::{Bit, Num, Number};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// More instances than this no board holds; blocks that contain several others would make them without end.
 const MOST_INSTANCES: usize = 4_000;
@@ -93,8 +94,12 @@ impl Lower<'_, '_> {
             return;
         };
         let place = match unit.result.as_ref().map(|ty| ty.text.as_str()) {
-            None | Some("BOOL") => Place::Bit(Bit::Marker(self.names.temps.named_marker(false))),
-            Some(_) => Place::Number(Num::Register(self.names.temps.named_register())),
+            None | Some("BOOL") => Place::Bit(Bit::At(Address::Marker(
+                self.names.temps.named_marker(false),
+            ))),
+            Some(_) => Place::Number(Num::At(Address::Register(
+                self.names.temps.named_register(),
+            ))),
         };
         self.names.instances[instance]
             .names
@@ -227,13 +232,13 @@ impl Lower<'_, '_> {
     /// Stores a value in a variable of a unit.
     pub(super) fn assign(&mut self, acc: Acc, place: Place, span: Span) {
         match place {
-            Place::Bit(Bit::Marker(n)) => {
+            Place::Bit(Bit::At(Address::Marker(n))) => {
                 if let Some(expr) = self.as_bit(acc, "VAR_INPUT", span) {
                     self.bring(expr, span);
                     self.rungs.coil(Target::Marker(n), false, span);
                 }
             }
-            Place::Number(Num::Register(n)) => {
+            Place::Number(Num::At(Address::Register(n))) => {
                 if let Some(number) = self.as_number(acc, "VAR_INPUT", span) {
                     self.freeze(span);
                     self.rungs.fresh(span);

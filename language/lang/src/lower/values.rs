@@ -6,6 +6,7 @@ use crate::diagnostics::{Code, Span, Word};
 use crate::names::Place;
 use crate::tree::{Bit, Expr, Num, Number};
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 impl Lower<'_, '_> {
     pub(super) fn instance(&self) -> Option<usize> {
@@ -38,14 +39,16 @@ impl Lower<'_, '_> {
         match self.place(operand) {
             Place::Bit(place) => {
                 match place {
-                    Bit::Input(n) => self.names.inputs_read |= 1 << (n - 1),
+                    Bit::At(Address::Input(n)) => self.names.inputs_read |= 1 << (n - 1),
                     Bit::Timer(timer) => self.reads_timer(timer, span),
                     _ => {}
                 }
                 bit(place)
             }
             Place::Always(state) => Acc::Bit(Expr::Const(state)),
-            Place::Number(Num::Pwm(_) | Num::CountPreset(_) | Num::TimerPreset(_)) => {
+            Place::Number(
+                Num::At(Address::Pwm(_) | Address::CountPreset(_)) | Num::TimerPreset(_),
+            ) => {
                 let name = self.spelled(operand);
                 let help = ("it can only be written", "só pode ser escrito");
                 self.found.tell(
@@ -57,7 +60,7 @@ impl Lower<'_, '_> {
             }
             Place::Number(num) => {
                 match num {
-                    Num::Inputs => self.names.inputs_read = u16::MAX,
+                    Num::At(Address::Inputs(_)) => self.names.inputs_read = u16::MAX,
                     Num::Elapsed(timer) => self.reads_timer(timer, span),
                     _ => {}
                 }
@@ -70,12 +73,14 @@ impl Lower<'_, '_> {
             Place::Counter(counter) => {
                 let counter = &self.names.counters[counter];
                 if counter.kind == Some(Opcode::CountDown) {
-                    bit(Bit::Zero(counter.number))
+                    bit(Bit::At(Address::AtZero(counter.number)))
                 } else {
-                    bit(Bit::Reached(counter.number))
+                    bit(Bit::At(Address::Reached(counter.number)))
                 }
             }
-            Place::Trigger(_, marker) | Place::Latch(_, marker) => bit(Bit::Marker(marker)),
+            Place::Trigger(_, marker) | Place::Latch(_, marker) => {
+                bit(Bit::At(Address::Marker(marker)))
+            }
             Place::Instance(_) => {
                 let name = self.spelled(operand);
                 self.wrong_type(name, span, BLOCK, BOOL);

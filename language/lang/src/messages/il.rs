@@ -139,9 +139,9 @@ macro_rules! il_rows {
         "`{0}` e `{1}` são o mesmo ponto: {2}"
         "escreva-o de um só modo, ou conte de novo qual ponto se quer";
     41 NoSuchPoint Error
-        "there is no {0} on this board"
+        "there is no point `{0}` on this board"
         "{1}"
-        "não existe {0} nesta placa"
+        "não existe o ponto `{0}` nesta placa"
         "{1}";
     42 Undeclared Warning
         "nothing says what `{0}` is; it was made a marker, {1}"

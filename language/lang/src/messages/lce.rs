@@ -24,9 +24,9 @@ macro_rules! lce_rows {
         "nada se chama `{0}`"
         "{1}";
     405 LceNoPoint Error
-        "there is no `{0}` on the board"
+        "there is no point `{0}` on this board"
         "{1}"
-        "não existe `{0}` na placa"
+        "não existe o ponto `{0}` nesta placa"
         "{1}";
     406 LceInput Error
         "nothing can be stored in `{0}`: only its sensor changes an input"

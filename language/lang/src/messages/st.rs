@@ -154,9 +154,9 @@ macro_rules! st_rows {
         "`{0}` {1} a si mesmo, direta ou indiretamente, e nunca terminaria"
         "para repetir comandos há os laços FOR, WHILE e REPEAT";
     138 StBadAddress Error
-        "there is no point `{0}`"
+        "there is no point `{0}` on this board"
         "{1}"
-        "não existe o ponto `{0}`"
+        "não existe o ponto `{0}` nesta placa"
         "{1}";
     139 StAddressType Error
         "`{0}` is {1}, and the variable is {2}"

@@ -29,10 +29,10 @@ macro_rules! xml_rows {
         "`{0}` está em {1}, e `{2}` em {3}: um projeto se importa de uma só linguagem"
         "escreva todos os programas em {1}, ou todos em {3}";
     506 XmlAddress Error
-        "{0}: the board has no point {1}"
-        "take %IX0.0 to %IX0.7, %QX0.0 to %QX0.3, %MX0.0 to %MX7.7, %MW1 to %MW98 or %IW0 to %IW4"
-        "{0}: a placa não tem o ponto {1}"
-        "use %IX0.0 a %IX0.7, %QX0.0 a %QX0.3, %MX0.0 a %MX7.7, %MW1 a %MW98 ou %IW0 a %IW4";
+        "{0}: there is no point `{1}` on this board"
+        "{2}"
+        "{0}: não existe o ponto `{1}` nesta placa"
+        "{2}";
     507 XmlType Error
         "{0}: `{1}` is {2}, and {3} is wanted here"
         ""

@@ -7,7 +7,7 @@ use crate::limits::COUNTERS;
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
-use unoclp_point::read;
+use unoclp_point::{Address, read};
 
 impl Names<'_> {
     /// Declares the variables of a unit; the names are those of one instance of it.
@@ -28,7 +28,7 @@ impl Names<'_> {
                 self.retain(place, var, kind, initials, found);
             }
             let name = var.name.text.trim_start_matches('%').to_owned();
-            if let Place::Bit(Bit::Input(input)) = place {
+            if let Place::Bit(Bit::At(Address::Input(input))) = place {
                 let (name, span) = (self.written(var.name.span), var.name.span);
                 self.inputs.push(DeclaredInput { name, span, input });
             }
@@ -59,9 +59,11 @@ impl Names<'_> {
             return place;
         }
         let place = match var.ty.text.as_str() {
-            "BOOL" => Place::Bit(Bit::Marker(self.temps.named_marker(var.retain))),
+            "BOOL" => Place::Bit(Bit::At(Address::Marker(
+                self.temps.named_marker(var.retain),
+            ))),
             "INT" | "DINT" | "SINT" | "UINT" | "UDINT" | "USINT" | "WORD" | "DWORD" | "BYTE"
-            | "TIME" => Place::Number(Num::Register(self.temps.named_register())),
+            | "TIME" => Place::Number(Num::At(Address::Register(self.temps.named_register()))),
             _ => return self.declared_block(var, kind, instance, found),
         };
         self.told_none_left(span, found);

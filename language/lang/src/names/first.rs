@@ -5,6 +5,7 @@ use crate::ast::{Init, Var};
 use crate::diagnostics::{Code, Found};
 use crate::literal;
 use crate::tree::{Bit, Num};
+use unoclp_point::Address;
 
 /// Why a place cannot begin with a value.
 type Why = (&'static str, &'static str);
@@ -73,21 +74,21 @@ impl Names<'_> {
                 self.counters[counter].preset = preset("PV")?;
                 return Ok(());
             }
-            Place::Bit(Bit::Output(_) | Bit::Marker(_)) => {
+            Place::Bit(Bit::At(Address::Output(_) | Address::Marker(_))) => {
                 within(0, 1, ("a BOOL is TRUE or FALSE", "um BOOL é TRUE ou FALSE"))?;
             }
-            Place::Number(Num::Register(_) | Num::Count(_)) => {}
-            Place::Number(Num::Group(_)) => {
+            Place::Number(Num::At(Address::Register(_) | Address::Count(_))) => {}
+            Place::Number(Num::At(Address::Group(_))) => {
                 within(
                     0,
                     255,
                     ("eight bits are 0 to 255", "oito bits vão de 0 a 255"),
                 )?;
             }
-            Place::Number(Num::Pwm(_)) => {
+            Place::Number(Num::At(Address::Pwm(_))) => {
                 within(0, 255, ("PWM goes from 0 to 255", "o PWM vai de 0 a 255"))?;
             }
-            Place::Number(Num::Outputs) => {
+            Place::Number(Num::At(Address::Outputs(_))) => {
                 within(
                     0,
                     15,
@@ -100,7 +101,7 @@ impl Names<'_> {
         // All begins with 0 by itself, but for retentive markers: another program may have left them 1.
         let left = matches!(
             place,
-            Place::Bit(Bit::Marker(_)) | Place::Number(Num::Group(_))
+            Place::Bit(Bit::At(Address::Marker(_))) | Place::Number(Num::At(Address::Group(_)))
         );
         if value != 0 || var.retain && left {
             let span = var.name.span;

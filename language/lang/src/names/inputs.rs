@@ -3,6 +3,7 @@
 
 use super::meaning::{Block, Names, Place};
 use crate::tree::Bit;
+use unoclp_point::Address;
 
 /// The spellings of an input; the first is its own.
 fn spellings(place: Place) -> &'static [&'static [&'static str]] {
@@ -35,7 +36,7 @@ impl Names<'_> {
                 marker
             }
         };
-        Some(Place::Bit(Bit::Marker(marker)))
+        Some(Place::Bit(Bit::At(Address::Marker(marker))))
     }
 
     /// The place of an input that the text stores to, of a block with this name.

@@ -20,7 +20,7 @@ use crate::tree::{Bit, Num};
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Board;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
-use unoclp_point::{Kind as Point, read};
+use unoclp_point::{Address, Kind as Point, read};
 
 use meaning::Retained;
 pub(crate) use meaning::{Initial, Instance, Names, Place};
@@ -154,7 +154,7 @@ impl<'t> Names<'t> {
         let Some(address) = address.filter(|address| exists(*address, self.board)) else {
             return;
         };
-        match (address.kind, address.number) {
+        match (address.kind(), address.number()) {
             (Point::Marker, n) => self.temps.markers |= 1 << (n - 1),
             (Point::Group, n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
             (Point::Register, n) => self.temps.registers |= 1 << (n - 1),
@@ -201,7 +201,7 @@ impl<'t> Names<'t> {
             let words = [written.into(), format!("M{marker}").into(), help];
             found.tell(Code::Undeclared, span, words);
             self.told_none_left(span, found);
-            let place = Place::Bit(Bit::Marker(marker));
+            let place = Place::Bit(Bit::At(Address::Marker(marker)));
             self.global.insert(name.clone(), place);
             return place;
         };

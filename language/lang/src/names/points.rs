@@ -5,30 +5,24 @@ use crate::diagnostics::{Code, Found, Span};
 use crate::points::{self, exists};
 use crate::tree::{Bit, Num};
 use unoclp_core::isa::Opcode;
-use unoclp_point::{Kind, Written};
+use unoclp_point::{Address, Kind, Written};
 
 impl Names<'_> {
     /// What a point of the text means. What is wrong with it is told.
     pub(super) fn point(&mut self, written: &Written, span: Span, found: &mut Found) -> Place {
+        let is_block = matches!(written.kind, Kind::Timer | Kind::Counter);
+        if is_block && written.number.is_some() {
+            return self.block(written, span, found);
+        }
         let address = written.address;
         let Some(address) = address.filter(|address| exists(*address, self.board)) else {
             self.told_no_point(span, found);
             return Place::Unknown;
         };
-        let number = address.number as u8;
-        let place = match address.kind {
-            Kind::Input => Place::Bit(Bit::Input(number)),
-            Kind::Output => Place::Bit(Bit::Output(number)),
-            Kind::Marker => Place::Bit(Bit::Marker(number)),
-            Kind::System => Place::Bit(Bit::System(number)),
-            Kind::Always => Place::Always(true),
-            Kind::Analogue => Place::Number(Num::Analogue(number)),
-            Kind::Pwm => Place::Number(Num::Pwm(number)),
-            Kind::Register => Place::Number(Num::Register(number)),
-            Kind::Group => Place::Number(Num::Group(number)),
-            Kind::Inputs => Place::Number(Num::Inputs),
-            Kind::Outputs => Place::Number(Num::Outputs),
-            Kind::Timer | Kind::Counter => return self.block(written, span, found),
+        let place = match address {
+            Address::Always(_) => Place::Always(true),
+            bit if bit.is_bit() => Place::Bit(Bit::At(bit)),
+            number => Place::Number(Num::At(number)),
         };
         let here = (Code::SamePoint, span);
         self.points.note((address, written), here, self.text, found);
@@ -94,22 +88,22 @@ impl Names<'_> {
                 let down = kind == Some(Opcode::CountDown);
                 (
                     match member {
-                        "Q" if down => Some(Place::Bit(Bit::Zero(number))),
-                        "Q" | "QU" | "D" => Some(Place::Bit(Bit::Reached(number))),
-                        "QD" => Some(Place::Bit(Bit::Zero(number))),
-                        "CV" | "V" => Some(Place::Number(Num::Count(number))),
-                        "PV" | "P" => Some(Place::Number(Num::CountPreset(number))),
+                        "Q" if down => Some(Place::Bit(Bit::At(Address::AtZero(number)))),
+                        "Q" | "QU" | "D" => Some(Place::Bit(Bit::At(Address::Reached(number)))),
+                        "QD" => Some(Place::Bit(Bit::At(Address::AtZero(number)))),
+                        "CV" | "V" => Some(Place::Number(Num::At(Address::Count(number)))),
+                        "PV" | "P" => Some(Place::Number(Num::At(Address::CountPreset(number)))),
                         _ => None,
                     },
                     "Q, QU, QD, D, CV, PV, CU, CD, R, LD",
                 )
             }
             Place::Trigger(_, marker) if member == "Q" => {
-                (Some(Place::Bit(Bit::Marker(marker))), "Q")
+                (Some(Place::Bit(Bit::At(Address::Marker(marker)))), "Q")
             }
             Place::Trigger(..) => (None, "Q, CLK"),
             Place::Latch(_, marker) if matches!(member, "Q1" | "Q") => {
-                (Some(Place::Bit(Bit::Marker(marker))), "Q1")
+                (Some(Place::Bit(Bit::At(Address::Marker(marker)))), "Q1")
             }
             Place::Latch(true, _) => (None, "Q1, S1, R"),
             Place::Latch(false, _) => (None, "Q1, S, R1"),

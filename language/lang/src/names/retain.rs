@@ -7,6 +7,7 @@ use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
 use unoclp_core::isa::RETENTIVE;
 use unoclp_core::{KEPT, Number};
+use unoclp_point::Address;
 
 /// The first of the groups of eight markers that are retentive.
 const GROUP: u8 = (RETENTIVE - 1) / 8 + 1;
@@ -71,16 +72,18 @@ impl Names<'_> {
     /// The number that keeps a place; none where it is kept by itself.
     fn retained_as(&self, place: Place) -> Result<Option<Number>, Why> {
         Ok(match place {
-            Place::Number(Num::Register(register)) => Some(Number::Register(register)),
-            Place::Number(Num::Count(counter)) => Some(Number::Counter(counter)),
+            Place::Number(Num::At(Address::Register(register))) => Some(Number::Register(register)),
+            Place::Number(Num::At(Address::Count(counter))) => Some(Number::Counter(counter)),
             Place::Counter(counter) => Some(Number::Counter(self.counters[counter].number)),
             // Its marker is a retentive one.
             Place::Latch(..) => None,
-            Place::Bit(Bit::Marker(marker)) if marker >= RETENTIVE => None,
-            Place::Number(Num::Group(group)) if group >= GROUP => None,
+            Place::Bit(Bit::At(Address::Marker(marker))) if marker >= RETENTIVE => None,
+            Place::Number(Num::At(Address::Group(group))) if group >= GROUP => None,
             // It has been told.
             Place::Unknown => None,
-            Place::Bit(Bit::Marker(_)) | Place::Number(Num::Group(_)) => return Err(MARKER),
+            Place::Bit(Bit::At(Address::Marker(_))) | Place::Number(Num::At(Address::Group(_))) => {
+                return Err(MARKER);
+            }
             Place::Timer(_) => return Err(TIMER),
             Place::Trigger(..) => return Err(EDGE),
             Place::Instance(_) => return Err(BLOCK),

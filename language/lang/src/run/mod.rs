@@ -16,8 +16,9 @@ mod places;
 mod statements;
 
 use crate::diagnostics::Span;
-use crate::typed::{Base, Holds, Point, Symbol, Tree, Value};
+use crate::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_core::Clocks;
+use unoclp_point::Address;
 
 /// More steps than this no scan takes; a loop that does not end is stopped so.
 pub const MOST_STEPS: u64 = 20_000_000;
@@ -77,7 +78,7 @@ impl<'t> Machine<'t> {
         let error = tree
             .points
             .iter()
-            .find(|(_, point)| *point == Point::System(4));
+            .find(|(_, point)| *point == Address::System(4));
         Machine {
             tree,
             memory: tree.cells.iter().map(|cell| cell.initial.clone()).collect(),
@@ -124,10 +125,10 @@ impl<'t> Machine<'t> {
         self.clocks.scan(self.scans == 0, self.now as u32);
         for (cell, point) in &self.tree.points {
             let bit = match point {
-                Point::System(1) => self.scans == 0,
-                Point::System(2) => self.clocks.slow(),
-                Point::System(3) => self.clocks.fast(),
-                Point::System(_) => false,
+                Address::System(1) => self.scans == 0,
+                Address::System(2) => self.clocks.slow(),
+                Address::System(3) => self.clocks.fast(),
+                Address::System(_) => false,
                 _ => continue,
             };
             if let Some(value) = self.memory.get_mut(*cell as usize) {

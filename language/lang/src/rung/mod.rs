@@ -10,6 +10,7 @@ use crate::temps::Temps;
 use crate::tree::{Bit, Expr};
 use unoclp_core::Target;
 use unoclp_core::isa::{DEEPEST, Opcode, Value};
+use unoclp_point::Address;
 
 /// An instruction that has been written, with what is still to be looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -185,28 +186,12 @@ impl Rungs {
     }
 
     fn contact(&mut self, bit: Bit, negated: bool, span: Span) {
-        let pick = |plain, inverted| if negated { inverted } else { plain };
         let written = match bit {
-            Bit::Input(n) => {
-                Written::Numbered(pick(Opcode::InputContact, Opcode::InputContactNot), n)
-            }
-            Bit::Output(n) => {
-                Written::Numbered(pick(Opcode::OutputContact, Opcode::OutputContactNot), n)
-            }
-            Bit::Marker(n) => {
-                Written::Numbered(pick(Opcode::MarkerContact, Opcode::MarkerContactNot), n)
-            }
-            Bit::System(n) => {
-                Written::Numbered(pick(Opcode::SystemContact, Opcode::SystemContactNot), n)
-            }
             Bit::Timer(timer) => {
-                let opcode = pick(Opcode::TimerContact, Opcode::TimerContactNot);
-                self.of_timer(opcode, timer)
+                let pick = [Opcode::TimerContact, Opcode::TimerContactNot];
+                self.of_timer(pick[usize::from(negated)], timer)
             }
-            Bit::Reached(n) => {
-                Written::Numbered(pick(Opcode::CounterContact, Opcode::CounterContactNot), n)
-            }
-            Bit::Zero(n) => Written::Numbered(pick(Opcode::ZeroContact, Opcode::ZeroContactNot), n),
+            Bit::At(point) => of_point(point.contact(negated), point),
         };
         self.changes(written, span);
     }
@@ -264,13 +249,16 @@ fn others(list: &[Expr], first: usize) -> impl Iterator<Item = &Expr> {
 }
 
 fn xor(bit: Bit, negated: bool) -> Written {
-    let pick = |plain, inverted| if negated { inverted } else { plain };
     match bit {
-        Bit::Output(n) => Written::Numbered(pick(Opcode::XorOutput, Opcode::XorOutputNot), n),
-        Bit::Marker(n) => Written::Numbered(pick(Opcode::XorMarker, Opcode::XorMarkerNot), n),
-        Bit::Input(n) | Bit::System(n) | Bit::Reached(n) | Bit::Zero(n) => {
-            Written::Numbered(pick(Opcode::XorInput, Opcode::XorInputNot), n)
-        }
+        Bit::At(point) => of_point(point.xor(negated), point),
         Bit::Timer(_) => Written::Plain(Opcode::Not),
+    }
+}
+
+/// The instruction that names this point. The names let nobody read a bit that has none.
+fn of_point(opcode: Option<Opcode>, point: Address) -> Written {
+    match opcode {
+        Some(opcode) => Written::Numbered(opcode, point.number()),
+        None => Written::Plain(Opcode::Not),
     }
 }

@@ -4,6 +4,7 @@ use super::{Holds, Rungs, Written};
 use crate::diagnostics::Span;
 use crate::tree::{Num, Number, exchanged};
 use unoclp_core::isa::{DEEPEST, Opcode, Value};
+use unoclp_point::Address;
 
 impl Rungs {
     pub(super) fn compare(&mut self, op: Opcode, left: &Number, right: &Number, span: Span) {
@@ -89,16 +90,14 @@ impl Rungs {
     fn load(&mut self, num: Num, span: Span) {
         let written = match num {
             Num::Const(number) => Written::Value(Opcode::Load, Value::Constant(number)),
-            Num::Register(n) => Written::Value(Opcode::Load, Value::Register(n)),
-            Num::Analogue(n) => Written::Numbered(Opcode::LoadAnalogue, n),
-            Num::Count(n) => Written::Numbered(Opcode::LoadCount, n),
+            Num::At(Address::Register(n)) => Written::Value(Opcode::Load, Value::Register(n)),
+            Num::At(Address::Analogue(n)) => Written::Numbered(Opcode::LoadAnalogue, n),
+            Num::At(Address::Count(n)) => Written::Numbered(Opcode::LoadCount, n),
             Num::Elapsed(timer) => self.of_timer(Opcode::LoadTimer, timer),
-            Num::Group(n) => Written::Numbered(Opcode::LoadMarkers, n),
-            Num::Inputs => Written::Plain(Opcode::LoadInputs),
+            Num::At(Address::Group(n)) => Written::Numbered(Opcode::LoadMarkers, n),
+            Num::At(Address::Inputs(_)) => Written::Plain(Opcode::LoadInputs),
             // The names let nobody read what can only be written.
-            Num::Outputs | Num::Pwm(_) | Num::CountPreset(_) | Num::TimerPreset(_) => {
-                Written::Plain(Opcode::LoadOutputs)
-            }
+            _ => Written::Plain(Opcode::LoadOutputs),
         };
         self.write(written, span);
     }
@@ -119,7 +118,7 @@ const COMMUTING: &[Opcode] = &[
 fn simple(number: &Number) -> Option<Value> {
     match number {
         Number::Leaf(Num::Const(number), _) => Some(Value::Constant(*number)),
-        Number::Leaf(Num::Register(register), _) => Some(Value::Register(*register)),
+        Number::Leaf(Num::At(Address::Register(register)), _) => Some(Value::Register(*register)),
         _ => None,
     }
 }

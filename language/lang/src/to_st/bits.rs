@@ -8,6 +8,7 @@ use super::statement::Statement;
 use super::why::Why;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Kind, Opcode};
+use unoclp_point::Address;
 
 impl Machine<'_, '_> {
     pub fn bit(&mut self, step: Instruction<'_>) -> Result<(), Why> {
@@ -75,23 +76,20 @@ impl Machine<'_, '_> {
     fn point(&self, step: Instruction<'_>) -> Expr {
         let xx = step.number().unwrap_or_default();
         match step.opcode.row().kind {
-            Kind::Input => Expr::Place(Place::Input(xx)),
-            Kind::Output => Expr::Place(Place::Output(xx)),
-            Kind::Marker => Expr::Place(Place::Marker(xx)),
-            Kind::System => Expr::Place(Place::System(xx)),
-            Kind::TimerQ => Expr::Place(Place::TimerQ(xx)),
-            _ => match step.opcode {
+            Kind::TimerQ => Expr::at(Address::TimerQ(xx)),
+            Kind::Counter => match step.opcode {
                 Opcode::CounterContact | Opcode::CounterContactNot => self.reached(xx),
                 _ => self.is_zero(xx),
             },
+            kind => Address::in_code(kind, xx).map_or(Expr::Is(false), Expr::at),
         }
     }
 
     fn coil(&mut self, step: Instruction<'_>) -> Result<(), Why> {
         let xx = step.number().unwrap_or_default();
         let place = match step.opcode.row().kind {
-            Kind::Output => Place::Output(xx),
-            Kind::Marker => Place::Marker(xx),
+            Kind::Output => Place::At(Address::Output(xx)),
+            Kind::Marker => Place::At(Address::Marker(xx)),
             Kind::Counter => {
                 self.counter_coil(step.opcode, xx);
                 return Ok(());

@@ -9,6 +9,7 @@ use super::statement::Statement;
 use super::why::Why;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Opcode, Operand};
+use unoclp_point::Address;
 
 impl Machine<'_, '_> {
     fn counter(&self, number: u8) -> Counter {
@@ -23,7 +24,7 @@ impl Machine<'_, '_> {
     fn preset(&self, number: u8) -> Expr {
         let counter = self.counter(number);
         match counter.changes_preset {
-            true => Expr::Place(Place::CountPreset(number)),
+            true => Expr::at(Address::CountPreset(number)),
             false => whole(counter.preset),
         }
     }
@@ -39,9 +40,9 @@ impl Machine<'_, '_> {
         let counter = self.counter(number);
         match counter.block {
             Some((Opcode::CountUp, _)) if self.is_called(&counter) => {
-                Expr::Place(Place::CountQ(number))
+                Expr::at(Address::Reached(number))
             }
-            _ => compare(">=", Expr::Place(Place::Count(number)), self.preset(number)),
+            _ => compare(">=", Expr::at(Address::Count(number)), self.preset(number)),
         }
     }
 
@@ -49,9 +50,9 @@ impl Machine<'_, '_> {
         let counter = self.counter(number);
         match counter.block {
             Some((Opcode::CountDown, _)) if self.is_called(&counter) => {
-                Expr::Place(Place::CountQ(number))
+                Expr::at(Address::Reached(number))
             }
-            _ => compare("<=", Expr::Place(Place::Count(number)), whole(0)),
+            _ => compare("<=", Expr::at(Address::Count(number)), whole(0)),
         }
     }
 
@@ -68,7 +69,7 @@ impl Machine<'_, '_> {
 
     /// A block of the norm, with the reset or load of the rung behind it.
     fn count_block(&mut self, number: u8, up: bool, preset: i32, last: Option<usize>) {
-        let is = |place| matches!(place, Place::Count(n) | Place::CountQ(n) if n == number);
+        let is = |place| matches!(place, Place::At(Address::Count(n) | Address::Reached(n)) if n == number);
         if last.is_some() && self.acc.reads(&|place| matches!(place, Place::Value(_))) {
             let acc = self.acc.clone();
             self.acc = self.aside(acc);
@@ -96,9 +97,13 @@ impl Machine<'_, '_> {
         }
         self.changes(&is);
         inputs.push(("PV", whole(preset)));
-        self.put(Statement::Call(Place::Count(number), inputs, None));
+        self.put(Statement::Call(
+            Place::At(Address::Count(number)),
+            inputs,
+            None,
+        ));
         if last.is_none() {
-            self.acc = Expr::Place(Place::CountQ(number));
+            self.acc = Expr::at(Address::Reached(number));
         }
     }
 
@@ -119,7 +124,7 @@ impl Machine<'_, '_> {
                 self.seen_edge(before, true)
             }
         };
-        let count = Place::Count(number);
+        let count = Place::At(Address::Count(number));
         self.acc = Expr::Is(true);
         self.changes(&|place| place == count);
         let (sign, end, most) = if up {
@@ -143,7 +148,7 @@ impl Machine<'_, '_> {
 
     /// RWC, SWC.
     pub fn counter_coil(&mut self, opcode: Opcode, number: u8) {
-        let count = Place::Count(number);
+        let count = Place::At(Address::Count(number));
         let becomes = match opcode {
             Opcode::ResetCounter => whole(0),
             _ => self.preset(number),
@@ -204,21 +209,22 @@ impl Machine<'_, '_> {
         let number = self.body.timers.len() as u8;
         let scopes = self.scopes.clone();
         self.timer_scopes.insert(number, scopes);
-        let target = match block.target {
-            unoclp_core::Target::Output(output) => Place::Output(output),
-            unoclp_core::Target::Marker(marker) => Place::Marker(marker),
-        };
+        let target = Place::At(block.target.into());
         let preset = match self.changes_preset(number) {
-            true => Expr::Place(Place::TimerPreset(number)),
+            true => Expr::at(Address::TimerPreset(number)),
             false => Expr::Constant(block.preset.cast_signed(), Type::Time),
         };
         let on = std::mem::replace(&mut self.acc, Expr::Is(true));
         self.changes(&|place| {
-            place == target || matches!(place, Place::TimerQ(n) | Place::TimerEt(n) if n == number)
+            place == target || matches!(place, Place::At(Address::TimerQ(n) | Address::Elapsed(n)) if n == number)
         });
         self.acc = Expr::Place(target);
         let inputs = vec![("IN", on), ("PT", preset)];
-        self.put(Statement::Call(Place::TimerQ(number), inputs, Some(target)));
+        self.put(Statement::Call(
+            Place::At(Address::TimerQ(number)),
+            inputs,
+            Some(target),
+        ));
         Ok(())
     }
 
@@ -237,11 +243,11 @@ impl Machine<'_, '_> {
         {
             return Err(Why::EarlyTime);
         }
-        let elapsed = call("TIME_TO_DINT", Expr::Place(Place::TimerEt(number)));
+        let elapsed = call("TIME_TO_DINT", Expr::at(Address::Elapsed(number)));
         Ok(match self.body.timers.get(usize::from(number) - 1) {
             // Behind its delay, that of a TOF stays.
             Some((Opcode::OffDelay, _)) => {
-                let runs = Expr::Place(Place::TimerQ(number));
+                let runs = Expr::at(Address::TimerQ(number));
                 Expr::Call("SEL", vec![runs, whole(0), elapsed])
             }
             _ => elapsed,

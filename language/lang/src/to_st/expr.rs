@@ -4,6 +4,7 @@
 
 use std::fmt::Write;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// What a number is taken for: the same 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -15,28 +16,15 @@ pub(super) enum View {
 /// What holds a bit or a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Place {
-    Input(u8),
+    /// A point, or a part of a timer or of a counter that is a block, by their numbers.
+    At(Address),
     /// The pin of an input that is filtered, and the timers that do so.
     Pin(u8),
     FilterOn(u8),
     FilterOff(u8),
-    Output(u8),
-    Marker(u8),
-    System(u8),
-    Analogue(u8),
-    Pwm(u8),
     Register(u8, View),
-    /// Timers, counters and edges, by their number.
-    TimerQ(u8),
-    TimerEt(u8),
-    TimerPreset(u8),
-    /// The number of a counter.
-    Count(u8),
     /// The array that begins with this register.
     Table(u8),
-    /// Q of a counter that is a block.
-    CountQ(u8),
-    CountPreset(u8),
     /// What a counter that is none has seen of CU, and of CD.
     CountUp(u8),
     CountDown(u8),
@@ -89,6 +77,10 @@ pub(super) enum Expr {
 }
 
 impl Expr {
+    pub fn at(point: Address) -> Expr {
+        Expr::Place(Place::At(point))
+    }
+
     pub fn is_true(&self) -> bool {
         *self == Expr::Is(true)
     }

@@ -7,6 +7,7 @@ use super::statement::{Statement, places};
 use std::collections::BTreeSet;
 use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// For how many ms an input must keep a level; none where inputs are not filtered. Of several, the last holds.
 pub(super) fn time(steps: &[Instruction<'_>]) -> Option<u8> {
@@ -21,7 +22,7 @@ pub(super) fn time(steps: &[Instruction<'_>]) -> Option<u8> {
 pub(super) fn statements(time: u8, all: &[Statement]) -> Vec<Statement> {
     let mut inputs = BTreeSet::new();
     places(all, &mut |place| {
-        if let Place::Input(input) = place {
+        if let Place::At(Address::Input(input)) = place {
             inputs.insert(input);
         }
     });
@@ -35,21 +36,21 @@ pub(super) fn statements(time: u8, all: &[Statement]) -> Vec<Statement> {
 fn of(input: u8, time: u8) -> [Statement; 3] {
     let (pin, is) = (
         Expr::Place(Place::Pin(input)),
-        Expr::Place(Place::Input(input)),
+        Expr::at(Address::Input(input)),
     );
     let keeps = |timer, on| {
         let time = Expr::Constant(time.into(), Type::Time);
         Statement::Call(timer, vec![("IN", on), ("PT", time)], None)
     };
     let (on, off) = (Place::FilterOn(input), Place::FilterOff(input));
-    let first = Expr::Place(Place::System(1));
+    let first = Expr::at(Address::System(1));
     let takes = or(or(first, Expr::Place(on)), Expr::Place(off));
     [
         keeps(on, and(pin.clone(), not(is.clone()))),
         keeps(off, and(is, not(pin.clone()))),
         Statement::If(
             takes,
-            vec![Statement::Assign(Place::Input(input), pin)],
+            vec![Statement::Assign(Place::At(Address::Input(input)), pin)],
             Vec::new(),
         ),
     ]

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, REGISTERS};
+use unoclp_point::Address;
 
 /// What KD and KC keep.
 pub(super) fn kept(steps: &[Instruction<'_>], body: &Body) -> impl Iterator<Item = Place> {
@@ -18,7 +19,7 @@ pub(super) fn kept(steps: &[Instruction<'_>], body: &Body) -> impl Iterator<Item
         let xx = step.number()?;
         match step.opcode {
             Opcode::KeepRegister => Some(Place::Register(xx, body.registers.view(xx))),
-            Opcode::KeepCounter => Some(Place::Count(xx)),
+            Opcode::KeepCounter => Some(Place::At(Address::Count(xx))),
             _ => None,
         }
     })
@@ -44,19 +45,19 @@ pub(super) fn given(steps: &[Instruction<'_>], map: &SourceMap) -> BTreeMap<Plac
     for (step, at) in steps.iter().zip(&map.steps) {
         let xx = step.number().unwrap_or_default();
         let place = match step.opcode.row().kind {
-            Kind::Input => Place::Input(xx),
-            Kind::Output => Place::Output(xx),
-            Kind::Marker => Place::Marker(xx),
-            Kind::Analogue => Place::Analogue(xx),
-            Kind::Pwm => Place::Pwm(xx),
-            Kind::TimerQ => Place::TimerQ(xx),
-            Kind::Counter | Kind::Count => Place::Count(xx),
+            Kind::Input => Place::At(Address::Input(xx)),
+            Kind::Output => Place::At(Address::Output(xx)),
+            Kind::Marker => Place::At(Address::Marker(xx)),
+            Kind::Analogue => Place::At(Address::Analogue(xx)),
+            Kind::Pwm => Place::At(Address::Pwm(xx)),
+            Kind::TimerQ => Place::At(Address::TimerQ(xx)),
+            Kind::Counter | Kind::Count => Place::At(Address::Count(xx)),
             Kind::Register | Kind::Value | Kind::Real if (1..=REGISTERS).contains(&xx) => {
                 Place::Register(xx, View::Whole)
             }
             Kind::Timer => {
                 timers += 1;
-                Place::TimerQ(timers)
+                Place::At(Address::TimerQ(timers))
             }
             _ => continue,
         };

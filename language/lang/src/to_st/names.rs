@@ -13,6 +13,7 @@ use std::fmt::Write;
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 /// The names of a program, and its variables.
 pub(super) struct Names {
@@ -59,10 +60,12 @@ impl Names {
     pub fn name(&self, place: Place) -> String {
         let name = |of: Place| self.names.get(&of).cloned().unwrap_or_default();
         match place {
-            Place::TimerQ(n) => name(Place::TimerQ(n)) + ".Q",
-            Place::TimerEt(n) => name(Place::TimerQ(n)) + ".ET",
+            Place::At(Address::TimerQ(n)) => name(Place::At(Address::TimerQ(n))) + ".Q",
+            Place::At(Address::Elapsed(n)) => name(Place::At(Address::TimerQ(n))) + ".ET",
             Place::EdgeQ(_) | Place::FilterOn(_) | Place::FilterOff(_) => name(place) + ".Q",
-            Place::CountQ(n) => name(Place::Count(n)).replace(".CV", ".Q"),
+            Place::At(Address::Reached(n)) => {
+                name(Place::At(Address::Count(n))).replace(".CV", ".Q")
+            }
             other => name(other),
         }
     }
@@ -98,7 +101,7 @@ impl Draft<'_> {
     fn keep(&self, step: &Instruction<'_>, used: &mut BTreeSet<Place>) -> Result<(), Why> {
         let xx = step.number().unwrap_or_default();
         match step.opcode {
-            Opcode::KeepCounter => drop(used.insert(Place::Count(xx))),
+            Opcode::KeepCounter => drop(used.insert(Place::At(Address::Count(xx)))),
             Opcode::KeepRegister => {
                 let registers = &self.body.registers;
                 match registers.table(xx) {
@@ -134,7 +137,9 @@ impl Draft<'_> {
         let twin = twin(place).filter(|twin| used.contains(twin));
         let type_of = |view| if view == View::Real { "REAL" } else { "DINT" };
         let (or, address, of): (String, Option<String>, String) = match place {
-            Place::Input(n) if self.body.filter.is_some() => (format!("I{n}"), None, "BOOL".into()),
+            Place::At(Address::Input(n)) if self.body.filter.is_some() => {
+                (format!("I{n}"), None, "BOOL".into())
+            }
             Place::Pin(n) => (
                 self.beside(n, "pin"),
                 Some(format!("%IX{n}")),
@@ -142,12 +147,6 @@ impl Draft<'_> {
             ),
             Place::FilterOn(n) => (self.beside(n, "on"), None, "TON".into()),
             Place::FilterOff(n) => (self.beside(n, "off"), None, "TON".into()),
-            Place::Input(n) => (format!("I{n}"), Some(format!("%IX{n}")), "BOOL".into()),
-            Place::Output(n) => (format!("Q{n}"), Some(format!("%QX{n}")), "BOOL".into()),
-            Place::Marker(n) => (format!("M{n}"), Some(format!("%MX{n}")), "BOOL".into()),
-            Place::System(n) => (format!("S{n}"), Some(format!("%S{n}")), "BOOL".into()),
-            Place::Analogue(n) => (format!("A{n}"), Some(format!("%IW{n}")), "DINT".into()),
-            Place::Pwm(n) => (format!("P{n}"), Some(format!("%QW{n}")), "DINT".into()),
             Place::Register(n, view) => {
                 let real = if twin.is_some() && view == View::Real {
                     "_real"
@@ -173,30 +172,34 @@ impl Draft<'_> {
                     format!("ARRAY[0..{}] OF {of}", last - n),
                 )
             }
-            Place::TimerQ(n) | Place::TimerEt(n) => {
+            Place::At(Address::TimerQ(n) | Address::Elapsed(n)) => {
                 let block = match self.body.timers.get(usize::from(n).wrapping_sub(1)) {
                     Some((Opcode::OffDelay, _)) => "TOF",
                     Some((Opcode::Pulse, _)) => "TP",
                     _ => "TON",
                 };
-                if self.names.names.contains_key(&Place::TimerQ(n)) {
+                if self
+                    .names
+                    .names
+                    .contains_key(&Place::At(Address::TimerQ(n)))
+                {
                     return Ok(());
                 }
-                let name = self.take(Place::TimerQ(n), &format!("T{n}"));
+                let name = self.take(Place::At(Address::TimerQ(n)), &format!("T{n}"));
                 self.names.others.push(format!("{name} : {block};"));
-                self.names.names.insert(Place::TimerQ(n), name);
+                self.names.names.insert(Place::At(Address::TimerQ(n)), name);
                 return Ok(());
             }
-            Place::TimerPreset(n) => {
+            Place::At(Address::TimerPreset(n)) => {
                 let preset = self.body.timers.get(usize::from(n).wrapping_sub(1));
                 let preset = literal(preset.map_or(0, |(_, preset)| *preset), Type::Time);
                 (format!("T{n}_PT"), None, format!("TIME := {preset}"))
             }
-            Place::Count(n) | Place::CountQ(n) => {
-                self.counter(n, kept.contains(&Place::Count(n)));
+            Place::At(Address::Count(n) | Address::Reached(n)) => {
+                self.counter(n, kept.contains(&Place::At(Address::Count(n))));
                 return Ok(());
             }
-            Place::CountPreset(n) => {
+            Place::At(Address::CountPreset(n)) => {
                 let preset = self
                     .body
                     .counting
@@ -204,6 +207,19 @@ impl Draft<'_> {
                     .get(&n)
                     .map_or(0, |counter| counter.preset);
                 (format!("C{n}_PV"), None, format!("DINT := {preset}"))
+            }
+            Place::At(point) => {
+                let letters = match point {
+                    Address::Input(_) => "%IX",
+                    Address::Output(_) => "%QX",
+                    Address::Marker(_) => "%MX",
+                    Address::System(_) => "%S",
+                    Address::Analogue(_) => "%IW",
+                    _ => "%QW",
+                };
+                let address = format!("{letters}{}", point.number());
+                let of = if point.is_bit() { "BOOL" } else { "DINT" };
+                (point.to_string(), Some(address), of.into())
             }
             Place::CountUp(n) => (format!("C{n}_up"), None, "BOOL".into()),
             Place::CountDown(n) => (format!("C{n}_down"), None, "BOOL".into()),
@@ -259,17 +275,21 @@ impl Draft<'_> {
 
     /// What belongs to an input is called by its name and a word.
     fn beside(&self, input: u8, word: &str) -> String {
-        let name = self.names.names.get(&Place::Input(input));
+        let name = self.names.names.get(&Place::At(Address::Input(input)));
         format!("{}_{word}", name.map_or("I", String::as_str))
     }
 
     fn counter(&mut self, number: u8, is_kept: bool) {
-        if self.names.names.contains_key(&Place::Count(number)) {
+        if self
+            .names
+            .names
+            .contains_key(&Place::At(Address::Count(number)))
+        {
             return;
         }
         let counting = &self.body.counting.0;
         let block = counting.get(&number).and_then(|counter| counter.block);
-        let name = self.take(Place::Count(number), &format!("C{number}"));
+        let name = self.take(Place::At(Address::Count(number)), &format!("C{number}"));
         let (of, member) = match block {
             Some((Opcode::CountUp, _)) => ("CTU", ".CV"),
             Some(_) => ("CTD", ".CV"),
@@ -281,7 +301,9 @@ impl Draft<'_> {
             &mut self.names.others
         };
         section.push(format!("{name} : {of};"));
-        self.names.names.insert(Place::Count(number), name + member);
+        self.names
+            .names
+            .insert(Place::At(Address::Count(number)), name + member);
     }
 }
 

@@ -8,6 +8,7 @@ use super::views::is_finite;
 use super::why::Why;
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode, Operand, Value};
+use unoclp_point::Address;
 
 /// More parts than this are put aside, so that no chain of operations becomes one long expression.
 const LONG: usize = 24;
@@ -26,12 +27,12 @@ impl Machine<'_, '_> {
                     return Ok(());
                 }
             },
-            Opcode::LoadAnalogue => place(Place::Analogue(xx)),
+            Opcode::LoadAnalogue => place(Place::At(Address::Analogue(xx))),
             Opcode::LoadTimer => Number(self.elapsed(xx)?, Type::Dint),
-            Opcode::LoadCount => place(Place::Count(xx)),
+            Opcode::LoadCount => place(Place::At(Address::Count(xx))),
             Opcode::LoadMarkers => {
                 let first = (xx - 1) * 8 + 1;
-                self.gathered((first..first + 8).map(|n| Some(Place::Marker(n))))
+                self.gathered((first..first + 8).map(|n| Some(Place::At(Address::Marker(n)))))
             }
             Opcode::LoadInputs => {
                 let inputs = self.inputs();
@@ -210,7 +211,7 @@ impl Machine<'_, '_> {
         self.value = made;
         let fails = self.errors && may_fail(opcode);
         if fails {
-            self.changes(&|place| place == Place::System(4));
+            self.changes(&|place| place == Place::At(Address::System(4)));
         }
         if (fails || self.value.0.size() > LONG) && !matches!(self.value.0, Expr::Place(_)) {
             let value = self.value.clone();

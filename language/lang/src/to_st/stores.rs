@@ -8,6 +8,7 @@ use super::statement::Statement;
 use super::why::Why;
 use unoclp_core::isa::{Kind, Opcode, Operand};
 use unoclp_core::{Board, Instruction};
+use unoclp_point::Address;
 
 impl Machine<'_, '_> {
     /// The inputs of the board in their order, but for pins that are inputs only where a step names them.
@@ -15,7 +16,7 @@ impl Machine<'_, '_> {
         let named = self.named(Kind::Input);
         let inputs = 1..=Board::UNO.inputs;
         inputs
-            .map(|n| (n < 5 || named.contains(&n)).then_some(Place::Input(n)))
+            .map(|n| (n < 5 || named.contains(&n)).then_some(Place::At(Address::Input(n))))
             .collect()
     }
 
@@ -24,7 +25,7 @@ impl Machine<'_, '_> {
         let pwm = self.named(Kind::Pwm);
         let outputs = 1..=Board::UNO.outputs;
         outputs
-            .map(|n| (!pwm.contains(&n)).then_some(Place::Output(n)))
+            .map(|n| (!pwm.contains(&n)).then_some(Place::At(Address::Output(n))))
             .collect()
     }
 
@@ -42,25 +43,27 @@ impl Machine<'_, '_> {
         match step.opcode {
             Opcode::Store => self.store_register(xx),
             Opcode::StoreTable => self.store_table(step.operand),
-            Opcode::StoreCount => self.store_in(Place::Count(xx), Self::dint),
-            Opcode::StorePwm => self.store_in(Place::Pwm(xx), Self::dint),
-            Opcode::PresetCounter => {
-                self.store_in(Place::CountPreset(xx), |this, number| match number.0 {
+            Opcode::StoreCount => self.store_in(Place::At(Address::Count(xx)), Self::dint),
+            Opcode::StorePwm => self.store_in(Place::At(Address::Pwm(xx)), Self::dint),
+            Opcode::PresetCounter => self.store_in(
+                Place::At(Address::CountPreset(xx)),
+                |this, number| match number.0 {
                     Expr::Constant(preset, _) => whole(preset.max(0)),
                     _ => Expr::Call("MAX", vec![this.dint(number), whole(0)]),
-                })
-            }
-            Opcode::PresetTimer => {
-                self.store_in(Place::TimerPreset(xx), |this, number| match number.0 {
+                },
+            ),
+            Opcode::PresetTimer => self.store_in(
+                Place::At(Address::TimerPreset(xx)),
+                |this, number| match number.0 {
                     Expr::Constant(preset, _) => Expr::Constant(preset.max(0), Type::Time),
                     _ => call("DINT_TO_TIME", this.dint(number)),
-                })
-            }
+                },
+            ),
             Opcode::StoreMarkers => {
                 let first = (xx - 1) * 8 + 1;
                 self.scatter(
                     &(first..first + 8)
-                        .map(|n| Some(Place::Marker(n)))
+                        .map(|n| Some(Place::At(Address::Marker(n))))
                         .collect::<Vec<_>>(),
                 );
             }
@@ -78,7 +81,7 @@ impl Machine<'_, '_> {
         let value = self.value.clone();
         let stored = as_stored(self, value);
         self.changes(&|other| match (place, other) {
-            (Place::Count(n), Place::CountQ(other)) => n == other,
+            (Place::At(Address::Count(n)), Place::At(Address::Reached(other))) => n == other,
             _ => place == other,
         });
         self.when(self.acc.clone(), vec![Statement::Assign(place, stored)]);
@@ -179,7 +182,9 @@ impl Machine<'_, '_> {
             _ => self.dint(value),
         };
         let errors = self.errors;
-        self.changes(&|place| place == Place::Table(table) || errors && place == Place::System(4));
+        self.changes(&|place| {
+            place == Place::Table(table) || errors && place == Place::At(Address::System(4))
+        });
         self.when(
             self.acc.clone(),
             vec![Statement::AssignElement(table, at, stored)],

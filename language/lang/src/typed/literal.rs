@@ -4,6 +4,7 @@ use super::base::Base;
 use super::value::{Value, days};
 use super::width::given;
 use crate::diagnostics::Word;
+use crate::literal::time;
 
 /// What is wrong with a literal: what it was to be, in both languages, and how one is written.
 pub(crate) struct Fault {
@@ -56,7 +57,7 @@ pub(crate) fn number(text: &str) -> Read {
         };
     }
     if let Some(unit) = digits.find(|c: char| c.is_ascii_alphabetic()) {
-        let is_time = unit > 0 && time(&digits.to_ascii_lowercase()).is_some();
+        let is_time = unit > 0 && time(&digits).is_some();
         return Err(match is_time {
             true => Fault {
                 what: ("number", "um número").into(),
@@ -189,54 +190,10 @@ fn in_range(base: Base, value: i128) -> bool {
 }
 
 fn signed_time(text: &str) -> Option<i128> {
-    let text = text.to_ascii_lowercase();
     match text.strip_prefix('-') {
         Some(size) => time(size).map(|ms| -ms),
-        None => time(text.strip_prefix('+').unwrap_or(&text)),
+        None => time(text.strip_prefix('+').unwrap_or(text)),
     }
-}
-
-/// Parts from days to ms, each with its unit; only the last may have a fraction.
-fn time(text: &str) -> Option<i128> {
-    let text: String = text.chars().filter(|c| *c != '_').collect();
-    let mut rest = text.as_str();
-    let (mut sum, mut last, mut ended) = (0_i128, i128::MAX, rest.is_empty());
-    while !rest.is_empty() {
-        if ended {
-            return None;
-        }
-        let digits = rest.find(|c: char| !c.is_ascii_digit() && c != '.')?;
-        let (number, behind) = rest.split_at(digits);
-        let letters = behind
-            .find(|c: char| !c.is_ascii_alphabetic())
-            .unwrap_or(behind.len());
-        let (unit, behind) = behind.split_at(letters);
-        let size = match unit {
-            "d" => 86_400_000,
-            "h" => 3_600_000,
-            "m" => 60_000,
-            "s" => 1000,
-            "ms" => 1,
-            _ => return None,
-        };
-        if size >= last {
-            return None;
-        }
-        last = size;
-        sum += match number.split_once('.') {
-            None => number.parse::<u64>().ok().map(i128::from)? * size,
-            Some((whole, fraction)) => {
-                ended = true;
-                let whole: i128 = whole.parse::<u32>().ok()?.into();
-                let scale = 10_i128
-                    .checked_pow(u32::try_from(fraction.len()).ok().filter(|n| *n <= 18)?)?;
-                let fraction: i128 = fraction.parse::<u64>().ok()?.into();
-                whole * size + (fraction * size + scale / 2) / scale
-            }
-        };
-        rest = behind;
-    }
-    (!ended || last != i128::MAX).then_some(sum)
 }
 
 fn date(text: &str) -> Option<i128> {

@@ -56,7 +56,7 @@ pub use expression::{
 };
 pub use standard::{Part, Role, Standard};
 pub use statement::{Arm, For, Stmt, StmtKind};
-pub use tree::{Cell, Declared, Holds, Point, Symbol, Tree, Unit, UnitKind};
+pub use tree::{Cell, Declared, Holds, Symbol, Tree, Unit, UnitKind};
 pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};
 pub use value::{Value, days};

@@ -8,6 +8,7 @@ use super::types::{TypeId, Types};
 use super::value::Value;
 use crate::diagnostics::Span;
 use std::sync::Arc;
+use unoclp_point::Address;
 
 /// A program as any of the languages has written it.
 #[derive(Clone, Debug, Default)]
@@ -23,7 +24,7 @@ pub struct Tree {
     /// What lives as long as the program, by its names, for whoever shows it.
     pub symbols: Vec<Symbol>,
     /// The cells that are points of the board.
-    pub points: Vec<(u32, Point)>,
+    pub points: Vec<(u32, Address)>,
     /// What the text declares, in the order of the declarations.
     pub declared: Vec<Declared>,
 }
@@ -52,41 +53,6 @@ pub struct Cell {
     pub retain: bool,
     /// The front end's own, stored on every way before it is read: its first value is never seen.
     pub scratch: bool,
-}
-
-/// A point of the board, by its number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Point {
-    /// `%IX1`
-    Input(u32),
-    /// `%QX1`
-    Output(u32),
-    /// `%MX1`
-    Marker(u32),
-    /// `%S1`, a system marker, which is only read.
-    System(u32),
-    /// `%IW0`
-    Analogue(u32),
-    /// `%QW1`
-    Pwm(u32),
-    /// `%MW1`
-    Register(u32),
-}
-
-impl Point {
-    /// Whether a program may write it.
-    pub fn is_written(self) -> bool {
-        !matches!(
-            self,
-            Point::Input(_) | Point::System(_) | Point::Analogue(_)
-        )
-    }
-
-    /// Whether it is a bit.
-    pub fn is_bit(self) -> bool {
-        use Point::{Input, Marker, Output, System};
-        matches!(self, Input(_) | Output(_) | Marker(_) | System(_))
-    }
 }
 
 /// A variable that lives as long as the program, for whoever shows it.

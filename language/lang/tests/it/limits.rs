@@ -30,7 +30,10 @@ fn warnings_hide_no_error() {
     let compiled = compile(&text, &Options::default());
     let renderer = annotate_snippets::Renderer::plain();
     let shown = show("x.il", &text, &compiled.diagnostics, Lang::En, &renderer);
-    assert!(shown.contains("there is no I9 on this board"), "{shown}");
+    assert!(
+        shown.contains("there is no point `I9` on this board"),
+        "{shown}"
+    );
 }
 
 /// As many functions as a library has: those that are not called take nothing from the board.

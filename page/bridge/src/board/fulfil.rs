@@ -8,15 +8,18 @@ use super::settle::settle;
 use super::undone::Undone;
 use super::watched::Watched;
 use crate::program::Text;
-use crate::words::{self, Both, both};
+use crate::words::{self, Both, both, told};
 use unoclp_client::diagnostics;
 use unoclp_client::map::{Command, State, holding};
-use unoclp_client::point::Point;
+use unoclp_client::point;
 use unoclp_client::settings::Settings;
 use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
 use unoclp_client::watch::{Side, Wish};
 use unoclp_client::{Client, Failure};
+use unoclp_lang::no_such_point;
 use unoclp_modbus::Exception;
+use unoclp_point::Address;
+use unoclp_program::BOARD;
 
 /// Does what is ordered; gives what there is to say behind it.
 pub(super) async fn fulfil(
@@ -38,10 +41,14 @@ pub(super) async fn fulfil(
             }
             wish(client, Wish::Force(side, number.saturating_sub(1), to)).await
         }
-        Order::Set { point, value } => {
-            let place = Point::named(&point);
-            let place = place.ok_or_else(|| both(|lang| words::no_point(lang, &point)))?;
-            place.set(client, value).await?;
+        Order::Set { point: name, value } => {
+            let point = Address::parse(&name);
+            if let Some(lacking) = point.and_then(|point| no_such_point(point, BOARD)) {
+                return Err(Undone::Told(both(|lang| told(&lacking, lang))));
+            }
+            let point = point.filter(|point| point::is_written(*point));
+            let point = point.ok_or_else(|| both(|lang| words::no_point(lang, &name)))?;
+            point::set(client, point, value).await?;
             Ok(None)
         }
         Order::Upload { text, stay } => put(client, desk, number, text, stay).await.map(Some),

@@ -5,8 +5,8 @@ use super::words;
 use crate::given::{Given, wrong};
 use crate::program::Text;
 use crate::words::{Both, No, both};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Along, Coil, Cursor, Direction, Edge, Id, Operation, Place, Row, Way};
+use unoclp_point::Address;
 
 /// What may be done.
 pub enum Act {

@@ -2,15 +2,15 @@
 
 use super::words;
 use crate::given::{Given, wrong};
-use crate::words::{Both, No, Offer, both};
+use crate::words::{Both, No, Offer, both, told};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
-use unoclp_lang::duration;
+use unoclp_lang::{duration, no_such_point};
+use unoclp_point::Address;
 use unoclp_program::BOARD;
 use unoclp_program::drawn::is_name;
 
@@ -301,19 +301,8 @@ fn point(step: &Step) -> Option<Address> {
         };
         return u8::try_from(line - base).ok().map(of);
     }
-    let number = step.number()?;
-    Some(match kind {
-        Kind::Input => Address::Input(number),
-        Kind::Output | Kind::Pwm => Address::Output(number),
-        Kind::Marker => Address::Marker(number),
-        Kind::System => Address::System(number),
-        Kind::TimerQ => Address::Timer(number),
-        Kind::Counter | Kind::Count => Address::Counter(number),
-        Kind::Register | Kind::Move | Kind::Drum | Kind::Table => Address::Register(number),
-        Kind::Analogue => Address::Analogue(number),
-        Kind::Label | Kind::Jump => Address::Label(number),
-        _ => return None,
-    })
+    let number = step.number().filter(|_| !kind.is_value())?;
+    Address::in_code(kind, number)
 }
 
 /// Whether a code of this kind names a point, alone or with others.
@@ -391,7 +380,10 @@ fn pointed(table: &Table, value: &str) -> Result<(Option<Address>, Option<String
     }
     let name = Some(name.trim().to_owned()).filter(|name| !name.is_empty());
     match table.point(value).or_else(|| Address::parse(first)) {
-        Some(point) => Ok((Some(point), name)),
+        Some(point) => match no_such_point(point, BOARD) {
+            Some(lacking) => Err(both(|lang| told(&lacking, lang)).into()),
+            None => Ok((Some(point), name)),
+        },
         None => Err(both(|lang| words::no_such_point(lang, value)).into()),
     }
 }

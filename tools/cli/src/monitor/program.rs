@@ -9,7 +9,7 @@ use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::Delay;
 use unoclp_exercise::live::{Flow, Twin};
 use unoclp_host_sim::engine::Machine;
-use unoclp_lang::Spot;
+use unoclp_point::Address;
 use unoclp_program::used::Used;
 use unoclp_program::{Source, point_names};
 
@@ -106,23 +106,23 @@ impl Program {
     }
 }
 
-/// What a board has in this spot, as far as the reading tells.
-pub(super) fn read(reading: &Reading, spot: Spot) -> Option<i32> {
+/// What a board has at this point, as far as the reading tells.
+pub(super) fn read(reading: &Reading, point: Address) -> Option<i32> {
     let at = |number: u8| usize::from(number).checked_sub(1);
     let bit = |bits: u64, number: u8| Some((bits >> at(number)? & 1) as i32);
     let timer = |number: u8| reading.timers.get(at(number)?);
     let counter = |number: u8| reading.counters.get(at(number)?);
-    match spot {
-        Spot::Input(n) => bit(reading.inputs.into(), n),
-        Spot::Output(n) => bit(reading.outputs.into(), n),
-        Spot::Marker(n) => bit(reading.markers?, n),
-        Spot::Elapsed(n) => Some(timer(n)?.value),
-        Spot::Reached(n) => counter(n).map(|meter| (meter.value >= meter.preset).into()),
-        Spot::AtZero(n) => Some((counter(n)?.value <= 0).into()),
-        Spot::Count(n) => Some(counter(n)?.value),
-        Spot::Register(n) => reading.registers.get(at(n)?).copied(),
-        Spot::Analogue(n) => reading.analogue.get(usize::from(n)).map(|&v| v.into()),
+    match point {
+        Address::Input(n) => bit(reading.inputs.into(), n),
+        Address::Output(n) => bit(reading.outputs.into(), n),
+        Address::Marker(n) => bit(reading.markers?, n),
+        Address::Elapsed(n) => Some(timer(n)?.value),
+        Address::Reached(n) => counter(n).map(|meter| (meter.value >= meter.preset).into()),
+        Address::AtZero(n) => Some((counter(n)?.value <= 0).into()),
+        Address::Count(n) => Some(counter(n)?.value),
+        Address::Register(n) => reading.registers.get(at(n)?).copied(),
+        Address::Analogue(n) => reading.analogue.get(usize::from(n)).map(|&v| v.into()),
         // What a board does not tell.
-        Spot::TimerQ(_) | Spot::System(_) | Spot::Pwm(_) => None,
+        _ => None,
     }
 }

@@ -17,7 +17,7 @@ use unoclp_core::{Fault, Image, Inputs, Millis, Plc, Point, TimerState};
 use unoclp_exercise::live::Flow;
 use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
-use unoclp_lang::Spot;
+use unoclp_point::Address;
 use unoclp_program::used::Used;
 use unoclp_program::{BOARD, Source, point_names};
 
@@ -167,35 +167,35 @@ impl App {
             spans(name, of, selected.as_ref() == Some(&of.name))
         });
         of_points
-            .chain(self.variables.others(|spot| self.read(spot)))
+            .chain(self.variables.others(|point| self.read(point)))
             .collect()
     }
 
     /// The variables that PRINT asks to show.
     pub(super) fn watched(&self) -> Vec<Vec<Span<'static>>> {
-        self.variables.watched(|spot| self.read(spot))
+        self.variables.watched(|point| self.read(point))
     }
 
-    /// What the last scan has left in this spot.
-    fn read(&self, spot: Spot) -> Option<i32> {
+    /// What the last scan has left at this point.
+    fn read(&self, point: Address) -> Option<i32> {
         let plc = self.machine.plc();
         let at = |number: u8| usize::from(number).checked_sub(1);
         let bit = |bits: u128, number: u8| Some((bits >> at(number)? & 1) as i32);
         let timer = |number: u8| self.timers().nth(at(number)?);
         let counter = |number: u8| plc.counters().nth(at(number)?);
-        match spot {
-            Spot::Input(n) => bit(self.world().points.0, n),
-            Spot::Output(n) => bit(plc.outputs().0, n),
-            Spot::Marker(n) => bit(plc.markers(), n),
-            Spot::System(_) => None,
-            Spot::TimerQ(n) => Some(timer(n)?.q.into()),
-            Spot::Elapsed(n) => Some(timer(n)?.elapsed.cast_signed()),
-            Spot::Reached(n) => Some(counter(n)?.q.into()),
-            Spot::AtZero(n) => Some((counter(n)?.value <= 0).into()),
-            Spot::Count(n) => Some(counter(n)?.value),
-            Spot::Register(n) => plc.registers().get(at(n)?).copied(),
-            Spot::Analogue(n) => self.world().analogue.get(usize::from(n)).map(|&v| v.into()),
-            Spot::Pwm(n) => Some(plc.pwm(n).into()),
+        match point {
+            Address::Input(n) => bit(self.world().points.0, n),
+            Address::Output(n) => bit(plc.outputs().0, n),
+            Address::Marker(n) => bit(plc.markers(), n),
+            Address::TimerQ(n) => Some(timer(n)?.q.into()),
+            Address::Elapsed(n) => Some(timer(n)?.elapsed.cast_signed()),
+            Address::Reached(n) => Some(counter(n)?.q.into()),
+            Address::AtZero(n) => Some((counter(n)?.value <= 0).into()),
+            Address::Count(n) => Some(counter(n)?.value),
+            Address::Register(n) => plc.registers().get(at(n)?).copied(),
+            Address::Analogue(n) => self.world().analogue.get(usize::from(n)).map(|&v| v.into()),
+            Address::Pwm(n) => Some(plc.pwm(n).into()),
+            _ => None,
         }
     }
 

@@ -132,7 +132,7 @@ fn a_class_is_graded_and_what_is_wrong_is_a_row() {
         ("follows, only.il", "1/2    It stays: Q1 at 120 ms: expected 1, came 0 (until 300 ms)"),
         ("large.il", "0/2    no program that runs: line "),
         ("loops.st", "0/2    On: line 5: fault 75: too many jumps back in one scan (NC-19)"),
-        ("point.il", "0/2    no program that runs: line 1: there is no I9 on this board"),
+        ("point.il", "0/2    no program that runs: line 1: there is no point `I9` on this board"),
         ("zero.txt", "0/2    no program that runs: line 2: this board has no such input"),
         ("A lamp with memory: 2 of 9 passed", ""),
     ];
@@ -183,7 +183,7 @@ fn a_page_shows_each_first_failing_case() {
     let text = fs::read_to_string(page).unwrap();
     assert_eq!(text.matches("<svg").count(), 3, "those that ran and failed");
     assert!(text.contains("It stays") && text.contains("expected"));
-    assert!(text.contains("there is no I9 on this board"));
+    assert!(text.contains("there is no point `I9` on this board"));
     assert!(text.contains("a&amp;b.il") && !text.contains("a&b.il"));
     let links = text.matches("http").count();
     assert_eq!(links, text.matches("http://www.w3.org/2000/svg").count());

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use unoclp_core::Program;
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Document, Row};
 use unoclp_lang::{Dialect, Options, compile, instructions_to_il};
+use unoclp_point::Address;
 
 /// The rungs under what they are about, with the names that Instruction List takes.
 pub(super) fn text(document: &Document, program: &Program<'_>) -> String {

@@ -8,9 +8,10 @@ mod numeric;
 mod parts;
 
 use crate::{BOARD, Language, Source, load, names, point_names};
+use unoclp_draw::Ladder;
 use unoclp_draw::edit::{Document, Mistake, Row};
-use unoclp_draw::{Address, Ladder};
 use unoclp_lang::{Declared, DeclaredPoint, declared};
+use unoclp_point::Address;
 
 pub use il::{blank_text, is_name, name_of};
 
@@ -61,7 +62,6 @@ fn with_declared(document: Document, points: Vec<DeclaredPoint>) -> Document {
             name,
             comment,
         } = declared;
-        let point = Address::parse(&point)?;
         is_name(&name).then_some((point, Row { name, comment }))
     });
     let rows: Vec<_> = rows.collect();

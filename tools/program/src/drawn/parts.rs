@@ -1,8 +1,9 @@
 //! What of a document has a place in its text.
 
 use unoclp_core::Program;
+use unoclp_draw::Ladder;
 use unoclp_draw::edit::{Document, Row, Rung};
-use unoclp_draw::{Address, Ladder};
+use unoclp_point::Address;
 
 /// The first step of each rung that has steps, and the rung.
 pub(super) fn rungs<'d>(document: &'d Document, program: &Program<'_>) -> Vec<(usize, &'d Rung)> {

@@ -1,6 +1,5 @@
 //! What an element is, and what points are called.
 
-use crate::Address;
 use crate::edit::cursor::Cursor;
 use crate::edit::document::{Document, Element, Node};
 use crate::edit::draft::Draft;
@@ -10,6 +9,7 @@ use crate::edit::table::Row;
 use crate::edit::which::{self, Coil};
 use std::sync::Arc;
 use unoclp_core::isa::BRANCH_POINTS;
+use unoclp_point::Address;
 
 pub(super) fn toggle(document: &mut Document, cursor: Cursor) -> Result<(), Refusal> {
     step(document, cursor, which::opposite)

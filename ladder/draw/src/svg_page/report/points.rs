@@ -2,8 +2,9 @@
 
 use super::pages::{Pages, Report, SPACE};
 use super::paper::{HEAD, Leaf, ROW, SMALL, lines};
-use crate::{Address, Drawing, Names};
+use crate::{Drawing, Names};
 use std::collections::{BTreeMap, BTreeSet};
+use unoclp_point::Address;
 
 /// The columns: point, name and rungs by their number, and where each begins, of the width.
 const NAMED: &[(usize, f32)] = &[(0, 0.0), (1, 0.1), (2, 0.5)];

@@ -2,10 +2,11 @@
 
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Loader, Target};
+use unoclp_draw::Area;
 use unoclp_draw::edit::{
     Along, Canvas, Coil, Cursor, Document, Draft, Drawn, Editor, Operation, Place, Step,
 };
-use unoclp_draw::{Address, Area};
+use unoclp_point::Address;
 
 /// A seal-in circuit with a timer, a rung that ends in an IF, an empty path, and an empty rung.
 fn document() -> Document {

@@ -10,7 +10,8 @@ use unoclp_draw::edit::{
     Along, Coil, Cursor, Direction, Document, Draft, Drawn, Edge, Editor, Gate, Id, Mistake, Node,
     Operation, Place, Refusal, Row, Step, Way,
 };
-use unoclp_draw::{Address, Element, Names, Symbol};
+use unoclp_draw::{Element, Names, Symbol};
+use unoclp_point::Address;
 
 #[test]
 fn operations_come_to_these_codes_and_pictures() {

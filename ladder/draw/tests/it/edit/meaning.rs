@@ -1,10 +1,10 @@
 //! What is drawn is what is done: power that follows the tree of a document comes to its coil as it does in the scan.
 
 use unoclp_core::{Board, Image, Loader, Plc};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Along, Cursor, Document, Draft, Editor, Id, Node, Operation, Place, Series, Way, visit,
 };
+use unoclp_point::Address;
 use unoclp_testing::{Random, rounds};
 
 #[test]

@@ -1,11 +1,11 @@
 //! Random operations of the editor. The tests of PLCopen XML draw with them too.
 
 use unoclp_core::isa::{Class, Opcode};
-use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Along, Begin, Coil, Cursor, Direction, Document, Draft, Edge, Gate, Id, Operation, Place, Row,
     Step, Way, visit,
 };
+use unoclp_point::Address;
 use unoclp_testing::Random;
 
 /// What somebody might do to a document, most of it possible.

@@ -1,7 +1,7 @@
 //! Several operations as one change, another document in place of this one, and what a cursor selects.
 
-use unoclp_draw::Address;
 use unoclp_draw::edit::{Cursor, Document, Draft, Editor, Operation, Place, Refusal, Row};
+use unoclp_point::Address;
 
 fn contact(number: u8) -> Operation {
     let draft = Draft::contact(Some(Address::Input(number)), false).unwrap();

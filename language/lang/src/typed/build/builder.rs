@@ -5,10 +5,9 @@
 use super::named::{Letters, Named, Param, Variable};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
-use crate::typed::{
-    Base, Expr, ExprKind, Kind, Point, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind,
-};
+use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
 use std::collections::{HashMap, HashSet};
+use unoclp_point::Address;
 
 /// More cells than this no program has; the board has room for fewer than a hundred.
 pub(crate) const MOST_CELLS: u32 = 250_000;
@@ -61,7 +60,7 @@ pub(crate) struct Builder<'t, 'f> {
     pub(super) current: Option<usize>,
     /// Who calls whom, and where.
     pub(super) edges: Vec<(u32, u32, Span)>,
-    pub(super) points: HashMap<Point, u32>,
+    pub(super) points: HashMap<Address, u32>,
     pub(super) spellings: Spellings,
     pub(super) shown: Vec<(String, Variable, Option<u32>)>,
     pub(super) cells: u64,

@@ -53,7 +53,7 @@ mod operations;
 mod operators;
 mod passing;
 mod places;
-mod points;
+pub(crate) mod points;
 mod remedies;
 mod statements;
 mod symbols;

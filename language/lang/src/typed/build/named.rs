@@ -3,8 +3,9 @@
 //! Owns the kinds of declarations. Must not know how one is made.
 
 use crate::diagnostics::Span;
-use crate::typed::{Initial, Place, Point, Root, TypeId, Value};
+use crate::typed::{Initial, Place, Root, TypeId, Value};
 use std::sync::Arc;
+use unoclp_point::Address;
 
 /// The kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ pub(crate) struct Traits {
     pub retain: bool,
     /// It is the front end's own, and no symbol; VAR_TEMP of it is stored on every way before it is read.
     pub unseen: bool,
-    pub point: Option<Point>,
+    pub point: Option<Address>,
 }
 
 /// A variable, and where it is.

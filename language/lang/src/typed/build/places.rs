@@ -2,11 +2,12 @@
 
 use super::builder::{Builder, Draft};
 use super::named::{Named, Section, Variable};
+use super::points::point_base;
 use super::words::both;
 use crate::diagnostics::{Code, Span, Word};
 use crate::typed::standard::Role;
-use crate::typed::{Base, Expr, ExprKind, Kind, Place, Point, Root, TypeId, UnitKind, Value};
-use unoclp_point::is_block;
+use crate::typed::{Expr, ExprKind, Kind, Place, Root, TypeId, UnitKind, Value};
+use unoclp_point::{Address, is_block};
 
 /// What a name with its members and subscripts stands for.
 #[derive(Clone, Debug)]
@@ -167,13 +168,8 @@ impl Builder<'_, '_> {
         Some(Box::new((what.into(), help.into())))
     }
 
-    fn point_target(&mut self, point: Point, at: Span) -> Target {
+    fn point_target(&mut self, point: Address, at: Span) -> Target {
         let offset = self.point(point);
-        let base = match point {
-            _ if point.is_bit() => Base::Bool,
-            Point::Register(_) => Base::Dint,
-            _ => Base::Int,
-        };
         Target {
             place: Place {
                 root: Root::Static,
@@ -181,7 +177,7 @@ impl Builder<'_, '_> {
                 indices: Vec::new(),
                 at,
             },
-            ty: TypeId::of(base),
+            ty: TypeId::of(point_base(point)),
             locked: self.input_point(Root::Static, offset),
             value: None,
             result: false,

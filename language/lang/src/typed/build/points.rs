@@ -4,20 +4,22 @@ use super::builder::Builder;
 use super::named::Traits;
 use crate::diagnostics::{Code, Span};
 use crate::points;
-use crate::typed::{Base, Cell, Point, TypeId, Value};
+use crate::typed::{Base, Cell, TypeId, Value};
 use unoclp_core::Board;
-use unoclp_point::{Kind, Maker, read};
+use unoclp_point::{Address, Maker};
 
-fn point_base(point: Point) -> Base {
+/// What the cell of a point holds.
+pub(crate) fn point_base(point: Address) -> Base {
     match point {
-        Point::Register(_) => Base::Dint,
+        _ if point.is_bit() => Base::Bool,
+        Address::Register(_) => Base::Dint,
         _ => Base::Int,
     }
 }
 
 impl Builder<'_, '_> {
     /// The cell of a point that begins as its variable of this type does.
-    pub(super) fn point_with(&mut self, point: Point, ty: TypeId, traits: &Traits) -> u32 {
+    pub(super) fn point_with(&mut self, point: Address, ty: TypeId, traits: &Traits) -> u32 {
         let offset = self.point(point);
         let first = self.initial_cells(ty, traits).into_iter().next();
         let first = first.filter(|first| {
@@ -34,16 +36,12 @@ impl Builder<'_, '_> {
     }
 
     /// The cell of a point.
-    pub fn point(&mut self, point: Point) -> u32 {
+    pub fn point(&mut self, point: Address) -> u32 {
         if let Some(&cell) = self.points.get(&point) {
             return cell;
         }
         let cell = self.tree.cells.len() as u32;
-        let base = if point.is_bit() {
-            Base::Bool
-        } else {
-            point_base(point)
-        };
+        let base = point_base(point);
         self.tree.cells.push(Cell {
             base,
             initial: Value::zero(base),
@@ -56,7 +54,7 @@ impl Builder<'_, '_> {
     }
 
     /// The point that an address like `%IX1` names; what is wrong with it is told.
-    pub fn address(&mut self, written: &str, at: Span) -> Option<Point> {
+    pub fn address(&mut self, written: &str, at: Span) -> Option<Address> {
         let maker = Maker::Iec;
         let point = self.address_of(written, maker, at);
         if point.is_none() {
@@ -67,38 +65,24 @@ impl Builder<'_, '_> {
     }
 
     /// The point that an address names in a maker's way; none where a program has no such point, which is not told.
-    pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Point> {
+    pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Address> {
         let key: String = written.to_uppercase().split_whitespace().collect();
-        let written = read(&key, maker)?;
-        let address = written.address?;
-        let number = u32::from(address.number);
-        let point = match address.kind {
-            _ if !points::exists(address, Board::UNO) => return None,
-            Kind::Input => Point::Input(number),
-            Kind::Output => Point::Output(number),
-            Kind::Marker => Point::Marker(number),
-            Kind::System => Point::System(number),
-            Kind::Analogue => Point::Analogue(number),
-            Kind::Pwm => Point::Pwm(number),
-            Kind::Register => Point::Register(number),
-            Kind::Always | Kind::Group | Kind::Inputs | Kind::Outputs => return None,
-            Kind::Timer | Kind::Counter => return None,
-        };
+        let (address, written) = points::variable(&key, maker, Board::UNO)?;
         let here = (Code::StSamePoint, at);
         self.spellings
             .note((address, &written), here, self.text, self.found);
-        Some(point)
+        Some(address)
     }
 
     /// The point that AT names for a variable of this type; what is wrong with it is told.
-    pub fn address_for(&mut self, written: &str, ty: TypeId, at: Span) -> Option<Point> {
+    pub fn address_for(&mut self, written: &str, ty: TypeId, at: Span) -> Option<Address> {
         let point = self.address(written, at)?;
         let base = self.tree.types.base(ty);
         let fits = match (base, point.is_bit()) {
             (Some(Base::Bool), bit) => bit,
             (Some(base), false) => {
                 base.is_on_board() && !base.is_real()
-                    || matches!(point, Point::Register(_)) && base.is_on_board()
+                    || matches!(point, Address::Register(_)) && base.is_on_board()
             }
             _ => false,
         };

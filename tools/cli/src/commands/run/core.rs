@@ -9,8 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use unoclp_cli::messages;
 use unoclp_core::{Image, Inputs, Millis};
 use unoclp_host_sim::engine::Machine;
+use unoclp_lang as lang;
 use unoclp_lang::typed::{Base, Value};
-use unoclp_lang::{self as lang, Spot};
+use unoclp_point::Address;
 use unoclp_program::{Written, point_names, used};
 
 /// Runs a program; none where it has faults or a scan jumps back too often, which has been told.
@@ -27,7 +28,7 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
     for (name, written) in arguments.settings()? {
         let names = points
             .iter()
-            .flat_map(|point| [point.name.clone(), point.address()]);
+            .flat_map(|point| [point.name.clone(), point.point.to_string()]);
         let names: Vec<String> = names.collect();
         let point = &points[find(&names, name)? / 2];
         let value = lang::given(written, point.base, &[]);
@@ -61,57 +62,46 @@ pub(super) fn run(arguments: &What, written: Written) -> anyhow::Result<Option<R
 /// A point that the program uses, by its name.
 struct Used {
     name: String,
-    spot: Spot,
+    point: Address,
     base: Base,
 }
 
 /// What the program uses, in the order of the addresses.
 fn points(machine: &Machine, used: &used::Used, names: &BTreeMap<String, String>) -> Vec<Used> {
-    let of = |numbers: &BTreeSet<u8>, spot: fn(u8) -> Spot| -> Vec<Spot> {
-        numbers.iter().map(|&number| spot(number)).collect()
+    let of = |numbers: &BTreeSet<u8>, point: fn(u8) -> Address| -> Vec<Address> {
+        numbers.iter().map(|&number| point(number)).collect()
     };
     let timers = machine.plc().timers(0).count() as u8;
-    let spots = [
-        of(&used.inputs, Spot::Input),
-        of(&used.outputs, Spot::Output),
-        of(&used.analogue, Spot::Analogue),
-        of(&used.pwm, Spot::Pwm),
-        of(&used.markers, Spot::Marker),
-        of(&used.registers, Spot::Register),
-        of(&used.counters, Spot::Count),
-        (1..=timers).map(Spot::Elapsed).collect(),
+    let points = [
+        of(&used.inputs, Address::Input),
+        of(&used.outputs, Address::Output),
+        of(&used.analogue, Address::Analogue),
+        of(&used.pwm, Address::Pwm),
+        of(&used.markers, Address::Marker),
+        of(&used.registers, Address::Register),
+        of(&used.counters, Address::Count),
+        (1..=timers).map(Address::Elapsed).collect(),
     ];
-    let used = |spot| {
+    let used = |point| {
         let mut point = Used {
             name: String::new(),
-            base: match spot {
-                Spot::Input(_) | Spot::Output(_) | Spot::Marker(_) => Base::Bool,
-                Spot::Analogue(_) | Spot::Pwm(_) => Base::Int,
-                Spot::Register(number) if used.reals.contains(&number) => Base::Real,
-                Spot::Elapsed(_) => Base::Time,
+            base: match point {
+                Address::Input(_) | Address::Output(_) | Address::Marker(_) => Base::Bool,
+                Address::Analogue(_) | Address::Pwm(_) => Base::Int,
+                Address::Register(number) if used.reals.contains(&number) => Base::Real,
+                Address::Elapsed(_) => Base::Time,
                 _ => Base::Dint,
             },
-            spot,
+            point,
         };
-        let address = point.address();
+        let address = point.point.to_string();
         point.name = names.get(&address).cloned().unwrap_or(address);
         point
     };
-    spots.into_iter().flatten().map(used).collect()
+    points.into_iter().flatten().map(used).collect()
 }
 
 impl Used {
-    /// `I1`
-    fn address(&self) -> String {
-        let place = self.spot.to_string();
-        let (letter, number) = place.split_once(' ').unwrap_or_default();
-        let letter = match self.spot {
-            Spot::Pwm(_) => "P",
-            _ => letter,
-        };
-        format!("{letter}{}", number.parse().unwrap_or(0_u8))
-    }
-
     fn type_name(&self) -> &'static str {
         self.base.name()
     }
@@ -120,15 +110,15 @@ impl Used {
         let plc = machine.plc();
         let bit = |bits: u128, number: u8| (bits >> number.saturating_sub(1) & 1) as i32;
         let at = |number: u8| usize::from(number).saturating_sub(1);
-        let bits = match self.spot {
-            Spot::Input(n) => bit(inputs.points.0, n),
-            Spot::Output(n) => bit(plc.outputs().0, n),
-            Spot::Marker(n) => bit(plc.markers(), n),
-            Spot::Analogue(n) => inputs.analogue.get(usize::from(n)).map_or(0, |&v| v.into()),
-            Spot::Pwm(n) => plc.pwm(n).into(),
-            Spot::Register(n) => plc.registers().get(at(n)).copied().unwrap_or_default(),
-            Spot::Count(n) => plc.counters().nth(at(n)).map_or(0, |of| of.value),
-            Spot::Elapsed(n) => {
+        let bits = match self.point {
+            Address::Input(n) => bit(inputs.points.0, n),
+            Address::Output(n) => bit(plc.outputs().0, n),
+            Address::Marker(n) => bit(plc.markers(), n),
+            Address::Analogue(n) => inputs.analogue.get(usize::from(n)).map_or(0, |&v| v.into()),
+            Address::Pwm(n) => plc.pwm(n).into(),
+            Address::Register(n) => plc.registers().get(at(n)).copied().unwrap_or_default(),
+            Address::Count(n) => plc.counters().nth(at(n)).map_or(0, |of| of.value),
+            Address::Elapsed(n) => {
                 let timer = plc.timers(now).nth(at(n));
                 timer.map_or(0, |timer| timer.elapsed.cast_signed())
             }
@@ -143,23 +133,23 @@ impl Used {
             },
             base: self.base,
             named: None,
-            place: Some(self.spot.to_string()),
+            place: Some(format!("{:#}", self.point)),
         }
     }
 
     /// Sets it before the first scan; none of what cannot be set.
     fn set(&self, bits: i32, machine: &mut Machine, inputs: &mut Inputs) -> Option<()> {
-        match self.spot {
-            Spot::Input(n) => {
+        match self.point {
+            Address::Input(n) => {
                 let mask = 1 << n.checked_sub(1)?;
                 let points = inputs.points.0 & !mask;
                 inputs.points = Image(if bits != 0 { points | mask } else { points });
             }
-            Spot::Analogue(n) => {
+            Address::Analogue(n) => {
                 *inputs.analogue.get_mut(usize::from(n))? = bits.try_into().ok()?
             }
-            Spot::Marker(n) => machine.with_plc(|plc| plc.set_marker(n, bits != 0)),
-            Spot::Register(n) => machine.with_plc(|plc| plc.set_register(n, bits)),
+            Address::Marker(n) => machine.with_plc(|plc| plc.set_marker(n, bits != 0)),
+            Address::Register(n) => machine.with_plc(|plc| plc.set_register(n, bits)),
             _ => return None,
         }
         Some(())

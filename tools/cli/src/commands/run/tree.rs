@@ -83,12 +83,12 @@ pub(super) fn run(
 
 fn row(machine: &Machine<'_>, symbol: &Symbol, on_board: Option<&Variable>) -> Row {
     let (value, base) = machine.value(symbol);
-    let spot = on_board.and_then(|variable| match variable.holding {
-        Holding::One((spot, _)) => Some(spot),
+    let point = on_board.and_then(|variable| match variable.holding {
+        Holding::One((point, _)) => Some(point),
         Holding::Either { set, clear, .. } => {
             let both = [set, clear].into_iter().flatten();
             let mut meant = both.filter(|(_, of)| *of == base);
-            meant.next().map(|(spot, _)| spot)
+            meant.next().map(|(point, _)| point)
         }
         Holding::Constant(..) => None,
     });
@@ -101,7 +101,7 @@ fn row(machine: &Machine<'_>, symbol: &Symbol, on_board: Option<&Variable>) -> R
             Holds::Either { .. } => base.name().to_owned(),
         },
         named: at.and_then(|at| symbol.values.get(at)).cloned(),
-        place: spot.map(|spot| spot.to_string()),
+        place: point.map(|point| format!("{point:#}")),
         value,
         base,
     }
