@@ -67,7 +67,8 @@ pub fn test() -> Result<Count> {
     let mut tests = files(&shell::root().join(TESTS), ".test.mjs")?;
     tests.extend(files(&shell::root().join(FILES), ".test.mjs")?);
     let mut node = Command::new("node");
-    node.args(["--test", "--test-reporter=spec"]).args(tests);
+    node.args(["--test", "--test-concurrency=2", "--test-reporter=spec"]);
+    node.args(tests);
     count::tests(&mut node, count::by_node)
 }
 
