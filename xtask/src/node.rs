@@ -76,7 +76,8 @@ pub fn test(firmware: Option<&Path>) -> Result<Count> {
         tests.extend(files(&shell::root().join(folder), ".test.mjs")?);
     }
     let mut node = Command::new("node");
-    node.args(["--test", "--test-reporter=spec"]).args(tests);
+    node.args(["--test", "--test-concurrency=2", "--test-reporter=spec"]);
+    node.args(tests);
     node.envs(firmware.map(|file| (FIRMWARE, file)));
     count::tests(&mut node, count::by_node)
 }

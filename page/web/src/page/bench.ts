@@ -188,12 +188,17 @@ export class Bench {
   async put(text: Text): Promise<void> {
     this.upload.value = { share: 0 };
     try {
-      if (this.paused.value) this.goOn();
+      this.takeTime();
       const said = await this.order({ do: "upload", ...text });
       if (said) this.tell(said);
     } finally {
       this.upload.value = null;
     }
+  }
+
+  /** What is asked of the board at hand takes time: a simulated one goes on. */
+  takeTime(): void {
+    if (this.paused.value && this.where.value === "simulated") this.goOn();
   }
 
   pause(): void {

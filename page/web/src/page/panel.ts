@@ -173,7 +173,7 @@ export class Panel {
   }
 
   private async scan(): Promise<void> {
-    if (this.bench.paused.value) this.bench.goOn();
+    this.bench.takeTime();
     await this.bench.ask({ do: "scan" });
   }
 

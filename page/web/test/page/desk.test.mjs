@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, run, type } from "./harness.mjs";
+import { Lab, run, still, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -77,6 +77,8 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
   await page.context().addInitScript(plugIn);
   await page.reload();
   await page.locator("#run:enabled").waitFor();
+  // The board at the port is another.
+  await still(page);
   await page.click("#connect");
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
@@ -100,6 +102,7 @@ test("a program in a typed language goes to a board at a port without a reset, a
   await page.context().addInitScript(plugIn);
   await page.reload();
   await page.locator("#run:enabled").waitFor();
+  await still(page);
   await page.click("#connect");
   const about = page.locator("#desk-about", { hasText: "Connected: unoclp UNO" });
   await about.waitFor();

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { EDITOR, HANDS } from "./hands.mjs";
-import { Lab, findings, lamp, state } from "./harness.mjs";
+import { Lab, findings, lamp, state, still } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page @typedef {import("./hands.mjs").Hand} Hand */
 
@@ -193,6 +193,8 @@ const STEPS = [
     await hand.press(page, named(page, "Clear"));
   }],
   ["files are opened and saved", async (page, hand) => {
+    // Until a program is run again, no step needs the board.
+    await still(page);
     const entry = (/** @type {string} */ name) => async () => {
       await hand.press(page, "#menu-fileMenu");
       await hand.press(page, named(page, name));
@@ -272,6 +274,7 @@ const STEPS = [
     await state(page, "RUN");
   }],
   ["the ladder is enlarged, the page made dark, and spoken in Portuguese", async (page, hand) => {
+    await still(page);
     const width = async () => Number(await page.getAttribute(".ladder svg, svg.ladder", "width"));
     const before = await width();
     await hand.press(page, named(page, "Larger"));

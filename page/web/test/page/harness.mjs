@@ -143,7 +143,7 @@ export async function type(page, text, name = "") {
 /** Has the time of the simulated board stand: it takes half a processor. Running a program lets it go on.
  * @param {import("playwright-core").Page} page */
 export async function still(page) {
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector("#pause")).click());
+  await page.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('#pause:has([data-say="pause"])'))?.click());
 }
 
 /** Files that a browser opens: it reads them from the disk, for it is slow to be told bytes. */

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, PATIENCE, choose, lamp, pictures, run, state, type } from "./harness.mjs";
+import { Lab, PATIENCE, choose, lamp, pictures, run, state, still, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -173,6 +173,7 @@ async function breaking(options = {}) {
   page.on("pageerror", (error) => lab.errors.push(String(error.stack)));
   await page.goto(lab.server.url);
   await page.locator("#run:enabled").waitFor();
+  await still(page);
   return page;
 }
 
