@@ -97,7 +97,7 @@ fn paths_are_told_from_other_words() {
 #[test]
 fn each_path_that_a_page_names_is_there() {
     let mut files = Vec::new();
-    all(&root(), "", &mut files);
+    all(root(), "", &mut files);
     let readmes = files.iter().filter(|file| {
         let is_deep = file.split('/').count() > 3;
         ends_in(file, "README.md") && file.contains('/') && !is_deep
