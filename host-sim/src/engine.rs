@@ -4,7 +4,7 @@ use crate::scenario::{Cell, Engine, Outcome, Refusal};
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_checked::Checked;
-use unoclp_core::{After, Fault, Image, Inputs, Millis, Plc, Snapshot};
+use unoclp_core::{After, Board, Fault, Image, Inputs, Millis, Plc, Snapshot};
 use unoclp_program::load;
 use unoclp_program::used::Used;
 
@@ -78,12 +78,20 @@ impl Machine {
 }
 
 /// The core as an engine for scenarios. It cannot fail.
-#[derive(Default)]
 pub struct HostEngine {
+    board: Board,
     machine: Option<Machine>,
 }
 
 impl HostEngine {
+    /// An engine for programs of this board.
+    pub fn new(board: Board) -> HostEngine {
+        HostEngine {
+            board,
+            machine: None,
+        }
+    }
+
     /// The program that was loaded; none before that, and where it was refused.
     pub fn machine(&self) -> Option<&Machine> {
         self.machine.as_ref()
@@ -95,7 +103,7 @@ impl Engine for HostEngine {
 
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Infallible> {
         self.machine = None;
-        Ok(match load(file) {
+        Ok(match load(file, self.board) {
             Ok(program) => {
                 self.machine = Some(Machine::new(program));
                 Ok(())

@@ -8,17 +8,21 @@ mod write;
 
 pub use stream::Random;
 
-use unoclp_core::{Cause, Inputs, Instruction, Millis, Needs};
-use unoclp_program::BOARD;
+use unoclp_core::{Board, Cause, Inputs, Instruction, Millis, Needs};
 
 /// A random program that the board accepts: of any size up to nearly full, with every instruction, and
 /// written in any of the ways that NC-3 allows.
 pub fn random_program(random: &mut Random) -> String {
-    let mut rungs = program::random_rungs(random);
+    random_program_on(random, Board::UNO)
+}
+
+/// The same on another board.
+pub fn random_program_on(random: &mut Random, board: Board) -> String {
+    let mut rungs = program::random_rungs(random, board);
     loop {
-        let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
+        let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs, board);
         let text = write::write(random, &instructions);
-        match unoclp_program::load(text.as_bytes()) {
+        match unoclp_program::load(text.as_bytes(), board) {
             // Sizes were only estimated.
             Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
                 drop(rungs.pop());
@@ -31,15 +35,35 @@ pub fn random_program(random: &mut Random) -> String {
 /// Inputs for the next scan of a program that needs this: mostly as they were, sometimes with one
 /// changed, seldom all anew.
 pub fn random_inputs(random: &mut Random, needs: Needs, before: Inputs) -> Inputs {
+    random_inputs_on(random, (needs, Board::UNO), before)
+}
+
+/// The same on another board.
+pub fn random_inputs_on(
+    random: &mut Random,
+    (needs, board): (Needs, Board),
+    before: Inputs,
+) -> Inputs {
     let mut inputs = before;
     // A pin that is an analogue input has no button.
-    let buttons = !((needs.analogue & 0x0F) << 4) & 0xFF;
+    let shared = match board.shared_from {
+        0 => 0,
+        first => needs.analogue << (first - 1),
+    };
+    let buttons = !shared & ((1 << board.inputs) - 1);
     match random.below(100) {
         0..70 => {}
-        70..95 => inputs.points.0 ^= 1 << random.below(BOARD.inputs.into()) & buttons,
-        _ => inputs.points.0 = u128::from(random.bits() as u16) & buttons,
+        70..95 => inputs.points.0 ^= 1 << random.below(board.inputs.into()) & buttons,
+        _ => {
+            let low = u128::from(random.bits() as u16);
+            let high = match board.inputs {
+                ..=16 => 0,
+                _ => u128::from(random.bits()) << 64 | u128::from(random.bits()) << 16,
+            };
+            inputs.points.0 = (high | low) & buttons;
+        }
     }
-    let readings = inputs.analogue.iter_mut().take(BOARD.analogue.into());
+    let readings = inputs.analogue.iter_mut().take(board.analogue.into());
     for (input, reading) in readings.enumerate() {
         if needs.analogue >> input & 1 != 0 && random.percent(30) {
             *reading = random.below(1024) as u16;
@@ -69,7 +93,7 @@ mod tests {
         let (mut smallest, mut most_stored, mut most_linked) = (usize::MAX, 0, 0);
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed));
-            let checked = unoclp_program::load(text.as_bytes())
+            let checked = unoclp_program::load(text.as_bytes(), unoclp_core::Board::UNO)
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             let program = checked.program();
             smallest = smallest.min(program.stored_bytes());
@@ -82,11 +106,11 @@ mod tests {
         }
         assert_eq!(smallest, 0);
         assert!(
-            most_stored > usize::from(BOARD.stored_bytes) * 3 / 4,
+            most_stored > usize::from(Board::UNO.stored_bytes) * 3 / 4,
             "{most_stored}"
         );
         assert!(
-            most_linked > usize::from(BOARD.linked_bytes) * 9 / 10,
+            most_linked > usize::from(Board::UNO.linked_bytes) * 9 / 10,
             "{most_linked}"
         );
     }
@@ -97,8 +121,9 @@ mod tests {
         for seed in 0..500 {
             let mut random = Random::new(seed);
             let text = random_program(&mut random);
-            let mut machine =
-                crate::engine::Machine::new(unoclp_program::load(text.as_bytes()).unwrap());
+            let mut machine = crate::engine::Machine::new(
+                unoclp_program::load(text.as_bytes(), unoclp_core::Board::UNO).unwrap(),
+            );
             let mut inputs = Inputs::default();
             for now in 0..60 {
                 inputs = random_inputs(&mut random, machine.plc().needs(), inputs);
@@ -131,8 +156,9 @@ mod tests {
     fn changes_of(seed: u64) -> (u32, u32) {
         let random = &mut Random::new(seed);
         let text = random_program(random);
-        let mut machine =
-            crate::engine::Machine::new(unoclp_program::load(text.as_bytes()).unwrap());
+        let mut machine = crate::engine::Machine::new(
+            unoclp_program::load(text.as_bytes(), unoclp_core::Board::UNO).unwrap(),
+        );
         let (mut inputs, mut before, mut changes) = (Inputs::default(), Default::default(), 0);
         for scan in 0..40 {
             inputs = random_inputs(random, machine.plc().needs(), inputs);

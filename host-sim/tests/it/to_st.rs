@@ -156,7 +156,7 @@ fn samples_and_tests_do_the_same() {
     for path in all {
         let file = fs::read(&path).unwrap();
         // Some are there for their faults.
-        if unoclp_program::load(&file).is_err() {
+        if unoclp_program::load(&file, unoclp_core::Board::UNO).is_err() {
             continue;
         }
         ran += 1;

@@ -2,15 +2,17 @@
 //!
 //! | address | point |
 //! | --- | --- |
-//! | `%IX0.0` to `%IX0.7` | inputs 01 to 08 |
-//! | `%QX0.0` to `%QX0.3` | outputs 01 to 04 |
-//! | `%MX0.0` to `%MX7.7` | markers 01 to 64 |
-//! | `%MW1` to `%MW98`, `%MD1` to `%MD98` | registers 01 to 98 |
-//! | `%IW0` to `%IW4` | analogue inputs 00 to 04 |
-//! | `%QW1` to `%QW4` | PWM of outputs 01 to 04 |
+//! | `%IX0.0` … | inputs 01 … |
+//! | `%QX0.0` … | outputs 01 … |
+//! | `%MX0.0` … | markers 01 … |
+//! | `%MW1` …, `%MD1` … | registers 01 … |
+//! | `%IW0` … | analogue inputs 00 … |
+//! | `%QW1` … | PWM of outputs 01 … |
+//!
+//! How many there are is the board's to say.
 
 use unoclp_core::Board;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::isa::REGISTERS;
 use unoclp_draw::Address;
 
 /// What an address names.
@@ -24,7 +26,7 @@ pub(crate) enum Point {
 
 /// The points that are still free.
 pub(crate) struct Points {
-    board: Board,
+    pub(crate) board: Board,
     markers: u128,
     registers: u128,
     counters: u128,
@@ -90,10 +92,7 @@ impl Points {
 
     /// A marker; one that is kept over a power cut, where that is asked for.
     pub(crate) fn marker(&mut self, retain: bool) -> Option<u8> {
-        let mut numbers = match retain {
-            true => RETENTIVE..=RETENTIVE + 7,
-            false => 1..=RETENTIVE - 1,
-        };
+        let mut numbers = self.board.markers_that(retain);
         let number = numbers.find(|number| self.markers >> number & 1 == 0)?;
         self.markers |= 1 << number;
         Some(number)
@@ -106,7 +105,7 @@ impl Points {
         Some(number)
     }
 
-    /// A counter: of one that is called C1 to C16 the one with that number, where it is free.
+    /// A counter: of one that is called C1, C2 … the one with that number, where it is free.
     pub(crate) fn counter(&mut self, name: &str) -> Option<u8> {
         let own = name.strip_prefix(['C', 'c']).and_then(|n| n.parse().ok());
         let most = self.board.counters;
@@ -116,7 +115,7 @@ impl Points {
         Some(number)
     }
 
-    /// The label with the number that its name says, L1 to L32, where it is free.
+    /// The label with the number that its name says, L1, L2 …, where it is free.
     pub(crate) fn own_label(&mut self, name: &str) -> Option<u8> {
         let own: u8 = name.strip_prefix(['L', 'l'])?.parse().ok()?;
         let is_free = (1..=self.board.labels).contains(&own) && self.labels >> own & 1 == 0;

@@ -13,11 +13,11 @@ use unoclp_core::isa::{REGISTERS, RETENTIVE};
 #[serde(rename_all = "camelCase")]
 pub struct Facts {
     /// How a request names it.
-    id: String,
+    id: &'static str,
     /// What people call it.
     name: &'static str,
     /// How a request names each that there is.
-    all: [String; Board::ALL.len()],
+    all: [&'static str; Board::ALL.len()],
     /// Whether a board can be flashed that has this; if not, its programs run on a PC alone.
     firmware: bool,
     /// Whether it has the instructions of REAL numbers.
@@ -57,9 +57,9 @@ impl Facts {
     pub fn of(board: Board) -> Facts {
         let shares = |analogue| Some([board.shares(analogue)?, analogue]);
         Facts {
-            id: id(board),
+            id: board.id(),
             name: board.name,
-            all: Board::ALL.map(id),
+            all: Board::ALL.map(|board| board.id()),
             firmware: board.has_firmware(),
             real: board.real,
             inputs: board.inputs,
@@ -78,10 +78,6 @@ impl Facts {
             linked: board.linked_bytes,
         }
     }
-}
-
-fn id(board: Board) -> String {
-    board.name.to_ascii_lowercase()
 }
 
 /// The board that a request is for: the UNO, where it names none.

@@ -4,7 +4,8 @@
 
 use super::flat::TEMPORARY;
 use std::collections::HashMap;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::Board;
+use unoclp_core::isa::REGISTERS;
 
 /// A place of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,8 +40,10 @@ pub(super) struct Seats {
     /// What is kept: registers and counters.
     pub kept_registers: Vec<u8>,
     pub kept_counters: Vec<u8>,
+    /// The board that has them.
+    board: Option<Board>,
     /// Bit 0 is M 01, and D 01; those that are taken.
-    pub markers: u64,
+    pub markers: u128,
     pub registers: u128,
     /// Those that temporaries have now.
     pub busy: Vec<(u32, Seat)>,
@@ -49,6 +52,14 @@ pub(super) struct Seats {
 }
 
 impl Seats {
+    /// None taken.
+    pub(super) fn new(board: Board) -> Seats {
+        Seats {
+            board: Some(board),
+            ..Seats::default()
+        }
+    }
+
     /// How many steps say what is kept: they stand before all others.
     pub(super) fn kept(&self) -> usize {
         self.kept_registers.len() + self.kept_counters.len()
@@ -56,7 +67,7 @@ impl Seats {
 
     pub(super) fn take(&mut self, seat: Seat) {
         match seat {
-            Seat::Marker(n @ 1..=64) => self.markers |= 1 << (n - 1),
+            Seat::Marker(n @ 1..=99) => self.markers |= 1 << (n - 1),
             Seat::Register(n @ 1..=98) => self.registers |= 1 << (n - 1),
             _ => {}
         }
@@ -64,14 +75,15 @@ impl Seats {
 
     pub(super) fn release(&mut self, seat: Seat) {
         match seat {
-            Seat::Marker(n @ 1..=64) => self.markers &= !(1 << (n - 1)),
+            Seat::Marker(n @ 1..=99) => self.markers &= !(1 << (n - 1)),
             Seat::Register(n @ 1..=98) => self.registers &= !(1 << (n - 1)),
             _ => {}
         }
     }
 
-    pub(super) fn marker(&mut self, mut range: std::ops::Range<u8>) -> Option<Seat> {
-        let seat = Seat::Marker(range.find(|n| self.markers >> (n - 1) & 1 == 0)?);
+    pub(super) fn marker(&mut self, keeps: bool) -> Option<Seat> {
+        let mut all = self.board?.markers_that(keeps);
+        let seat = Seat::Marker(all.find(|n| self.markers >> (n - 1) & 1 == 0)?);
         self.take(seat);
         Some(seat)
     }
@@ -97,7 +109,7 @@ impl Seats {
     /// A cell of its own until the statement ends.
     pub(super) fn temporary(&mut self, bit: bool, wide: bool) -> u32 {
         let seat = match bit {
-            true => self.marker(1..RETENTIVE),
+            true => self.marker(false),
             false => self.register(),
         };
         let cell = TEMPORARY + (self.next << 1) + u32::from(wide);
@@ -140,7 +152,7 @@ impl Seats {
     /// A marker or register for the whole program that no cell has.
     pub(super) fn lasting(&mut self, bit: bool) -> Option<Seat> {
         match bit {
-            true => self.marker(1..RETENTIVE),
+            true => self.marker(false),
             false => self.register(),
         }
     }

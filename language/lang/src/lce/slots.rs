@@ -9,7 +9,6 @@ use crate::names::near::nearest;
 use crate::points;
 use crate::typed::build::both;
 use crate::typed::{Base, Cell, Holds, Symbol, Value};
-use unoclp_core::Board;
 use unoclp_point::Maker;
 
 /// For more names than this, no near one is looked for.
@@ -70,7 +69,7 @@ impl Checker<'_, '_> {
         let upper = text.to_uppercase();
         let pointed = text.contains('.');
         if is_place(text) || pointed && !is_place(&upper) {
-            let help = points::help(text, Maker::Simuplc, Board::UNO);
+            let help = points::help(text, Maker::Simuplc, self.builder.board);
             self.builder
                 .tell(Code::LceNoPoint, name.span, [text.into(), help]);
             return;

@@ -57,7 +57,7 @@ impl Lower<'_, '_> {
             }
             Place::Number(num) => {
                 match num {
-                    Num::Inputs => self.names.inputs_read = u16::MAX,
+                    Num::Inputs => self.names.inputs_read = u128::MAX,
                     Num::Elapsed(timer) => self.reads_timer(timer, span),
                     _ => {}
                 }

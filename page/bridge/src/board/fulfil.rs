@@ -17,6 +17,7 @@ use unoclp_client::upload::{Broken, Pass, Progress, go_on, needs, stop, upload};
 use unoclp_client::watch::{Side, Wish};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
+use unoclp_program::{Lang, not_sent};
 
 /// Does what is ordered; gives what there is to say behind it.
 pub(super) async fn fulfil(
@@ -84,6 +85,10 @@ async fn put(
     stay: bool,
 ) -> Result<Both, Undone> {
     let source = text.program()?;
+    if not_sent(&source, Lang::En).is_some() {
+        let why = both(|lang| not_sent(&source, lang).unwrap_or_default());
+        return Err(Undone::Told(why));
+    }
     let sent = diagnostics::Kept::of(source.program());
     let needs = needs(source.program());
     let before = stop(client).await?;

@@ -5,13 +5,13 @@ use crate::given::{Given, wrong};
 use crate::words::{Both, No, Offer, both};
 use serde::Serialize;
 use std::collections::BTreeSet;
+use unoclp_core::Board;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
 use unoclp_draw::Address;
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
 use unoclp_lang::duration;
-use unoclp_program::BOARD;
 use unoclp_program::drawn::is_name;
 
 /// A field with what is in it.
@@ -110,7 +110,7 @@ pub fn shown(document: &Document, element: &Element) -> Vec<Shown> {
 /// # Errors
 /// What is wrong with a field.
 pub fn operations(
-    document: &Document,
+    (document, board): (&Document, Board),
     cursor: Cursor,
     fields: Vec<Field>,
     sure: bool,
@@ -133,10 +133,10 @@ pub fn operations(
             "operand" => step = valued(table, &step, &value).map_err(at)?,
             "point" => {
                 let (point, name) = pointed(table, &value)
-                    .map_err(|no| no.at(&key, named_offers(document, &step, &value)))?;
+                    .map_err(|no| no.at(&key, named_offers((document, board), &step, &value)))?;
                 also = name;
                 if point != self::point(&step) {
-                    meant(document, &step, point, &value, sure)?;
+                    meant((document, board), &step, point, &value, sure)?;
                 }
                 step = step
                     .with_address(point)
@@ -199,12 +199,12 @@ pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation
 ///
 /// # Errors
 /// The question.
-pub fn ask(document: &Document, point: Address, sure: bool) -> Result<(), No> {
+pub fn ask((document, board): (&Document, Board), point: Address, sure: bool) -> Result<(), No> {
     let is_new = || !used(document).contains(&point) && document.table().get(point).is_none();
     match point {
         Address::System(number) if !sure && is_new() => {
             let name = point.to_string();
-            let free = free(document, Address::Input);
+            let free = free((document, board), Address::Input);
             // The letter alone is an address, and so no name.
             let button = free.map(|input| offer(format!("{input} S_{number}")));
             let marker = Offer {
@@ -221,7 +221,7 @@ pub fn ask(document: &Document, point: Address, sure: bool) -> Result<(), No> {
 
 /// Whether an element can mean this point.
 fn meant(
-    document: &Document,
+    (document, board): (&Document, Board),
     step: &Step,
     point: Option<Address>,
     value: &str,
@@ -230,18 +230,20 @@ fn meant(
     match point {
         Some(Address::Timer(_)) if step.opcode().row().kind == Kind::Timer => {
             let kinds = [Address::Marker as fn(u8) -> Address, Address::Output];
-            let points = kinds.into_iter().filter_map(|kind| free(document, kind));
+            let points = kinds
+                .into_iter()
+                .filter_map(|kind| free((document, board), kind));
             let offers = points.map(|point| offer(point.to_string()));
             let told = No::from(both(|lang| words::timer_drives(lang, value)));
             Err(told.at("point", offers.collect()))
         }
-        Some(point) => ask(document, point, sure),
+        Some(point) => ask((document, board), point, sure),
         None => Ok(()),
     }
 }
 
 /// Free points for a name that no point has yet.
-fn named_offers(document: &Document, step: &Step, name: &str) -> Vec<Offer> {
+fn named_offers((document, board): (&Document, Board), step: &Step, name: &str) -> Vec<Offer> {
     let kinds: &[fn(u8) -> Address] = match step.class() {
         Class::Contact | Class::Xor => &[Address::Input, Address::Marker],
         Class::Coil | Class::Timer => &[Address::Output, Address::Marker],
@@ -250,7 +252,9 @@ fn named_offers(document: &Document, step: &Step, name: &str) -> Vec<Offer> {
     if !is_name(name) {
         return Vec::new();
     }
-    let points = kinds.iter().filter_map(|kind| free(document, kind));
+    let points = kinds
+        .iter()
+        .filter_map(|kind| free((document, board), kind));
     let offers = points.map(|point| offer(format!("{point} {name}")));
     offers.collect()
 }
@@ -264,11 +268,11 @@ fn offer(value: String) -> Offer {
 }
 
 /// The first point of a kind that has no name, and that nothing reads or drives.
-fn free(document: &Document, kind: impl Fn(u8) -> Address) -> Option<Address> {
+fn free((document, board): (&Document, Board), kind: impl Fn(u8) -> Address) -> Option<Address> {
     let used = used(document);
     let most = match kind(1) {
-        Address::Input(_) => BOARD.inputs,
-        Address::Output(_) => BOARD.outputs,
+        Address::Input(_) => board.inputs,
+        Address::Output(_) => board.outputs,
         // The last of them are retentive.
         _ => RETENTIVE - 1,
     };

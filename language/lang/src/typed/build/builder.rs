@@ -9,6 +9,7 @@ use crate::typed::{
     Base, Expr, ExprKind, Kind, Point, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind,
 };
 use std::collections::{HashMap, HashSet};
+use unoclp_core::Board;
 
 /// More cells than this no program has; the board has room for fewer than a hundred.
 pub(crate) const MOST_CELLS: u32 = 250_000;
@@ -49,6 +50,8 @@ pub(super) struct BlockCall {
 
 pub(crate) struct Builder<'t, 'f> {
     pub text: &'t str,
+    /// The board that the text is for.
+    pub board: Board,
     pub found: &'f mut Found,
     pub tree: Tree,
     pub(super) letters: Letters,
@@ -80,9 +83,15 @@ pub(crate) struct Builder<'t, 'f> {
 }
 
 impl<'t, 'f> Builder<'t, 'f> {
-    pub fn new(text: &'t str, letters: Letters, found: &'f mut Found) -> Builder<'t, 'f> {
+    pub fn new(
+        text: &'t str,
+        letters: Letters,
+        board: Board,
+        found: &'f mut Found,
+    ) -> Builder<'t, 'f> {
         Builder {
             text,
+            board,
             found,
             tree: Tree::default(),
             letters,

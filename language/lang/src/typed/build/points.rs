@@ -5,7 +5,6 @@ use super::named::Traits;
 use crate::diagnostics::{Code, Span};
 use crate::points;
 use crate::typed::{Base, Cell, Point, TypeId, Value};
-use unoclp_core::Board;
 use unoclp_point::{Kind, Maker, read};
 
 fn point_base(point: Point) -> Base {
@@ -60,7 +59,7 @@ impl Builder<'_, '_> {
         let maker = Maker::Iec;
         let point = self.address_of(written, maker, at);
         if point.is_none() {
-            let help = points::help(written, maker, Board::UNO);
+            let help = points::help(written, maker, self.board);
             self.tell(Code::StBadAddress, at, [written.into(), help]);
         }
         point
@@ -73,7 +72,7 @@ impl Builder<'_, '_> {
         let address = written.address?;
         let number = u32::from(address.number);
         let point = match address.kind {
-            _ if !points::exists(address, Board::UNO) => return None,
+            _ if !points::exists(address, self.board) => return None,
             Kind::Input => Point::Input(number),
             Kind::Output => Point::Output(number),
             Kind::Marker => Point::Marker(number),
