@@ -11,8 +11,3 @@
 pub mod engine;
 pub mod random;
 pub mod torture;
-
-use unoclp_core::Board;
-
-/// The board whose programs are run.
-pub const BOARD: Board = Board::UNO;

@@ -2,10 +2,9 @@
 //!
 //! `cargo run --release -p unoclp-host-sim --example torture -- 10000000`
 
-use crate::BOARD;
 use crate::random::{Random, random_inputs, random_pause, random_program};
 use unoclp_core::isa::TABLE;
-use unoclp_core::{Cause, Inputs, Loader, Millis, Plc, Program};
+use unoclp_core::{Board, Cause, Inputs, Loader, Millis, Plc, Program};
 
 /// How the files of a run fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,8 +27,8 @@ const SCANS: u32 = 8;
 pub fn torture(seed: u64, tally: &mut Tally) -> Result<(), String> {
     let mut random = Random::new(seed);
     let file = random_file(&mut random);
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let mut loader = Loader::new(&mut memory, BOARD);
+    let mut memory = vec![0; Board::UNO.plc_bytes()];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     let mut first_fault = None;
     for &byte in &file {
         if let Err(fault) = loader.push(byte) {
@@ -64,8 +63,8 @@ fn torture_stored(
     random: &mut Random,
     tally: &mut Tally,
 ) -> Result<(), String> {
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let mut loader = Loader::new(&mut memory, BOARD);
+    let mut memory = vec![0; Board::UNO.plc_bytes()];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     let restored = loader.restore(&mut stored.iter().copied());
     match (restored, loader.finish()) {
         (Ok(()), Ok(program)) if program.stored() == stored => {}
@@ -79,8 +78,8 @@ fn torture_stored(
             _ => stored.truncate(at),
         }
     }
-    let mut memory = vec![0; BOARD.plc_bytes()];
-    let mut loader = Loader::new(&mut memory, BOARD);
+    let mut memory = vec![0; Board::UNO.plc_bytes()];
+    let mut loader = Loader::new(&mut memory, Board::UNO);
     let restored = loader.restore(&mut stored.iter().copied());
     match (restored, loader.finish()) {
         (Ok(()), Ok(program)) => {
@@ -97,7 +96,7 @@ fn torture_stored(
 /// that are PWM stay 0, and all of them are 0 at a fault.
 fn run(program: Program<'_>, random: &mut Random, tally: &mut Tally) -> Result<(), String> {
     let (stored, linked) = (program.stored_bytes(), program.linked_bytes());
-    if stored > BOARD.stored_bytes.into() || linked > BOARD.linked_bytes.into() {
+    if stored > Board::UNO.stored_bytes.into() || linked > Board::UNO.linked_bytes.into() {
         return Err(format!(
             "accepted with {stored} bytes stored, {linked} linked"
         ));
@@ -116,7 +115,7 @@ fn run(program: Program<'_>, random: &mut Random, tally: &mut Tally) -> Result<(
             }
             Err(fault) => return Err(format!("{fault}, outputs {:#b}", plc.outputs().0)),
         };
-        if outputs.0 >> BOARD.outputs != 0 || outputs.0 & plc.needs().pwm != 0 {
+        if outputs.0 >> Board::UNO.outputs != 0 || outputs.0 & plc.needs().pwm != 0 {
             return Err(format!("outputs {:#b}", outputs.0));
         }
     }

@@ -18,15 +18,18 @@ pub struct Diagnosis {
     pub told_at: Option<usize>,
     /// Bytes of program memory and of run memory that the whole file lacks; 0 where that is not known.
     pub lacking: [usize; 2],
+    /// The board that the file was checked for.
+    pub board: Board,
 }
 
-impl From<Fault> for Diagnosis {
-    /// A fault of which nothing more is known.
-    fn from(fault: Fault) -> Diagnosis {
+impl Diagnosis {
+    /// A fault on this board, of which nothing more is known.
+    pub fn new(fault: Fault, board: Board) -> Diagnosis {
         Diagnosis {
             fault,
             told_at: None,
             lacking: [0; 2],
+            board,
         }
     }
 }
@@ -44,7 +47,7 @@ pub fn numeric(file: &[u8], board: Board) -> Result<(Checked, SourceMap), Vec<Di
             if let Err(fault) = loader.push(byte) {
                 faults.push(Diagnosis {
                     told_at: Some(offset),
-                    ..fault.into()
+                    ..Diagnosis::new(fault, board)
                 });
             }
             if offset >= UTF8_MARK.len() || !file.starts_with(UTF8_MARK) {
@@ -52,7 +55,7 @@ pub fn numeric(file: &[u8], board: Board) -> Result<(Checked, SourceMap), Vec<Di
             }
         }
         while let Err(fault) = loader.end() {
-            faults.push(fault.into());
+            faults.push(Diagnosis::new(fault, board));
         }
         reader.end_line(loader);
         lacking = loader.lacking();
@@ -62,7 +65,7 @@ pub fn numeric(file: &[u8], board: Board) -> Result<(Checked, SourceMap), Vec<Di
     }
     match checked {
         Ok(checked) => Ok((checked, reader.map)),
-        Err(fault) if faults.is_empty() => Err(vec![fault.into()]),
+        Err(fault) if faults.is_empty() => Err(vec![Diagnosis::new(fault, board)]),
         Err(_) => Err(faults),
     }
 }

@@ -206,6 +206,9 @@ spans! {
 /// The board that has these addresses.
 const BOARD: Board = Board::UNO;
 
+/// Registers that a board has whatever its program names.
+pub const NEAR_REGISTERS: u8 = BOARD.engine.near_registers;
+
 /// As many timers as fit run memory: the linked form of a timer takes two bytes beside its data.
 const TIMERS: u16 = BOARD.linked_bytes / (2 + TIMER_DATA as u16);
 

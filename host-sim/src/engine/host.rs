@@ -1,11 +1,10 @@
 //! The PLC of `unoclp-core` on this PC.
 
 use super::{Cell, Engine, Outcome, Refusal};
-use crate::BOARD;
 use self_cell::{MutBorrow, self_cell};
 use std::convert::Infallible;
 use unoclp_checked::Checked;
-use unoclp_core::{After, Fault, Image, Inputs, Millis, Plc, Snapshot};
+use unoclp_core::{After, Board, Fault, Image, Inputs, Millis, Plc, Snapshot};
 
 self_cell!(
     /// A running program together with the checked one, whose memory a [`Plc`] only borrows.
@@ -68,12 +67,20 @@ impl Machine {
 }
 
 /// The core as an engine for scenarios. It cannot fail.
-#[derive(Default)]
 pub struct HostEngine {
+    board: Board,
     machine: Option<Machine>,
 }
 
 impl HostEngine {
+    /// An engine for programs of this board.
+    pub fn new(board: Board) -> HostEngine {
+        HostEngine {
+            board,
+            machine: None,
+        }
+    }
+
     /// The program that was loaded; none before that, and where it was refused.
     pub fn machine(&self) -> Option<&Machine> {
         self.machine.as_ref()
@@ -85,7 +92,7 @@ impl Engine for HostEngine {
 
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Infallible> {
         self.machine = None;
-        Ok(match Checked::read(file, BOARD) {
+        Ok(match Checked::read(file, self.board) {
             Ok(program) => {
                 self.machine = Some(Machine::new(program));
                 Ok(())

@@ -8,18 +8,22 @@ mod write;
 
 pub use stream::Random;
 
-use crate::BOARD;
 use unoclp_checked::Checked;
-use unoclp_core::{Cause, Inputs, Instruction, Millis, Needs};
+use unoclp_core::{Board, Cause, Inputs, Instruction, Millis, Needs};
 
 /// A random program that the board accepts: of any size up to nearly full, with every instruction, and
 /// written in any of the ways that NC-3 allows.
 pub fn random_program(random: &mut Random) -> String {
-    let mut rungs = program::random_rungs(random);
+    random_program_on(random, Board::UNO)
+}
+
+/// The same on another board.
+pub fn random_program_on(random: &mut Random, board: Board) -> String {
+    let mut rungs = program::random_rungs(random, board);
     loop {
-        let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs);
+        let instructions: Vec<Instruction<'static>> = program::resolve(random, &rungs, board);
         let text = write::write(random, &instructions);
-        match Checked::read(text.as_bytes(), BOARD) {
+        match Checked::read(text.as_bytes(), board) {
             // Sizes were only estimated.
             Err(fault) if matches!(fault.cause, Cause::ProgramFull | Cause::RunMemoryFull) => {
                 drop(rungs.pop());
@@ -32,15 +36,35 @@ pub fn random_program(random: &mut Random) -> String {
 /// Inputs for the next scan of a program that needs this: mostly as they were, sometimes with one
 /// changed, seldom all anew.
 pub fn random_inputs(random: &mut Random, needs: Needs, before: Inputs) -> Inputs {
+    random_inputs_on(random, (needs, Board::UNO), before)
+}
+
+/// The same on another board.
+pub fn random_inputs_on(
+    random: &mut Random,
+    (needs, board): (Needs, Board),
+    before: Inputs,
+) -> Inputs {
     let mut inputs = before;
     // A pin that is an analogue input has no button.
-    let buttons = !((needs.analogue & 0x0F) << 4) & 0xFF;
+    let shared = match board.shared_from {
+        0 => 0,
+        first => needs.analogue << (first - 1),
+    };
+    let buttons = !shared & ((1 << board.inputs) - 1);
     match random.below(100) {
         0..70 => {}
-        70..95 => inputs.points.0 ^= 1 << random.below(BOARD.inputs.into()) & buttons,
-        _ => inputs.points.0 = u128::from(random.bits() as u16) & buttons,
+        70..95 => inputs.points.0 ^= 1 << random.below(board.inputs.into()) & buttons,
+        _ => {
+            let low = u128::from(random.bits() as u16);
+            let high = match board.inputs {
+                ..=16 => 0,
+                _ => u128::from(random.bits()) << 64 | u128::from(random.bits()) << 16,
+            };
+            inputs.points.0 = (high | low) & buttons;
+        }
     }
-    let readings = inputs.analogue.iter_mut().take(BOARD.analogue.into());
+    let readings = inputs.analogue.iter_mut().take(board.analogue.into());
     for (input, reading) in readings.enumerate() {
         if needs.analogue >> input & 1 != 0 && random.percent(30) {
             *reading = random.below(1024) as u16;
@@ -70,7 +94,7 @@ mod tests {
         let (mut smallest, mut most_stored, mut most_linked) = (usize::MAX, 0, 0);
         for seed in 0..500 {
             let text = random_program(&mut Random::new(seed));
-            let checked = Checked::read(text.as_bytes(), BOARD)
+            let checked = Checked::read(text.as_bytes(), Board::UNO)
                 .unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
             let program = checked.program();
             smallest = smallest.min(program.stored_bytes());
@@ -83,11 +107,11 @@ mod tests {
         }
         assert_eq!(smallest, 0);
         assert!(
-            most_stored > usize::from(BOARD.stored_bytes) * 3 / 4,
+            most_stored > usize::from(Board::UNO.stored_bytes) * 3 / 4,
             "{most_stored}"
         );
         assert!(
-            most_linked > usize::from(BOARD.linked_bytes) * 9 / 10,
+            most_linked > usize::from(Board::UNO.linked_bytes) * 9 / 10,
             "{most_linked}"
         );
     }
@@ -99,7 +123,7 @@ mod tests {
             let mut random = Random::new(seed);
             let text = random_program(&mut random);
             let mut machine =
-                crate::engine::Machine::new(Checked::read(text.as_bytes(), BOARD).unwrap());
+                crate::engine::Machine::new(Checked::read(text.as_bytes(), Board::UNO).unwrap());
             let mut inputs = Inputs::default();
             for now in 0..60 {
                 inputs = random_inputs(&mut random, machine.plc().needs(), inputs);
@@ -133,7 +157,7 @@ mod tests {
         let random = &mut Random::new(seed);
         let text = random_program(random);
         let mut machine =
-            crate::engine::Machine::new(Checked::read(text.as_bytes(), BOARD).unwrap());
+            crate::engine::Machine::new(Checked::read(text.as_bytes(), Board::UNO).unwrap());
         let (mut inputs, mut before, mut changes) = (Inputs::default(), Default::default(), 0);
         for scan in 0..40 {
             inputs = random_inputs(random, machine.plc().needs(), inputs);

@@ -1,25 +1,25 @@
 //! The instructions of a random program.
 
 use super::stream::Random;
-use crate::BOARD;
 use unoclp_core::isa::{self, Class, Kind, Opcode, Operand, Value};
-use unoclp_core::{Delay, Instruction, KEPT, Target, TimerBlock};
+use unoclp_core::{Board, Delay, Instruction, KEPT, Target, TimerBlock};
 
 /// A rung, with the new rung that begins it.
 type Rung = Vec<Instruction<'static>>;
 
 /// Rungs that take about as many bytes as the board has, or fewer. They name timers and labels that are
 /// still to be found: see [`resolve`].
-pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
+pub(super) fn random_rungs(random: &mut Random, board: Board) -> Vec<Rung> {
     // As many programs of about 10 bytes as of 100 or of 1000.
     let magnitude = random.below(9);
     let size = random.below(4 << magnitude) as usize;
     let mut draft = Draft {
-        size: size.min(BOARD.linked_bytes.into()),
-        analogue: random.below(32) as u8,
-        pwm: random.below(16) as u8 & 0b1001,
+        size: size.min(board.linked_bytes.into()),
+        analogue: some(random, board.analogue),
+        pwm: some(random, board.outputs) & board.pwm.0,
         old: random.percent(20),
         random,
+        board,
         rung: Rung::new(),
         taken: 0,
         depth: 0,
@@ -27,13 +27,13 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
         timers: 0,
         pushed: 0,
         ifs: Vec::new(),
-        registers: BOARD.engine.near_registers,
+        registers: board.engine.near_registers,
     };
     // Seldom: they take much of run memory.
     if draft.random.percent(8) {
         draft.registers = draft
             .random
-            .number(BOARD.engine.near_registers, isa::REGISTERS);
+            .number(board.engine.near_registers, isa::REGISTERS);
     }
     let mut rungs = Vec::new();
     // A program may begin without a new rung.
@@ -51,10 +51,25 @@ pub(super) fn random_rungs(random: &mut Random) -> Vec<Rung> {
     rungs
 }
 
+/// Some of so many points, a bit for each.
+fn some(random: &mut Random, count: u8) -> u128 {
+    match 1_u32.checked_shl(count.into()) {
+        Some(bits) => random.below(bits).into(),
+        None => {
+            let all = u128::from(random.bits()) << 64 | u128::from(random.bits());
+            all & ((1 << count) - 1)
+        }
+    }
+}
+
 /// The instructions of these rungs, in which every timer and label that is named exists. Most jumps lead
 /// forward, and in most programs all do.
-pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'static>> {
-    let mut instructions = kept(random);
+pub(super) fn resolve(
+    random: &mut Random,
+    rungs: &[Rung],
+    board: Board,
+) -> Vec<Instruction<'static>> {
+    let mut instructions = kept(random, board);
     instructions.extend(rungs.concat());
     // Of rungs that were dropped an END may be missing.
     let count = |opcode| {
@@ -69,7 +84,7 @@ pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'s
     let timers = instructions
         .iter()
         .filter(|step| Delay::of(step.opcode).is_some());
-    let timers = timers.count().min(BOARD.timers.into()) as u8;
+    let timers = timers.count().min(board.timers.into()) as u8;
     // Each label once: the first of its number stays.
     let mut labels: Vec<(usize, u8)> = Vec::new();
     let mut defined = Vec::new();
@@ -120,12 +135,12 @@ pub(super) fn resolve(random: &mut Random, rungs: &[Rung]) -> Vec<Instruction<'s
 }
 
 /// What a program keeps, at its head: in most programs nothing (NC-21).
-fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
+fn kept(random: &mut Random, board: Board) -> Vec<Instruction<'static>> {
     let mut kept = Vec::new();
     while kept.len() < KEPT.into() && random.percent(20) {
         let step = match random.percent(50) {
-            true => Instruction::numbered(Opcode::KeepRegister, kept_register(random)),
-            false => Instruction::numbered(Opcode::KeepCounter, random.number(1, BOARD.counters)),
+            true => Instruction::numbered(Opcode::KeepRegister, kept_register(random, board)),
+            false => Instruction::numbered(Opcode::KeepCounter, random.number(1, board.counters)),
         };
         if !kept.contains(&step) {
             kept.push(step);
@@ -134,10 +149,10 @@ fn kept(random: &mut Random) -> Vec<Instruction<'static>> {
     kept
 }
 
-fn kept_register(random: &mut Random) -> u8 {
+fn kept_register(random: &mut Random, board: Board) -> u8 {
     let last = match random.percent(3) {
         true => isa::REGISTERS,
-        false => BOARD.engine.near_registers,
+        false => board.engine.near_registers,
     };
     random.number(1, last)
 }
@@ -158,12 +173,13 @@ fn jump(opcode: Opcode, label: u8) -> Instruction<'static> {
 /// Rungs under construction, and what they may use.
 struct Draft<'r> {
     random: &'r mut Random,
+    board: Board,
     /// Bytes that the program is to take.
     size: usize,
     /// Analogue inputs that may be used, bit 0 A 00; of the pins that they share, the others are inputs.
-    analogue: u8,
+    analogue: u128,
     /// Outputs that are PWM, bit 0 output 01.
-    pwm: u8,
+    pwm: u128,
     /// Whether only contacts, coils, branches and timers occur.
     old: bool,
     rung: Rung,
@@ -188,12 +204,13 @@ impl Draft<'_> {
             Operand::Drum { steps, .. } => steps.len(),
             Operand::Value(Value::Constant(number)) => {
                 let stored = isa::stored_constant(number);
-                usize::from(BOARD.engine.operand_bytes(stored)) + 1
+                usize::from(self.board.engine.operand_bytes(stored)) + 1
             }
             Operand::Value(_) => 2,
             _ => 0,
         };
-        self.taken += usize::from(BOARD.engine.run_bytes(instruction.opcode).max(2)) - 1 + more;
+        self.taken +=
+            usize::from(self.board.engine.run_bytes(instruction.opcode).max(2)) - 1 + more;
         self.rung.push(instruction);
     }
 
@@ -340,7 +357,7 @@ impl Draft<'_> {
 
     /// Counts a register round and round, a few times in each scan.
     fn counted_loop(&mut self) {
-        let label = self.random.number(LOOPS, BOARD.labels);
+        let label = self.random.number(LOOPS, self.board.labels);
         let register = self.random.number(1, self.registers);
         let constant = |opcode, number| Instruction {
             opcode,
@@ -455,7 +472,7 @@ impl Draft<'_> {
             Kind::None => Operand::None,
             Kind::Timer => Operand::Timer(self.timer()?),
             Kind::Count => Operand::Count {
-                counter: self.random.number(1, BOARD.counters),
+                counter: self.random.number(1, self.board.counters),
                 preset: match self.random.below(10) {
                     0..8 => self.random.below(6) as i32,
                     _ => (self.random.bits() as u32 >> 1).cast_signed(),
@@ -526,28 +543,41 @@ impl Draft<'_> {
     }
 
     /// XX of a code of this kind that has nothing else.
+    /// Whether one of a few points is taken, where there are so many that programs would seldom name one twice.
+    fn near(&mut self) -> bool {
+        self.board.inputs > isa::POINTS && self.random.percent(70)
+    }
+
     fn xx(&mut self, kind: Kind) -> Option<u8> {
-        let allowed = |mask: u8, first: u8| -> Vec<u8> {
-            (0..8)
+        let allowed = |mask: u128, first: u8, count: u8| -> Vec<u8> {
+            (0..count)
                 .filter(|bit| mask >> bit & 1 != 0)
                 .map(|bit| first + bit)
                 .collect()
         };
         // Pins that are used in another way are none.
         let choice = match kind {
-            Kind::Input => allowed(!(self.analogue << 4), 1),
-            Kind::Output => allowed(!self.pwm & 0x0F, 1),
-            Kind::Pwm => allowed(self.pwm, 1),
-            Kind::Analogue => allowed(self.analogue, 0),
+            Kind::Input if self.near() => vec![1, 2, 16, 17, 18, 98],
+            Kind::Output if self.near() => {
+                let near = [1, 3, 16, 17, 65, 99].into_iter();
+                near.filter(|n| self.pwm >> (n - 1) & 1 == 0).collect()
+            }
+            Kind::Input => match self.board.shared_from {
+                0 => (1..=self.board.inputs).collect(),
+                first => allowed(!(self.analogue << (first - 1)), 1, self.board.inputs),
+            },
+            Kind::Output => allowed(!self.pwm, 1, self.board.outputs),
+            Kind::Pwm => allowed(self.pwm, 1, self.board.outputs),
+            Kind::Analogue => allowed(self.analogue, 0, self.board.analogue),
             Kind::Marker if self.random.percent(80) => vec![1, 2, 8, 9, 57, 63, 64],
-            Kind::Marker => (1..=BOARD.markers).collect(),
+            Kind::Marker => (1..=self.board.markers).collect(),
             Kind::System => (1..=isa::SYSTEM_MARKERS).collect(),
             Kind::Branch => (1..=isa::BRANCH_POINTS).collect(),
-            Kind::TimerQ => (0..BOARD.timers).collect(),
-            Kind::Counter => (1..=BOARD.counters).collect(),
+            Kind::TimerQ => (0..self.board.timers).collect(),
+            Kind::Counter => (1..=self.board.counters).collect(),
             Kind::Register => vec![self.register()],
             Kind::Reading => vec![1, 2],
-            Kind::Group => (1..=8).collect(),
+            Kind::Group => (1..=self.board.groups()).collect(),
             Kind::Bit => (0..32).collect(),
             Kind::Time => vec![0, 1, 5, 20, 99],
             // Labels have their own places, and the others have more than a number.
@@ -601,7 +631,7 @@ impl Draft<'_> {
     }
 
     fn timer(&mut self) -> Option<TimerBlock> {
-        if self.timers >= BOARD.timers {
+        if self.timers >= self.board.timers {
             return None;
         }
         self.timers += 1;

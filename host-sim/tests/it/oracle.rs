@@ -2,10 +2,9 @@
 
 use crate::naive::{self, Naive, World};
 use unoclp_checked::Checked;
-use unoclp_core::{Inputs, Millis, real};
-use unoclp_host_sim::BOARD;
+use unoclp_core::{Board, Inputs, Millis, real};
 use unoclp_host_sim::engine::{Cell, Machine};
-use unoclp_host_sim::random::{Random, random_inputs, random_program};
+use unoclp_host_sim::random::{Random, random_inputs_on, random_program_on};
 
 /// Set `UNOCLP_SEED` to repeat a run, or to make another one.
 const SEED: u64 = 1;
@@ -23,7 +22,7 @@ struct Seen {
     outputs: u128,
     markers: Vec<bool>,
     registers: Vec<i64>,
-    pwm: [i64; 2],
+    pwm: Vec<i64>,
     timers: Vec<(i64, i64, bool)>,
     counters: Vec<(i64, i64)>,
 }
@@ -34,7 +33,7 @@ fn seen(machine: &Machine, now: i64) -> Seen {
         |timer: unoclp_core::TimerState| (timer.preset.into(), timer.elapsed.into(), timer.q);
     Seen {
         outputs: plc.outputs().0,
-        markers: (1..=64)
+        markers: (1..=plc.board().markers)
             .map(|n| machine.look(Cell::Marker(n)) == 1)
             .collect(),
         registers: plc
@@ -42,7 +41,9 @@ fn seen(machine: &Machine, now: i64) -> Seen {
             .iter()
             .map(|&register| register.into())
             .collect(),
-        pwm: [1, 4].map(|output| plc.pwm(output).into()),
+        pwm: (1..=plc.board().outputs)
+            .map(|output| plc.pwm(output).into())
+            .collect(),
         timers: plc.timers(now as Millis).map(timer).collect(),
         counters: plc
             .counters()
@@ -51,15 +52,16 @@ fn seen(machine: &Machine, now: i64) -> Seen {
     }
 }
 
-fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
+fn expected(naive: &Naive, board: Board, counters: usize, now: i64) -> Seen {
+    let outputs = usize::from(board.outputs);
     let bit = |output: usize| u128::from(naive.outputs[output]) << (output - 1);
     let timers = naive.timers.iter();
     let counters = naive.counters[1..=counters].iter();
     Seen {
-        outputs: (1..=4).map(bit).sum(),
-        markers: naive.markers[1..].to_vec(),
+        outputs: (1..=outputs).map(bit).sum(),
+        markers: naive.markers[1..=board.markers.into()].to_vec(),
         registers: naive.registers[1..].to_vec(),
-        pwm: [naive.pwm[1], naive.pwm[4]],
+        pwm: naive.pwm[1..=outputs].to_vec(),
         timers: timers
             .map(|timer| (timer.preset, timer.elapsed(now), timer.q))
             .collect(),
@@ -72,13 +74,23 @@ fn expected(naive: &Naive, counters: usize, now: i64) -> Seen {
 /// NC-5 to NC-9, NC-12 to NC-19, and NC-21 to NC-28.
 #[test]
 fn the_core_does_what_the_page_says() {
+    compare(Board::UNO, PROGRAMS);
+}
+
+/// The same with all points that codes of two digits name.
+#[test]
+fn the_core_does_so_with_the_points_of_a_pc() {
+    compare(Board::PC, PROGRAMS / 4);
+}
+
+fn compare(board: Board, programs: u64) {
     let seed = std::env::var("UNOCLP_SEED").map_or(SEED, |seed| seed.parse().expect("a number"));
     let (mut changes, mut faults, mut restarts) = (0u64, 0u64, 0u64);
-    for seed in seed..seed + PROGRAMS {
+    for seed in seed..seed + programs {
         let random = &mut Random::new(seed);
-        let program = random_program(random);
-        let mut machine = Machine::new(Checked::read(program.as_bytes(), BOARD).unwrap());
-        let mut naive = Naive::new(&program);
+        let program = random_program_on(random, board);
+        let mut machine = Machine::new(Checked::read(program.as_bytes(), board).unwrap());
+        let mut naive = Naive::new(&program, board);
         let needs = machine.plc().needs();
         let mut inputs = Inputs::default();
         // Across the wrap of the clock in one of four programs.
@@ -89,7 +101,7 @@ fn the_core_does_what_the_page_says() {
         let cuts = random.percent(25);
         let mut before = None;
         for scan in 0..SCANS {
-            inputs = random_inputs(random, needs, inputs);
+            inputs = random_inputs_on(random, (needs, board), inputs);
             if cuts && random.percent(5) {
                 machine.with_plc(|plc| plc.restart());
                 naive.restart();
@@ -114,7 +126,7 @@ fn the_core_does_what_the_page_says() {
                 break;
             }
             let came = seen(&machine, now);
-            let right = expected(&naive, came.counters.len(), now);
+            let right = expected(&naive, board, came.counters.len(), now);
             assert_eq!(
                 came, right,
                 "seed {seed}, scan {scan}, time {now}:\n{program}"
@@ -128,10 +140,10 @@ fn the_core_does_what_the_page_says() {
         }
     }
     println!(
-        "{PROGRAMS} random programs, changed {changes} times, {faults} faults, {restarts} power cuts; seeds from {seed}"
+        "{programs} random programs, changed {changes} times, {faults} faults, {restarts} power cuts; seeds from {seed}"
     );
     assert!(
-        changes > PROGRAMS * 5 && faults > PROGRAMS / 200 && restarts > PROGRAMS / 4,
+        changes > programs * 5 && faults > programs / 200 && restarts > programs / 4,
         "{changes}, {faults}, {restarts}"
     );
 }

@@ -152,7 +152,7 @@ pub(crate) fn allot(
         }
     };
     let Some(symbol) = symbol else {
-        none_left(variable, &kind, who, found);
+        none_left(variable, &kind, (who, all.points.board), found);
         return None;
     };
     // It would take the place of what was kept, at each start.
@@ -186,11 +186,11 @@ pub(crate) fn allot(
     Some(symbol)
 }
 
-fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
+fn none_left(variable: &Variable, kind: &str, (who, board): (&Word, Board), found: &mut Found) {
     let (what, most) = match kind {
-        "TON" | "TOF" | "TP" => (("timer", "temporizador"), Board::UNO.timers),
-        "BOOL" | "SR" | "RS" => (("marker", "memória"), Board::UNO.markers),
-        _ if kind.starts_with("CT") => (("counter", "contador"), Board::UNO.counters),
+        "TON" | "TOF" | "TP" => (("timer", "temporizador"), board.timers),
+        "BOOL" | "SR" | "RS" => (("marker", "memória"), board.markers),
+        _ if kind.starts_with("CT") => (("counter", "contador"), board.counters),
         _ => (("register", "registrador"), REGISTERS),
     };
     let name = variable.name.as_str().into();
@@ -201,7 +201,9 @@ fn none_left(variable: &Variable, kind: &str, who: &Word, found: &mut Found) {
 /// Whether a board keeps it over a power cut.
 fn can_be_kept(symbol: Symbol) -> bool {
     match symbol {
-        Symbol::At(Address::Marker(marker)) | Symbol::Latch(marker) => marker >= RETENTIVE,
+        Symbol::At(Address::Marker(marker)) | Symbol::Latch(marker) => {
+            (RETENTIVE..RETENTIVE + 8).contains(&marker)
+        }
         Symbol::At(Address::Register(_)) | Symbol::Constant(_) => true,
         _ => false,
     }

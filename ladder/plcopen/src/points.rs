@@ -3,13 +3,13 @@
 //! Owns which are still free. Must not know how an address is written: the languages read it.
 
 use unoclp_core::Board;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::isa::REGISTERS;
 use unoclp_lang::Word;
 use unoclp_point::Address;
 
 /// The points that are still free.
 pub(crate) struct Points {
-    board: Board,
+    pub(crate) board: Board,
     markers: u128,
     registers: u128,
     counters: u128,
@@ -48,10 +48,7 @@ impl Points {
 
     /// A marker; one that is kept over a power cut, where that is asked for.
     pub(crate) fn marker(&mut self, retain: bool) -> Option<u8> {
-        let mut numbers = match retain {
-            true => RETENTIVE..=RETENTIVE + 7,
-            false => 1..=RETENTIVE - 1,
-        };
+        let mut numbers = self.board.markers_that(retain);
         let number = numbers.find(|number| self.markers >> number & 1 == 0)?;
         self.markers |= 1 << number;
         Some(number)
@@ -64,7 +61,7 @@ impl Points {
         Some(number)
     }
 
-    /// A counter: of one that is called C1 to C16 the one with that number, where it is free.
+    /// A counter: of one that is called C1, C2 … the one with that number, where it is free.
     pub(crate) fn counter(&mut self, name: &str) -> Option<u8> {
         let own = name.strip_prefix(['C', 'c']).and_then(|n| n.parse().ok());
         let most = self.board.counters;
@@ -74,7 +71,7 @@ impl Points {
         Some(number)
     }
 
-    /// The label with the number that its name says, L1 to L32, where it is free.
+    /// The label with the number that its name says, L1, L2 …, where it is free.
     pub(crate) fn own_label(&mut self, name: &str) -> Option<u8> {
         let own: u8 = name.strip_prefix(['L', 'l'])?.parse().ok()?;
         let is_free = (1..=self.board.labels).contains(&own) && self.labels >> own & 1 == 0;

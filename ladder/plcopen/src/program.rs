@@ -202,7 +202,11 @@ fn labels(flow: &mut Flow<'_, '_, '_>) {
 
 fn no_label(flow: &mut Flow<'_, '_, '_>, at: usize, name: &str) {
     let what = ("label", "rótulo").into();
-    let words = [what, name.into(), Board::UNO.labels.to_string().into()];
+    let words = [
+        what,
+        name.into(),
+        flow.all.points.board.labels.to_string().into(),
+    ];
     flow.tell(Code::XmlNoneLeft, at, words);
 }
 

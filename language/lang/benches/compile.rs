@@ -28,20 +28,20 @@ fn text(lines: usize) -> String {
 #[divan::bench(args = [100, 1_000, 10_000, 100_000])]
 fn lines(bencher: Bencher, lines: usize) {
     let text = text(lines);
-    bencher.bench(|| compile(black_box(&text), &Options::default()));
+    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
 }
 
 #[divan::bench(args = [1_000, 10_000, 100_000])]
 fn structured_lines(bencher: Bencher, lines: usize) {
     let text = text::structured(lines);
-    bencher.bench(|| check(black_box(&text), TextLanguage::St));
+    bencher.bench(|| check(black_box(&text), TextLanguage::St, unoclp_core::Board::UNO));
 }
 
 /// The worst kind of text: each line is wrong.
 #[divan::bench(args = [1_000, 10_000])]
 fn wrong_lines(bencher: Bencher, lines: usize) {
     let text = "AND( Z9.9 x\n".repeat(lines);
-    bencher.bench(|| compile(black_box(&text), &Options::default()));
+    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
 }
 
 /// Parentheses in one another, far deeper than the board can have them.
@@ -52,5 +52,5 @@ fn nested(bencher: Bencher, deep: usize) {
         "AND( I2\n".repeat(deep),
         ")\n".repeat(deep)
     );
-    bencher.bench(|| compile(black_box(&text), &Options::default()));
+    bencher.bench(|| compile(black_box(&text), &Options::on(unoclp_core::Board::UNO)));
 }

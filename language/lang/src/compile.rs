@@ -21,11 +21,12 @@ pub struct Options {
     pub board: Board,
 }
 
-impl Default for Options {
-    fn default() -> Options {
+impl Options {
+    /// For this board, in what its words look like.
+    pub fn on(board: Board) -> Options {
         Options {
             dialect: None,
-            board: Board::UNO,
+            board,
         }
     }
 }

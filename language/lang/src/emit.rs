@@ -2,7 +2,6 @@
 
 use crate::diagnostics::{Code, Found, Lang, Lines, Span};
 use crate::lacking;
-use crate::limits::LABELS;
 use crate::lower::Lowered;
 use crate::origin::Origin;
 use crate::places::{Places, name};
@@ -151,11 +150,13 @@ fn number_labels(lowered: &Lowered<'_>, found: &mut Found) -> Vec<Option<u8>> {
             _ => None,
         })
     };
-    let mut used: u64 = 0;
+    let most = lowered.names.board.labels;
+    let mut used: u128 = 0;
     for step in &lowered.steps {
         // Labels that the text writes as codes keep their numbers.
         if let Written::Code(code) = step.written
-            && let number @ 1..=32 = code - Opcode::Label.row().code
+            && let number = code - Opcode::Label.row().code
+            && (1..=most.into()).contains(&number)
         {
             used |= 1 << number;
         }
@@ -172,7 +173,7 @@ fn number_labels(lowered: &Lowered<'_>, found: &mut Found) -> Vec<Option<u8>> {
         if numbers[index].is_some() {
             continue;
         }
-        match (1..=LABELS).find(|number| used >> number & 1 == 0) {
+        match (1..=most).find(|number| used >> number & 1 == 0) {
             Some(number) => {
                 used |= 1 << number;
                 numbers[index] = Some(number);

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Found, Told};
 use crate::typed::Tree;
+use unoclp_core::Board;
 
 /// A typed language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,9 +58,9 @@ pub struct CheckedText {
 }
 
 /// Reads a text and checks its names and types. It takes a time in proportion to the text's size.
-pub fn check(text: &str, language: TextLanguage) -> CheckedText {
+pub fn check(text: &str, language: TextLanguage, board: Board) -> CheckedText {
     let mut found = Found::default();
-    let tree = read(text, language, &mut found);
+    let tree = read(text, language, board, &mut found);
     CheckedText {
         tree,
         diagnostics: found.finish(),
@@ -67,13 +68,18 @@ pub fn check(text: &str, language: TextLanguage) -> CheckedText {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn read(text: &str, language: TextLanguage, found: &mut Found) -> Option<Tree> {
+pub(crate) fn read(
+    text: &str,
+    language: TextLanguage,
+    board: Board,
+    found: &mut Found,
+) -> Option<Tree> {
     let tree = match language {
-        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, found),
-        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, found),
-        TextLanguage::Iscl => crate::iscl::check(text, found),
-        TextLanguage::Lce => crate::lce::check(text, found),
-        TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, found),
+        TextLanguage::St => crate::st::check(text, crate::st::Dialect::Iec, board, found),
+        TextLanguage::Scl => crate::st::check(text, crate::st::Dialect::Scl, board, found),
+        TextLanguage::Iscl => crate::iscl::check(text, board, found),
+        TextLanguage::Lce => crate::lce::check(text, board, found),
+        TextLanguage::Il => crate::st::check(text, crate::st::Dialect::Il, board, found),
     };
     tree.filter(|_| !found.has_errors())
 }

@@ -33,7 +33,6 @@ mod lacking;
 mod languages;
 mod lce;
 mod lexer;
-mod limits;
 mod literal;
 mod lower;
 mod messages;

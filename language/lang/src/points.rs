@@ -11,9 +11,6 @@ use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, SYSTEM_MARKERS};
 use unoclp_point::{Address, Count, Kind, Maker, Spelling, Written, read};
 
-/// The outputs that have PWM.
-const PWM: [u16; 2] = [1, 4];
-
 impl Dialect {
     /// Whose way of writing points it has.
     pub(crate) fn maker(self) -> Maker {
@@ -49,7 +46,8 @@ fn range(kind: Kind, board: Board) -> Option<(u16, u16)> {
 pub(crate) fn exists(address: Address, board: Board) -> bool {
     match range(address.kind(), board) {
         Some((first, last)) => (first..=last).contains(&address.number().into()),
-        None => address.kind() != Kind::Pwm || PWM.contains(&address.number().into()),
+        None if address.kind() == Kind::Pwm => pwm(board).contains(&address.number().into()),
+        None => true,
     }
 }
 
@@ -87,6 +85,22 @@ pub fn no_such_point(point: Address, board: Board) -> Option<Diagnostic> {
     let help = || help(&name, Maker::Iec, board);
     let words = (!exists(point, board)).then(|| vec![name.as_str().into(), help()]);
     words.map(|words| Diagnostic::new(Code::NoSuchPoint, Span::default(), words))
+}
+
+/// The outputs that have PWM.
+fn pwm(board: Board) -> Vec<u16> {
+    board.pwm_outputs().map(u16::from).collect()
+}
+
+/// The least and the greatest of them, and how words lead from the one to the other: `1 and 4`, `1 to 99`.
+fn pwm_ends(board: Board) -> Option<([&'static str; 2], [u16; 2])> {
+    let all = pwm(board);
+    let (&first, &last) = (all.first()?, all.last()?);
+    let to = match all.len() {
+        ..=2 => ["and", "e"],
+        _ => ["to", "a"],
+    };
+    Some((to, [first, last]))
 }
 
 /// What the points of a kind are called.
@@ -167,15 +181,34 @@ impl Spellings {
 /// What to write instead of a name that is no point of the board: its kind's points in the way in which it is written.
 pub(crate) fn help(name: &str, maker: Maker, board: Board) -> Word {
     let upper: String = name.to_uppercase().split_whitespace().collect();
-    let of = read(&upper, maker).and_then(|written| {
+    let read = read(&upper, maker);
+    let more = read.as_ref().and_then(|written| elsewhere(written, board));
+    let of = read.and_then(|written| {
         let all = all_like(&written, board)?;
         Some(match written.count {
             Count::Eights => of_byte(&written, all, board),
             _ => all,
         })
     });
-    let (en, pt) = of.unwrap_or_else(|| every(maker, board));
+    let (mut en, mut pt) = of.unwrap_or_else(|| every(maker, board));
+    if let Some((more_en, more_pt)) = more {
+        en.push_str(&more_en);
+        pt.push_str(&more_pt);
+    }
     Word::Both(en, pt)
+}
+
+/// Which board has this point, where this one lacks it.
+fn elsewhere(written: &Written, board: Board) -> Option<Both> {
+    let address = written.address.filter(|point| !exists(*point, board))?;
+    let other = Board::ALL
+        .into_iter()
+        .find(|other| exists(address, *other))?;
+    let (name, other) = (board.name, other.name);
+    Some((
+        format!("; of the {name}, while the board {other} has it"),
+        format!("; do {name}, enquanto a placa {other} o tem"),
+    ))
 }
 
 type Both = (String, String);
@@ -184,9 +217,10 @@ type Both = (String, String);
 fn all_like(written: &Written, board: Board) -> Option<Both> {
     let (en, pt) = plural(written.kind);
     if written.kind == Kind::Pwm {
-        let [one, other] = PWM.map(|number| written.like(number).unwrap_or_default());
-        let english = format!("{en} are {one} and {other}");
-        return Some((english, format!("{pt} são {one} e {other}")));
+        let ([and, e], ends) = pwm_ends(board)?;
+        let [one, other] = ends.map(|number| written.like(number).unwrap_or_default());
+        let english = format!("{en} are {one} {and} {other}");
+        return Some((english, format!("{pt} são {one} {e} {other}")));
     }
     if written.count == Count::Flags {
         let all = ["SM0.0, SM0.1 and SM0.5", "SM0.0, SM0.1 e SM0.5"];
@@ -264,9 +298,12 @@ fn every(maker: Maker, board: Board) -> Both {
             continue;
         };
         let (en, pt) = plural(*kind);
-        let (en_to, pt_to, ends) = match range(*kind, board) {
-            Some((first, last)) => ("to", "a", [first, last]),
-            None => ("and", "e", PWM),
+        let ends = match range(*kind, board) {
+            Some((first, last)) => Some((["to", "a"], [first, last])),
+            None => pwm_ends(board),
+        };
+        let Some(([en_to, pt_to], ends)) = ends else {
+            continue;
         };
         let [one, other] = ends.map(|number| written.like(number).unwrap_or_default());
         let (are, sao) = match parts.0.is_empty() {

@@ -1,19 +1,20 @@
 //! Markers and registers that the program does not name.
 
-use crate::limits::NEAR_REGISTERS;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::Board;
+use unoclp_core::isa::REGISTERS;
 
 /// Which markers and registers are in use.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Temps {
+    board: Board,
     /// Bit 0 is M 01.
-    pub markers: u64,
+    pub markers: u128,
     /// Bit 0 is D 01.
     pub registers: u128,
     /// Those that have ever held an intermediate result; no name may have one of them.
-    temp_markers: u64,
+    temp_markers: u128,
     temp_registers: u128,
-    busy_markers: u64,
+    busy_markers: u128,
     busy_registers: u128,
     /// Which kind has run out.
     pub none_left: Option<(&'static str, &'static str)>,
@@ -24,15 +25,26 @@ const RETENTIVE_WORDS: (&str, &str) = ("retentive marker", "memória retentiva")
 const REGISTER_WORDS: (&str, &str) = ("register", "registrador");
 
 impl Temps {
+    /// None in use.
+    pub(crate) fn new(board: Board) -> Temps {
+        Temps {
+            board,
+            markers: 0,
+            registers: 0,
+            temp_markers: 0,
+            temp_registers: 0,
+            busy_markers: 0,
+            busy_registers: 0,
+            none_left: None,
+        }
+    }
+
     /// A marker for a name, the lowest that is free; of those that keep their state where `retained`.
     pub(crate) fn named_marker(&mut self, retained: bool) -> u8 {
-        let range = match retained {
-            true => RETENTIVE..65,
-            false => 1..RETENTIVE,
-        };
+        let mut markers = self.board.markers_that(retained);
         let used = self.markers | self.temp_markers;
         let free = |&n: &u8| used >> (n - 1) & 1 == 0;
-        match range.clone().find(free) {
+        match markers.find(free) {
             Some(n) => {
                 self.markers |= 1 << (n - 1);
                 n
@@ -43,7 +55,7 @@ impl Temps {
                 } else {
                     MARKER_WORDS
                 });
-                range.start
+                1
             }
         }
     }
@@ -68,7 +80,12 @@ impl Temps {
     pub(crate) fn marker(&mut self) -> u8 {
         let used = self.markers | self.busy_markers;
         // One that has held such a result before has no name.
-        match (1..RETENTIVE).rev().find(|n| used >> (n - 1) & 1 == 0) {
+        match self
+            .board
+            .markers_that(false)
+            .rev()
+            .find(|n| used >> (n - 1) & 1 == 0)
+        {
             Some(n) => {
                 self.busy_markers |= 1 << (n - 1);
                 self.temp_markers |= self.busy_markers;
@@ -85,8 +102,8 @@ impl Temps {
     pub(crate) fn register(&mut self) -> u8 {
         let used = self.registers | self.busy_registers;
         // Those beyond take run memory, the fewer the lower they are.
-        let near = (1..=NEAR_REGISTERS).rev();
-        let mut all = near.chain(NEAR_REGISTERS + 1..=REGISTERS);
+        let near = self.board.engine.near_registers;
+        let mut all = (1..=near).rev().chain(near + 1..=REGISTERS);
         match all.find(|n| used >> (n - 1) & 1 == 0) {
             Some(n) => {
                 self.busy_registers |= 1 << (n - 1);

@@ -23,7 +23,7 @@ fn work(text: &str, compiler: Compiler) -> Stats {
 }
 
 fn il(text: &str) {
-    black_box(compile(text, &Options::default()));
+    black_box(compile(text, &Options::on(unoclp_core::Board::UNO)));
 }
 
 fn typed(text: &str, language: TextLanguage) {

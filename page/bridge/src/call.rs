@@ -76,6 +76,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
         "sheet" => json(exercise::sheet(
             &given.text("title")?,
             &given.text("scenario")?,
+            facts::board(&mut given)?,
         )?),
         // Whether its program does what the cases of a scenario file expect.
         "exercise" => {
@@ -84,7 +85,14 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             json(exercise::exercise(text, &title, &scenario)?)
         }
         // The image of a card with this PROGRAM.TXT.
-        "card" => json(card::card(&given.text("program")?, given.truth("state")?)?),
+        "card" => {
+            let text = Text {
+                name: "PROGRAM.TXT".to_owned(),
+                text: given.text("program")?,
+                board: facts::board(&mut given)?,
+            };
+            json(card::card(text, given.truth("state")?)?)
+        }
         // A file of a card, by its name, from the blocks that are not empty.
         "read" => json(card::read(card::blocks(&mut given)?, &given.text("name")?)),
         // Bytes that are free on a card, from the blocks that are not empty.

@@ -4,6 +4,7 @@ use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use unoclp_core::Board;
 use unoclp_draw::edit::Row;
 use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
@@ -93,8 +94,8 @@ impl From<&Case> for Told {
 ///
 /// # Errors
 /// Where the file is wrong.
-pub fn sheet(name: &str, text: &str) -> Result<Sheet, No> {
-    let exercise = read(name, text)?;
+pub fn sheet(name: &str, text: &str, board: Board) -> Result<Sheet, No> {
+    let exercise = read(name, text, board)?;
     let names = exercise.names.iter();
     Ok(Sheet {
         title: (&exercise.title).into(),
@@ -134,13 +135,14 @@ fn begin(exercise: &Exercise, lang: Lang) -> String {
 /// # Errors
 /// Where there is no program, or the file of the exercise is wrong.
 pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
+    let board = text.board;
     let program = text.program()?;
     let program = ProgramFile {
         name: program.name,
         bytes: program.code,
     };
-    let exercise = read(name, scenario)?;
-    let grade = grade(&exercise, &program, &mut HostEngine::default());
+    let exercise = read(name, scenario, board)?;
+    let grade = grade(&exercise, &program, &mut HostEngine::new(board));
     let cases = exercise.cases();
     Ok(Outcome {
         passed: grade.is_passed(),
@@ -152,11 +154,11 @@ pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
     })
 }
 
-fn read(name: &str, text: &str) -> Result<Exercise, No> {
+fn read(name: &str, text: &str, board: Board) -> Result<Exercise, No> {
     let told = |error: scenario::LoadError| {
         both(|lang| words::no_scenario(lang, error.line.unwrap_or(0), error.text(lang)))
     };
-    Exercise::of_text(name, text).map_err(|error| told(error).into())
+    Exercise::of_text(name, text, board).map_err(|error| told(error).into())
 }
 
 fn shown(failing: &scenario::Failing, exercise: &Exercise) -> Shown {

@@ -8,16 +8,19 @@ use serde::Serialize;
 use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
 
+/// What a board at the other end of a line has: no one that answers there has other points.
+pub const AT_A_LINE: Board = Board::UNO;
+
 /// What a board has.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Facts {
     /// How a request names it.
-    id: String,
+    id: &'static str,
     /// What people call it.
     name: &'static str,
     /// How a request names each that there is.
-    all: [String; Board::ALL.len()],
+    all: [&'static str; Board::ALL.len()],
     /// Whether a board can be flashed that has this; if not, its programs run on a PC alone.
     firmware: bool,
     /// Whether it has the instructions of REAL numbers.
@@ -57,9 +60,9 @@ impl Facts {
     pub fn of(board: Board) -> Facts {
         let shares = |analogue| Some([board.shares(analogue)?, analogue]);
         Facts {
-            id: id(board),
+            id: board.id(),
             name: board.name,
-            all: Board::ALL.map(id),
+            all: Board::ALL.map(|board| board.id()),
             firmware: board.has_firmware(),
             real: board.real,
             inputs: board.inputs,
@@ -78,10 +81,6 @@ impl Facts {
             linked: board.linked_bytes,
         }
     }
-}
-
-fn id(board: Board) -> String {
-    board.name.to_ascii_lowercase()
 }
 
 /// The board that a request is for: the UNO, where it names none.

@@ -2,16 +2,17 @@
 //!
 //! Owns what a page is told of a program as a whole. Must not know how it is drawn or run.
 
+use crate::facts;
 use crate::given::Given;
 use crate::tell::{Problem, colours, problems, warnings};
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::Kept;
-use unoclp_core::Delay;
+use unoclp_core::{Board, Delay};
 use unoclp_lang::declared;
 use unoclp_program::used::Used;
-use unoclp_program::{BOARD, Language, Refused, Seal, Source, Written, WrittenIn, point_names};
+use unoclp_program::{Language, Refused, Seal, Source, Written, WrittenIn, point_names};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
@@ -23,6 +24,8 @@ pub struct Text {
     pub name: String,
     /// What it says.
     pub text: String,
+    /// The board that it is for.
+    pub board: Board,
 }
 
 /// What there is to say of a text.
@@ -141,6 +144,7 @@ impl Text {
         Ok(Text {
             name: given.text("name")?,
             text: given.text("text")?,
+            board: facts::board(given)?,
         })
     }
 
@@ -152,7 +156,7 @@ impl Text {
         if self.text.len() > LONGEST {
             return Err(both(|lang| words::too_long(lang, LONGEST)).into());
         }
-        let written = Written::new(self.name, self.text.into_bytes());
+        let written = Written::new(self.name, self.text.into_bytes(), self.board);
         #[cfg(feature = "full")]
         return Ok(written.check(None));
         #[cfg(not(feature = "full"))]
@@ -164,7 +168,8 @@ impl Text {
         if self.text.len() > LONGEST {
             return Vec::new();
         }
-        let written = Written::new(self.name.clone(), self.text.clone().into_bytes());
+        let bytes = self.text.clone().into_bytes();
+        let written = Written::new(self.name.clone(), bytes, self.board);
         #[cfg(feature = "full")]
         let parts = written.colours();
         #[cfg(not(feature = "full"))]
@@ -178,7 +183,8 @@ impl Text {
     /// [`No::More`] where it does not.
     pub fn needs_no_more(&self) -> Result<(), No> {
         let is_full = cfg!(feature = "full");
-        let written = || Written::new(self.name.clone(), self.text.clone().into_bytes());
+        let bytes = || self.text.clone().into_bytes();
+        let written = || Written::new(self.name.clone(), bytes(), self.board);
         match is_full || !written().is_typed() {
             true => Ok(()),
             false => Err(No::More),
@@ -254,8 +260,8 @@ fn made(source: Source) -> Made {
         map: map.collect(),
         size: Size {
             codes: source.size.codes,
-            stored: [source.size.stored_bytes, BOARD.stored_bytes.into()],
-            linked: [source.size.linked_bytes, BOARD.linked_bytes.into()],
+            stored: [source.size.stored_bytes, source.board().stored_bytes.into()],
+            linked: [source.size.linked_bytes, source.board().linked_bytes.into()],
             text: both(|lang| source.size.text(lang)),
         },
         uses: Uses::of(&source),

@@ -94,7 +94,7 @@ pub fn told(diagnostic: &Diagnostic, lang: Lang) -> String {
 
 unoclp_program::messages! {
     no_request(why) "the page has asked what cannot be understood: {why}" "a página pediu algo incompreensível: {why}";
-    no_such_board(name) "there is no board {name}: ask for uno or nano" "não existe a placa {name}: peça uno ou nano";
+    no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
     no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
     faulty() "the program has errors; the problems say which" "o programa tem erros; veja os problemas";

@@ -33,7 +33,7 @@ fn a_board_tells_what_it_has() {
     assert_eq!(
         uno,
         json!({
-            "id": "uno", "name": "UNO", "all": ["uno", "nano"], "firmware": true, "real": true,
+            "id": "uno", "name": "UNO", "all": ["uno", "nano", "pc"], "firmware": true, "real": true,
             "inputs": 8, "outputs": 4, "analogue": 5, "pwm": [1, 4],
             "shared": [[5, 0], [6, 1], [7, 2], [8, 3]],
             "markers": 64, "retentive": [57, 64], "registers": 98, "nearRegisters": 32,
@@ -49,6 +49,27 @@ fn a_board_tells_what_it_has() {
     let told = ask(json!({ "ask": "board", "board": "mega" }));
     assert!(
         told["error"]["en"].as_str().unwrap().contains("mega"),
+        "{told}"
+    );
+}
+
+/// A text is checked for the board that the request names, and only what is for a board goes on a card.
+#[test]
+fn a_request_names_the_board_that_a_text_is_for() {
+    let text = "LD I99\nST Q65\n";
+    let check =
+        |board: Value| ok(json!({ "ask": "check", "name": "a.il", "text": text, "board": board }));
+    assert_eq!(check(json!(null))["program"], json!(null));
+    assert_eq!(check(json!("uno"))["program"], json!(null));
+    let program = &check(json!("pc"))["program"];
+    assert_eq!(program["uses"]["inputs"], json!([99]));
+    assert_eq!(program["size"]["stored"][1], 32_768);
+    let card = |board: &str| {
+        ask(json!({ "ask": "card", "program": program["code"], "state": false, "board": board }))
+    };
+    let told = card("pc")["error"]["en"].to_string();
+    assert!(
+        told.contains("the UNO lacks inputs 99; outputs 65"),
         "{told}"
     );
 }
@@ -555,7 +576,10 @@ fn a_name_that_cannot_be_one_is_refused_with_what_to_do() {
 
 /// What a text in Instruction List is told of the same point.
 fn of_a_text(point: &str) -> (String, String) {
-    let compiled = unoclp_lang::compile(&format!("LD {point}\nST Q1\n"), &Options::default());
+    let compiled = unoclp_lang::compile(
+        &format!("LD {point}\nST Q1\n"),
+        &Options::on(unoclp_core::Board::UNO),
+    );
     let said = |lang| {
         let told = &compiled.diagnostics[0];
         format!("{}: {}", told.message(lang), told.help(lang))

@@ -173,7 +173,11 @@ fn file(what: &str, path: &Path) -> Result<Vec<u8>> {
 
 /// A program as numeric code: what is written in Instruction List is compiled.
 fn numeric(path: &Path) -> Result<Vec<u8>> {
-    let written = Written::new(path.display().to_string(), file("program", path)?);
+    let written = Written::new(
+        path.display().to_string(),
+        file("program", path)?,
+        unoclp_core::Board::UNO,
+    );
     if !written.is_text() {
         // With its faults, if it has any: the board tells them.
         return Ok(written.bytes);
@@ -318,7 +322,7 @@ fn serve(
 const LATER: u64 = 1_100;
 
 fn demo(elf: &Path, card: &Path, scenario: &Path) -> Result<ExitCode> {
-    let scenario = Scenario::load(scenario)?;
+    let scenario = Scenario::load(scenario, unoclp_core::Board::UNO)?;
     let card = SdCard::new(Kind::Sdhc, file("card image", card)?)?;
     let engine = UnoEngine::new(Program::read(elf)?, Clock::Running)?;
 
@@ -366,7 +370,11 @@ fn state(uno: &mut Uno) -> Option<String> {
 
 /// The comment at the head of a program. Of one that has faults the board itself tells them.
 fn opening(program: &ProgramFile) -> Vec<String> {
-    let written = Written::new(program.name.clone(), program.bytes.clone());
+    let written = Written::new(
+        program.name.clone(),
+        program.bytes.clone(),
+        unoclp_core::Board::UNO,
+    );
     let source = written.check(None).ok();
     source.map_or_else(Vec::new, |source| source.map.title)
 }

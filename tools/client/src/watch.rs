@@ -2,13 +2,13 @@
 
 use crate::client::{Client, Failure, if_there};
 use crate::diagnostics::Diagnostics;
-use crate::map::{Command, Span, coil, discrete, holding, input, long};
+use crate::map::{self, Command, Span, coil, discrete, holding, input, long};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
-use unoclp_core::{Board, Image, Inputs, Millis, Snapshot};
+use unoclp_core::{Image, Inputs, Millis, Snapshot};
 use unoclp_modbus::Exception;
 
 /// Points that are forced, and to what; bit 0 is point 01.
@@ -181,7 +181,7 @@ impl Reading {
     /// # Errors
     /// [`Failure`].
     pub async fn read(client: &mut Client, scope: Scope) -> Result<Reading, Failure> {
-        let near = scope.registers.max(Board::UNO.engine.near_registers.into());
+        let near = scope.registers.max(map::NEAR_REGISTERS.into());
         // Effects before their causes.
         let mut reading = Reading {
             outputs: outputs(client).await?,

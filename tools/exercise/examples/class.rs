@@ -22,19 +22,31 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cases: Vec<&str> = cases.split("[[case]]").collect();
     let cases = cases.iter().cycle().take(CASES);
     let cases: String = cases.map(|case| format!("[[case]]{case}\n")).collect();
-    let exercise = Exercise::of_text("class.toml", &format!("{head}{cases}"))?;
+    let exercise = Exercise::of_text(
+        "class.toml",
+        &format!("{head}{cases}"),
+        unoclp_core::Board::UNO,
+    )?;
     let programs = [read("17-traffic.il")?, read("wrong/17-traffic.il")?];
 
     let begin = Instant::now();
     let mut passed = 0;
     for text in programs.iter().cycle().take(PROGRAMS) {
-        let written = Written::new("17-traffic.il".to_owned(), text.clone().into_bytes());
+        let written = Written::new(
+            "17-traffic.il".to_owned(),
+            text.clone().into_bytes(),
+            unoclp_core::Board::UNO,
+        );
         let source = written.check(None).map_err(|_| "it has errors")?;
         let program = ProgramFile {
             name: source.name,
             bytes: source.code,
         };
-        let grade = grade(&exercise, &program, &mut HostEngine::default());
+        let grade = grade(
+            &exercise,
+            &program,
+            &mut HostEngine::new(unoclp_core::Board::UNO),
+        );
         passed += usize::from(grade.is_passed());
     }
     let time = begin.elapsed();

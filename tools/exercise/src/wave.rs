@@ -1,9 +1,9 @@
 //! The trace of a run for a wave viewer such as GTKWave: a VCD file (IEEE 1364, section 18).
 
-use crate::scenario::{inputs, outputs};
+use crate::scenario::points;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use unoclp_core::{Image, Inputs, Millis, TimerState};
+use unoclp_core::{Board, Image, Inputs, Millis, TimerState};
 use unoclp_host_sim::engine::{Cell, Engine, HostEngine, Machine, Outcome, Refusal};
 use unoclp_program::used::{Quantity, Used};
 use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
@@ -11,6 +11,8 @@ use vcd::{IdCode, SimulationCommand, TimescaleUnit, Value};
 /// Everything that a trace shows of one scan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sample {
+    /// The board that the program is for.
+    pub board: Board,
     /// The inputs that the scan saw.
     pub inputs: Image,
     /// The outputs as it left them.
@@ -27,6 +29,7 @@ impl Sample {
     pub fn of(machine: &Machine, used: &Used, inputs: &Inputs, now: Millis) -> Sample {
         let plc = machine.plc();
         Sample {
+            board: *plc.board(),
             inputs: inputs.points,
             quantities: used.quantities(plc, inputs),
             outputs: plc.outputs(),
@@ -36,8 +39,8 @@ impl Sample {
 
     /// The values of the signals, in the order in which [`declare`] declares them.
     fn values(&self) -> Vec<u32> {
-        let inputs = inputs().map(|point| u32::from(self.inputs.get(point)));
-        let outputs = outputs().map(|point| u32::from(self.outputs.get(point)));
+        let inputs = points(self.board.inputs).map(|point| u32::from(self.inputs.get(point)));
+        let outputs = points(self.board.outputs).map(|point| u32::from(self.outputs.get(point)));
         let timer = |timer: &TimerState| [u32::from(timer.q), timer.elapsed];
         let timers = self.timers.iter().flat_map(timer);
         let quantities = self
@@ -145,8 +148,8 @@ fn declare<W: Write>(
     writer.version(concat!("unoclp ", env!("CARGO_PKG_VERSION")))?;
     writer.timescale(1, TimescaleUnit::MS)?;
     writer.add_module("unoclp")?;
-    let inputs = inputs().map(|point| format!("I{}", point.number()));
-    let outputs = outputs().map(|point| format!("Q{}", point.number()));
+    let inputs = points(sample.board.inputs).map(|point| format!("I{}", point.number()));
+    let outputs = points(sample.board.outputs).map(|point| format!("Q{}", point.number()));
     for name in inputs.chain(outputs) {
         signals.push(Signal::Bit(writer.add_wire(1, &called(name))?));
     }
@@ -195,9 +198,9 @@ pub struct RecordedEngine<W: Write> {
 
 impl<W: Write> RecordedEngine<W> {
     /// An engine that records to this recorder.
-    pub fn new(recorder: Recorder<W>) -> RecordedEngine<W> {
+    pub fn new(recorder: Recorder<W>, board: Board) -> RecordedEngine<W> {
         RecordedEngine {
-            engine: HostEngine::default(),
+            engine: HostEngine::new(board),
             used: Used::default(),
             recorder,
             last: None,
@@ -316,9 +319,11 @@ mod tests {
         for _ in 0..50 {
             let program = random_program(&mut random);
             let mut trace = Vec::new();
-            let mut engine = RecordedEngine::new(Recorder::new(&mut trace));
+            let mut engine = RecordedEngine::new(Recorder::new(&mut trace), Board::UNO);
             engine.load(program.as_bytes()).unwrap().unwrap();
-            let mut reference = Machine::new(unoclp_program::load(program.as_bytes()).unwrap());
+            let mut reference = Machine::new(
+                unoclp_program::load(program.as_bytes(), unoclp_core::Board::UNO).unwrap(),
+            );
             let used = Used::of(reference.plc().needs(), reference.plc().steps());
             // Across the wrap of the clock.
             let start = Millis::MAX - 20;
@@ -339,7 +344,7 @@ mod tests {
                 // The file mentions only times at which something changes.
                 let moment = moments.iter().rfind(|(time, _)| *time <= at as u64);
                 let values = &moment.unwrap().1;
-                for point in inputs() {
+                for point in points(sample.board.inputs) {
                     let name = format!("I{}", point.number());
                     assert_eq!(
                         values[&name] != 0,
@@ -347,7 +352,7 @@ mod tests {
                         "{name} at {at}"
                     );
                 }
-                for point in outputs() {
+                for point in points(sample.board.outputs) {
                     let name = format!("Q{}", point.number());
                     assert_eq!(
                         values[&name] != 0,

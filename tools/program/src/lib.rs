@@ -5,6 +5,7 @@
 //! - [`diagnosis`]: all faults of a program file, each shown in its source line
 //! - [`drawn`]: a program that is drawn, and its text
 //! - [`edit`]: what the ladder editor refuses and finds wrong, in words
+//! - [`lacks()`]: what a board lacks for a program of another
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
 //! - [`mod@messages`]: the form of a table of texts in two languages
 //! - [`used`]: what a program uses of the board and its memory
@@ -21,6 +22,7 @@ pub mod edit;
 mod effect;
 mod first;
 mod kept;
+mod lacks;
 mod language;
 pub mod list;
 pub mod messages;
@@ -35,6 +37,7 @@ mod written;
 mod written_in;
 
 pub use kept::Kept;
+pub use lacks::{lacks, not_sent};
 pub use language::{NoProgram, is_numeric};
 pub use seal::{Seal, is_ours, sealed};
 pub use shown::{harmless, harmless_lines, shown};
@@ -44,9 +47,4 @@ pub use text::decode;
 pub use written::{Refused, Written};
 pub use written_in::WrittenIn;
 
-use unoclp_core::Board;
-
 pub use unoclp_lang::{Diagnostic, Holding, Lang, Shows, Trace, Variable, literal};
-
-/// The board that every tool of this version checks and simulates for.
-pub const BOARD: Board = Board::UNO;

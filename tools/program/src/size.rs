@@ -2,17 +2,18 @@
 //!
 //! Owns the figures. Must not know where the program comes from.
 
-use crate::BOARD;
 use crate::kept::Kept;
 use crate::used::Used;
 use crate::words;
 use std::collections::BTreeSet;
-use unoclp_core::Program;
+use unoclp_core::{Board, Program};
 use unoclp_lang::Lang;
 
 /// How much of the board a valid program takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Size {
+    /// The board that it is for.
+    pub board: Board,
     /// Codes in the file.
     pub codes: u16,
     /// Bytes of program memory.
@@ -31,6 +32,7 @@ impl Size {
     /// What this program takes.
     pub fn of(program: &Program<'_>) -> Size {
         Size {
+            board: program.board(),
             codes: program.codes(),
             stored_bytes: program.stored_bytes(),
             linked_bytes: program.linked_bytes(),
@@ -69,10 +71,10 @@ impl Size {
             some(&used.markers, words::marker(lang), words::markers),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
-        let room = usize::from(BOARD.stored_bytes);
+        let room = usize::from(self.board.stored_bytes);
         let free = room.saturating_sub(self.stored_bytes);
         let size = words::size(lang, codes, self.stored_bytes, room, free, parts.join(", "));
-        let run = words::run_memory(lang, self.linked_bytes, BOARD.linked_bytes, used);
+        let run = words::run_memory(lang, self.linked_bytes, self.board.linked_bytes, used);
         let kept = self.kept.map(|kept| format!("\n  {}", kept.told(lang)));
         format!("{size}\n  {run}{}", kept.unwrap_or_default())
     }

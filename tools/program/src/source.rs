@@ -3,11 +3,11 @@
 //! Owns what belongs together from here on: the text, the checked program, and the map from one to the other.
 //! Must not know how the program was checked, nor how it runs.
 
+use crate::Size;
 use crate::seal::{Seal, sealed};
-use crate::{BOARD, Size};
 use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::{Fault, Program};
+use unoclp_core::{Board, Fault, Program};
 use unoclp_draw::{Ladder, Names};
 use unoclp_lang::{Dialect, Holding, TextLanguage, Told, Trace, Variable};
 use unoclp_point::Kind;
@@ -78,6 +78,11 @@ impl Source {
     /// The program, to look at.
     pub fn program(&self) -> &Program<'_> {
         self.checked.program()
+    }
+
+    /// The board that it has been checked for.
+    pub fn board(&self) -> Board {
+        self.program().board()
     }
 
     /// Where a line of numeric code stands in the text, which the faults of a running program name: the line of the text,
@@ -152,6 +157,6 @@ pub fn point_names(source: &Source) -> BTreeMap<String, String> {
 ///
 /// # Errors
 /// The first fault of the file.
-pub fn load(file: &[u8]) -> Result<Checked, Fault> {
-    Checked::read(file, BOARD)
+pub fn load(file: &[u8], board: Board) -> Result<Checked, Fault> {
+    Checked::read(file, board)
 }

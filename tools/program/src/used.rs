@@ -227,7 +227,7 @@ mod tests {
     fn registers_of_real_operations_are_real() {
         // D 04 := D 01 * D 02; D 05 := D 04; D 06 := D 03, rounded
         let text = "0 766801 82778502 838404 787600 766804 838405 787600 766803 827868 838406";
-        let source = load(text.replace(' ', "\n").as_bytes()).unwrap();
+        let source = load(text.replace(' ', "\n").as_bytes(), unoclp_core::Board::UNO).unwrap();
         let program = source.program();
         let used = Used::of(program.needs(), program.steps());
         assert_eq!(used.reals, BTreeSet::from([1, 2, 3, 4, 5]));

@@ -37,6 +37,22 @@ crate::messages! {
     seal_cut_help()
         "write the file again; if you shortened it yourself, delete the remark [unoclp: …] in its first line"
         "grave o arquivo de novo; se foi você que o encurtou, apague a observação [unoclp: …] na primeira linha";
+    lacks(board, parts) "the {board} lacks {parts}" "faltam ao {board} {parts}";
+    lacks_inputs() "inputs" "as entradas";
+    lacks_outputs() "outputs" "as saídas";
+    lacks_pwm() "PWM of outputs" "PWM das saídas";
+    lacks_analogue() "analogue inputs A" "as entradas analógicas A";
+    lacks_pins() "pins of their own for inputs" "pinos próprios para as entradas";
+    lacks_markers() "markers" "as memórias";
+    lacks_counters() "counters" "os contadores";
+    lacks_labels() "labels" "os rótulos";
+    lacks_real() "REAL numbers" "números REAL";
+    lacks_stored(bytes) "{bytes} bytes of program memory" "{bytes} bytes de memória de programa";
+    lacks_run(bytes) "{bytes} bytes of run memory" "{bytes} bytes de memória de execução";
+    fits(board) "the {board} holds it: check it for that board" "ele cabe no {board}: verifique-o para essa placa";
+    not_sent(own, why)
+        "this program is for the {own}, which is no board: {why}"
+        "este programa é para o {own}, que não é uma placa: {why}";
     more_faults(count) "… and {count} more" "… e mais {count}";
     one_fault(name)
         "{name}: 1 fault; the board will not run any of it"

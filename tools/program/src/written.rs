@@ -2,7 +2,7 @@
 //!
 //! Owns which language that is. Must not know what either means: `unoclp-checked` and `unoclp-lang` do.
 
-use crate::{BOARD, Language, NoProgram, Size, Source, WrittenIn, decode};
+use crate::{Language, NoProgram, Size, Source, WrittenIn, decode};
 use std::path::Path;
 use unoclp_checked::{Diagnosis, numeric};
 use unoclp_core::Board;
@@ -65,20 +65,14 @@ enum Way {
 }
 
 impl Written {
-    /// A file of this name, whose language its name and its text tell, for the UNO.
-    pub fn new(name: String, bytes: Vec<u8>) -> Written {
+    /// A file of this name, whose language its name and its text tell, for this board.
+    pub fn new(name: String, bytes: Vec<u8>, board: Board) -> Written {
         Written {
             language: WrittenIn::of(Path::new(&name), &bytes),
             name,
             bytes,
-            board: BOARD,
+            board,
         }
-    }
-
-    /// The same for another board.
-    pub fn on(mut self, board: Board) -> Written {
-        self.board = board;
-        self
     }
 
     /// The same in the language that somebody says it is in, if anybody does.

@@ -5,6 +5,8 @@
 
 mod engine;
 mod facts;
+#[cfg(not(target_arch = "avr"))]
+mod pc;
 mod uno;
 
 pub use engine::Engine;
@@ -49,12 +51,23 @@ pub struct Board {
 
 impl Board {
     /// Every board.
-    pub const ALL: [Board; 2] = [Board::UNO, Board::NANO];
+    #[cfg(not(target_arch = "avr"))]
+    pub const ALL: [Board; 3] = [Board::UNO, Board::NANO, Board::PC];
 
-    /// The board of this name, in small or capital letters.
+    /// The board that is named so.
+    #[cfg(not(target_arch = "avr"))]
     pub fn named(name: &str) -> Option<Board> {
-        let is = |board: &Board| board.name.eq_ignore_ascii_case(name);
-        Board::ALL.into_iter().find(is)
+        Board::ALL.into_iter().find(|board| board.id() == name)
+    }
+
+    /// How a command line or a request names it: its name in small letters.
+    #[cfg(not(target_arch = "avr"))]
+    pub fn id(&self) -> &'static str {
+        match *self {
+            Board::UNO => "uno",
+            Board::NANO => "nano",
+            _ => "pc",
+        }
     }
 
     /// Whether there is a firmware for it; if not, the core runs its programs, on a PC alone.
@@ -78,6 +91,13 @@ impl Board {
     pub fn pwm_outputs(&self) -> impl Iterator<Item = u8> + use<> {
         let pwm = self.pwm.0;
         (1..=self.outputs).filter(move |number| pwm >> (number - 1) & 1 != 0)
+    }
+
+    /// The markers that keep their state over a power cut, or the others.
+    #[cfg(not(target_arch = "avr"))]
+    pub fn markers_that(&self, keep: bool) -> impl DoubleEndedIterator<Item = u8> + use<> {
+        let kept = isa::RETENTIVE..isa::RETENTIVE + 8;
+        (1..=self.markers).filter(move |marker| kept.contains(marker) == keep)
     }
 
     /// Groups of eight markers, the last of them with what is left.

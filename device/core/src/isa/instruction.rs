@@ -270,6 +270,10 @@ fn step_code(step: u8) -> i32 {
 impl Target {
     /// The target that this stored byte tells.
     pub(crate) fn from_stored(byte: u8) -> Target {
+        #[cfg(not(target_arch = "avr"))]
+        if let Some(output) = super::far_output(byte) {
+            return Target::Output(output + 1);
+        }
         match byte.checked_sub(MARKER_TARGET) {
             Some(marker) => Target::Marker(marker + 1),
             None => Target::Output(byte.saturating_add(1)),

@@ -23,16 +23,21 @@
 //! # Stored form
 //!
 //! An instruction is stored as the byte of its row. Of the rows from 0x10 to 0x9F the low four bits
-//! of that byte hold the index of the point. Of the others that have an XX, a byte with XX follows;
+//! of that byte hold the index of the point; a point above 16 has a byte of its own row and one with XX (`far`). Of the
+//! others that have an XX, a byte with XX follows;
 //! then the [operand lines](Line), each in as many bytes as [`Line::bytes`] says, the low one first.
 
 mod class;
+mod far;
 mod instruction;
 mod kind;
 mod packed;
 mod table;
 
 pub use class::Class;
+#[cfg(not(target_arch = "avr"))]
+pub(crate) use far::{far_output, stored_target};
+pub(crate) use far::{far_row, holds_number, is_far, near_row};
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};
 pub(crate) use packed::{
@@ -152,10 +157,14 @@ pub const fn is_real(stored: u8) -> bool {
 
 /// The byte of the row that a first stored byte belongs to.
 pub(crate) const fn first_of(byte: u8) -> u8 {
-    if holds_point(byte) { byte & 0xF0 } else { byte }
+    if holds_point(byte) {
+        byte & 0xF0
+    } else {
+        near_row(byte)
+    }
 }
 
 /// Whether the low four bits of a first stored byte are the index of a point.
 pub const fn holds_point(byte: u8) -> bool {
-    byte >= FIRST_POINT && byte < BEHIND_POINTS
+    byte >= FIRST_POINT && byte < BEHIND_POINTS && !is_far(byte)
 }

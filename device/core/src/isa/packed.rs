@@ -2,7 +2,7 @@
 
 use super::{
     BEHIND_POINTS, FIRST_POINT, Kind, Line, Opcode, POINTS, Row, TABLE, WORD_CONSTANT,
-    constant_bytes, holds_point, xx,
+    constant_bytes, holds_point, near_row, xx,
 };
 
 /// Bytes of a packed row: the code in 28 bits, low byte first, and above it the run bytes; the kind.
@@ -133,7 +133,7 @@ pub(crate) enum By {
 pub(crate) fn find(rows: &impl Rows, by: By) -> Option<(Entry, u8)> {
     let (index, xx) = match by {
         By::Code(code) => find_code(rows, code)?,
-        By::Stored(byte) => (row_of(byte), 0),
+        By::Stored(byte) => (row_of(near_row(byte)), 0),
     };
     if usize::from(index) >= TABLE.len() {
         return None;

@@ -19,6 +19,13 @@ impl<F: Facts> Loader<'_, F> {
             Line::Step => step(code),
             _ => Some(code),
         };
+        #[cfg(not(target_arch = "avr"))]
+        let number = match xx(code, isa::OUTPUT_OPERAND) {
+            Some(output) if line == Line::Target && self.has_far_targets() => {
+                Some(isa::stored_target(output).into())
+            }
+            _ => number,
+        };
         match number {
             Some(number) => self.stored_line(line, number),
             None => {
@@ -29,6 +36,18 @@ impl<F: Facts> Loader<'_, F> {
                 })
             }
         }
+    }
+
+    /// Whether a timer may drive outputs whose index is no stored byte of an output.
+    #[cfg(not(target_arch = "avr"))]
+    fn has_far_targets(&self) -> bool {
+        self.facts.board().outputs > MARKER_TARGET
+    }
+
+    /// The index of the output above 64 that a timer's stored target names.
+    #[cfg(not(target_arch = "avr"))]
+    fn far_output(&self, stored: u8) -> Option<u8> {
+        isa::far_output(stored).filter(|_| self.has_far_targets())
     }
 
     /// Takes an operand line as it is stored.
@@ -153,6 +172,13 @@ impl<F: Facts> Loader<'_, F> {
 
     /// What a timer drives exists.
     fn check_target(&mut self, stored: u8) -> Result<(), Cause> {
+        #[cfg(not(target_arch = "avr"))]
+        if let Some(index) = self.far_output(stored) {
+            return match index < self.facts.board().outputs {
+                true => self.needs.note(self.room.held, Kind::Output, index + 1),
+                false => Err(Cause::NoSuchOutput),
+            };
+        }
         if stored >= MARKER_TARGET {
             return if stored < MARKER_TARGET + self.facts.board().markers {
                 Ok(())

@@ -262,6 +262,11 @@ impl<'m, F: Facts> Loader<'m, F> {
         } else {
             0
         };
+        #[cfg(not(target_arch = "avr"))]
+        if isa::is_far(byte) && (xx <= isa::POINTS || !self.has_far_points()) {
+            // What has fewer points knows the byte as that of a branch point.
+            return Err(Cause::NoSuchBranchPoint);
+        }
         let line = if entry.kind == Kind::Jump {
             u16::from_le_bytes([next()?, next()?])
         } else {
@@ -282,6 +287,13 @@ impl<'m, F: Facts> Loader<'m, F> {
             self.stored_line(line, number)?;
         }
         Ok(())
+    }
+
+    /// Whether the board has points that no byte of their row holds.
+    #[cfg(not(target_arch = "avr"))]
+    fn has_far_points(&self) -> bool {
+        let board = self.facts.board();
+        board.inputs.max(board.outputs) > isa::POINTS
     }
 
     /// Checks an instruction with its XX, and stores it.

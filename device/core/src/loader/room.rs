@@ -66,7 +66,7 @@ impl<'m> Room<'m> {
             kind, stored, run, ..
         } = *entry;
         let (mut bytes, mut run) = (1, run);
-        let holds_point = isa::holds_point(stored);
+        let holds_point = isa::holds_number(stored, xx);
         if kind.has_number() && !holds_point {
             bytes += 1;
         }
@@ -99,7 +99,7 @@ impl<'m> Room<'m> {
             self.put(stored | xx.wrapping_sub(1));
             return Ok(());
         }
-        self.put(stored);
+        self.put(isa::far_row(stored));
         if kind.has_number() {
             self.put(xx);
         }

@@ -5,5 +5,6 @@ mod fuzzed;
 mod isa;
 mod links;
 mod loader;
+mod pc;
 mod stored;
 mod timers;

@@ -8,14 +8,14 @@ mod timer;
 use read::Step;
 use std::collections::HashMap;
 use timer::Timer;
+use unoclp_core::Board;
 
 /// What comes into a scan.
-#[derive(Default)]
 pub struct World {
     /// Inputs, 01 first.
-    pub inputs: [bool; 8],
-    /// Readings of A 00 to A 04.
-    pub analogue: [i64; 5],
+    pub inputs: [bool; 99],
+    /// Readings of A 00 and those behind it.
+    pub analogue: [i64; 99],
 }
 
 #[derive(Clone, Default)]
@@ -39,13 +39,16 @@ pub struct Naive {
     steps: Vec<Step>,
     pub timers: Vec<Timer>,
     pub counters: Vec<Counter>,
-    pub outputs: [bool; 5],
-    pub markers: [bool; 65],
+    /// What has the points.
+    board: Board,
+    pub outputs: [bool; 100],
+    /// As many as there are groups of eight for.
+    pub markers: [bool; 105],
     pub registers: [i64; 99],
-    pub pwm: [i64; 5],
-    inputs: [bool; 9],
+    pub pwm: [i64; 100],
+    inputs: [bool; 100],
     /// Since when each input has been seen at its other level.
-    differs: [Option<i64>; 9],
+    differs: [Option<i64>; 100],
     filter: i64,
     /// acc at an edge or an integration, by its place.
     before: HashMap<usize, bool>,
@@ -68,15 +71,15 @@ struct Pass<'w> {
 }
 
 impl Naive {
-    pub fn new(text: &str) -> Naive {
-        Naive::of(read::read(text))
+    pub fn new(text: &str, board: Board) -> Naive {
+        Naive::of(read::read(text), board)
     }
 
     /// A power cut: M 57 to M 64 and what is named to be kept outlast it.
     pub fn restart(&mut self) {
         let steps = std::mem::take(&mut self.steps);
-        let before = std::mem::replace(self, Naive::of(steps));
-        self.markers[57..].copy_from_slice(&before.markers[57..]);
+        let before = std::mem::replace(self, Naive::of(steps, self.board));
+        self.markers[57..=64].copy_from_slice(&before.markers[57..=64]);
         for step in &self.steps {
             match step.letters.as_str() {
                 "KD" => self.registers[step.xx] = before.registers[step.xx],
@@ -86,13 +89,13 @@ impl Naive {
         }
     }
 
-    fn of(steps: Vec<Step>) -> Naive {
+    fn of(steps: Vec<Step>, board: Board) -> Naive {
         let is_timer = |step: &&Step| matches!(&*step.letters, "TON" | "TOF" | "TOR" | "TP");
         let timers = steps.iter().filter(is_timer);
         let timers = timers
             .map(|step| Timer::new(&step.letters, step.lines[0]))
             .collect();
-        let mut counters = vec![Counter::default(); 17];
+        let mut counters = vec![Counter::default(); 100];
         for step in &steps {
             if step.letters == "CTU" || step.letters == "CTD" {
                 counters[step.xx].preset = step.lines[0];
@@ -104,12 +107,13 @@ impl Naive {
             counters,
             filter: filter.map_or(0, |step| step.xx as i64),
             steps,
-            outputs: [false; 5],
-            markers: [false; 65],
+            board,
+            outputs: [false; 100],
+            markers: [false; 105],
             registers: [0; 99],
-            pwm: [0; 5],
-            inputs: [false; 9],
-            differs: [None; 9],
+            pwm: [0; 100],
+            inputs: [false; 100],
+            differs: [None; 100],
             before: HashMap::new(),
             smooth: HashMap::new(),
             first: true,
@@ -175,7 +179,7 @@ impl Naive {
                     .map(|step| step.bytes)
                     .sum::<i64>();
                 if budget < 0 {
-                    self.outputs = [false; 5];
+                    self.outputs = [false; 100];
                     return Err(line);
                 }
             }
@@ -208,8 +212,12 @@ impl Naive {
             let reads = |step: &&Step| matches!(&*step.letters, "RI" | "-RI" | "XI" | "-XI");
             self.steps.iter().filter(reads).any(|step| step.xx == xx)
         };
-        for xx in 1..=8 {
-            let level = world.inputs[xx - 1] && (xx <= 4 || named(xx));
+        let shared = match self.board.shared_from {
+            0 => usize::MAX,
+            first => first.into(),
+        };
+        for xx in 1..=self.board.inputs.into() {
+            let level = world.inputs[xx - 1] && (xx < shared || named(xx));
             let since = *self.differs[xx].get_or_insert(now);
             if self.first || self.inputs[xx] == level || now - since >= self.filter {
                 (self.inputs[xx], self.differs[xx]) = (level, None);
@@ -331,8 +339,8 @@ impl Naive {
             // No time is told of a scan here.
             "LDS" => pass.value = if xx == 1 { 0 } else { wrap(now) },
             "LDM" => pass.value = number(&self.markers[xx * 8 - 7..=xx * 8]),
-            "LDI" => pass.value = number(&self.inputs[1..]),
-            "LDO" => pass.value = number(&self.outputs[1..]),
+            "LDI" => pass.value = number(&self.inputs[1..=8]),
+            "LDO" => pass.value = number(&self.outputs[1..=8]),
             "LDB" => pass.value = acc.into(),
             "NEG" => pass.value = wrap(-pass.value),
             "SQR" => {
@@ -389,11 +397,15 @@ impl Naive {
             "STC" => self.counters[xx].value = value,
             "STP" => self.pwm[xx] = value.clamp(0, 255),
             "STM" => {
-                for bit in 0..8 {
-                    self.markers[xx * 8 - 7 + bit] = value >> bit & 1 == 1;
+                for marker in xx * 8 - 7..=(xx * 8).min(self.board.markers.into()) {
+                    self.markers[marker] = value >> ((marker - 1) % 8) & 1 == 1;
                 }
             }
-            "STO" => self.set_outputs([0, 1, 2, 3].map(|bit| value >> bit & 1 == 1)),
+            "STO" => {
+                let bits = usize::from(self.board.outputs.min(8));
+                let states = (0..bits).map(|bit| value >> bit & 1 == 1);
+                self.set_outputs(states.collect());
+            }
             "PVC" => self.counters[xx].preset = value.max(0),
             "PVT" => self.timers[xx - 1].preset = value.max(0),
             "MOV" => {
@@ -407,13 +419,14 @@ impl Naive {
                     .and_then(|step| lines[1..].get(step))
                     .copied()
                     .unwrap_or(0);
-                self.set_outputs([1000, 100, 10, 1].map(|digit| step / digit % 10 == 1));
+                let digits = [1000, 100, 10, 1];
+                self.set_outputs(digits.map(|digit| step / digit % 10 == 1).to_vec());
             }
             _ => panic!("{name}: say in tests/naive what it does"),
         }
     }
 
-    fn set_outputs(&mut self, outputs: [bool; 4]) {
+    fn set_outputs(&mut self, outputs: Vec<bool>) {
         for (output, state) in (1..).zip(outputs) {
             if !self.is_pwm(output) {
                 self.outputs[output] = state;

@@ -89,6 +89,8 @@ pub fn read(text: &str) -> Vec<Step> {
             // As a jump back counts it.
             _ if takes_number => 6,
             "3 and 1 a step" => 3 + lines[0],
+            // A point above 16 stands in a byte of its own.
+            "1" if xx > 16 => 2,
             bytes => bytes.parse().unwrap(),
         };
         steps.push(Step {

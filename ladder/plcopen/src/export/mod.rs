@@ -21,6 +21,7 @@ pub use lost::Lost;
 
 use draw::Draw;
 use same::not_read;
+use unoclp_core::Board;
 use unoclp_draw::edit::Document;
 use xml::escaped;
 
@@ -29,7 +30,7 @@ use xml::escaped;
 ///
 /// # Errors
 /// All that cannot be said.
-pub fn export(document: &Document, name: &str) -> Result<String, Vec<Lost>> {
+pub fn export(document: &Document, name: &str, board: Board) -> Result<String, Vec<Lost>> {
     let mut draw = Draw::new(document);
     let rungs: Vec<_> = document.rungs().collect();
     let mut at = 0;
@@ -40,7 +41,7 @@ pub fn export(document: &Document, name: &str) -> Result<String, Vec<Lost>> {
         return Err(draw.lost);
     }
     let text = written(document, name, &draw);
-    match not_read(document, &text) {
+    match not_read(document, &text, board) {
         lost if lost.is_empty() => Ok(text),
         lost => Err(lost),
     }

@@ -6,8 +6,8 @@ use unoclp_core::isa::Opcode;
 use unoclp_draw::edit::{Document, Id};
 
 /// What is not read again as it was.
-pub(crate) fn not_read(document: &Document, text: &str) -> Vec<Lost> {
-    let made = crate::import(text, Board::UNO).document;
+pub(crate) fn not_read(document: &Document, text: &str, board: Board) -> Vec<Lost> {
+    let made = crate::import(text, board).document;
     let own = instructions(document);
     let read = made.as_ref().map(instructions).unwrap_or_default();
 

@@ -19,7 +19,7 @@ fn document(file: &[u8]) -> Option<Document> {
 
 /// Whether a document can be said in PLCopen XML; then it comes back as it was.
 pub(crate) fn comes_back(document: &Document) -> bool {
-    let text = match export(document, "test") {
+    let text = match export(document, "test", Board::UNO) {
         Ok(text) => text,
         Err(lost) => {
             assert!(!lost.is_empty());
@@ -132,7 +132,7 @@ fn a_counter_of_several_rungs_is_one_block() {
     ];
     let of = |rungs: &[&str]| document(format!("0\n{}\n", rungs.join("\n787600\n")).as_bytes());
     let counter = of(&rungs).unwrap();
-    let text = export(&counter, "test").unwrap();
+    let text = export(&counter, "test", Board::UNO).unwrap();
     assert_eq!(text.matches("typeName=\"CTUD\"").count(), 1, "{text}");
     assert!(comes_back(&counter));
     // Without some of its inputs, and where another rung stands between them.

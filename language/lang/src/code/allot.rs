@@ -7,16 +7,22 @@ use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
 use crate::diagnostics::{Code, Found, Word};
-use crate::limits::COUNTERS;
 use crate::typed::{Base, Standard, Tree};
 use std::collections::BTreeMap;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::Board;
+use unoclp_core::isa::REGISTERS;
 use unoclp_point::Address;
 
 /// Gives each cell that is used a place.
-pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) -> Seats {
+pub(super) fn allot(
+    tree: &Tree,
+    flat: &Flat,
+    uses: &Uses,
+    board: Board,
+    found: &mut Found,
+) -> Seats {
     let names = named(tree);
-    let mut seats = Seats::default();
+    let mut seats = Seats::new(board);
     let mut allotter = Allotter {
         seats: &mut seats,
         names: &names,
@@ -24,6 +30,7 @@ pub(super) fn allot(tree: &Tree, flat: &Flat, uses: &Uses, found: &mut Found) ->
         flat,
         uses,
         found,
+        board,
         told: false,
     };
     allotter.points(tree, uses);
@@ -111,7 +118,8 @@ impl Allotter<'_> {
     fn keep(&mut self, cell: u32, seat: Seat) {
         match seat {
             Seat::At(Address::Register(register)) => self.seats.kept_registers.push(register),
-            Seat::At(Address::Marker(RETENTIVE..)) => {}
+            Seat::At(Address::Marker(marker))
+                if self.board.markers_that(true).any(|kept| kept == marker) => {}
             _ => {
                 let (_, at) = self.place(cell);
                 let word = Word::Both("value at this place".into(), "valor neste lugar".into());
@@ -123,11 +131,11 @@ impl Allotter<'_> {
     /// A place for a cell of its own.
     fn seat(&mut self, cell: u32, base: Base, retain: bool) -> Option<Seat> {
         let (seat, words, most) = match base {
-            Base::Bool if retain => (self.seats.marker(RETENTIVE..65), RETENTIVE_MARKER, 8),
+            Base::Bool if retain => (self.seats.marker(true), RETENTIVE_MARKER, 8),
             Base::Bool => (
-                self.seats.marker(1..RETENTIVE),
+                self.seats.marker(false),
                 MARKER,
-                u32::from(RETENTIVE) - 1,
+                self.board.markers_that(false).count() as u32,
             ),
             _ => (self.seats.register(), REGISTER, u32::from(REGISTERS)),
         };
@@ -220,8 +228,8 @@ impl Allotter<'_> {
                 _ => continue,
             };
             counters += 1;
-            if counters > COUNTERS {
-                self.none_left(COUNTER, COUNTERS.into(), cell);
+            if counters > self.board.counters {
+                self.none_left(COUNTER, self.board.counters.into(), cell);
                 continue;
             }
             let number = counters;

@@ -8,6 +8,7 @@ use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::typed::{Base, Holds, Tree};
 use std::collections::HashMap;
+use unoclp_core::Board;
 
 pub(super) const MARKER: (&str, &str) = ("marker", "memória");
 
@@ -33,6 +34,7 @@ pub(super) struct Allotter<'a> {
     pub flat: &'a Flat,
     pub uses: &'a Uses,
     pub found: &'a mut Found,
+    pub board: Board,
     pub told: bool,
 }
 

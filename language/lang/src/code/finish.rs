@@ -9,12 +9,11 @@ use super::pen::{Line, Written};
 use super::seats::Seat;
 use crate::diagnostics::{Code, Found, Lines, Span};
 use crate::emit::{CodeLine, letters};
-use crate::limits::LABELS;
 use crate::origin::Origin;
 use crate::typed::{Cell, Tree};
 use std::collections::HashMap;
 use unoclp_core::isa::{self, JUMP_BUDGET, Opcode, Operand, Value};
-use unoclp_core::{Instruction, TimerBlock};
+use unoclp_core::{Board, Instruction, TimerBlock};
 use unoclp_point::Address;
 
 impl Coder<'_, '_> {
@@ -128,7 +127,7 @@ pub(super) fn finish(
     coder: &Coder<'_, '_>,
     tree: &Tree,
     text: &str,
-    loops: &[Turns],
+    (loops, board): (&[Turns], Board),
     found: &mut Found,
 ) -> Finished {
     let starts = Lines::new(text);
@@ -146,8 +145,12 @@ pub(super) fn finish(
             }
             Written::Label(label) => {
                 let next = labels.len() as u8 + 1;
-                if next > LABELS {
-                    found.tell(Code::BoardLabels, line.at, [LABELS.to_string().into()]);
+                if next > board.labels {
+                    found.tell(
+                        Code::BoardLabels,
+                        line.at,
+                        [board.labels.to_string().into()],
+                    );
                     break;
                 }
                 labels.insert(label, next);
@@ -296,7 +299,11 @@ fn size(line: &Line) -> u32 {
             Operand::Table { .. } => 3,
             Operand::Move { .. } => 4,
             Operand::None => 1,
-            Operand::Number(_) if isa::holds_point(*opcode as u8) => 1,
+            Operand::Number(number)
+                if isa::holds_point(*opcode as u8) && *number <= isa::POINTS =>
+            {
+                1
+            }
             _ => 2,
         },
     }

@@ -112,7 +112,7 @@ impl CompiledText {
 /// Compiles a text for a board.
 pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
     let mut found = Found::default();
-    let tree = languages::read(text, language, &mut found);
+    let tree = languages::read(text, language, board, &mut found);
     let mut made = CompiledText {
         tree: None,
         lines: Vec::new(),
@@ -142,7 +142,7 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
     merge::gather(&mut flat);
     counts::mark(&mut flat);
     let uses = uses::Uses::of(&flat);
-    let seats = allot::allot(tree, &flat, &uses, found);
+    let seats = allot::allot(tree, &flat, &uses, board, found);
     if found.has_errors() {
         return;
     }
@@ -161,7 +161,7 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
-    let finished = finish::finish(&coder, tree, text, &flat.loops, found);
+    let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);
     found.join(apart);

@@ -4,7 +4,8 @@
 
 use super::flat::TEMPORARY;
 use std::collections::HashMap;
-use unoclp_core::isa::{REGISTERS, RETENTIVE};
+use unoclp_core::Board;
+use unoclp_core::isa::REGISTERS;
 use unoclp_point::Address;
 
 /// A place of the board; a timer by its index, since its number depends on where its block will stand.
@@ -28,8 +29,10 @@ pub(super) struct Seats {
     /// What is kept: registers and counters.
     pub kept_registers: Vec<u8>,
     pub kept_counters: Vec<u8>,
+    /// The board that has them.
+    board: Option<Board>,
     /// Bit 0 is M 01, and D 01; those that are taken.
-    pub markers: u64,
+    pub markers: u128,
     pub registers: u128,
     /// Those that temporaries have now.
     pub busy: Vec<(u32, Seat)>,
@@ -38,6 +41,14 @@ pub(super) struct Seats {
 }
 
 impl Seats {
+    /// None taken.
+    pub(super) fn new(board: Board) -> Seats {
+        Seats {
+            board: Some(board),
+            ..Seats::default()
+        }
+    }
+
     /// How many steps say what is kept: they stand before all others.
     pub(super) fn kept(&self) -> usize {
         self.kept_registers.len() + self.kept_counters.len()
@@ -45,7 +56,7 @@ impl Seats {
 
     pub(super) fn take(&mut self, seat: Seat) {
         match seat {
-            Seat::At(Address::Marker(n @ 1..=64)) => self.markers |= 1 << (n - 1),
+            Seat::At(Address::Marker(n @ 1..=99)) => self.markers |= 1 << (n - 1),
             Seat::At(Address::Register(n @ 1..=98)) => self.registers |= 1 << (n - 1),
             _ => {}
         }
@@ -53,16 +64,16 @@ impl Seats {
 
     pub(super) fn release(&mut self, seat: Seat) {
         match seat {
-            Seat::At(Address::Marker(n @ 1..=64)) => self.markers &= !(1 << (n - 1)),
+            Seat::At(Address::Marker(n @ 1..=99)) => self.markers &= !(1 << (n - 1)),
             Seat::At(Address::Register(n @ 1..=98)) => self.registers &= !(1 << (n - 1)),
             _ => {}
         }
     }
 
-    pub(super) fn marker(&mut self, mut range: std::ops::Range<u8>) -> Option<Seat> {
-        let seat = Seat::At(Address::Marker(
-            range.find(|n| self.markers >> (n - 1) & 1 == 0)?,
-        ));
+    pub(super) fn marker(&mut self, keeps: bool) -> Option<Seat> {
+        let mut all = self.board?.markers_that(keeps);
+        let free = all.find(|n| self.markers >> (n - 1) & 1 == 0)?;
+        let seat = Seat::At(Address::Marker(free));
         self.take(seat);
         Some(seat)
     }
@@ -90,7 +101,7 @@ impl Seats {
     /// A cell of its own until the statement ends.
     pub(super) fn temporary(&mut self, bit: bool, wide: bool) -> u32 {
         let seat = match bit {
-            true => self.marker(1..RETENTIVE),
+            true => self.marker(false),
             false => self.register(),
         };
         let cell = TEMPORARY + (self.next << 1) + u32::from(wide);
@@ -133,7 +144,7 @@ impl Seats {
     /// A marker or register for the whole program that no cell has.
     pub(super) fn lasting(&mut self, bit: bool) -> Option<Seat> {
         match bit {
-            true => self.marker(1..RETENTIVE),
+            true => self.marker(false),
             false => self.register(),
         }
     }

@@ -8,6 +8,7 @@ use crate::diagnostics::{Code, Found, Span, Word};
 use crate::names::near::nearest;
 use crate::typed::build::{Builder, Letters, Section, Target, Traits, both};
 use crate::typed::{Base, Expr, ExprKind, Stmt, StmtKind, Tree, TypeId, UnitKind};
+use unoclp_core::Board;
 
 /// For more names than this, no near one is looked for.
 const MOST_NEAR: u32 = 32;
@@ -19,9 +20,14 @@ pub(super) struct Checker<'t, 'f> {
     asked: u32,
 }
 
-pub(super) fn check(text: &str, program: &Program, found: &mut Found) -> Option<Tree> {
+pub(super) fn check(
+    text: &str,
+    program: &Program,
+    board: Board,
+    found: &mut Found,
+) -> Option<Tree> {
     let mut checker = Checker {
-        builder: Builder::new(text, Letters::Alike, found),
+        builder: Builder::new(text, Letters::Alike, board, found),
         names: Vec::new(),
         asked: 0,
     };

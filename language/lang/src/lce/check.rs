@@ -9,10 +9,16 @@ use crate::diagnostics::{Code, Found, Span};
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Base, Expr, ExprKind, Stmt, StmtKind, Store, Tree, UnitKind, Value};
 use std::collections::HashMap;
+use unoclp_core::Board;
 
-pub(super) fn check(text: &str, program: &Program, found: &mut Found) -> Option<Tree> {
+pub(super) fn check(
+    text: &str,
+    program: &Program,
+    board: Board,
+    found: &mut Found,
+) -> Option<Tree> {
     let mut checker = Checker {
-        builder: Builder::new(text, Letters::Apart, found),
+        builder: Builder::new(text, Letters::Apart, board, found),
         names: HashMap::new(),
         variables: Vec::new(),
         shown: Vec::new(),

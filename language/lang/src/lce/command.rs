@@ -8,7 +8,6 @@ use crate::diagnostics::{Code, Span};
 use crate::points;
 use crate::small::cursor::{Parsed, Told};
 use crate::small::rules::Sign;
-use unoclp_core::Board;
 use unoclp_point::Maker;
 
 impl Parser<'_, '_> {
@@ -73,7 +72,7 @@ impl Parser<'_, '_> {
     pub(super) fn address(&mut self) -> Told {
         let span = self.cursor.token().span;
         let written = self.cursor.short(span);
-        let help = points::help(&written, Maker::Simuplc, Board::UNO);
+        let help = points::help(&written, Maker::Simuplc, self.board);
         let words = [written.into(), help];
         self.cursor.tell(Code::LceNoPoint, span, words);
         Told

@@ -20,6 +20,7 @@ use crate::colour::Colour;
 use crate::diagnostics::{Code, Found, Span};
 use crate::small;
 use crate::typed::Tree;
+use unoclp_core::Board;
 use words::{RULES, Word};
 
 /// The words of a text, and what each is.
@@ -28,12 +29,12 @@ pub(crate) fn colours(text: &str) -> Vec<(Span, Option<Colour>)> {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn check(text: &str, found: &mut Found) -> Option<Tree> {
-    let program = parser::parse(text, found);
+pub(crate) fn check(text: &str, board: Board, found: &mut Found) -> Option<Tree> {
+    let program = parser::parse(text, board, found);
     if let Some(open) = found.place_of(Code::StCommentOpen) {
         // It swallows the rest; what is missing there follows from it.
         found.keep(|d| d.code == Code::StCommentOpen && d.span == open);
         return None;
     }
-    check::check(text, &program?, found)
+    check::check(text, &program?, board, found)
 }

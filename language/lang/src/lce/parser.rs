@@ -9,6 +9,7 @@ use crate::names::near::nearest;
 use crate::small::cursor::{Cursor, Keywords, Parsed, Told};
 use crate::small::rules::Sign;
 use std::collections::HashSet;
+use unoclp_core::Board;
 
 pub(super) struct Parser<'t, 'f> {
     pub cursor: Cursor<'t, 'f, Word>,
@@ -21,10 +22,12 @@ pub(super) struct Parser<'t, 'f> {
     pub braces: u32,
     /// A command has been read.
     commands: bool,
+    /// The board that the text is for.
+    pub board: Board,
 }
 
 /// The program of a text; none where there is nothing to be checked.
-pub(super) fn parse(text: &str, found: &mut Found) -> Option<Program> {
+pub(super) fn parse(text: &str, board: Board, found: &mut Found) -> Option<Program> {
     let mut parser = Parser {
         cursor: Cursor::new(text, &RULES, found),
         aliases: Vec::new(),
@@ -32,6 +35,7 @@ pub(super) fn parse(text: &str, found: &mut Found) -> Option<Program> {
         stuck: None,
         braces: 0,
         commands: false,
+        board,
     };
     let program = parser.program();
     (!parser.cursor.dead).then_some(program)

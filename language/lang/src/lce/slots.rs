@@ -10,7 +10,6 @@ use crate::points;
 use crate::typed::build::both;
 use crate::typed::build::points::point_base;
 use crate::typed::{Base, Cell, Holds, Symbol, Value};
-use unoclp_core::Board;
 use unoclp_point::Maker;
 
 /// For more names than this, no near one is looked for.
@@ -71,7 +70,7 @@ impl Checker<'_, '_> {
         let upper = text.to_uppercase();
         let pointed = text.contains('.');
         if is_place(text) || pointed && !is_place(&upper) {
-            let help = points::help(text, Maker::Simuplc, Board::UNO);
+            let help = points::help(text, Maker::Simuplc, self.builder.board);
             self.builder
                 .tell(Code::LceNoPoint, name.span, [text.into(), help]);
             return;

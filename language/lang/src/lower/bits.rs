@@ -288,7 +288,7 @@ impl Lower<'_, '_> {
 }
 
 /// The inputs that a code of the text reads: bit 0 is input 01.
-fn inputs_read(code: i32) -> u16 {
+fn inputs_read(code: i32) -> u128 {
     let reads = |row: &&Row| {
         let number = code.unsigned_abs().wrapping_sub(row.code.unsigned_abs());
         row.kind == Kind::Input && row.code.signum() == code.signum() && number < 100
@@ -297,6 +297,6 @@ fn inputs_read(code: i32) -> u16 {
         return 0;
     };
     let number = code.unsigned_abs() - row.code.unsigned_abs();
-    let bit = number.checked_sub(1).and_then(|bit| 1u16.checked_shl(bit));
+    let bit = number.checked_sub(1).and_then(|bit| 1u128.checked_shl(bit));
     bit.unwrap_or(0)
 }

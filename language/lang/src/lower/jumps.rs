@@ -9,6 +9,7 @@ use crate::operators::Op;
 use crate::rung::{Holds, Written};
 use crate::tree::Expr;
 use std::collections::{HashMap, HashSet};
+use unoclp_core::Board;
 use unoclp_core::isa::Opcode;
 
 impl Lower<'_, '_> {
@@ -32,7 +33,7 @@ impl Lower<'_, '_> {
                 let name = self.names.written(word.span);
                 self.found.tell(Code::LabelTwice, word.span, [name.into()]);
             } else if wanted.contains(&word.text) {
-                let index = self.new_label(word.span, asked_number(&word.text));
+                let index = self.new_label(word.span, asked_number(&word.text, self.names.board));
                 labels.insert(word.text.clone(), index);
             }
         }
@@ -227,9 +228,7 @@ impl Lower<'_, '_> {
 }
 
 /// The number that a label's name asks for: `L07`.
-fn asked_number(name: &str) -> Option<u8> {
+fn asked_number(name: &str, board: Board) -> Option<u8> {
     let number = name.strip_prefix('L')?.parse().ok()?;
-    (1..=crate::limits::LABELS)
-        .contains(&number)
-        .then_some(number)
+    (1..=board.labels).contains(&number).then_some(number)
 }

@@ -190,7 +190,10 @@ impl Lower<'_, '_> {
         // On an S7-200 a count of points follows.
         let count = match instr.operands.get(1) {
             None => 1,
-            Some(count) => count.number().unwrap_or(1).clamp(1, 64) as u8,
+            Some(count) => count
+                .number()
+                .unwrap_or(1)
+                .clamp(1, self.names.board.markers.into()) as u8,
         };
         self.only(instr, 2);
         let place = self.place(operand);
@@ -212,7 +215,8 @@ impl Lower<'_, '_> {
                 }
             }
             Place::Bit(Bit::At(Address::Marker(n))) => {
-                for n in n..=n.saturating_add(count - 1).min(crate::limits::MARKERS) {
+                let last = n.saturating_add(count - 1).min(self.names.board.markers);
+                for n in n..=last {
                     self.write(
                         pick(Opcode::SetMarker, Opcode::ResetMarker),
                         n,

@@ -60,7 +60,7 @@ impl Lower<'_, '_> {
             }
             Place::Number(num) => {
                 match num {
-                    Num::At(Address::Inputs(_)) => self.names.inputs_read = u16::MAX,
+                    Num::At(Address::Inputs(_)) => self.names.inputs_read = u128::MAX,
                     Num::Elapsed(timer) => self.reads_timer(timer, span),
                     _ => {}
                 }

@@ -3,7 +3,6 @@
 use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
 use crate::ast::{Init, Section, UnitKind, Var};
 use crate::diagnostics::{Code, Found, Span};
-use crate::limits::COUNTERS;
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
 use unoclp_core::isa::Opcode;
@@ -142,7 +141,7 @@ impl Names<'_> {
         Place::Timer(self.timers.len() - 1)
     }
 
-    /// A counter; one that is named C 01 to C 16 is that one.
+    /// A counter; one that is named as one of the board's, C 01, is that one.
     pub(super) fn new_counter(
         &mut self,
         name: String,
@@ -151,8 +150,9 @@ impl Names<'_> {
     ) -> Place {
         let own = name.strip_prefix(['C', 'c']);
         let own = own.and_then(|n| n.parse::<u8>().ok());
-        let own = own.filter(|n| (1..=COUNTERS).contains(n));
-        let free = || (1..=COUNTERS).find(|n| self.counters_used >> (n - 1) & 1 == 0);
+        let all = 1..=self.board.counters;
+        let own = own.filter(|n| all.contains(n));
+        let free = || all.clone().find(|n| self.counters_used >> (n - 1) & 1 == 0);
         let number = match own.or_else(free) {
             Some(number) => number,
             None => {

@@ -103,9 +103,9 @@ pub(crate) struct Names<'t> {
     pub(super) inputs_of: HashSet<(usize, String)>,
     /// The markers of inputs that the text stores to: `T1.IN`.
     pub(super) block_inputs: HashMap<Input, u8>,
-    pub(super) counters_used: u16,
+    pub(super) counters_used: u128,
     /// Bit 0 is input 01.
-    pub inputs_read: u16,
+    pub inputs_read: u128,
     /// How each point of the board is written where it is first named.
     pub(super) points: Spellings,
     pub(super) near: Near,

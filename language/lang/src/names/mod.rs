@@ -40,7 +40,7 @@ impl<'t> Names<'t> {
             inputs: Vec::new(),
             initials: Vec::new(),
             retained: Retained::default(),
-            temps: Temps::default(),
+            temps: Temps::new(board),
             global: HashMap::new(),
             globals: HashSet::new(),
             blocks: HashMap::new(),
@@ -110,7 +110,8 @@ impl<'t> Names<'t> {
         let with_number = |row: &&Row| row.kind.has_number() && row.code / 100 == code / 100;
         let Some(row) = TABLE.iter().find(with_number) else {
             // A timer block names a marker in its last line.
-            if let Some(n @ 1..=64) = codes.get(2).map(|target| target - MARKER_OPERAND) {
+            let marker = codes.get(2).map(|target| target - MARKER_OPERAND);
+            if let Some(n) = marker.filter(|n| (1..=self.board.markers.into()).contains(n)) {
                 self.temps.markers |= 1 << (n - 1);
             }
             return;
@@ -158,7 +159,9 @@ impl<'t> Names<'t> {
             (Point::Marker, n) => self.temps.markers |= 1 << (n - 1),
             (Point::Group, n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
             (Point::Register, n) => self.temps.registers |= 1 << (n - 1),
-            (Point::Counter, n @ 1..=16) => self.counters_used |= 1 << (n - 1),
+            (Point::Counter, n) if (1..=self.board.counters.into()).contains(&n) => {
+                self.counters_used |= 1 << (n - 1)
+            }
             _ => {}
         }
     }

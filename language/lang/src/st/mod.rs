@@ -22,6 +22,7 @@ use crate::colour::Colour;
 use crate::diagnostics::{Code, Found, Span};
 use crate::typed::{Base, Standard, Tree};
 use token::{Kind, Token};
+use unoclp_core::Board;
 use words::Keyword;
 
 /// The words of a text, and what each is.
@@ -56,7 +57,7 @@ pub(crate) fn is_keyword(word: &str) -> bool {
 }
 
 /// The tree of a text; none where something is wrong, which is told.
-pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<Tree> {
+pub(crate) fn check(text: &str, dialect: Dialect, board: Board, found: &mut Found) -> Option<Tree> {
     let (file, trusted) = parser::parse(text, dialect, found);
     if let Some(open) = found.place_of(Code::StCommentOpen) {
         // It swallows the rest; what is missing there follows from it.
@@ -71,5 +72,5 @@ pub(crate) fn check(text: &str, dialect: Dialect, found: &mut Found) -> Option<T
     if !trusted {
         return None;
     }
-    check::check(text, &file, found)
+    check::check(text, &file, board, found)
 }

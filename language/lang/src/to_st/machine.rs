@@ -12,8 +12,8 @@ use super::statement::Statement;
 use super::why::Why;
 use std::collections::BTreeMap;
 use unoclp_checked::SourceMap;
-use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::{Board, Instruction};
 
 /// More parts than this are put aside where they are needed twice.
 const LONG: usize = 12;
@@ -54,6 +54,8 @@ pub(super) struct Machine<'s, 'c> {
     pub steps: &'s [Instruction<'c>],
     pub map: &'s SourceMap,
     pub flow: &'s Flow,
+    /// The board that the program has been checked for.
+    pub board: Board,
     pub live: Live,
     pub at: usize,
     pub acc: Expr,
@@ -84,6 +86,7 @@ pub(super) fn run(
     steps: &[Instruction<'_>],
     map: &SourceMap,
     flow: &Flow,
+    board: Board,
 ) -> Result<Body, (usize, Why)> {
     let errors = steps.iter().any(|step| {
         let system = matches!(
@@ -96,6 +99,7 @@ pub(super) fn run(
         steps,
         map,
         flow,
+        board,
         live: Live::of(steps, &|at| flow.next(at)),
         at: 0,
         acc: Expr::Is(true),

@@ -43,7 +43,7 @@ pub fn to_st(program: &Program<'_>, map: &SourceMap) -> Result<String, Box<Diagn
     let steps: Vec<Instruction<'_>> = program.steps().collect();
     let failed = |(at, why): (usize, Why)| Box::new(diagnostic(&steps, map, at, why));
     let flow = flow::Flow::of(&steps).map_err(failed)?;
-    let body = machine::run(&steps, map, &flow).map_err(failed)?;
+    let body = machine::run(&steps, map, &flow, program.board()).map_err(failed)?;
     let names = names::Names::of(&steps, map, &body).map_err(failed)?;
     let mut text: String = map.title.iter().map(|line| comment(line) + "\n").collect();
     text.push_str("PROGRAM main\n");

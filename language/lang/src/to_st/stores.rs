@@ -6,24 +6,28 @@ use super::expr::{Expr, Place, Type, View, call, whole};
 use super::machine::{Machine, Number};
 use super::statement::Statement;
 use super::why::Why;
+use unoclp_core::Instruction;
 use unoclp_core::isa::{Kind, Opcode, Operand};
-use unoclp_core::{Board, Instruction};
 use unoclp_point::Address;
 
 impl Machine<'_, '_> {
     /// The inputs of the board in their order, but for pins that are inputs only where a step names them.
     pub fn inputs(&self) -> Vec<Option<Place>> {
         let named = self.named(Kind::Input);
-        let inputs = 1..=Board::UNO.inputs;
+        let shared = self.board.shared_from;
+        let inputs = 1..=self.board.inputs;
         inputs
-            .map(|n| (n < 5 || named.contains(&n)).then_some(Place::At(Address::Input(n))))
+            .map(|n| {
+                let is_there = shared == 0 || n < shared || named.contains(&n);
+                is_there.then_some(Place::At(Address::Input(n)))
+            })
             .collect()
     }
 
     /// The outputs of the board in their order, those that are PWM left out.
     pub fn outputs(&self) -> Vec<Option<Place>> {
         let pwm = self.named(Kind::Pwm);
-        let outputs = 1..=Board::UNO.outputs;
+        let outputs = 1..=self.board.outputs;
         outputs
             .map(|n| (!pwm.contains(&n)).then_some(Place::At(Address::Output(n))))
             .collect()

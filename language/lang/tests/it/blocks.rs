@@ -216,7 +216,7 @@ fn any_spelling_in_any_case() {
 #[test]
 fn warnings_that_help() {
     let told = |text: &str| -> Vec<Code> {
-        let compiled = compile(text, &Options::default());
+        let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
         assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics);
         compiled.diagnostics.iter().map(|d| d.code).collect()
     };
@@ -233,7 +233,7 @@ fn warnings_that_help() {
 #[test]
 fn several_errors_in_one_run() {
     let text = "LD I9\nANDD I2\nST Q1\nLD I1\nST Q9\nJMP nowhere\n)";
-    let compiled = compile(text, &Options::default());
+    let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
     let codes: Vec<Code> = compiled.diagnostics.iter().map(|d| d.code).collect();
     assert_eq!(
         codes,

@@ -151,14 +151,14 @@ fn examples() {
                 continue;
             };
             let told = |text| match table {
-                "IL-" => compile(text, &Options::default()).diagnostics,
-                "ISCL-" => check(text, TextLanguage::Iscl).diagnostics,
-                "LCE-" => check(text, TextLanguage::Lce).diagnostics,
+                "IL-" => compile(text, &Options::on(unoclp_core::Board::UNO)).diagnostics,
+                "ISCL-" => check(text, TextLanguage::Iscl, unoclp_core::Board::UNO).diagnostics,
+                "LCE-" => check(text, TextLanguage::Lce, unoclp_core::Board::UNO).diagnostics,
                 // Those about the board.
                 _ if code.number() > 200 => {
                     compile_text(text, TextLanguage::St, Board::UNO).diagnostics
                 }
-                _ => check(text, TextLanguage::St).diagnostics,
+                _ => check(text, TextLanguage::St, unoclp_core::Board::UNO).diagnostics,
             };
             let wrong = told(wrong);
             assert!(
@@ -177,11 +177,11 @@ fn examples() {
 #[test]
 fn what_a_board_has_not_enough_of() {
     let names: String = (0..70).map(|n| format!("LD a{n}\nST b{n}\n")).collect();
-    let told = compile(&names, &Options::default()).diagnostics;
+    let told = compile(&names, &Options::on(unoclp_core::Board::UNO)).diagnostics;
     assert!(told.iter().any(|d| d.code == Code::NoneLeft));
 
     let long = "LD I1\nST Q1\n".repeat(500);
-    let told = compile(&long, &Options::default()).diagnostics;
+    let told = compile(&long, &Options::on(unoclp_core::Board::UNO)).diagnostics;
     let place = told
         .iter()
         .find(|d| d.code == Code::DoesNotFit)
@@ -224,7 +224,7 @@ fn addresses() {
             let store = if number { "ST D9" } else { "ST M20" };
             let options = Options {
                 dialect: unoclp_lang::Dialect::named(of),
-                ..Options::default()
+                ..Options::on(unoclp_core::Board::UNO)
             };
             let compiled = compile(&format!("LD {written}\n{store}"), &options);
             assert_eq!(compiled.codes()[1].to_string(), code, "{page}: {written}");

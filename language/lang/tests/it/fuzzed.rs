@@ -7,7 +7,7 @@ use unoclp_lang::{Lang, Options, compile, show, to_il};
 /// What holds of all bytes; the target `il` of `proof/fuzz/` looks for those of which it does not.
 pub fn hold(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
-    let compiled = compile(&text, &Options::default());
+    let compiled = compile(&text, &Options::on(unoclp_core::Board::UNO));
     for diagnostic in compiled.diagnostics.iter() {
         assert!(
             text.get(diagnostic.span.range()).is_some(),

@@ -6,7 +6,7 @@ use unoclp_lang::{Options, compile};
 
 /// The map of a text that must be a program, and the opcodes of its steps.
 fn map(text: &str) -> (SourceMap, Vec<Opcode>) {
-    let compiled = compile(text, &Options::default());
+    let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
     let (checked, map) = compiled
         .program
         .unwrap_or_else(|| panic!("{:#?}", compiled.diagnostics));

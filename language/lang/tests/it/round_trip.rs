@@ -197,7 +197,7 @@ fn what_is_pushed_and_what_is_bracketed_is_said() {
         "LD    I1\nIF\n\nLD    I2\nST    Q1\n\nELSE\nLD    TRUE\nIF\n\nLD    I3\nST    Q1\n\nEND_IF\n\nEND_IF\n",
     ];
     for text in texts {
-        let compiled = program(text, &Options::default());
+        let compiled = program(text, &Options::on(unoclp_core::Board::UNO));
         let file = compiled.file().unwrap();
         let back = to_il(file.as_bytes(), Board::UNO).unwrap();
         let said: Vec<String> = back

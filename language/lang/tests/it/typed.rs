@@ -131,7 +131,7 @@ impl Case {
         let (Some((source, language)), None) = (texts.next(), texts.next()) else {
             return Some("needs one text".to_owned());
         };
-        let checked = check(source, language);
+        let checked = check(source, language, unoclp_core::Board::UNO);
         let lines = Lines::new(source);
         let untold = untold(
             &checked.diagnostics,

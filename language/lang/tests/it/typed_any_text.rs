@@ -59,7 +59,7 @@ fn is_error(diagnostic: &Diagnostic) -> bool {
 #[test]
 fn a_hundred_thousand_of_anything_is_one_error_or_few() {
     for (language, name, shape) in shapes() {
-        let told = check(&shape(100_000), language).diagnostics;
+        let told = check(&shape(100_000), language, unoclp_core::Board::UNO).diagnostics;
         let many = match language {
             TextLanguage::St => MANY_IN_ST.contains(&name),
             _ => MANY_ELSEWHERE.contains(&name),
@@ -121,7 +121,7 @@ fn what_is_read_runs_on_a_stack_of_a_megabyte() {
         let thread = std::thread::Builder::new()
             .stack_size(1 << 20)
             .spawn(move || {
-                let checked = check(&text, TextLanguage::St);
+                let checked = check(&text, TextLanguage::St, unoclp_core::Board::UNO);
                 let told: Vec<_> = checked
                     .diagnostics
                     .iter()
@@ -150,8 +150,11 @@ fn texts_of_st() -> (Vec<String>, Vec<String>) {
         let parts = text.split("\nst = '''\n").skip(1);
         all.extend(parts.filter_map(|part| part.split("'''").next().map(str::to_owned)));
     }
-    all.into_iter()
-        .partition(|text| check(text, TextLanguage::St).tree.is_none())
+    all.into_iter().partition(|text| {
+        check(text, TextLanguage::St, unoclp_core::Board::UNO)
+            .tree
+            .is_none()
+    })
 }
 
 /// The texts of the cases in this language.
@@ -197,7 +200,7 @@ fn mutated(text: &str, words: &[&str], random: &mut Random) -> String {
 
 /// Whether it is a program; if so, it is run, and compiled for the board as far as that can do it.
 fn runs(text: &str, language: TextLanguage) -> bool {
-    let checked = check(text, language);
+    let checked = check(text, language, unoclp_core::Board::UNO);
     let wrong = checked.diagnostics.iter().any(is_error);
     assert_eq!(checked.tree.is_none(), wrong, "{text}");
     let Some(tree) = checked.tree else {
@@ -258,8 +261,8 @@ fn bytes_at_random_are_read() {
     for _ in 0..5_000 {
         let length = random.below(60);
         let text: String = (0..length).map(|_| random.pick(&signs)).collect();
-        check(&text, TextLanguage::St);
-        check(&text, TextLanguage::Scl);
+        check(&text, TextLanguage::St, unoclp_core::Board::UNO);
+        check(&text, TextLanguage::Scl, unoclp_core::Board::UNO);
     }
 }
 
@@ -272,15 +275,28 @@ fn signs_at_random_are_read() {
     for _ in 0..5_000 {
         let length = random.below(60);
         let text: String = (0..length).map(|_| random.pick(&signs)).collect();
-        check(&text, TextLanguage::Iscl);
-        check(&format!("BLOCO {text}"), TextLanguage::Iscl);
-        check(&text, TextLanguage::Lce);
-        check(&format!("se (V0 {text}"), TextLanguage::Lce);
-        check(&format!("rede {text}"), TextLanguage::Lce);
-        check(&text, TextLanguage::Il);
+        check(&text, TextLanguage::Iscl, unoclp_core::Board::UNO);
+        check(
+            &format!("BLOCO {text}"),
+            TextLanguage::Iscl,
+            unoclp_core::Board::UNO,
+        );
+        check(&text, TextLanguage::Lce, unoclp_core::Board::UNO);
+        check(
+            &format!("se (V0 {text}"),
+            TextLanguage::Lce,
+            unoclp_core::Board::UNO,
+        );
+        check(
+            &format!("rede {text}"),
+            TextLanguage::Lce,
+            unoclp_core::Board::UNO,
+        );
+        check(&text, TextLanguage::Il, unoclp_core::Board::UNO);
         check(
             &format!("VAR r : REAL; END_VAR\nLD {text}"),
             TextLanguage::Il,
+            unoclp_core::Board::UNO,
         );
     }
 }

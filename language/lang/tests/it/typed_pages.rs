@@ -50,7 +50,7 @@ fn each_example_does_what_stands_below_it() {
         assert_eq!(programs.len(), results.len(), "{page}");
         assert!(programs.len() >= least, "{page}");
         for (program, result) in programs.into_iter().zip(results) {
-            let checked = check(program, language);
+            let checked = check(program, language, unoclp_core::Board::UNO);
             assert_eq!(checked.diagnostics.listed, [], "{page}: {program}");
             let made = board::compiled(program, language);
             let lacks = |d: &Diagnostic| {

@@ -237,7 +237,7 @@ fn random_programs_stay_within_their_types() {
     let mut ran = 0;
     for seed in 0..3_000 {
         let text = program(seed);
-        let checked = check(&text, TextLanguage::St);
+        let checked = check(&text, TextLanguage::St, unoclp_core::Board::UNO);
         let told: Vec<String> = checked
             .diagnostics
             .iter()

@@ -58,7 +58,12 @@ END_PROGRAM
 
 #[test]
 fn one_mistake_is_told_at_most_twice() {
-    assert_eq!(check(TEXT, TextLanguage::St).diagnostics.listed, []);
+    assert_eq!(
+        check(TEXT, TextLanguage::St, unoclp_core::Board::UNO)
+            .diagnostics
+            .listed,
+        []
+    );
     let words: Vec<(usize, &str)> = TEXT
         .split([' ', '\n'])
         .map(|word| (word.as_ptr() as usize - TEXT.as_ptr() as usize, word))
@@ -82,7 +87,7 @@ fn one_mistake_is_told_at_most_twice() {
             word.trim_end_matches([';', ',', ')']),
         ] {
             let text = format!("{before}{wrong}{behind}");
-            let told = check(&text, TextLanguage::St).diagnostics;
+            let told = check(&text, TextLanguage::St, unoclp_core::Board::UNO).diagnostics;
             let errors = told.iter().filter(|d| d.severity() == Severity::Error);
             all += 1;
             silent += usize::from(errors.clone().count() == 0);

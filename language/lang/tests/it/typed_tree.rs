@@ -242,7 +242,7 @@ fn the_trees_of_all_cases_are_settled() {
         let text = fs::read_to_string(entry.unwrap().path()).unwrap();
         for part in text.split("\nst = '''\n").skip(1) {
             let text = part.split("'''").next().unwrap();
-            if let Some(tree) = check(text, TextLanguage::St).tree {
+            if let Some(tree) = check(text, TextLanguage::St, unoclp_core::Board::UNO).tree {
                 assert_eq!(faults(&tree), [""; 0], "{text}");
                 trees += 1;
             }

@@ -80,7 +80,7 @@ fn every_word_compiles_to_its_code() {
                 (format!("LD D1\n{word}\nST D3"), 0)
             }
         };
-        let codes = program(&text, &Options::default()).codes();
+        let codes = program(&text, &Options::on(unoclp_core::Board::UNO)).codes();
         let code = row.code + xx;
         // The compiler may invert the contacts in place of what it has made of them.
         let inverted = opcode == Opcode::Not && codes.contains(&-827301);

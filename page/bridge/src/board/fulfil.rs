@@ -7,6 +7,7 @@ use super::order::Order;
 use super::settle::settle;
 use super::undone::Undone;
 use super::watched::Watched;
+use crate::facts::AT_A_LINE;
 use crate::program::Text;
 use crate::words::{self, Both, both, told};
 use unoclp_client::diagnostics;
@@ -19,7 +20,7 @@ use unoclp_client::{Client, Failure};
 use unoclp_lang::no_such_point;
 use unoclp_modbus::Exception;
 use unoclp_point::Address;
-use unoclp_program::BOARD;
+use unoclp_program::{Lang, not_sent};
 
 /// Does what is ordered; gives what there is to say behind it.
 pub(super) async fn fulfil(
@@ -43,7 +44,7 @@ pub(super) async fn fulfil(
         }
         Order::Set { point: name, value } => {
             let point = Address::parse(&name);
-            if let Some(lacking) = point.and_then(|point| no_such_point(point, BOARD)) {
+            if let Some(lacking) = point.and_then(|point| no_such_point(point, AT_A_LINE)) {
                 return Err(Undone::Told(both(|lang| told(&lacking, lang))));
             }
             let point = point.filter(|point| point::is_written(*point));
@@ -91,6 +92,10 @@ async fn put(
     stay: bool,
 ) -> Result<Both, Undone> {
     let source = text.program()?;
+    if not_sent(&source, Lang::En).is_some() {
+        let why = both(|lang| not_sent(&source, lang).unwrap_or_default());
+        return Err(Undone::Told(why));
+    }
     let sent = diagnostics::Kept::of(source.program());
     let needs = needs(source.program());
     let before = stop(client).await?;

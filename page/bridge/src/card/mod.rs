@@ -3,13 +3,15 @@
 mod room;
 
 use crate::given::{Given, wrong};
-use crate::words::{self, Both, both};
+use crate::program::Text;
+use crate::words::{self, Both, No, both};
 use room::BLOCK;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use unoclp_card::image::{Fat, Image};
 use unoclp_card::{Block, Device, File};
+use unoclp_program::not_sent;
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../../programs/STATE.TXT");
@@ -26,9 +28,14 @@ pub struct Card {
 /// A card with this PROGRAM.TXT on it, and a STATE.TXT if that is asked for.
 ///
 /// # Errors
-/// Where it does not fit.
-pub fn card(program: &str, state: bool) -> Result<Card, Both> {
-    let mut image = Image::new(Fat::Fat16).file("PROGRAM.TXT", program);
+/// Where it does not fit, or the program is for what is no board.
+pub fn card(program: Text, state: bool) -> Result<Card, No> {
+    let text = program.text.clone();
+    if !program.board.has_firmware() {
+        let source = program.program()?;
+        return Err(both(|lang| not_sent(&source, lang).unwrap_or_default()).into());
+    }
+    let mut image = Image::new(Fat::Fat16).file("PROGRAM.TXT", text);
     if state {
         image = image.file("STATE.TXT", STATE);
     }

@@ -5,13 +5,13 @@ use crate::given::{Given, wrong};
 use crate::words::{Both, No, Offer, both, told};
 use serde::Serialize;
 use std::collections::BTreeSet;
+use unoclp_core::Board;
 use unoclp_core::isa::{Class, Kind, MARKER_OPERAND, OUTPUT_OPERAND, Opcode, POPPED, RETENTIVE};
 use unoclp_draw::edit::{
     Cursor, Document, Draft, Element, Node, Operation, Row, Step, Table, visit,
 };
 use unoclp_lang::{duration, no_such_point};
 use unoclp_point::Address;
-use unoclp_program::BOARD;
 use unoclp_program::drawn::is_name;
 
 /// A field with what is in it.
@@ -110,7 +110,7 @@ pub fn shown(document: &Document, element: &Element) -> Vec<Shown> {
 /// # Errors
 /// What is wrong with a field.
 pub fn operations(
-    document: &Document,
+    (document, board): (&Document, Board),
     cursor: Cursor,
     fields: Vec<Field>,
     sure: bool,
@@ -129,14 +129,14 @@ pub fn operations(
         let at = |no: No| no.at(&key, Vec::new());
         match key.as_str() {
             "left" if value.is_empty() => load = None,
-            "left" => load = Some(loaded(table, &value).map_err(at)?),
-            "operand" => step = valued(table, &step, &value).map_err(at)?,
+            "left" => load = Some(loaded((table, board), &value).map_err(at)?),
+            "operand" => step = valued((table, board), &step, &value).map_err(at)?,
             "point" => {
-                let (point, name) = pointed(table, &value)
-                    .map_err(|no| no.at(&key, named_offers(document, &step, &value)))?;
+                let (point, name) = pointed((table, board), &value)
+                    .map_err(|no| no.at(&key, named_offers((document, board), &step, &value)))?;
                 also = name;
                 if point != self::point(&step) {
-                    meant(document, &step, point, &value, sure)?;
+                    meant((document, board), &step, point, &value, sure)?;
                 }
                 step = step
                     .with_address(point)
@@ -199,12 +199,12 @@ pub fn naming(document: &Document, point: Address, row: Row) -> Result<Operation
 ///
 /// # Errors
 /// The question.
-pub fn ask(document: &Document, point: Address, sure: bool) -> Result<(), No> {
+pub fn ask((document, board): (&Document, Board), point: Address, sure: bool) -> Result<(), No> {
     let is_new = || !used(document).contains(&point) && document.table().get(point).is_none();
     match point {
         Address::System(number) if !sure && is_new() => {
             let name = point.to_string();
-            let free = free(document, Address::Input);
+            let free = free((document, board), Address::Input);
             // The letter alone is an address, and so no name.
             let button = free.map(|input| offer(format!("{input} S_{number}")));
             let marker = Offer {
@@ -221,7 +221,7 @@ pub fn ask(document: &Document, point: Address, sure: bool) -> Result<(), No> {
 
 /// Whether an element can mean this point.
 fn meant(
-    document: &Document,
+    (document, board): (&Document, Board),
     step: &Step,
     point: Option<Address>,
     value: &str,
@@ -230,18 +230,20 @@ fn meant(
     match point {
         Some(Address::Timer(_)) if step.opcode().row().kind == Kind::Timer => {
             let kinds = [Address::Marker as fn(u8) -> Address, Address::Output];
-            let points = kinds.into_iter().filter_map(|kind| free(document, kind));
+            let points = kinds
+                .into_iter()
+                .filter_map(|kind| free((document, board), kind));
             let offers = points.map(|point| offer(point.to_string()));
             let told = No::from(both(|lang| words::timer_drives(lang, value)));
             Err(told.at("point", offers.collect()))
         }
-        Some(point) => ask(document, point, sure),
+        Some(point) => ask((document, board), point, sure),
         None => Ok(()),
     }
 }
 
 /// Free points for a name that no point has yet.
-fn named_offers(document: &Document, step: &Step, name: &str) -> Vec<Offer> {
+fn named_offers((document, board): (&Document, Board), step: &Step, name: &str) -> Vec<Offer> {
     let kinds: &[fn(u8) -> Address] = match step.class() {
         Class::Contact | Class::Xor => &[Address::Input, Address::Marker],
         Class::Coil | Class::Timer => &[Address::Output, Address::Marker],
@@ -250,7 +252,9 @@ fn named_offers(document: &Document, step: &Step, name: &str) -> Vec<Offer> {
     if !is_name(name) {
         return Vec::new();
     }
-    let points = kinds.iter().filter_map(|kind| free(document, kind));
+    let points = kinds
+        .iter()
+        .filter_map(|kind| free((document, board), kind));
     let offers = points.map(|point| offer(format!("{point} {name}")));
     offers.collect()
 }
@@ -264,11 +268,11 @@ fn offer(value: String) -> Offer {
 }
 
 /// The first point of a kind that has no name, and that nothing reads or drives.
-fn free(document: &Document, kind: impl Fn(u8) -> Address) -> Option<Address> {
+fn free((document, board): (&Document, Board), kind: impl Fn(u8) -> Address) -> Option<Address> {
     let used = used(document);
     let most = match kind(1) {
-        Address::Input(_) => BOARD.inputs,
-        Address::Output(_) => BOARD.outputs,
+        Address::Input(_) => board.inputs,
+        Address::Output(_) => board.outputs,
         // The last of them are retentive.
         _ => RETENTIVE - 1,
     };
@@ -329,11 +333,11 @@ fn source(step: &Step) -> String {
 }
 
 /// A load of this: a point, or a constant.
-fn loaded(table: &Table, value: &str) -> Result<Step, No> {
+fn loaded((table, board): (&Table, Board), value: &str) -> Result<Step, No> {
     if value.parse::<i32>().is_ok() {
-        return valued(table, &Step::new(Opcode::Load), value);
+        return valued((table, board), &Step::new(Opcode::Load), value);
     }
-    let (point, _) = pointed(table, value)?;
+    let (point, _) = pointed((table, board), value)?;
     let (opcode, number) = match point {
         Some(Address::Register(number)) => (Opcode::Load, number),
         Some(Address::Analogue(number)) => (Opcode::LoadAnalogue, number),
@@ -345,7 +349,7 @@ fn loaded(table: &Table, value: &str) -> Result<Step, No> {
 }
 
 /// An operation or comparison with this: a register, a constant, what was pushed.
-fn valued(table: &Table, step: &Step, value: &str) -> Result<Step, No> {
+fn valued((table, board): (&Table, Board), step: &Step, value: &str) -> Result<Step, No> {
     let constant = |line| step.clone().with_number(0).with_lines([line]);
     let is_real = step.opcode().row().kind == Kind::Real;
     if value.is_empty() {
@@ -364,23 +368,26 @@ fn valued(table: &Table, step: &Step, value: &str) -> Result<Step, No> {
     if let (false, None, Some(ms)) = (is_real, table.point(value), duration(value)) {
         return Ok(constant(Some(ms)));
     }
-    match (pointed(table, value)?.0, step.opcode()) {
+    match (pointed((table, board), value)?.0, step.opcode()) {
         (Some(Address::Register(register)), _) => Ok(step.clone().with_number(register)),
         // What a load loads may stand elsewhere too.
-        (Some(_), Opcode::Load) => loaded(table, value),
+        (Some(_), Opcode::Load) => loaded((table, board), value),
         _ => Err(both(|lang| words::no_number(lang, value)).into()),
     }
 }
 
 /// The point of `I1`, `start` or `I1 start`, and the name that it gets.
-fn pointed(table: &Table, value: &str) -> Result<(Option<Address>, Option<String>), No> {
+fn pointed(
+    (table, board): (&Table, Board),
+    value: &str,
+) -> Result<(Option<Address>, Option<String>), No> {
     let (first, name) = value.split_once(char::is_whitespace).unwrap_or((value, ""));
     if first.is_empty() {
         return Ok((None, None));
     }
     let name = Some(name.trim().to_owned()).filter(|name| !name.is_empty());
     match table.point(value).or_else(|| Address::parse(first)) {
-        Some(point) => match no_such_point(point, BOARD) {
+        Some(point) => match no_such_point(point, board) {
             Some(lacking) => Err(both(|lang| told(&lacking, lang)).into()),
             None => Ok((Some(point), name)),
         },

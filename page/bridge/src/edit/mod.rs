@@ -18,6 +18,7 @@ use crate::draw::Speak;
 use crate::given::Given;
 use crate::program::Text;
 use crate::words::{Both, No, both};
+use unoclp_core::Board;
 use unoclp_draw::edit::{Cursor, Direction, Document, Editor, Operation};
 use unoclp_program::Lang;
 use unoclp_program::drawn::{self, WriteAs};
@@ -32,6 +33,8 @@ pub struct Drawing {
     editor: Editor,
     /// How its text is written.
     form: WriteAs,
+    /// The board that it is for.
+    board: Board,
     /// The texts that a person has written, and what they say: they stay as they are.
     written: Vec<(Document, String)>,
     /// What a page has of it.
@@ -59,12 +62,13 @@ impl Drawing {
         let text = Text::of(&mut given.below("base")?)?;
         let log = given.list("log")?;
         let form = form(&text);
-        let written = text.text.clone();
+        let (written, board) = (text.text.clone(), text.board);
         let editor = Editor::new(document(text)?);
         let mut drawing = Drawing {
             written: vec![(editor.document().clone(), written)],
             editor,
             form,
+            board,
             shown: None,
         };
         for act in log {
@@ -100,18 +104,22 @@ impl Drawing {
                 self.editor.apply_all(&operations).map_err(words::refused)?;
             }
             Act::Edit(fields, sure) => {
-                let (document, cursor) = (self.editor.document(), self.editor.cursor());
-                let operations = fields::operations(document, cursor, fields, sure)?;
+                let (here, cursor) = (self.here(), self.editor.cursor());
+                let operations = fields::operations(here, cursor, fields, sure)?;
                 self.editor.apply_all(&operations).map_err(words::refused)?;
             }
             Act::Name(point, row, sure) => {
-                fields::ask(self.editor.document(), point, sure)?;
+                fields::ask(self.here(), point, sure)?;
                 let operation = fields::naming(self.editor.document(), point, row)?;
                 self.editor.apply(&operation).map_err(words::refused)?;
             }
             Act::Move(direction) => self.go(direction)?,
         }
         Ok(())
+    }
+
+    fn here(&self) -> (&Document, Board) {
+        (self.editor.document(), self.board)
     }
 
     /// Another text in place of this one, as a change that can be undone. What it does not say of points stays.
@@ -188,7 +196,7 @@ impl Drawing {
             None => self.text_now(),
         };
         let wanted = (!is_drawn).then_some((width, lang));
-        let view = View::of(&self.editor, text.clone(), wanted);
+        let view = View::of(&self.editor, self.board, text.clone(), wanted);
         self.shown = Some(Shown {
             document: self.editor.document().clone(),
             width,
@@ -204,7 +212,7 @@ impl Drawing {
         let mut written = self.written.iter();
         let written = written.find(|(says, _)| says == document);
         let written = written.map(|(_, text)| text.clone());
-        written.or_else(|| drawn::text(document, self.form).ok())
+        written.or_else(|| drawn::text(document, self.form, self.board).ok())
     }
 
     /// Its text in a form.
@@ -217,7 +225,7 @@ impl Drawing {
             "il" => WriteAs::Il,
             other => return Err(crate::given::wrong(other)),
         };
-        drawn::text(self.editor.document(), form).map_err(|_| both(words::unfinished))
+        drawn::text(self.editor.document(), form, self.board).map_err(|_| both(words::unfinished))
     }
 
     /// What has these words in it: elements and rungs, from top to bottom.

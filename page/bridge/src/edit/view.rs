@@ -4,10 +4,11 @@ use super::fields;
 use super::words;
 use crate::words::{Both, both};
 use serde::Serialize;
+use unoclp_core::Board;
 use unoclp_draw::edit::{Canvas, Cursor, Document, Drawn, Editor, Id, Node, Place, Rung, visit};
 use unoclp_draw::{Area, Element, Symbol};
+use unoclp_program::Lang;
 use unoclp_program::list::title;
-use unoclp_program::{BOARD, Lang};
 
 /// A rectangle of the drawing: left and upper edge, width, height.
 type Rectangle = [f32; 4];
@@ -78,7 +79,12 @@ struct Named {
 
 impl View {
     /// What there is to show; the drawing of so many columns in a language, if that is wanted.
-    pub fn of(editor: &Editor, text: Option<String>, wanted: Option<(usize, Lang)>) -> View {
+    pub fn of(
+        editor: &Editor,
+        board: Board,
+        text: Option<String>,
+        wanted: Option<(usize, Lang)>,
+    ) -> View {
         let (document, cursor) = (editor.document(), editor.cursor());
         let drawn = Drawn::of(document);
         let sheet = wanted.map(|(width, lang)| {
@@ -89,7 +95,7 @@ impl View {
         });
         let selected = document.within(cursor);
         let mistakes: Vec<Told> = document
-            .check(BOARD)
+            .check(board)
             .into_iter()
             .map(|mistake| Told {
                 at: mistake.at.map(|id| id.0),

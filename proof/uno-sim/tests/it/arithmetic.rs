@@ -135,7 +135,7 @@ fn number(random: &mut Random) -> i32 {
 fn random_numbers_come_out_alike() {
     let random = &mut Random::new(0xA217);
     let mut uno = UnoEngine::new(common::firmware(), Clock::Lockstep).unwrap();
-    let mut host = HostEngine::default();
+    let mut host = HostEngine::new(unoclp_core::Board::UNO);
     let mut text = String::new();
     let mut now = 0_u32;
     for case in 0..rounds(CASES) {

@@ -45,7 +45,7 @@ fn by_jumps(code: &str) -> Option<String> {
 }
 
 fn checked(name: &str, bytes: Vec<u8>) -> Source {
-    let source = Written::new(name.to_owned(), bytes).check(None);
+    let source = Written::new(name.to_owned(), bytes, unoclp_core::Board::UNO).check(None);
     source.unwrap_or_else(|refused| panic!("{refused:?}"))
 }
 
@@ -83,8 +83,9 @@ fn brackets_take_less_than_jumps() {
                 name: jumps.name.clone(),
                 bytes: jumps.code.clone(),
             };
-            let scenario = Scenario::load_for(&twins.scenario(), program).unwrap();
-            let report = check(&scenario, &mut HostEngine::default());
+            let scenario =
+                Scenario::load_for(&twins.scenario(), program, unoclp_core::Board::UNO).unwrap();
+            let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
             assert!(report.passed(), "{name}: {report}");
 
             let both = [&brackets, &jumps];

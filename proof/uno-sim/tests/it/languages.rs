@@ -13,12 +13,17 @@ fn every_language_passes_the_scenario() {
     for twins in in_languages() {
         for text in twins.texts() {
             let name = text.display().to_string();
-            let source = Written::new(name.clone(), fs::read(&text).unwrap()).check(None);
+            let source = Written::new(
+                name.clone(),
+                fs::read(&text).unwrap(),
+                unoclp_core::Board::UNO,
+            )
+            .check(None);
             let program = ProgramFile {
                 name: name.clone(),
                 bytes: source.unwrap_or_else(|refused| panic!("{refused:?}")).code,
             };
-            let scenario = Scenario::load_for(&twins.scenario(), program);
+            let scenario = Scenario::load_for(&twins.scenario(), program, unoclp_core::Board::UNO);
             let report = check(&scenario.unwrap(), &mut engine);
             assert!(report.passed(), "{name}: {report}");
         }

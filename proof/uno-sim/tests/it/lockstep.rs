@@ -47,7 +47,7 @@ fn compare<S: Simulated>(firmware: Program, board: Board, few: u64) {
         let seed = seed.wrapping_add(n.into());
         let random = &mut Random::new(seed);
         let program = random_program(random);
-        let mut host = HostEngine::default();
+        let mut host = HostEngine::new(unoclp_core::Board::UNO);
         let Ok(accepted) = host.load(program.as_bytes());
         assert_eq!(accepted, Ok(()), "seed {seed} on the host:\n{program}");
         let accepted = uno

@@ -18,7 +18,7 @@ const SECONDS: u32 = 60;
 fn a_long_run_is_alike_in_every_millisecond() {
     let seconds = rounds(SECONDS);
     let mut uno = UnoEngine::new(common::firmware(), Clock::Running).unwrap();
-    let mut host = HostEngine::default();
+    let mut host = HostEngine::new(unoclp_core::Board::UNO);
     let Ok(loaded) = host.load(TEXT.as_bytes());
     assert_eq!(loaded, Ok(()));
     assert_eq!(uno.load(TEXT.as_bytes()).unwrap(), Ok(()));

@@ -14,7 +14,8 @@ use unoclp_uno_sim::{Program, Slot, Uno, firmware_file, nano_file, unshortened_f
 /// All cases of the scenario files in these folders, each with its file.
 fn scenarios(folders: &[&str]) -> impl Iterator<Item = (PathBuf, Scenario)> {
     common::scenarios(folders).into_iter().flat_map(|path| {
-        let all = Scenario::load_all(&path).unwrap_or_else(|error| panic!("{error}"));
+        let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
+            .unwrap_or_else(|error| panic!("{error}"));
         all.into_iter()
             .map(move |scenario| (path.clone(), scenario))
     })

@@ -11,7 +11,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use unoclp_card::image::{Fat, Image};
 use unoclp_cli::messages;
-use unoclp_program::shown;
+use unoclp_program::{not_sent, shown};
 
 /// The file in which the board keeps inputs and outputs, before it has done so.
 const STATE: &[u8] = include_bytes!("../../../../programs/STATE.TXT");
@@ -43,6 +43,9 @@ pub fn card(target: &Path, file: &Path, state: bool, over: Over, wording: &Wordi
     let Some(program) = open(file, wording, Shown::Here)? else {
         return Ok(false);
     };
+    if let Some(why) = not_sent(&program, messages::spoken()) {
+        bail!("{}: {why}", program.name);
+    }
     let code = program.file();
     let bytes = code.len();
     if is_folder {

@@ -11,6 +11,7 @@ use unoclp_cli::messages;
 use unoclp_cli::monitor::{App, Program, run, watch};
 use unoclp_cli::port::Place;
 use unoclp_client::Patience;
+use unoclp_program::not_sent;
 
 /// Shows a board until the person leaves.
 pub fn monitor(
@@ -22,7 +23,12 @@ pub fn monitor(
     let program = match path {
         None => None,
         Some(path) => match open(path, wording, Shown::Here)? {
-            Some(source) => Some(Program::new(source)),
+            Some(source) => {
+                if let Some(why) = not_sent(&source, messages::spoken()) {
+                    bail!("{}: {why}", source.name);
+                }
+                Some(Program::new(source))
+            }
             None => return Ok(false),
         },
     };
@@ -30,7 +36,7 @@ pub fn monitor(
         bail!(messages::needs_terminal());
     }
     let scope = program.as_ref().map(Program::scope).unwrap_or_default();
-    let app = App::new(place.to_string(), program, end_forcing);
+    let app = App::new(place.to_string(), wording.board, program, end_forcing);
     let (wish, news) = watch(place, Patience::default(), scope, end_forcing);
     let forced = run(app, &wish, &news)?;
     if forced.any() {

@@ -135,7 +135,7 @@ pub(super) fn count(told: &Told) -> String {
 pub fn faulty(source: &Source, fault: Fault) -> String {
     let Source { name, code, .. } = source;
     if !source.is_text() {
-        let faults = [Diagnosis::from(fault)];
+        let faults = [Diagnosis::new(fault, source.board())];
         return diagnosis::show(name, code, &faults, messages::spoken(), &renderer());
     }
     running(source, fault)

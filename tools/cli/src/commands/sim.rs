@@ -11,6 +11,7 @@ use std::io::{BufWriter, IsTerminal, Write, stdin, stdout};
 use std::path::Path;
 use unoclp_cli::panel::{self, App};
 use unoclp_cli::{ascii, messages};
+use unoclp_core::Board;
 use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{
     Both, Exercise, LoadError, ProgramFile, Report, Scenario, Verdict, check,
@@ -57,17 +58,17 @@ pub struct Run<'a> {
 /// Runs a scenario.
 pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
     let wrong = |error: LoadError| anyhow!(error.text(messages::spoken()));
-    let exercise = Exercise::load(path).map_err(wrong)?;
+    let exercise = Exercise::load(path, wording.board).map_err(wrong)?;
     let named = exercise.program.as_deref();
     let program = match (run.program, named) {
         (Some(program), _) => Some(program),
         // Its errors are shown as `check` shows them.
-        (None, Some(named)) if is_text(named) => Some(named),
+        (None, Some(named)) if is_text(named, wording) => Some(named),
         (None, _) => None,
     };
     let mut source = None;
     let mut scenarios = match program {
-        None => Scenario::load_all(path).map_err(wrong)?,
+        None => Scenario::load_all(path, wording.board).map_err(wrong)?,
         Some(program) => {
             let ProgramFile { name, bytes } = read(program)?;
             let written = wording.of(name.clone(), bytes.clone());
@@ -102,14 +103,14 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             let names = source.as_ref().map(point_names).unwrap_or_default();
             let draft = Draft::new(vcd, Kind::Trace, &inputs, run.over)?;
             let recorder = Recorder::new(trace(&draft, vcd)?).with_names(names);
-            let mut engine = RecordedEngine::new(recorder);
+            let mut engine = RecordedEngine::new(recorder, wording.board);
             let report = check(scenario, &mut engine);
             engine.finish().map_err(cannot_write(vcd))?;
             draft.finish()?;
             vec![report]
         }
         (_, all) => {
-            let engine = &mut HostEngine::default();
+            let engine = &mut HostEngine::new(wording.board);
             all.iter().map(|scenario| check(scenario, engine)).collect()
         }
     };
@@ -118,7 +119,7 @@ pub fn scenario(path: &Path, run: Run<'_>, wording: &Wording) -> Outcome {
             println!();
         }
         println!("{}", ascii::picture(&report.text(messages::spoken())));
-        stopped_at(report, &scenarios[index], source.as_ref());
+        stopped_at(report, &scenarios[index], source.as_ref(), wording.board);
     }
     if let Some(svg) = run.svg {
         let runs = scenarios.iter().zip(&reports);
@@ -143,7 +144,7 @@ fn names(names: BTreeMap<String, Both>, source: Option<&Source>) -> BTreeMap<Str
 }
 
 /// Shows where in its text a program has ended that should run on.
-fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>) {
+fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>, board: Board) {
     let Verdict::WrongStop {
         came: Some((_, refusal)),
         ..
@@ -152,7 +153,7 @@ fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>) {
         return;
     };
     let program = scenario.program();
-    let read = || Written::new(program.name.clone(), program.bytes.clone()).check(None);
+    let read = || Written::new(program.name.clone(), program.bytes.clone(), board).check(None);
     let own = source.is_none().then(|| read().ok()).flatten();
     if let (Some(source), Some(fault)) = (source.or(own.as_ref()), refusal.fault()) {
         println!("  {}", running(source, fault).replace('\n', "\n  "));
@@ -160,8 +161,8 @@ fn stopped_at(report: &Report, scenario: &Scenario, source: Option<&Source>) {
 }
 
 /// Whether the program of a scenario is a text that is compiled.
-fn is_text(path: &Path) -> bool {
-    let read = || read(path).map(|file| Written::new(file.name, file.bytes));
+fn is_text(path: &Path, wording: &Wording) -> bool {
+    let read = || read(path).map(|file| wording.of(file.name, file.bytes));
     WrittenIn::of_name(path).is_some() || read().is_ok_and(|written| written.is_text())
 }
 

@@ -21,7 +21,7 @@ use unoclp_client::upload::{
 };
 use unoclp_client::watch::{Forced, Wish};
 use unoclp_client::{Client, lock};
-use unoclp_program::Source;
+use unoclp_program::{Source, not_sent};
 
 /// How the board is left.
 #[derive(Args)]
@@ -39,6 +39,9 @@ pub fn upload(path: &Path, place: &Place, leave: &Leave, wording: &Wording) -> O
     let Some(program) = open(path, wording, Shown::Here)? else {
         return Ok(false);
     };
+    if let Some(why) = not_sent(&program, messages::spoken()) {
+        bail!("{}: {why}", program.name);
+    }
     say!("{}: OK: {}", program.name, messages::size(&program.size));
     let mut upload = Upload {
         port: meet(place)?,

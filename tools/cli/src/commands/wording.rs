@@ -1,9 +1,7 @@
 //! The options that say in what a program is written.
 
-use super::words::models;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use unoclp_boot::Model;
 use unoclp_cli::messages;
 use unoclp_core::Board;
 use unoclp_lang::{Dialect, Lang, TextLanguage};
@@ -18,14 +16,31 @@ pub struct Wording {
     /// The language of the program; else what its name and its words tell
     #[arg(long, value_parser = languages())]
     pub(super) language: Option<WrittenIn>,
-    /// The board that it is for: a Nano has no REAL numbers
-    #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = models())]
-    board: Model,
+    /// The board that it is for: a Nano has no REAL numbers, a PC has 99 of each point
+    #[arg(long, value_name = "BOARD", default_value = "uno", value_parser = boards())]
+    pub(super) board: Board,
 }
 
 fn languages() -> impl TypedValueParser<Value = WrittenIn> {
     PossibleValuesParser::new(WrittenIn::ALL.map(WrittenIn::name))
         .map(|name| WrittenIn::named(&name).unwrap_or(WrittenIn::Numeric))
+}
+
+/// The boards that there are programs for.
+pub fn boards() -> impl TypedValueParser<Value = Board> {
+    let value = |board: Board| {
+        let value = PossibleValue::new(board.id());
+        match board {
+            // Its boot loader is another, its firmware the same.
+            Board::NANO => value.alias("nano-old"),
+            _ => value,
+        }
+    };
+    // The parser lets through no other name.
+    PossibleValuesParser::new(Board::ALL.map(value)).map(|name| {
+        let name = name.strip_suffix("-old").unwrap_or(&name);
+        Board::named(name).unwrap_or(Board::UNO)
+    })
 }
 
 fn dialects() -> impl TypedValueParser<Value = Dialect> {
@@ -36,11 +51,7 @@ fn dialects() -> impl TypedValueParser<Value = Dialect> {
 impl Wording {
     /// A file of this name, in the language that it is said to be in or else shows.
     pub fn of(&self, name: String, bytes: Vec<u8>) -> Written {
-        let board = match self.board.firmware() {
-            Model::Uno => Board::UNO,
-            _ => Board::NANO,
-        };
-        Written::new(name, bytes).or_in(self.language).on(board)
+        Written::new(name, bytes, self.board).or_in(self.language)
     }
 
     /// What a text was taken to be; nothing of numeric code.

@@ -7,11 +7,13 @@ use crate::messages;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use unoclp_client::map::{Command, State};
 use unoclp_client::watch::{Forced, Reading, Side, Wish};
+use unoclp_core::Board;
 use unoclp_exercise::live::Flow;
-use unoclp_program::BOARD;
 
 /// A board, as far as it is known, and what a person does to it.
 pub struct App {
+    /// What the board there has.
+    pub(super) board: Board,
     /// Where the board is.
     pub(super) place: String,
     /// What it says that it is.
@@ -47,9 +49,15 @@ pub struct App {
 impl App {
     /// A monitor that waits for the board at this place. What it forces ends at the board behind `end_forcing` seconds
     /// without a request, 1 to 254.
-    pub fn new(place: String, program: Option<Program>, end_forcing: Option<u8>) -> App {
+    pub fn new(
+        place: String,
+        board: Board,
+        program: Option<Program>,
+        end_forcing: Option<u8>,
+    ) -> App {
         App {
             place,
+            board,
             identity: String::new(),
             top: program.as_ref().map_or(0, |program| program.drawn.home()),
             program,
@@ -233,8 +241,8 @@ impl App {
     fn force(&mut self, index: u8) -> Option<Wish> {
         let reading = self.reading.as_ref()?;
         let (count, forces) = match self.side {
-            Side::Inputs => (BOARD.inputs, reading.forced_inputs),
-            Side::Outputs => (BOARD.outputs, reading.forced_outputs),
+            Side::Inputs => (self.board.inputs, reading.forced_inputs),
+            Side::Outputs => (self.board.outputs, reading.forced_outputs),
         };
         if index >= count {
             return None;

@@ -24,7 +24,7 @@ const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n787600\n827302\n6784
 
 /// A program that is right, of this name and text.
 fn source(name: &str, text: &str) -> Source {
-    let written = Written::new(name.to_owned(), text.into());
+    let written = Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
     written
         .check(None)
         .unwrap_or_else(|refused| panic!("{refused:?}"))
@@ -66,7 +66,12 @@ fn reading() -> Reading {
 }
 
 fn app(program: Option<Program>) -> App {
-    let app = App::new("/dev/ttyACM0, address 1".to_owned(), program, None);
+    let app = App::new(
+        "/dev/ttyACM0, address 1".to_owned(),
+        unoclp_core::Board::UNO,
+        program,
+        None,
+    );
     found(app)
 }
 
@@ -403,7 +408,7 @@ const RICH: &str = "0\n\
 #[test]
 fn what_is_energised_is_what_the_boards_own_scan_has_made_so() {
     let text = RICH.replace(' ', "");
-    let mut board = Machine::new(load(text.as_bytes()).unwrap());
+    let mut board = Machine::new(load(text.as_bytes(), unoclp_core::Board::UNO).unwrap());
     let mut program = Program::new(source("rich.txt", &text));
     let mut random = Random::new(7);
     let mut inputs = Image(0);
@@ -529,7 +534,12 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
 
 /// A monitor whose forces end behind 10 s, at a board with this end of forcing before.
 fn ending(ends: Option<u8>) -> App {
-    let app = App::new("/dev/ttyACM0".to_owned(), Some(program()), Some(10));
+    let app = App::new(
+        "/dev/ttyACM0".to_owned(),
+        unoclp_core::Board::UNO,
+        Some(program()),
+        Some(10),
+    );
     let mut app = found(app);
     let mut now = reading();
     now.forcing_ends = ends;

@@ -12,7 +12,6 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
 use unoclp_client::map::{State, flag};
 use unoclp_client::watch::{Forces, Meter, Reading, Side};
-use unoclp_program::BOARD;
 use unoclp_program::used::real;
 
 /// Header and footer.
@@ -42,20 +41,20 @@ pub(super) fn draw(app: &mut App, frame: &mut Frame) {
         let inputs = lamps(
             app,
             'I',
-            BOARD.inputs,
+            app.board.inputs,
             reading.inputs,
             reading.forced_inputs,
         );
         let outputs = lamps(
             app,
             'Q',
-            BOARD.outputs,
+            app.board.outputs,
             reading.outputs,
             reading.forced_outputs,
         );
         let sides = Sides::new(&inputs, &outputs, SIDE_BY_SIDE, frame.area());
-        let inputs = (inputs_title(app.side), sides.inputs);
-        let outputs = (outputs_title(app.side), sides.outputs);
+        let inputs = (inputs_title(app), sides.inputs);
+        let outputs = (outputs_title(app), sides.outputs);
         match sides.share {
             Some(columns) => {
                 share = columns;
@@ -171,16 +170,16 @@ fn panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area: Rect
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
-fn inputs_title(side: Side) -> String {
-    match side {
-        Side::Inputs => messages::inputs_force(BOARD.inputs),
+fn inputs_title(app: &App) -> String {
+    match app.side {
+        Side::Inputs => messages::inputs_force(app.board.inputs),
         Side::Outputs => messages::inputs(),
     }
 }
 
-fn outputs_title(side: Side) -> String {
-    match side {
-        Side::Outputs => messages::outputs_force(BOARD.outputs),
+fn outputs_title(app: &App) -> String {
+    match app.side {
+        Side::Outputs => messages::outputs_force(app.board.outputs),
         Side::Inputs => messages::outputs(),
     }
 }
@@ -264,7 +263,7 @@ fn board(app: &App, reading: &Reading, width: u16) -> Vec<Line<'static>> {
         ));
     }
     if app.lingering != 0 {
-        let outputs = (0..BOARD.outputs).filter(|index| app.lingering >> index & 1 != 0);
+        let outputs = (0..app.board.outputs).filter(|index| app.lingering >> index & 1 != 0);
         let outputs: Vec<String> = outputs.map(|index| format!("Q{}", index + 1)).collect();
         let outputs = outputs.join(" ");
         let is_known = app.program.is_some() && !app.differs();

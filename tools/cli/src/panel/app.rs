@@ -19,13 +19,19 @@ use unoclp_exercise::wave::{Recorder, Sample};
 use unoclp_host_sim::engine::Machine;
 use unoclp_point::Address;
 use unoclp_program::used::Used;
-use unoclp_program::{BOARD, Source, point_names};
+use unoclp_program::{Source, point_names};
 
 /// Virtual time from scan to scan.
 const SCAN: Duration = Duration::from_millis(1);
 
 /// Inputs that every program has buttons for.
 const FIRST_INPUTS: u8 = 4;
+
+/// Outputs that every program has lamps for.
+const FIRST_OUTPUTS: u8 = 4;
+
+/// Inputs that a program has buttons for that reads one of those beyond: no fewer.
+const MORE_INPUTS: u8 = 8;
 
 /// The most time that one update makes up for: after a pause of the whole PC the simulation goes
 /// on from where it was.
@@ -145,12 +151,23 @@ impl App {
         self.machine.plc().outputs()
     }
 
-    /// The inputs that have buttons, from 01 to this number: 05 to 08 only where the program reads them.
+    /// The inputs that have buttons, from 01 to this number: those from 05 on only where the program reads them.
     pub(super) fn inputs(&self) -> u8 {
         match self.used.inputs.last() {
-            Some(&last) if last > FIRST_INPUTS => BOARD.inputs,
+            Some(&last) if last > FIRST_INPUTS => {
+                let buttons = last.max(MORE_INPUTS);
+                buttons.min(self.machine.plc().board().inputs)
+            }
             _ => FIRST_INPUTS,
         }
+    }
+
+    /// The outputs that have lamps, from 01 to this number: those from 05 on only where the program names them.
+    pub(super) fn outputs_shown(&self) -> u8 {
+        let last = self.used.outputs.last().max(self.used.pwm.last());
+        let most = self.machine.plc().board().outputs;
+        last.map_or(FIRST_OUTPUTS, |last| (*last).max(FIRST_OUTPUTS))
+            .min(most)
     }
 
     /// What the program counts and remembers, as it stood in the last scan: each with its name. The variables of one that

@@ -25,7 +25,7 @@ const PROGRAM: &str = "0\n787600\n827301\n847978\n20\n7901\n\
 
 /// A program that is right, of this name and text.
 fn source(name: &str, text: &str) -> Source {
-    let written = Written::new(name.to_owned(), text.into());
+    let written = Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
     written
         .check(None)
         .unwrap_or_else(|refused| panic!("{refused:?}"))

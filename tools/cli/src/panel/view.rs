@@ -12,7 +12,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph};
 use std::collections::BTreeMap;
 use unoclp_core::{Point, Target, TimerState};
-use unoclp_exercise::scenario::{inputs, outputs};
+use unoclp_exercise::scenario::points;
 
 /// Header and footer.
 const BAR: Style = Style::new().add_modifier(Modifier::REVERSED);
@@ -147,9 +147,8 @@ fn draw_panel(title: String, lines: Vec<Line<'static>>, frame: &mut Frame, area:
 
 fn input_lamps(app: &App) -> Lamps {
     let closed = app.buttons.closed();
-    let inputs = inputs().filter(|input| input.number() <= app.inputs());
     Lamps(
-        inputs
+        points(app.inputs())
             .map(|input| named_lamp(app, format!("I{}", input.number()), closed.get(input)))
             .collect(),
     )
@@ -158,7 +157,7 @@ fn input_lamps(app: &App) -> Lamps {
 fn output_lamps(app: &App) -> Lamps {
     let on = app.outputs();
     let lamp = |output: Point| named_lamp(app, format!("Q{}", output.number()), on.get(output));
-    Lamps(outputs().map(lamp).collect())
+    Lamps(points(app.outputs_shown()).map(lamp).collect())
 }
 
 fn named_lamp(app: &App, point: String, on: bool) -> Lamp {

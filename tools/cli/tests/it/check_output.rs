@@ -8,7 +8,6 @@ use std::fs;
 use std::path::Path;
 use unoclp_checked::numeric;
 use unoclp_lang::Lang;
-use unoclp_program::BOARD;
 use unoclp_program::diagnosis::show;
 
 #[test]
@@ -23,7 +22,7 @@ fn faults_are_shown_as_expected() {
         count += 1;
         let name = path.file_name().unwrap().to_str().unwrap();
         let file = fs::read(&path).unwrap();
-        let faults = numeric(&file, BOARD).expect_err(name);
+        let faults = numeric(&file, unoclp_core::Board::UNO).expect_err(name);
         let shown = show(name, &file, &faults, Lang::En, &Renderer::plain());
         let expected = fs::read_to_string(path.with_extension("expected")).unwrap();
         let expected = expected.replace("\r\n", "\n");
@@ -42,7 +41,7 @@ fn any_bytes_can_be_shown() {
         ];
         let length = random.below(40);
         let file: Vec<u8> = (0..length).filter_map(|_| random.pick(&alphabet)).collect();
-        if let Err(faults) = numeric(&file, BOARD) {
+        if let Err(faults) = numeric(&file, unoclp_core::Board::UNO) {
             assert!(!faults.is_empty());
             let text = show("noise", &file, &faults, Lang::En, &Renderer::plain());
             assert!(!text.contains('\0') && !text.contains('\r'), "{file:?}");

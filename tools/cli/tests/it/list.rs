@@ -20,7 +20,7 @@ fn folder(path: &str) -> PathBuf {
 }
 
 fn numeric(file: impl Into<Vec<u8>>) -> Source {
-    let written = Written::new("p.txt".to_owned(), file.into());
+    let written = Written::new("p.txt".to_owned(), file.into(), unoclp_core::Board::UNO);
     assert!(!written.is_text());
     written
         .check(None)
@@ -29,7 +29,11 @@ fn numeric(file: impl Into<Vec<u8>>) -> Source {
 
 /// The stored form of a program file.
 fn stored(file: &[u8]) -> Vec<u8> {
-    load(file).unwrap().program().stored().to_vec()
+    load(file, unoclp_core::Board::UNO)
+        .unwrap()
+        .program()
+        .stored()
+        .to_vec()
 }
 
 #[test]
@@ -135,7 +139,7 @@ fn random_programs_keep_every_step_once_at_every_width() {
     let mut random = Random::new(7);
     for number in 0..400 {
         let file = random_program(&mut random);
-        let checked = load(file.as_bytes()).unwrap();
+        let checked = load(file.as_bytes(), unoclp_core::Board::UNO).unwrap();
         let program = checked.program();
         let ladder = Ladder::new(program.steps());
         let mut shown: Vec<usize> = Vec::new();
@@ -183,7 +187,7 @@ fn random_programs_keep_every_step_once_at_every_width() {
 
 /// A program's stored form, without the lines that its jumps remember.
 fn plain(file: &str) -> Vec<String> {
-    let checked = load(file.as_bytes()).unwrap();
+    let checked = load(file.as_bytes(), unoclp_core::Board::UNO).unwrap();
     let program = checked.program();
     program.steps().map(|step| step.to_string()).collect()
 }
@@ -229,7 +233,12 @@ fn a_listing_is_told_in_portuguese_and_means_the_same() {
     for &opcode in Opcode::ALL {
         let program = format!("0\n827301\n40\n827302\n41\n{}", codes(opcode));
         // Some codes stand at the head of a rung only, or beside others.
-        let Ok(source) = Written::new("p.txt".to_owned(), program.into_bytes()).check(None) else {
+        let Ok(source) = Written::new(
+            "p.txt".to_owned(),
+            program.into_bytes(),
+            unoclp_core::Board::UNO,
+        )
+        .check(None) else {
             continue;
         };
         let listed = |lang| list(&source, Form::Numeric, 80, lang);

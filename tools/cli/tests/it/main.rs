@@ -20,6 +20,7 @@ mod monitor;
 mod nano;
 mod outputs;
 mod pages;
+mod pc;
 mod plcopen;
 mod portuguese;
 #[cfg(unix)]

@@ -143,7 +143,8 @@ fn a_program_in_any_language_is_shown_by_its_names() {
         ),
     ] {
         let program = crate::common::file(name, text);
-        let written = unoclp_program::Written::new(name.to_owned(), text.into());
+        let written =
+            unoclp_program::Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
         let source = written.check(None).unwrap();
         let kept = unoclp_client::diagnostics::Kept::of(source.program());
         let fake = Fake::new(Board {

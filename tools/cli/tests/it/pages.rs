@@ -13,9 +13,13 @@ const MARGIN: f32 = 15.0;
 const STROKE: f32 = 0.4;
 
 fn program(name: &str, text: &str) -> Option<Source> {
-    Written::new(name.to_owned(), text.as_bytes().to_vec())
-        .check(None)
-        .ok()
+    Written::new(
+        name.to_owned(),
+        text.as_bytes().to_vec(),
+        unoclp_core::Board::UNO,
+    )
+    .check(None)
+    .ok()
 }
 
 fn number(node: Node<'_, '_>, name: &str) -> f32 {

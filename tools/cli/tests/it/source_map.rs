@@ -7,7 +7,7 @@ use unoclp_host_sim::random::{Random, random_program};
 use unoclp_program::{Source, Written};
 
 fn check(name: &str, text: &[u8]) -> Source {
-    let written = Written::new(name.to_owned(), text.into());
+    let written = Written::new(name.to_owned(), text.into(), unoclp_core::Board::UNO);
     let source = written.check(None);
     source.unwrap_or_else(|refused| panic!("{name}: {refused:?}"))
 }

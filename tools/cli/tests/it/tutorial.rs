@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use unoclp_exercise::scenario::{Exercise, Scenario, check};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::{Lang, Options, TextLanguage, compile, compile_text};
-use unoclp_program::BOARD;
 
 const PAGES: [&str; 2] = ["docs/tutorial.md", "docs/tutorial.pt-BR.md"];
 const FOLDER: &str = "programs/tutorial";
@@ -75,11 +74,11 @@ fn language(file: &str) -> &str {
 fn compiled(text: &str, language: &str) -> String {
     let (file, diagnostics) = match language {
         "il" => {
-            let compiled = compile(text, &Options::default());
+            let compiled = compile(text, &Options::on(unoclp_core::Board::UNO));
             (compiled.file(), compiled.diagnostics.listed)
         }
         _ => {
-            let compiled = compile_text(text, TextLanguage::St, BOARD);
+            let compiled = compile_text(text, TextLanguage::St, unoclp_core::Board::UNO);
             (compiled.file(), compiled.diagnostics.listed)
         }
     };
@@ -214,9 +213,10 @@ fn programs(folder: &str) -> Vec<String> {
             "{name}.txt is not what the compiler makes of {program}"
         );
         let scenario = path(&format!("{folder}/{name}.toml"));
-        let scenario = Scenario::load(&scenario).unwrap_or_else(|error| panic!("{error}"));
+        let scenario = Scenario::load(&scenario, unoclp_core::Board::UNO)
+            .unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(scenario.program().bytes, file.as_bytes(), "{name}");
-        let report = check(&scenario, &mut HostEngine::default());
+        let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
         assert!(report.passed(), "{report}");
     }
     files
@@ -263,7 +263,10 @@ fn every_exercise_asks_what_the_pages_ask() {
     ] {
         for ((_, section), solution) in steps(page).iter().zip(&solutions) {
             let file = solution.replace(".il", ".toml").replace(".st", ".toml");
-            let exercise = Exercise::load(&path(&format!("{FOLDER}/solutions/{file}")));
+            let exercise = Exercise::load(
+                &path(&format!("{FOLDER}/solutions/{file}")),
+                unoclp_core::Board::UNO,
+            );
             let exercise = exercise.unwrap_or_else(|error| panic!("{error}"));
             let (_, title) = section.split_once(". ").unwrap();
             let title = title.lines().next().unwrap();

@@ -2,7 +2,7 @@
 //!
 //! Owns which lanes there are, and where what came is not what was expected. Must not know how they are drawn.
 
-use crate::scenario::{Both, Change, Course, Place, Plan, Report, inputs};
+use crate::scenario::{Both, Change, Course, Place, Plan, Report, points};
 use std::collections::BTreeMap;
 use unoclp_core::{Millis, Point};
 use unoclp_program::Lang;
@@ -44,7 +44,7 @@ pub fn lanes(
     let is_shown = |point: &Point| {
         plan.inputs.contains(point) || names.contains_key(&format!("I{}", point.number()))
     };
-    let digital = inputs().filter(is_shown).map(|point| {
+    let digital = points(Point::MOST).filter(is_shown).map(|point| {
         let value = move |change: &Change| i32::from(change.inputs.points.get(point));
         input(format!("I{}", point.number()), true, &value)
     });

@@ -9,8 +9,8 @@ use super::{Both, Goal, Place, ProgramFile, Scenario, Wrong};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
+use unoclp_core::Board;
 use unoclp_host_sim::engine::Refusal;
-use unoclp_program::BOARD;
 
 /// A scenario file whose every value has passed its checks.
 #[derive(Clone, Debug)]
@@ -60,27 +60,32 @@ impl Exercise {
     }
 
     /// That of a file of this name, in this folder.
-    pub(super) fn of_keys(name: &str, keys: &FileKeys, folder: &Path) -> Result<Exercise, Slip> {
+    pub(super) fn of_keys(
+        name: &str,
+        keys: &FileKeys,
+        folder: &Path,
+        board: Board,
+    ) -> Result<Exercise, Slip> {
         let about = keys.about.as_deref().map(Both::same);
         let Some(title) = keys.title.clone().or_else(|| about.clone()) else {
             return Err(slip(None, Wrong::NoTitle));
         };
         for point in keys.names.keys() {
-            if !is_point(point.get_ref()) {
+            if !is_point(point.get_ref(), board) {
                 let name = point.get_ref().clone();
-                return Err(slip(Some(point.span()), Wrong::NotNamed { name }));
+                return Err(slip(Some(point.span()), Wrong::NotNamed { name, board }));
             }
         }
         let closed = keys.normally_closed.iter().map(|input| {
             let name = input.get_ref().clone();
-            let number = (1..=BOARD.inputs).find(|number| format!("I{number}") == name);
-            number.ok_or_else(|| slip(Some(input.span()), Wrong::NotNamed { name }))
+            let number = (1..=board.inputs).find(|number| format!("I{number}") == name);
+            number.ok_or_else(|| slip(Some(input.span()), Wrong::NotNamed { name, board }))
         });
         let names = keys.names.iter();
         let program = keys.program.as_ref();
         Ok(Exercise {
             name: name.to_owned(),
-            cases: cases(keys, about.as_ref().unwrap_or(&title))?,
+            cases: cases(keys, about.as_ref().unwrap_or(&title), board)?,
             title,
             task: keys.task.clone(),
             hints: keys.hints.clone(),
@@ -94,8 +99,8 @@ impl Exercise {
 }
 
 /// The cases of a file; one of steps alone is a single one, which is about this.
-fn cases(keys: &FileKeys, about: &Both) -> Result<Vec<Case>, Slip> {
-    let rhythm = Rhythm::of(keys)?;
+fn cases(keys: &FileKeys, about: &Both, board: Board) -> Result<Vec<Case>, Slip> {
+    let rhythm = Rhythm::of(keys, board)?;
     if let Some(first) = keys.case.first() {
         let has_steps = !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some();
         if has_steps || keys.fault.is_some() {
@@ -142,8 +147,8 @@ fn refusal(fault: &Spanned<FaultKeys>, keys: &FileKeys) -> Result<Refusal, Slip>
 }
 
 /// Whether something can be connected to a point of this name, or watched there.
-fn is_point(name: &str) -> bool {
-    let inputs = (1..=BOARD.inputs).map(|number| format!("I{number}"));
-    let mut analogue = (0..BOARD.analogue).map(|number| format!("A{number}"));
-    inputs.chain(&mut analogue).any(|point| point == name) || Place::of_name(name).is_some()
+fn is_point(name: &str, board: Board) -> bool {
+    let inputs = (1..=board.inputs).map(|number| format!("I{number}"));
+    let mut analogue = (0..board.analogue).map(|number| format!("A{number}"));
+    inputs.chain(&mut analogue).any(|point| point == name) || Place::of_name(name, board).is_some()
 }

@@ -9,6 +9,7 @@ use super::{Exercise, LONGEST, LoadError, ProgramFile, Scenario, Unreadable, Wro
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use toml::Spanned;
+use unoclp_core::Board;
 use unoclp_program::{Source, Written, shown};
 
 impl Exercise {
@@ -16,16 +17,19 @@ impl Exercise {
     ///
     /// # Errors
     /// What is wrong with it, and where.
-    pub fn load(path: &Path) -> Result<Exercise, LoadError> {
-        with_keys(path, Exercise::of_keys)
+    pub fn load(path: &Path, board: Board) -> Result<Exercise, LoadError> {
+        with_keys(path, |name, keys, folder| {
+            Exercise::of_keys(name, keys, folder, board)
+        })
     }
 
     /// Reads the text of a scenario file, which goes by this name.
     ///
     /// # Errors
     /// What is wrong with it, and where.
-    pub fn of_text(name: &str, source: &str) -> Result<Exercise, LoadError> {
-        let result = keys(source).and_then(|keys| Exercise::of_keys(name, &keys, Path::new("")));
+    pub fn of_text(name: &str, source: &str, board: Board) -> Result<Exercise, LoadError> {
+        let result =
+            keys(source).and_then(|keys| Exercise::of_keys(name, &keys, Path::new(""), board));
         result.map_err(|slip| slip.in_file(name.to_owned(), source))
     }
 }
@@ -35,10 +39,10 @@ impl Scenario {
     ///
     /// # Errors
     /// What is wrong with it, and where; that it has several cases.
-    pub fn load(path: &Path) -> Result<Scenario, LoadError> {
+    pub fn load(path: &Path, board: Board) -> Result<Scenario, LoadError> {
         with_keys(path, |name, keys, folder| {
-            let program = named_program(name, keys, folder)?;
-            only(Exercise::of_keys(name, keys, folder)?, &program)
+            let program = named_program(name, keys, folder, board)?;
+            only(Exercise::of_keys(name, keys, folder, board)?, &program)
         })
     }
 
@@ -46,10 +50,10 @@ impl Scenario {
     ///
     /// # Errors
     /// What is wrong with it, and where.
-    pub fn load_all(path: &Path) -> Result<Vec<Scenario>, LoadError> {
+    pub fn load_all(path: &Path, board: Board) -> Result<Vec<Scenario>, LoadError> {
         with_keys(path, |name, keys, folder| {
-            let program = named_program(name, keys, folder)?;
-            Ok(Exercise::of_keys(name, keys, folder)?.scenarios(&program))
+            let program = named_program(name, keys, folder, board)?;
+            Ok(Exercise::of_keys(name, keys, folder, board)?.scenarios(&program))
         })
     }
 
@@ -57,9 +61,13 @@ impl Scenario {
     ///
     /// # Errors
     /// What is wrong with it, and where; that it has several cases.
-    pub fn load_for(path: &Path, program: ProgramFile) -> Result<Scenario, LoadError> {
+    pub fn load_for(
+        path: &Path,
+        program: ProgramFile,
+        board: Board,
+    ) -> Result<Scenario, LoadError> {
         with_keys(path, |name, keys, folder| {
-            only(Exercise::of_keys(name, keys, folder)?, &program)
+            only(Exercise::of_keys(name, keys, folder, board)?, &program)
         })
     }
 }
@@ -100,9 +108,14 @@ fn text(path: &Path) -> Result<String, Unreadable> {
 }
 
 /// The program that a scenario file of this name gives.
-fn named_program(name: &str, keys: &FileKeys, folder: &Path) -> Result<ProgramFile, Slip> {
+fn named_program(
+    name: &str,
+    keys: &FileKeys,
+    folder: &Path,
+    board: Board,
+) -> Result<ProgramFile, Slip> {
     match (&keys.program, &keys.text) {
-        (Some(path), None) => program_file(path, keys, folder),
+        (Some(path), None) => program_file(path, keys, folder, board),
         (None, Some(text)) => Ok(ProgramFile {
             name: format!("{name} (text)"),
             bytes: program_text(text)?,
@@ -138,6 +151,7 @@ fn program_file(
     path: &Spanned<String>,
     keys: &FileKeys,
     folder: &Path,
+    board: Board,
 ) -> Result<ProgramFile, Slip> {
     let file = folder.join(path.get_ref());
     let name = shown(&file);
@@ -145,7 +159,7 @@ fn program_file(
         let name = name.clone();
         slip(Some(path.span()), Wrong::Program { name, why })
     })?;
-    let written = Written::new(name.clone(), bytes);
+    let written = Written::new(name.clone(), bytes, board);
     // A file that must be refused is numeric code, whatever it looks like.
     if !written.is_text() || keys.fault.is_some() {
         let Written { name, bytes, .. } = written;

@@ -32,11 +32,11 @@ pub use report::{Change, Columns, Report, Unmet, Verdict};
 pub use wrong::{LoadError, Wrong};
 
 use std::num::NonZeroU32;
-use unoclp_core::{Millis, Point};
+use unoclp_core::{Board, Millis, Point};
 #[cfg(doc)]
 use unoclp_host_sim::engine::Engine;
 use unoclp_host_sim::engine::{Cell, Refusal};
-use unoclp_program::{BOARD, Lang};
+use unoclp_program::Lang;
 
 /// A scenario whose file has passed every check: the points exist on the board, and the steps
 /// stand in rising order, each at the time of a scan.
@@ -74,6 +74,8 @@ struct Timeline {
     until: Millis,
     /// The fault that the run ends in; its scan is then the last.
     stop: Option<Stop>,
+    /// The board whose points it names.
+    board: Board,
 }
 
 /// A fault at run time.
@@ -160,16 +162,7 @@ impl Scenario {
     }
 }
 
-/// The inputs of the board: I1, I2 …
-pub fn inputs() -> impl Iterator<Item = Point> {
-    points(BOARD.inputs)
-}
-
-/// The outputs of the board: Q1, Q2 …
-pub fn outputs() -> impl Iterator<Item = Point> {
-    points(BOARD.outputs)
-}
-
-fn points(count: u8) -> impl Iterator<Item = Point> {
+/// The points 01 to this number.
+pub fn points(count: u8) -> impl Iterator<Item = Point> {
     (1..=count).filter_map(move |number| Point::new(number, count))
 }

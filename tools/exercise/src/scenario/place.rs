@@ -1,9 +1,9 @@
 //! What a scenario looks at and sets: outputs, PWM, and cells of the program's memory.
 
 use std::fmt;
+use unoclp_core::Board;
 use unoclp_core::isa::REGISTERS;
 use unoclp_host_sim::engine::Cell;
-use unoclp_program::BOARD;
 
 /// What an expectation is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,12 +18,12 @@ pub enum Place {
 
 impl Place {
     /// The place that a scenario calls so.
-    pub(super) fn of_name(name: &str) -> Option<Place> {
+    pub(super) fn of_name(name: &str, board: Board) -> Option<Place> {
         let all = |count| 1..=count;
-        let outputs = all(BOARD.outputs).map(Place::Output);
-        let markers = all(BOARD.markers).map(|number| Place::Cell(Cell::Marker(number)));
+        let outputs = all(board.outputs).map(Place::Output);
+        let markers = all(board.markers).map(|number| Place::Cell(Cell::Marker(number)));
         let registers = all(REGISTERS).map(|number| Place::Cell(Cell::Register(number)));
-        let pwm = BOARD.pwm_outputs().map(Place::Pwm);
+        let pwm = board.pwm_outputs().map(Place::Pwm);
         outputs
             .chain(markers)
             .chain(registers)

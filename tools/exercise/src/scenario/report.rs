@@ -44,11 +44,16 @@ impl Change {
     }
 }
 
-/// What a timeline shows beside the outputs.
+/// Inputs and outputs that are shown whatever a scenario names.
+const FIRST: u8 = 4;
+
+/// What a timeline shows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Columns {
     /// The inputs from 01 to this number.
     pub inputs: u8,
+    /// Outputs 01 to this number are shown.
+    pub outputs: u8,
     /// The analogue inputs that the scenario uses, from 0.
     pub analogue: Vec<u8>,
     /// The places beside outputs that it expects anything of.
@@ -58,7 +63,8 @@ pub struct Columns {
 impl Columns {
     /// What is worth showing of a run.
     pub(super) fn of(timeline: &Timeline) -> Columns {
-        let (mut inputs, mut analogue, mut seen) = (4, BTreeSet::new(), BTreeSet::new());
+        let (mut inputs, mut analogue, mut seen) = (FIRST, BTreeSet::new(), BTreeSet::new());
+        let mut outputs = FIRST.min(timeline.board.outputs);
         for step in &timeline.steps {
             for setting in &step.set {
                 match *setting {
@@ -68,10 +74,16 @@ impl Columns {
                 }
             }
             let places = step.expect.iter().map(|&(place, _)| place);
+            for place in places.clone() {
+                if let Place::Output(output) = place {
+                    outputs = outputs.max(output);
+                }
+            }
             seen.extend(places.filter(|place| !matches!(place, Place::Output(_))));
         }
         Columns {
             inputs,
+            outputs,
             analogue: analogue.into_iter().collect(),
             seen: seen.into_iter().collect(),
         }

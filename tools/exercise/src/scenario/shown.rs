@@ -11,7 +11,7 @@ use std::fmt;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::Refusal;
 use unoclp_program::messages::system;
-use unoclp_program::{BOARD, Lang, diagnosis};
+use unoclp_program::{Lang, diagnosis};
 
 impl LoadError {
     /// In this language: `motor.toml:7: Q1 must be 0 or 1`
@@ -115,32 +115,32 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::TooManyScans { scans } => too_many_scans(lang, scans, MOST_SCANS),
         Wrong::CasesAndSteps => cases_and_steps(lang),
         Wrong::SeveralCases { count } => several_cases(lang, count),
-        Wrong::NotNamed { name } => not_named(
+        Wrong::NotNamed { name, board } => not_named(
             lang,
             name,
-            BOARD.inputs,
-            BOARD.analogue - 1,
-            BOARD.outputs,
-            BOARD.markers,
+            board.inputs,
+            board.analogue.saturating_sub(1),
+            board.outputs,
+            board.markers,
             unoclp_core::isa::REGISTERS,
         ),
         Wrong::NothingHappens => nothing_happens(lang),
         Wrong::GoesOn => goes_on(lang),
         Wrong::NoScan { at, period } => no_scan(lang, at, period),
         Wrong::Order { at, last } => order(lang, at, last),
-        Wrong::NotSet { name } => not_set(
+        Wrong::NotSet { name, board } => not_set(
             lang,
             name,
-            BOARD.inputs,
-            BOARD.analogue - 1,
-            BOARD.markers,
+            board.inputs,
+            board.analogue.saturating_sub(1),
+            board.markers,
             unoclp_core::isa::REGISTERS,
         ),
-        Wrong::NotExpected { name } => not_expected(
+        Wrong::NotExpected { name, board } => not_expected(
             lang,
             name,
-            BOARD.outputs,
-            BOARD.markers,
+            board.outputs,
+            board.markers,
             unoclp_core::isa::REGISTERS,
         ),
         Wrong::Value {
@@ -260,13 +260,14 @@ fn not_met(of: &Unmet, lang: Lang) -> String {
 
 /// One line for each change, under the names of the points.
 fn timeline(columns: &Columns, changes: &[Change], lang: Lang) -> String {
-    let inputs = || super::inputs().filter(|point| point.number() <= columns.inputs);
+    let inputs = || super::points(columns.inputs);
+    let outputs = || super::points(columns.outputs);
     let mut text = format!("{:>10}", "ms");
     text.extend(inputs().map(|point| format!("  I{}", point.number())));
     let analogue = columns.analogue.iter();
     text.extend(analogue.map(|input| format!("{:>6}", format!("A{input}"))));
     text += "  ";
-    text.extend(super::outputs().map(|point| format!("  Q{}", point.number())));
+    text.extend(outputs().map(|point| format!("  Q{}", point.number())));
     for place in &columns.seen {
         let width = if place.is_bit() { 5 } else { NUMBER_WIDTH };
         text += &format!("{:>width$}", place.to_string());
@@ -280,7 +281,7 @@ fn timeline(columns: &Columns, changes: &[Change], lang: Lang) -> String {
             text += &format!("{:>6}", reading.copied().unwrap_or_default());
         }
         text += "  ";
-        text.extend(super::outputs().map(|point| state(change.outputs.get(point))));
+        text.extend(outputs().map(|point| state(change.outputs.get(point))));
         for (place, value) in columns.seen.iter().zip(&change.seen) {
             text += &match (place.is_bit(), value) {
                 (true, 0) => format!("{:>5}", "·"),

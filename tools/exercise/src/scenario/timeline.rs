@@ -7,9 +7,8 @@ use super::{MOST_SCANS, Place, Setting, Step, Stop, Timeline, Wrong, within};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
-use unoclp_core::{Cause, Millis, Point};
+use unoclp_core::{Board, Cause, Millis, Point};
 use unoclp_host_sim::engine::{Cell, Refusal};
-use unoclp_program::BOARD;
 
 /// A fault that there is, with a line that there can be.
 pub(super) fn known_fault(
@@ -35,11 +34,13 @@ pub(super) struct Rhythm {
     period: NonZeroU32,
     /// ms that a place has to become as expected.
     within: Millis,
+    /// The board whose points its steps name.
+    board: Board,
 }
 
 impl Rhythm {
     /// That of a file.
-    pub(super) fn of(keys: &FileKeys) -> Result<Rhythm, Slip> {
+    pub(super) fn of(keys: &FileKeys, board: Board) -> Result<Rhythm, Slip> {
         let period = match &keys.scan_ms {
             None => NonZeroU32::MIN,
             Some(ms) => NonZeroU32::new(*ms.get_ref())
@@ -56,6 +57,7 @@ impl Rhythm {
             start: keys.start_ms.as_ref().map_or(0, |ms| *ms.get_ref()),
             period,
             within,
+            board,
         })
     }
 
@@ -70,8 +72,9 @@ impl Rhythm {
             start,
             period,
             within,
+            board,
         } = self;
-        let steps = within::allow(steps(step, period)?, within);
+        let steps = within::allow(steps(step, period, board)?, within);
         let last = steps.last().map(|step| step.at);
         let stop = match stops {
             Some(stop) => Some(self::stop(stop, until.is_some(), last, period)?),
@@ -92,6 +95,7 @@ impl Rhythm {
             steps,
             until,
             stop,
+            board,
         })
     }
 }
@@ -133,7 +137,7 @@ fn no_scan(at: Millis, period: NonZeroU32) -> Wrong {
     Wrong::NoScan { at, period }
 }
 
-fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Slip> {
+fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32, board: Board) -> Result<Vec<Step>, Slip> {
     let mut steps: Vec<Step> = Vec::new();
     for step in keys {
         let StepKeys {
@@ -150,10 +154,13 @@ fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Sl
         if at % period != 0 {
             return Err(slip(place, no_scan(at, period)));
         }
-        let set = set.iter().map(setting).collect::<Result<_, Slip>>()?;
+        let set = set
+            .iter()
+            .map(|pair| setting(pair, board))
+            .collect::<Result<_, Slip>>()?;
         let expect = expect
             .iter()
-            .map(expectation)
+            .map(|pair| expectation(pair, board))
             .collect::<Result<_, Slip>>()?;
         steps.push(Step {
             at,
@@ -169,31 +176,34 @@ fn steps(keys: &[Spanned<StepKeys>], period: NonZeroU32) -> Result<Vec<Step>, Sl
 type Pair<'k> = (&'k Spanned<String>, &'k Spanned<toml::Value>);
 
 /// What is set: `I1 = 1`, `A0 = 512`, `M2 = 1`, `D3 = -5`.
-fn setting(pair: Pair<'_>) -> Result<Setting, Slip> {
+fn setting(pair: Pair<'_>, board: Board) -> Result<Setting, Slip> {
     let name = pair.0.get_ref();
-    let input = (1..=BOARD.inputs).find(|number| *name == format!("I{number}"));
-    if let Some(point) = input.and_then(|number| Point::new(number, BOARD.inputs)) {
+    let input = (1..=board.inputs).find(|number| *name == format!("I{number}"));
+    if let Some(point) = input.and_then(|number| Point::new(number, board.inputs)) {
         return Ok(Setting::Input(point, number(pair, 0..=1)? == 1));
     }
-    if let Some(input) = (0..BOARD.analogue).find(|number| *name == format!("A{number}")) {
+    if let Some(input) = (0..board.analogue).find(|number| *name == format!("A{number}")) {
         return Ok(Setting::Analogue(input, number(pair, 0..=1023)? as u16));
     }
-    match Place::of_name(name) {
+    match Place::of_name(name, board) {
         Some(Place::Cell(cell @ Cell::Marker(_))) => Ok(Setting::Cell(cell, number(pair, 0..=1)?)),
         Some(Place::Cell(cell)) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
         _ => {
             let name = name.clone();
-            Err(slip(Some(pair.0.span()), Wrong::NotSet { name }))
+            Err(slip(Some(pair.0.span()), Wrong::NotSet { name, board }))
         }
     }
 }
 
 /// What is expected: `Q1 = 1`, `M2 = 0`, `D3 = -5`, `P4 = 128`, each also `"any"`.
-fn expectation(pair: Pair<'_>) -> Result<(Place, Option<i32>), Slip> {
+fn expectation(pair: Pair<'_>, board: Board) -> Result<(Place, Option<i32>), Slip> {
     let name = pair.0.get_ref();
-    let Some(place) = Place::of_name(name) else {
+    let Some(place) = Place::of_name(name, board) else {
         let name = name.clone();
-        return Err(slip(Some(pair.0.span()), Wrong::NotExpected { name }));
+        return Err(slip(
+            Some(pair.0.span()),
+            Wrong::NotExpected { name, board },
+        ));
     };
     if pair.1.get_ref().as_str() == Some("any") {
         return Ok((place, None));

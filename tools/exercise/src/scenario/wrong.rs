@@ -3,7 +3,7 @@
 //! Owns the cases as values. Must not know their words: `shown` does.
 
 use super::Unreadable;
-use unoclp_core::Millis;
+use unoclp_core::{Board, Millis};
 
 /// Why a scenario could not be read: the file, the line where there is one, and what is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -88,6 +88,8 @@ pub enum Wrong {
     NotNamed {
         /// The point.
         name: String,
+        /// The board that it is none of.
+        board: Board,
     },
     /// There is nothing to run.
     NothingHappens,
@@ -111,11 +113,15 @@ pub enum Wrong {
     NotSet {
         /// What.
         name: String,
+        /// The board that it is none of.
+        board: Board,
     },
     /// Nothing can be expected of this.
     NotExpected {
         /// What.
         name: String,
+        /// The board that it is none of.
+        board: Board,
     },
     /// A value is none that the place can have.
     Value {

@@ -23,7 +23,8 @@ fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {
 /// All exercises, with the stems of their files.
 fn exercises() -> Vec<(String, Exercise)> {
     let load = |path: PathBuf| {
-        let exercise = Exercise::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        let exercise = Exercise::load(&path, unoclp_core::Board::UNO)
+            .unwrap_or_else(|error| panic!("{error}"));
         (stem(&path), exercise)
     };
     files("exercises", &["toml"])
@@ -39,7 +40,12 @@ fn stem(path: &Path) -> String {
 /// The program of a text about which its compiler has nothing to say.
 fn program(path: &Path) -> ProgramFile {
     let name = path.display().to_string();
-    let source = Written::new(name.clone(), fs::read(path).unwrap()).check(None);
+    let source = Written::new(
+        name.clone(),
+        fs::read(path).unwrap(),
+        unoclp_core::Board::UNO,
+    )
+    .check(None);
     let source = source.unwrap_or_else(|refused| panic!("{name}: {refused:?}"));
     if let Some(told) = source.language.warnings() {
         assert_eq!(told.listed, [], "{name}");
@@ -85,7 +91,10 @@ fn each_point_of_an_exercise_has_a_name() {
         let mut used = BTreeSet::new();
         for scenario in exercise.scenarios(&model) {
             let plan = scenario.plan();
-            let report = unoclp_exercise::scenario::check(&scenario, &mut HostEngine::default());
+            let report = unoclp_exercise::scenario::check(
+                &scenario,
+                &mut HostEngine::new(unoclp_core::Board::UNO),
+            );
             used.extend(
                 plan.inputs
                     .iter()
@@ -110,7 +119,11 @@ fn each_model_solution_passes() {
     for (name, exercise) in exercises() {
         let file = exercise.program.as_deref().unwrap();
         assert_eq!(stem(file), name);
-        let grade = grade(&exercise, &program(file), &mut HostEngine::default());
+        let grade = grade(
+            &exercise,
+            &program(file),
+            &mut HostEngine::new(unoclp_core::Board::UNO),
+        );
         if let Some(failing) = grade.failing {
             panic!("{name}: {}", failing.report);
         }
@@ -129,7 +142,11 @@ fn each_typical_mistake_is_caught_by_its_case() {
             let text = fs::read_to_string(file).unwrap();
             let by = text.strip_prefix("(* Caught by: ").unwrap();
             let by = by.split_once(" *)").unwrap().0;
-            let grade = grade(&exercise, &program(file), &mut HostEngine::default());
+            let grade = grade(
+                &exercise,
+                &program(file),
+                &mut HostEngine::new(unoclp_core::Board::UNO),
+            );
             let failing = grade.failing.unwrap_or_else(|| panic!("{file:?} passes"));
             let title = exercise.cases()[failing.case].title.text(Lang::En);
             assert_eq!(title, by, "{}", failing.report);

@@ -16,7 +16,7 @@ const SCANS: u32 = 3_000;
 fn checked(path: &Path) -> Source {
     let name = path.display().to_string();
     let bytes = fs::read(path).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let source = Written::new(name, bytes).check(None);
+    let source = Written::new(name, bytes, unoclp_core::Board::UNO).check(None);
     let source = source.unwrap_or_else(|refused| panic!("{refused:?}"));
     if let Some(told) = source.language.warnings() {
         assert_eq!(told.listed, [], "{}", source.name);
@@ -33,9 +33,9 @@ fn every_language_passes_the_scenario() {
                 name: source.name.clone(),
                 bytes: source.code.clone(),
             };
-            let scenario = Scenario::load_for(&twins.scenario(), program);
+            let scenario = Scenario::load_for(&twins.scenario(), program, unoclp_core::Board::UNO);
             let scenario = scenario.expect("the scenario is right");
-            let report = check(&scenario, &mut HostEngine::default());
+            let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
             assert!(report.passed(), "{}: {report}", source.name);
         }
     }
@@ -50,7 +50,7 @@ fn every_language_does_what_the_numeric_code_does() {
         for text in twins.texts() {
             let compiled = checked(&text);
             let mut engines = [&by_hand, &compiled].map(|source| {
-                let mut engine = HostEngine::default();
+                let mut engine = HostEngine::new(unoclp_core::Board::UNO);
                 let Ok(loaded) = engine.load(&source.code);
                 loaded.expect("it has been checked");
                 engine

@@ -64,7 +64,7 @@ fn run(source: Source, case: &Case) -> (Machine, Inputs, u32) {
 /// The text with what each of its lines shows.
 fn shown(case: &Case, text: &str) -> String {
     let open = || {
-        let written = Written::new(case.file.clone(), text.into());
+        let written = Written::new(case.file.clone(), text.into(), unoclp_core::Board::UNO);
         let open = written.check(None);
         open.unwrap_or_else(|refused| panic!("{}: {refused:?}", case.about))
     };

@@ -57,7 +57,7 @@ fn scenario(name: &str, source: &str) -> Scenario {
         format!("about = \"Shown.\"\ntext = \"0\\n\"\n{source}"),
     )
     .unwrap();
-    Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"))
+    Scenario::load(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The report from its verdict on.
@@ -182,7 +182,7 @@ fn refusals_are_compared() {
 
 #[test]
 fn an_engine_starts_anew_with_each_load() {
-    let mut engine = HostEngine::default();
+    let mut engine = HostEngine::new(unoclp_core::Board::UNO);
     // A timer that is done, and an output that is set.
     let program = b"0\n827301\n847978\n5\n7901\n83877902\n";
     for _ in 0..2 {

@@ -16,7 +16,8 @@ fn file(name: &str, source: &str) -> PathBuf {
 }
 
 fn load(name: &str, source: &str) -> Scenario {
-    Scenario::load(&file(name, source)).unwrap_or_else(|error| panic!("{error}"))
+    Scenario::load(&file(name, source), unoclp_core::Board::UNO)
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// I1 to Q1.
@@ -79,7 +80,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
     ];
     for (index, (source, line, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("wrong-{index}.toml"), &format!("{HEAD}{source}\n"));
-        let told = match Scenario::load(&path) {
+        let told = match Scenario::load(&path, unoclp_core::Board::UNO) {
             Ok(_) => panic!("accepted: {source}"),
             Err(error) => error.to_string(),
         };
@@ -102,7 +103,10 @@ fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("whole-{index}.toml"), source);
-        let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
+        let told = Scenario::load(&path, unoclp_core::Board::UNO)
+            .map(|_| ())
+            .unwrap_err()
+            .to_string();
         assert_eq!(told, format!("{}: {message}", path.display()));
     }
 }
@@ -110,7 +114,7 @@ fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
 #[test]
 fn files_that_are_missing_are_named() {
     let missing = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("no-such.toml");
-    let told = Scenario::load(&missing)
+    let told = Scenario::load(&missing, unoclp_core::Board::UNO)
         .map(|_| ())
         .unwrap_err()
         .to_string();
@@ -121,7 +125,10 @@ fn files_that_are_missing_are_named() {
         "no-program.toml",
         "about = \"\"\nprogram = \"no-such.txt\"\n",
     );
-    let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
+    let told = Scenario::load(&path, unoclp_core::Board::UNO)
+        .map(|_| ())
+        .unwrap_err()
+        .to_string();
     let program = path.with_file_name("no-such.txt");
     let start = format!(
         "{}:2: the program {} cannot be read: ",
@@ -148,7 +155,7 @@ fn an_expectation_is_in_force_until_its_point_is_named_again() {
         [[step]]\nat = 10\nset = { I1 = 1 }\nexpect = { Q1 = 1 }\n\
         [[step]]\nat = 20\nset = { I1 = 0 }\nexpect = { Q1 = \"any\" }\n";
     let scenario = load("in-force.toml", &format!("{HEAD}{steps}"));
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     // Q1 in the scans 0 to 19, Q2 in all of 0 to 30.
     assert_eq!(
         report.verdict,
@@ -164,7 +171,10 @@ fn an_expectation_is_in_force_until_its_point_is_named_again() {
 fn scans_run_every_scan_ms_up_to_until() {
     let source =
         format!("{HEAD}scan_ms = 7\nuntil = 30\n[[step]]\nat = 7\nexpect = {{ Q1 = 0 }}\n");
-    let report = check(&load("period.toml", &source), &mut HostEngine::default());
+    let report = check(
+        &load("period.toml", &source),
+        &mut HostEngine::new(unoclp_core::Board::UNO),
+    );
     // At 7, 14, 21 and 28 ms.
     assert_eq!(report.verdict, Verdict::Met { comparisons: 4 });
 }
@@ -194,7 +204,7 @@ fn memory_is_set_and_compared() {
         [[step]]\nat = 2\nset = { D1 = -9 }\nexpect = { D2 = -2, P4 = 1 }\n";
     let scenario = load("memory.toml", &format!("{head}{steps}"));
     assert!(scenario.is_for_lockstep());
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     let told = report.to_string();
     let table = "        ms  I1  I2  I3  I4    A0    Q1  Q2  Q3  Q4   M2          D2          P4    1 = closed, on; · = open, off
          0   ·   ·   ·   ·     0     ·   ·   ·   ·    ·           0           0
@@ -215,7 +225,7 @@ fn a_restart_keeps_retentive_markers_alone() {
         { at = 2, restart = true, expect = { Q3 = 1, M56 = 0, M57 = 1, M64 = 1, D1 = 0 } },\n\
         { at = 3, expect = { Q3 = 0 } },\n]\n";
     let scenario = load("restart.toml", &format!("about = \"\"\n{program}{steps}"));
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert_eq!(report.verdict.to_string(), "PASS");
 }
 
@@ -226,7 +236,7 @@ fn a_run_may_end_in_a_fault() {
     let step = "[[step]]\nat = 3\nset = { I1 = 1 }\n";
     let told = |name: &str, stops: &str| {
         let scenario = load(name, &format!("{head}{stops}\n{step}"));
-        let report = check(&scenario, &mut HostEngine::default());
+        let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
         report.verdict.to_string()
     };
     let fault = "fault 75, line 4: too many jumps back in one scan (NC-19)";
@@ -249,7 +259,7 @@ fn a_run_may_end_in_a_fault() {
         "runs-on.toml",
         &format!("{head}stops = {{ at = 2, number = 75, line = 4 }}\n"),
     );
-    let report = check(&runs_on, &mut HostEngine::default());
+    let report = check(&runs_on, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert_eq!(
         report.verdict.to_string(),
         format!("FAIL\n  expected at 2 ms {fault}\n  but the program ran on")
@@ -263,7 +273,8 @@ fn a_text_may_be_given_by_its_parts() {
         "parts.toml",
         &source(r#"["0\n", { repeat = 3, text = "40\n" }, { repeat = 0, text = "5" }, "41\n"]"#),
     );
-    let scenario = Scenario::load(&path).unwrap_or_else(|error| panic!("{error}"));
+    let scenario =
+        Scenario::load(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scenario.program().bytes, b"0\n40\n40\n40\n41\n");
 
     let kind = "`text` must be a text, or a list of texts and repeated texts";
@@ -278,7 +289,10 @@ fn a_text_may_be_given_by_its_parts() {
     ];
     for (index, (text, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("wrong-parts-{index}.toml"), &source(text));
-        let told = Scenario::load(&path).map(|_| ()).unwrap_err().to_string();
+        let told = Scenario::load(&path, unoclp_core::Board::UNO)
+            .map(|_| ())
+            .unwrap_err()
+            .to_string();
         assert_eq!(told, format!("{}:2: {message}", path.display()), "{text}");
     }
 }
@@ -300,7 +314,9 @@ fn what_is_wrong_is_told_in_portuguese() {
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("errado-{index}.toml"), &source);
-        let error = Scenario::load(&path).map(|_| ()).unwrap_err();
+        let error = Scenario::load(&path, unoclp_core::Board::UNO)
+            .map(|_| ())
+            .unwrap_err();
         let expected = format!("{}{message}", path.display());
         assert_eq!(error.text(Lang::Pt), expected, "{source}");
     }
@@ -310,7 +326,7 @@ fn what_is_wrong_is_told_in_portuguese() {
 fn a_report_is_told_in_portuguese() {
     let source = format!("{HEAD}until = 3\n[[step]]\nat = 1\nexpect = {{ Q1 = 1 }}\n");
     let scenario = load("relato.toml", &source);
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     let expected = "Q4    1 = fechada, ligada; · = aberta, desligada
          0   ·   ·   ·   ·     ·   ·   ·   ·
 
@@ -319,7 +335,7 @@ FALHOU
     let told = report.text(Lang::Pt);
     assert!(told.ends_with(expected), "{told}");
     let scenario = load("recusa.toml", &format!("{HEAD}fault = {{ number = 24 }}\n"));
-    let told = check(&scenario, &mut HostEngine::default()).text(Lang::Pt);
+    let told = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO)).text(Lang::Pt);
     let expected = "FALHOU\n  esperado: falha 24: código inexistente\n  mas o programa foi aceito";
     assert!(told.ends_with(expected), "{told}");
 }
@@ -334,7 +350,7 @@ fn a_text_without_end_is_refused_at_once() {
     };
     let says = "has more than 1048576 bytes; no program and no scenario is as long";
     let path = hole("long.toml");
-    let error = Scenario::load(&path).unwrap_err();
+    let error = Scenario::load(&path, unoclp_core::Board::UNO).unwrap_err();
     assert_eq!(
         error.to_string(),
         format!("{}: the file {says}", path.display())
@@ -345,7 +361,7 @@ fn a_text_without_end_is_refused_at_once() {
         "long-program.toml",
         "about = \"\"\nprogram = \"long.txt\"\n",
     );
-    let error = Scenario::load(&path).unwrap_err();
+    let error = Scenario::load(&path, unoclp_core::Board::UNO).unwrap_err();
     let program = program.display();
     let expected = format!("{}:2: the program {program} {says}", path.display());
     assert_eq!(error.to_string(), expected);
@@ -353,7 +369,8 @@ fn a_text_without_end_is_refused_at_once() {
 
     // As one text it has the same limit as in parts.
     let text = format!("about = \"\"\ntext = \"{}\"\n", "/".repeat(1 << 20));
-    let error = Scenario::load(&file("long-text.toml", &text)).unwrap_err();
+    let error =
+        Scenario::load(&file("long-text.toml", &text), unoclp_core::Board::UNO).unwrap_err();
     assert!(error.to_string().contains("has more than 1048576 bytes"));
 }
 
@@ -366,7 +383,7 @@ fn a_scenario_names_instruction_list_which_is_compiled() {
     let source = format!("about = \"\"\nprogram = \"lamp.il\"\n{FOLLOWS}");
     let scenario = load("names-il.toml", &source);
     assert!(scenario.program().name.ends_with("lamp.il"));
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert!(report.passed(), "{report}");
 
     file("lamp-wrong.il", "LDN I1\nST Q1\n");
@@ -374,7 +391,7 @@ fn a_scenario_names_instruction_list_which_is_compiled() {
         "names-wrong-il.toml",
         &source.replace("lamp.il", "lamp-wrong.il"),
     );
-    let report = check(&scenario, &mut HostEngine::default());
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert!(!report.passed(), "{report}");
 
     file("lamp-faulty.il", "LD I9\nST Q1\n");
@@ -382,7 +399,9 @@ fn a_scenario_names_instruction_list_which_is_compiled() {
         "names-faulty-il.toml",
         &source.replace("lamp.il", "lamp-faulty.il"),
     );
-    let error = Scenario::load(&path).unwrap_err().to_string();
+    let error = Scenario::load(&path, unoclp_core::Board::UNO)
+        .unwrap_err()
+        .to_string();
     assert!(
         error.contains(":2: the program ")
             && error.ends_with("has errors; `unoclp check` shows them"),
@@ -393,18 +412,25 @@ fn a_scenario_names_instruction_list_which_is_compiled() {
 #[test]
 fn a_scenario_may_name_no_program_and_then_needs_one() {
     let path = file("names-none.toml", &format!("about = \"\"\n{FOLLOWS}"));
-    let error = Scenario::load(&path).unwrap_err().to_string();
+    let error = Scenario::load(&path, unoclp_core::Board::UNO)
+        .unwrap_err()
+        .to_string();
     assert!(
         error.contains("it names no program; give a file"),
         "{error}"
     );
-    assert_eq!(Exercise::load(&path).unwrap().program, None);
+    assert_eq!(
+        Exercise::load(&path, unoclp_core::Board::UNO)
+            .unwrap()
+            .program,
+        None
+    );
     let program = ProgramFile {
         name: "mine".to_owned(),
         bytes: b"0\n827301\n877901\n".to_vec(),
     };
-    let scenario = Scenario::load_for(&path, program).unwrap();
-    let report = check(&scenario, &mut HostEngine::default());
+    let scenario = Scenario::load_for(&path, program, unoclp_core::Board::UNO).unwrap();
+    let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
     assert!(report.passed(), "{report}");
 }
 
@@ -421,7 +447,7 @@ const EXERCISE: &str = "program = \"lamp.il\"\n\
 
 #[test]
 fn an_exercise_says_what_to_do_and_has_cases() {
-    let exercise = Exercise::of_text("lamp.toml", EXERCISE).unwrap();
+    let exercise = Exercise::of_text("lamp.toml", EXERCISE, unoclp_core::Board::UNO).unwrap();
     assert_eq!(exercise.title.text(Lang::Pt), "Uma lâmpada");
     assert_eq!(exercise.task.as_ref().unwrap().text(Lang::En), "Light it.");
     assert_eq!(exercise.hints.len(), 1);
@@ -433,13 +459,21 @@ fn an_exercise_says_what_to_do_and_has_cases() {
         name: "mine".to_owned(),
         bytes: b"0\n827301\n877901\n".to_vec(),
     };
-    let grade = grade_of(&exercise, &program, &mut HostEngine::default());
+    let grade = grade_of(
+        &exercise,
+        &program,
+        &mut HostEngine::new(unoclp_core::Board::UNO),
+    );
     assert!(grade.is_passed() && grade.count() == 2, "{grade:?}");
     let always = ProgramFile {
         name: "always".to_owned(),
         bytes: b"0\n787600\n877901\n".to_vec(),
     };
-    let grade = grade_of(&exercise, &always, &mut HostEngine::default());
+    let grade = grade_of(
+        &exercise,
+        &always,
+        &mut HostEngine::new(unoclp_core::Board::UNO),
+    );
     assert_eq!(grade.passed, [true, false]);
     assert_eq!(grade.failing.unwrap().case, 1);
 }
@@ -480,7 +514,7 @@ fn one_language_is_enough_for_a_text() {
         ("\"A bell\"", "A bell", "A bell"),
     ] {
         let source = format!("title = {title}\n[[step]]\nat = 0\n");
-        let exercise = Exercise::of_text("bell.toml", &source).unwrap();
+        let exercise = Exercise::of_text("bell.toml", &source, unoclp_core::Board::UNO).unwrap();
         let told = [Lang::En, Lang::Pt].map(|lang| exercise.title.text(lang).to_owned());
         assert_eq!(told, [en, pt], "{title}");
     }

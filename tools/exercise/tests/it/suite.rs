@@ -30,12 +30,13 @@ fn every_scenario_passes_on_the_core() {
         assert!(!paths.is_empty(), "no scenario in {folder}");
         count += paths.len();
         for path in paths {
-            let scenarios = Scenario::load_all(&path).unwrap_or_else(|error| {
-                failures.push(error.to_string());
-                Vec::new()
-            });
+            let scenarios =
+                Scenario::load_all(&path, unoclp_core::Board::UNO).unwrap_or_else(|error| {
+                    failures.push(error.to_string());
+                    Vec::new()
+                });
             for scenario in scenarios {
-                let report = check(&scenario, &mut HostEngine::default());
+                let report = check(&scenario, &mut HostEngine::new(unoclp_core::Board::UNO));
                 if !report.passed() || report.verdict == (Verdict::Met { comparisons: 0 }) {
                     failures.push(report.to_string());
                 }
@@ -56,9 +57,11 @@ fn every_instruction_has_a_scenario() {
     let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proof/suite");
     let mut seen = BTreeSet::new();
     for path in scenarios(&suite) {
-        let scenario = Scenario::load(&path).unwrap();
+        let scenario = Scenario::load(&path, unoclp_core::Board::UNO).unwrap();
         // Of programs that are refused nothing is run.
-        if let Ok(checked) = unoclp_program::load(&scenario.program().bytes) {
+        if let Ok(checked) =
+            unoclp_program::load(&scenario.program().bytes, unoclp_core::Board::UNO)
+        {
             seen.extend(checked.program().steps().map(|step| step.opcode));
         }
     }

@@ -1,20 +1,27 @@
 //! What to do about a fault, where more can be said than the fault's own text.
 
-use crate::BOARD;
 use crate::effect::effect;
-use unoclp_core::Cause;
 use unoclp_core::isa::{Opcode, Row, TABLE, is_real};
+use unoclp_core::{Board, Cause};
 use unoclp_lang::Lang;
 
 /// Help for a fault at this text of the file, if there is any.
-pub(super) fn help(cause: Cause, text: &str, lacking: [usize; 2], lang: Lang) -> Option<String> {
-    let (inputs, outputs) = (BOARD.inputs, BOARD.outputs);
+pub(super) fn help(
+    cause: Cause,
+    text: &str,
+    (lacking, board): ([usize; 2], Board),
+    lang: Lang,
+) -> Option<String> {
     Some(match (cause, lang) {
         (Cause::UnknownCode, _) => return unknown_code(text.parse().ok()?, lang),
-        (Cause::NoSuchInput, Lang::En) => format!("the UNO has inputs 01 to {inputs:02}"),
-        (Cause::NoSuchInput, Lang::Pt) => format!("o UNO tem as entradas 01 a {inputs:02}"),
-        (Cause::NoSuchOutput, Lang::En) => format!("the UNO has outputs 01 to {outputs:02}"),
-        (Cause::NoSuchOutput, Lang::Pt) => format!("o UNO tem as saídas 01 a {outputs:02}"),
+        (Cause::NoSuchInput, _) => {
+            let count = |board: &Board| board.inputs;
+            has(("inputs", "as entradas"), board, &count, text, lang)
+        }
+        (Cause::NoSuchOutput, _) => {
+            let count = |board: &Board| board.outputs;
+            has(("outputs", "as saídas"), board, &count, text, lang)
+        }
         (Cause::NoStart, Lang::En) => "write a line with 0 above this one".to_owned(),
         (Cause::NoStart, Lang::Pt) => "escreva uma linha com 0 acima desta".to_owned(),
         (Cause::StrayCharacter, _) if !text.starts_with(|c: char| c.is_ascii_digit()) => {
@@ -26,9 +33,39 @@ pub(super) fn help(cause: Cause, text: &str, lacking: [usize; 2], lang: Lang) ->
         (Cause::StrayCharacter, Lang::Pt) => {
             "cada código tem a sua linha; ponha este em uma linha própria".to_owned()
         }
-        (Cause::ProgramFull | Cause::RunMemoryFull, _) => full(lacking, lang),
+        (Cause::ProgramFull | Cause::RunMemoryFull, _) => full(lacking, board, lang),
         (cause, lang) => return balance(cause, lang).map(str::to_owned),
     })
+}
+
+/// How many points of a kind the board has, and which board has the one that this code names.
+fn has(
+    (inputs, entradas): (&str, &str),
+    board: Board,
+    count: &dyn Fn(&Board) -> u8,
+    code: &str,
+    lang: Lang,
+) -> String {
+    let (name, last) = (board.name, count(&board));
+    let digits = code.len().checked_sub(2).and_then(|at| code.get(at..));
+    let number = digits.and_then(|digits| digits.parse::<u8>().ok());
+    let number = number.filter(|number| *number > 0);
+    let larger = number.and_then(|number| {
+        let has = |board: &Board| count(board) >= number;
+        Board::ALL.into_iter().find(has)
+    });
+    let mut told = match lang {
+        Lang::En => format!("the {name} has {inputs} 01 to {last:02}"),
+        Lang::Pt => format!("o {name} tem {entradas} 01 a {last:02}"),
+    };
+    if let Some(larger) = larger {
+        let (name, last) = (larger.name, count(&larger));
+        told.push_str(&match lang {
+            Lang::En => format!("; the board {name} has 01 to {last:02}"),
+            Lang::Pt => format!("; a placa {name} tem 01 a {last:02}"),
+        });
+    }
+    told
 }
 
 /// What sets pushed values and IFs right.
@@ -71,16 +108,16 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
 }
 
 /// What a program takes too much.
-fn full(lacking: [usize; 2], lang: Lang) -> String {
-    let (stored, linked) = (BOARD.stored_bytes, BOARD.linked_bytes);
+fn full(lacking: [usize; 2], board: Board, lang: Lang) -> String {
+    let (name, stored, linked) = (board.name, board.stored_bytes, board.linked_bytes);
     let lacking = unoclp_lang::lacking(lacking, lang);
     match lang {
         Lang::En => format!(
-            "the UNO holds {stored} bytes of program and has {linked} bytes to run it{lacking}. Timers, markers and \
+            "the {name} holds {stored} bytes of program and has {linked} bytes to run it{lacking}. Timers, markers and \
              numbers take more there than stored; what is kept takes room for two records"
         ),
         Lang::Pt => format!(
-            "o UNO guarda {stored} bytes de programa e tem {linked} bytes para executá-lo{lacking}. Temporizadores, \
+            "o {name} guarda {stored} bytes de programa e tem {linked} bytes para executá-lo{lacking}. Temporizadores, \
              memórias e números ocupam ali mais do que guardados; o que é retido precisa de lugar para duas gravações"
         ),
     }
@@ -194,13 +231,13 @@ mod tests {
             ("42", "is it 40, ( (open an OR branch)?"),
         ];
         for (code, expected) in cases {
-            let help = help(Cause::UnknownCode, code, [0; 2], Lang::En);
+            let help = help(Cause::UnknownCode, code, ([0; 2], Board::UNO), Lang::En);
             let starts = help
                 .as_deref()
                 .is_some_and(|help| help.starts_with(expected));
             assert!(starts, "{code}: {help:?}");
         }
-        let unknown = |code, lang| help(Cause::UnknownCode, code, [0; 2], lang);
+        let unknown = |code, lang| help(Cause::UnknownCode, code, ([0; 2], Board::UNO), lang);
         let says = "seria 827301, RI (contato normalmente aberto)?";
         assert_eq!(unknown("827401", Lang::Pt).as_deref(), Some(says));
         assert_eq!(unknown("123456", Lang::En), None);

@@ -62,7 +62,12 @@ pub fn tell(file: &[u8], diagnosis: &Diagnosis, lang: Lang) -> Problem {
     if let Some(Excerpt { text, mark, .. }) = Excerpt::new(file, diagnosis) {
         let column = |byte: usize| text[..byte].chars().count();
         problem.columns = column(mark.start)..column(mark.end);
-        problem.help = help(fault.cause, &text[mark], diagnosis.lacking, lang);
+        problem.help = help(
+            fault.cause,
+            &text[mark],
+            (diagnosis.lacking, diagnosis.board),
+            lang,
+        );
     }
     problem
 }
@@ -96,7 +101,12 @@ fn show_one(
     let group = match Excerpt::new(file, diagnosis) {
         Some(excerpt) => {
             let text = &excerpt.text[excerpt.mark.clone()];
-            let help = help(fault.cause, text, diagnosis.lacking, lang);
+            let help = help(
+                fault.cause,
+                text,
+                (diagnosis.lacking, diagnosis.board),
+                lang,
+            );
             let mark = AnnotationKind::Primary.span(excerpt.mark);
             let snippet = Snippet::source(excerpt.text)
                 .line_start(excerpt.line as usize)

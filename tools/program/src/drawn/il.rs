@@ -1,25 +1,25 @@
 //! A document as Instruction List, with its names declared.
 
 use super::parts::{named, rungs};
-use crate::BOARD;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use unoclp_core::Program;
 use unoclp_core::isa::{Class, Opcode};
+use unoclp_core::{Board, Program};
 use unoclp_draw::edit::{Document, Row};
 use unoclp_lang::{Dialect, Options, compile, instructions_to_il};
 use unoclp_point::Address;
 
 /// The rungs under what they are about, with the names that Instruction List takes.
 pub(super) fn text(document: &Document, program: &Program<'_>) -> String {
-    let plain = instructions_to_il(program.steps(), BOARD);
-    let wanted = codes(&plain);
+    let plain = instructions_to_il(program.steps(), program.board());
+    let board = program.board();
+    let wanted = codes(&plain, board);
     let all: Vec<Name<'_>> = names(document, program);
     let points: Vec<Name<'_>> = all.iter().filter(|name| name.is_bit()).copied().collect();
     // A name that means something else in the language stays out, and with it those that are likewise.
     for names in [&all[..], &points, &[]] {
         let text = written(document, program, &plain, names);
-        if wanted.is_some() && codes(&text) == wanted {
+        if wanted.is_some() && codes(&text, board) == wanted {
             return text;
         }
     }
@@ -34,11 +34,13 @@ pub fn is_name(name: &str) -> bool {
         .is_some_and(|first| first.is_alphabetic() || first == '_');
     let goes_on = name.chars().all(|ch| ch.is_alphanumeric() || ch == '_');
     let text = format!("VAR {name} AT I1 : BOOL; END_VAR\nLD {name}\nST Q1\n");
+    // What a name means is the same on each board.
+    let [board, ..] = Board::ALL;
     let is_point = Address::parse(name).is_some();
     begins
         && goes_on
         && !is_point
-        && codes(&text).is_some_and(|own| Some(own) == codes("LD I1\nST Q1\n"))
+        && codes(&text, board).is_some_and(|own| Some(own) == codes("LD I1\nST Q1\n", board))
 }
 
 /// The name that words can be: `stop_2` of `stop 2`, `botao` of `botão (NA)`; none where nothing is left of them.
@@ -79,10 +81,10 @@ pub fn blank_text<'r>(title: &str, rows: impl Iterator<Item = (Address, &'r Row)
 }
 
 /// What a text compiles to; none where it has errors.
-fn codes(text: &str) -> Option<Vec<i32>> {
+fn codes(text: &str, board: Board) -> Option<Vec<i32>> {
     let options = Options {
         dialect: Some(Dialect::Iec),
-        board: BOARD,
+        board,
     };
     let compiled = compile(text, &options);
     (!compiled.has_errors()).then(|| compiled.codes())

@@ -7,7 +7,8 @@ mod il;
 mod numeric;
 mod parts;
 
-use crate::{BOARD, Language, Source, load, names, point_names};
+use crate::{Language, Source, load, names, point_names};
+use unoclp_core::Board;
 use unoclp_draw::Ladder;
 use unoclp_draw::edit::{Document, Mistake, Row};
 use unoclp_lang::{Declared, DeclaredPoint, declared};
@@ -72,16 +73,16 @@ fn with_declared(document: Document, points: Vec<DeclaredPoint>) -> Document {
 ///
 /// # Errors
 /// What is wrong in it, where a board takes no such program.
-pub fn text(document: &Document, form: WriteAs) -> Result<String, Vec<Mistake>> {
+pub fn text(document: &Document, form: WriteAs, board: Board) -> Result<String, Vec<Mistake>> {
     let codes = document.codes()?;
     let file: String = codes.iter().map(|code| format!("{code}\n")).collect();
     let wrong = || {
-        let mistakes = document.check(BOARD).into_iter();
+        let mistakes = document.check(board).into_iter();
         mistakes
             .filter(|mistake| mistake.what.is_error())
             .collect::<Vec<_>>()
     };
-    let checked = load(file.as_bytes()).map_err(|_| wrong())?;
+    let checked = load(file.as_bytes(), board).map_err(|_| wrong())?;
     let program = checked.program();
     Ok(match form {
         WriteAs::Numeric => numeric::text(document, program),
@@ -112,7 +113,11 @@ mod tests {
     }
 
     fn read(name: &str, text: &str) -> Source {
-        let written = Written::new(name.to_owned(), text.as_bytes().to_vec());
+        let written = Written::new(
+            name.to_owned(),
+            text.as_bytes().to_vec(),
+            unoclp_core::Board::UNO,
+        );
         let Ok(source) = written.check(None) else {
             panic!("{name}:\n{text}");
         };
@@ -124,7 +129,11 @@ mod tests {
         let mut seen = 0;
         for path in programs() {
             let text = crate::decode(&fs::read(&path).unwrap());
-            let written = Written::new(path.display().to_string(), text.into_bytes());
+            let written = Written::new(
+                path.display().to_string(),
+                text.into_bytes(),
+                unoclp_core::Board::UNO,
+            );
             let Ok(source) = written.check(None) else {
                 continue;
             };
@@ -139,7 +148,7 @@ mod tests {
                 document.rungs().map(|rung| words(&rung.comment)).collect()
             };
             for (form, name) in [(WriteAs::Il, "a.il"), (WriteAs::Numeric, "a.txt")] {
-                let text = super::text(&document, form).unwrap();
+                let text = super::text(&document, form, Board::UNO).unwrap();
                 let again = super::document(&read(name, &text));
                 let place = path.display();
                 assert_eq!(again.codes().unwrap(), codes, "{place}:\n{text}");

@@ -4,7 +4,7 @@
 mod numeric;
 mod words;
 
-use crate::{BOARD, Source, names};
+use crate::{Source, names};
 use std::path::Path;
 use unoclp_draw::edit::Document;
 use unoclp_draw::{Drawing, Ladder, Names, Report, Style, listing, to_report, to_svg};
@@ -40,7 +40,7 @@ pub fn list(
     let program = source.program();
     Ok(match form {
         Form::Numeric => numeric::listing(program, &source.map, lang),
-        Form::Il => instructions_to_il(program.steps(), BOARD),
+        Form::Il => instructions_to_il(program.steps(), source.board()),
         Form::St => to_st(program, &source.map)?,
         Form::Ladder => {
             let ladder = Ladder::new(program.steps());
@@ -61,7 +61,7 @@ pub fn plcopen(source: &Source) -> Result<String, Vec<Lost>> {
     let document = document.with_text(&source.map);
     let document = document.with_names(names(&source.map, &ladder));
     let name = Path::new(&source.name).file_stem().unwrap_or_default();
-    unoclp_plcopen::export(&document, &name.to_string_lossy())
+    unoclp_plcopen::export(&document, &name.to_string_lossy(), source.board())
 }
 
 /// A ladder diagram as an SVG document. Its title is the first comment of the file, or the file's name.

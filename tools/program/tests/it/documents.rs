@@ -6,7 +6,7 @@ use unoclp_core::{Instruction, Program};
 use unoclp_draw::edit::{Document, Drawn};
 use unoclp_draw::{Drawing, Ladder, Names};
 use unoclp_host_sim::random::{Random, random_program};
-use unoclp_program::{BOARD, Written};
+use unoclp_program::Written;
 use unoclp_testing::rounds;
 
 /// All files in a folder and in those below it.
@@ -33,7 +33,7 @@ fn pictures(drawing: &Drawing<'_>) -> Vec<String> {
 fn comes_back(name: &str, program: &Program<'_>) {
     let document = Document::of_steps(program.steps());
     assert_eq!(document.codes(), Ok(codes(program)), "{name}");
-    let mistakes = document.check(BOARD);
+    let mistakes = document.check(unoclp_core::Board::UNO);
     let errors = mistakes.iter().find(|mistake| mistake.what.is_error());
     assert_eq!(errors, None, "{name}");
     if !mistakes.is_empty() {
@@ -66,7 +66,13 @@ fn every_program_of_the_project_comes_back() {
             }
             let name = path.display().to_string();
             // Those that show a fault have nothing to come back.
-            if let Ok(source) = Written::new(name.clone(), fs::read(&path).unwrap()).check(None) {
+            if let Ok(source) = Written::new(
+                name.clone(),
+                fs::read(&path).unwrap(),
+                unoclp_core::Board::UNO,
+            )
+            .check(None)
+            {
                 comes_back(&name, source.program());
                 count += 1;
             }
@@ -79,7 +85,7 @@ fn every_program_of_the_project_comes_back() {
 fn random_programs_come_back() {
     for seed in 0..rounds(1_500) {
         let text = random_program(&mut Random::new(seed.into()));
-        let checked = unoclp_program::load(text.as_bytes()).unwrap();
+        let checked = unoclp_program::load(text.as_bytes(), unoclp_core::Board::UNO).unwrap();
         comes_back(&format!("seed {seed}:\n{text}"), checked.program());
     }
 }

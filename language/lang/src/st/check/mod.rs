@@ -20,6 +20,7 @@ use crate::diagnostics::{Code, Found, Span, Word};
 use crate::typed::build::{Builder, Letters};
 use crate::typed::{Tree, TypeId};
 use std::collections::HashMap;
+use unoclp_core::Board;
 
 /// Types and blocks are made of others no deeper.
 const MOST_WITHIN: u32 = 40;
@@ -45,11 +46,11 @@ struct Checker<'a, 't, 'f> {
     within: u32,
 }
 
-pub(super) fn check(text: &str, file: &File, found: &mut Found) -> Option<Tree> {
+pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) -> Option<Tree> {
     if !is_program(text, file, found) {
         return None;
     }
-    let mut builder = Builder::new(text, Letters::Alike, found);
+    let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
     let mut checker = Checker {
         builder,

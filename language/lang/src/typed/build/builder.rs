@@ -7,6 +7,7 @@ use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
 use std::collections::{HashMap, HashSet};
+use unoclp_core::Board;
 use unoclp_point::Address;
 
 /// More cells than this no program has; the board has room for fewer than a hundred.
@@ -48,6 +49,8 @@ pub(super) struct BlockCall {
 
 pub(crate) struct Builder<'t, 'f> {
     pub text: &'t str,
+    /// The board that the text is for.
+    pub board: Board,
     pub found: &'f mut Found,
     pub tree: Tree,
     pub(super) letters: Letters,
@@ -79,9 +82,15 @@ pub(crate) struct Builder<'t, 'f> {
 }
 
 impl<'t, 'f> Builder<'t, 'f> {
-    pub fn new(text: &'t str, letters: Letters, found: &'f mut Found) -> Builder<'t, 'f> {
+    pub fn new(
+        text: &'t str,
+        letters: Letters,
+        board: Board,
+        found: &'f mut Found,
+    ) -> Builder<'t, 'f> {
         Builder {
             text,
+            board,
             found,
             tree: Tree::default(),
             letters,

@@ -5,7 +5,6 @@ use super::named::Traits;
 use crate::diagnostics::{Code, Span};
 use crate::points;
 use crate::typed::{Base, Cell, TypeId, Value};
-use unoclp_core::Board;
 use unoclp_point::{Address, Maker};
 
 /// What the cell of a point holds.
@@ -58,7 +57,7 @@ impl Builder<'_, '_> {
         let maker = Maker::Iec;
         let point = self.address_of(written, maker, at);
         if point.is_none() {
-            let help = points::help(written, maker, Board::UNO);
+            let help = points::help(written, maker, self.board);
             self.tell(Code::StBadAddress, at, [written.into(), help]);
         }
         point
@@ -67,7 +66,7 @@ impl Builder<'_, '_> {
     /// The point that an address names in a maker's way; none where a program has no such point, which is not told.
     pub fn address_of(&mut self, written: &str, maker: Maker, at: Span) -> Option<Address> {
         let key: String = written.to_uppercase().split_whitespace().collect();
-        let (address, written) = points::variable(&key, maker, Board::UNO)?;
+        let (address, written) = points::variable(&key, maker, self.board)?;
         let here = (Code::StSamePoint, at);
         self.spellings
             .note((address, &written), here, self.text, self.found);

@@ -47,7 +47,7 @@ pub struct Class {
 
 /// Grades the programs of a class.
 pub fn grade(class: &Class) -> Outcome {
-    let exercise = Exercise::load(&class.exercise);
+    let exercise = Exercise::load(&class.exercise, class.wording.board);
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
     let found = files::find(&class.files)?;
     let inputs = found.programs.iter().map(PathBuf::as_path);

@@ -62,6 +62,7 @@ impl Row {
 
     /// That of a program, which is compiled and run through all cases.
     pub fn of(written: Written, exercise: &Exercise) -> Row {
+        let board = written.board;
         let source = match written.check(None) {
             Ok(source) => source,
             Err(refused) => return Row::of_refused(refused),
@@ -70,7 +71,7 @@ impl Row {
             name: source.name.clone(),
             bytes: source.code.clone(),
         };
-        let grade = grade(exercise, &program, &mut HostEngine::default());
+        let grade = grade(exercise, &program, &mut HostEngine::new(board));
         Row {
             passed: grade.count(),
             fail: grade.failing.map(|failing| Fail {

@@ -11,7 +11,7 @@ use unoclp_cli::messages;
 use unoclp_lang::run::{MOST_STEPS, Machine, Stop};
 use unoclp_lang::typed::{Base, Holds, Symbol, Tree, Value};
 use unoclp_lang::{self as lang, CheckedText, Holding, Lines, Span, TextLanguage, Variable};
-use unoclp_program::{BOARD, Written, decode, harmless_lines};
+use unoclp_program::{Written, decode, harmless_lines};
 
 /// A text by its name.
 struct Text {
@@ -25,11 +25,12 @@ pub(super) fn run(
     written: Written,
     language: TextLanguage,
 ) -> anyhow::Result<Option<Ran>> {
+    let board = written.board;
     let text = Text {
         text: decode(&written.bytes),
         name: written.name,
     };
-    let CheckedText { tree, diagnostics } = lang::check(&text.text, language);
+    let CheckedText { tree, diagnostics } = lang::check(&text.text, language, board);
     let shown = lang::show(
         &text.name,
         &text.text,
@@ -70,7 +71,7 @@ pub(super) fn run(
     if let Some(at) = machine.failed() {
         eprintln!("{}", placed(&text, at, messages::not_computed));
     }
-    let on_board = lang::compile_text(&text.text, language, BOARD).variables;
+    let on_board = lang::compile_text(&text.text, language, board).variables;
     let mut on_board = on_board.iter();
     let symbols = tree.symbols.iter();
     let symbols = symbols.map(|symbol| row(&machine, symbol, on_board.next()));

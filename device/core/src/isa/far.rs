@@ -1,0 +1,93 @@
+//! Points above 16, and outputs above 64 that a timer drives, as they are stored. No board with a firmware has them: what
+//! is compiled for one has nothing of this.
+//!
+//! A row whose byte holds a point names the others in two bytes: one of its own, then XX. Those of its own are the
+//! bytes that would store the branch points 09 to 15, which no rung has.
+
+#[cfg(not(target_arch = "avr"))]
+pub(crate) use wide::{far_row, holds_number, is_far, near_row};
+
+#[cfg(target_arch = "avr")]
+pub(crate) use narrow::{far_row, holds_number, is_far, near_row};
+
+#[cfg(not(target_arch = "avr"))]
+pub(crate) use wide::{far_output, stored_target};
+
+#[cfg(not(target_arch = "avr"))]
+mod wide {
+    use crate::isa::{FIRST_POINT, MARKER_TARGET, POINTS, holds_point};
+
+    /// The first byte of the first row's points above 16, and the first behind those of the last row, a reset coil's.
+    const FAR: u8 = 0x88;
+    const BEHIND_FAR: u8 = 0x8F;
+    /// A stored target of a timer from this byte on is an output above 64.
+    const FAR_TARGET: u8 = 0xC0;
+
+    /// Whether a first stored byte is that of a point above 16, which follows it.
+    pub(crate) const fn is_far(byte: u8) -> bool {
+        byte >= FAR && byte < BEHIND_FAR
+    }
+
+    /// The byte of the row that a first byte of a far point belongs to; any other as it is.
+    pub(crate) const fn near_row(byte: u8) -> u8 {
+        match is_far(byte) {
+            true => (byte - FAR + (FIRST_POINT >> 4)) << 4,
+            false => byte,
+        }
+    }
+
+    /// Whether the byte of this row holds the point with this number.
+    pub(crate) const fn holds_number(row: u8, xx: u8) -> bool {
+        holds_point(row) && xx <= POINTS
+    }
+
+    /// The first byte of this row where it does not hold its point.
+    pub(crate) const fn far_row(row: u8) -> u8 {
+        match holds_point(row) {
+            true => FAR + (row >> 4) - (FIRST_POINT >> 4),
+            false => row,
+        }
+    }
+
+    /// How the output with this number is stored as a timer's target; of none that exists, for 00.
+    pub(crate) const fn stored_target(xx: u8) -> u8 {
+        match xx {
+            0 => FAR_TARGET - MARKER_TARGET + 99,
+            1..=MARKER_TARGET => xx - 1,
+            _ => FAR_TARGET - 1 - MARKER_TARGET + xx,
+        }
+    }
+
+    /// The index of the output above 64 that is stored so as a timer's target; none of a marker and of another output.
+    pub(crate) const fn far_output(stored: u8) -> Option<u8> {
+        match stored.checked_sub(FAR_TARGET) {
+            Some(index) => Some(index + MARKER_TARGET),
+            None => None,
+        }
+    }
+}
+
+#[cfg(target_arch = "avr")]
+mod narrow {
+    use crate::isa::holds_point;
+
+    #[inline(always)]
+    pub(crate) const fn is_far(_: u8) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    pub(crate) const fn near_row(byte: u8) -> u8 {
+        byte
+    }
+
+    #[inline(always)]
+    pub(crate) const fn holds_number(row: u8, _: u8) -> bool {
+        holds_point(row)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn far_row(row: u8) -> u8 {
+        row
+    }
+}

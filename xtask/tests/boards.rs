@@ -1,0 +1,75 @@
+//! Above the device nobody knows what the UNO has: a board is an argument, and the default is chosen at a door.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What holds the UNO's limits, or held them.
+const NAMES: [&str; 6] = [
+    "Board::UNO",
+    "Board::NANO",
+    "Profile::UNO",
+    "program::BOARD",
+    "BOARD.",
+    "limits::",
+];
+
+/// Where a person or a page says which board is meant, or does not.
+const DOORS: [&str; 2] = [
+    "tools/cli/src/commands/wording.rs",
+    "page/bridge/src/facts.rs",
+];
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|end| end == "rs") && !path.ends_with("tests.rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The lines of a file before its tests, without its comments.
+fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let (code, _) = text.split_once("#[cfg(test)]\nmod").unwrap_or((text, ""));
+    let lines = (1..).zip(code.lines());
+    lines.filter(|(_, line)| !line.trim_start().starts_with("//"))
+}
+
+#[test]
+fn no_room_above_the_device_knows_the_uno() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let rooms = ["language", "ladder", "tools", "page/bridge"];
+    let (mut seen, mut told) = (0, Vec::new());
+    for floor in rooms {
+        let mut files = Vec::new();
+        let floor = root.join(floor);
+        match floor.join("src").is_dir() {
+            true => sources(&floor.join("src"), &mut files),
+            false => {
+                for room in fs::read_dir(&floor).unwrap() {
+                    let sources_of = room.unwrap().path().join("src");
+                    if sources_of.is_dir() {
+                        sources(&sources_of, &mut files);
+                    }
+                }
+            }
+        }
+        for file in files {
+            let name = file.strip_prefix(&root).unwrap().display().to_string();
+            seen += 1;
+            if DOORS.contains(&name.as_str()) {
+                continue;
+            }
+            let text = fs::read_to_string(&file).unwrap();
+            for (number, line) in code(&text) {
+                if NAMES.iter().any(|known| line.contains(known)) {
+                    told.push(format!("{name}:{number}: {}", line.trim()));
+                }
+            }
+        }
+    }
+    assert!(seen > 300, "{seen}");
+    assert_eq!(told, [""; 0], "pass the board down");
+}
