@@ -57,11 +57,15 @@ fn spelt_out(path: &str) -> Vec<String> {
     }
 }
 
-/// Whether a path ends in this one, part by part; `*` is any part.
+/// Whether a path ends in this one, part by part; `*` is anything within a part.
 fn ends_in(path: &str, end: &str) -> bool {
+    let is_like = |own: &str, part: &str| match part.split_once('*') {
+        Some((first, last)) => own.starts_with(first) && own.ends_with(last),
+        None => own == part,
+    };
     let mut path = path.rsplit('/');
     end.rsplit('/')
-        .all(|part| path.next().is_some_and(|own| part == "*" || part == own))
+        .all(|part| path.next().is_some_and(|own| is_like(own, part)))
 }
 
 /// The paths that a page names.
@@ -92,6 +96,7 @@ fn paths_are_told_from_other_words() {
     }
     assert_eq!(spelt_out("a/{b,c/d}.s"), ["a/b.s", "a/c/d.s"]);
     assert!(ends_in("a/b/c.rs", "*/c.rs") && !ends_in("ab.rs", "b.rs"));
+    assert!(ends_in("a/b.toml", "a/*.toml") && !ends_in("a/b.toml", "c/*"));
 }
 
 #[test]
