@@ -8,6 +8,9 @@ use unoclp_checked::numeric;
 use unoclp_core::Board;
 use unoclp_core::isa::{Kind, is_real};
 
+/// What points of a kind are called.
+type Name = fn(Lang) -> String;
+
 /// What the board lacks for this program, in this language: `the UNO lacks inputs 09 and 12, …`; none where it holds it.
 pub fn lacks(source: &Source, board: Board, lang: Lang) -> Option<String> {
     let faults = numeric(&source.code, board).err()?;
@@ -30,7 +33,7 @@ pub fn lacks(source: &Source, board: Board, lang: Lang) -> Option<String> {
         .iter()
         .filter_map(|analogue| board.shares(*analogue));
     let shared = shared.filter(|input| used.inputs.contains(input));
-    let points: [(fn(Lang) -> String, Vec<u8>); 8] = [
+    let points: [(Name, Vec<u8>); 8] = [
         (words::lacks_inputs, beyond(&used.inputs, board.inputs)),
         (words::lacks_outputs, beyond(&used.outputs, board.outputs)),
         (words::lacks_pwm, no_pwm.copied().collect()),

@@ -159,7 +159,7 @@ impl<'t> Names<'t> {
             (Point::Marker, n) => self.temps.markers |= 1 << (n - 1),
             (Point::Group, n) => self.temps.markers |= 0xFF << (8 * (n - 1)),
             (Point::Register, n) => self.temps.registers |= 1 << (n - 1),
-            (Point::Counter, n) if (1..=self.board.counters.into()).contains(&n) => {
+            (Point::Counter, n) if (1..=self.board.counters).contains(&n) => {
                 self.counters_used |= 1 << (n - 1)
             }
             _ => {}

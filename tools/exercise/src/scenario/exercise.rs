@@ -73,13 +73,27 @@ impl Exercise {
         for point in keys.names.keys() {
             if !is_point(point.get_ref(), board) {
                 let name = point.get_ref().clone();
-                return Err(slip(Some(point.span()), Wrong::NotNamed { name, board }));
+                return Err(slip(
+                    Some(point.span()),
+                    Wrong::NotNamed {
+                        name,
+                        board: board.into(),
+                    },
+                ));
             }
         }
         let closed = keys.normally_closed.iter().map(|input| {
             let name = input.get_ref().clone();
             let number = (1..=board.inputs).find(|number| format!("I{number}") == name);
-            number.ok_or_else(|| slip(Some(input.span()), Wrong::NotNamed { name, board }))
+            number.ok_or_else(|| {
+                slip(
+                    Some(input.span()),
+                    Wrong::NotNamed {
+                        name,
+                        board: board.into(),
+                    },
+                )
+            })
         });
         let names = keys.names.iter();
         let program = keys.program.as_ref();

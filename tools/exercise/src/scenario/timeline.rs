@@ -190,7 +190,13 @@ fn setting(pair: Pair<'_>, board: Board) -> Result<Setting, Slip> {
         Some(Place::Cell(cell)) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
         _ => {
             let name = name.clone();
-            Err(slip(Some(pair.0.span()), Wrong::NotSet { name, board }))
+            Err(slip(
+                Some(pair.0.span()),
+                Wrong::NotSet {
+                    name,
+                    board: board.into(),
+                },
+            ))
         }
     }
 }
@@ -202,7 +208,10 @@ fn expectation(pair: Pair<'_>, board: Board) -> Result<(Place, Option<i32>), Sli
         let name = name.clone();
         return Err(slip(
             Some(pair.0.span()),
-            Wrong::NotExpected { name, board },
+            Wrong::NotExpected {
+                name,
+                board: board.into(),
+            },
         ));
     };
     if pair.1.get_ref().as_str() == Some("any") {

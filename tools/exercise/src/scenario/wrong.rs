@@ -89,7 +89,7 @@ pub enum Wrong {
         /// The point.
         name: String,
         /// The board that it is none of.
-        board: Board,
+        board: Box<Board>,
     },
     /// There is nothing to run.
     NothingHappens,
@@ -114,14 +114,14 @@ pub enum Wrong {
         /// What.
         name: String,
         /// The board that it is none of.
-        board: Board,
+        board: Box<Board>,
     },
     /// Nothing can be expected of this.
     NotExpected {
         /// What.
         name: String,
         /// The board that it is none of.
-        board: Board,
+        board: Box<Board>,
     },
     /// A value is none that the place can have.
     Value {
