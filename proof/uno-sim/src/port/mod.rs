@@ -6,7 +6,7 @@
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let program = Program::read(&firmware_file()?)?;
-//! let port = Port::open(program, Slot::Empty, Options::on(unoclp_core::Board::UNO))?;
+//! let port = Port::open(program, Slot::Empty, Options::default())?;
 //! println!("{}", port.path().display());
 //! port.with(|uno| uno.set_input(0, true))?;
 //! port.close()?;
