@@ -1,9 +1,8 @@
-//! The one owner of the line: a thread, which asks the board one request at a time.
+//! The one owner of a line: a thread, which asks its boards one request at a time.
 
 use crate::tokens::Role;
 use crate::turns::Turns;
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
 use std::time::{Duration, Instant};
 use tokio::sync::{oneshot, watch};
 use unoclp_modbus::Exception;
@@ -13,17 +12,18 @@ use unoclp_modbus::client::Request;
 const FRESH: Duration = Duration::from_millis(50);
 /// How often a board that is away is looked for.
 const AGAIN: Duration = Duration::from_secs(1);
-/// Requests that come while the board answers one; more are refused. Each visitor has one under way, so there is room for
-/// all of them.
-const QUEUE: usize = 128;
+/// The longest time for which it is not looked for where others are at its line, who wait meanwhile: it doubles up to this.
+const RARELY: Duration = Duration::from_secs(32);
+/// So many requests without an answer, one behind the other, and a board among others counts as away.
+const SILENT: u32 = 3;
 
-/// The board, as whoever has its port lends it.
+/// The line to a board, or to several, as whoever has its port lends it.
 pub trait Board: Send {
-    /// Opens the line and finds the board.
+    /// Finds the board of this address; opens the line for it unless `others` are there.
     ///
     /// # Errors
     /// Why it is not there, for people.
-    fn find(&mut self) -> Result<(), String>;
+    fn find(&mut self, address: u8, others: bool) -> Result<(), String>;
 
     /// Sends a request, and gives the whole frame that answers it.
     ///
@@ -44,20 +44,12 @@ pub enum NoAnswer {
 /// Whether the board is there; else why not.
 pub(crate) type Presence = Result<(), String>;
 
-/// The line to a board, to be shared.
-#[derive(Clone, Debug)]
-pub struct Line {
-    jobs: mpsc::SyncSender<Job>,
-    presence: watch::Receiver<Presence>,
-    address: u8,
-}
-
 /// A request, and where its answer goes.
 #[derive(Debug)]
-struct Job {
-    request: Request,
-    role: Role,
-    answer: oneshot::Sender<Vec<u8>>,
+pub(crate) struct Job {
+    pub request: Request,
+    pub role: Role,
+    pub answer: oneshot::Sender<Vec<u8>>,
 }
 
 impl Job {
@@ -68,118 +60,138 @@ impl Job {
     }
 }
 
-impl Line {
-    /// Begins to look for the board, whose address this is. The thread ends with the last of this line.
-    pub fn begin(board: impl Board + 'static, address: u8) -> Line {
-        let (jobs, queue) = mpsc::sync_channel(QUEUE);
-        let (tell, presence) = watch::channel(Err(String::new()));
-        let owner = Owner::new(board, queue, tell);
-        thread::spawn(move || owner.run());
-        Line {
-            jobs,
-            presence,
-            address,
-        }
-    }
-
-    /// The board's address.
-    pub(crate) fn address(&self) -> u8 {
-        self.address
-    }
-
-    /// Whether the board is there, as it changes.
-    pub(crate) fn presence(&self) -> watch::Receiver<Presence> {
-        self.presence.clone()
-    }
-
-    /// The answer to a request of somebody with this role: of the board, or why there is none.
-    pub(crate) async fn ask(&self, request: Request, role: Role) -> Vec<u8> {
-        let busy = request.refusal(Exception::ServerDeviceBusy);
-        let silent = request.refusal(Exception::GatewayTargetSilent);
-        let (answer, wait) = oneshot::channel();
-        let job = Job {
-            request,
-            role,
-            answer,
-        };
-        match self.jobs.try_send(job) {
-            Ok(()) => wait.await.unwrap_or_else(|_| silent.to_vec()),
-            Err(_) => busy.to_vec(),
-        }
-    }
+/// A board of the line.
+struct Seat {
+    address: u8,
+    tell: watch::Sender<Presence>,
+    /// When it is looked for; none while it is there.
+    away: Option<Instant>,
+    /// How long it is left alone when it is not found.
+    pause: Duration,
+    /// Requests that it has not answered, one behind the other.
+    silent: u32,
 }
 
 /// What the thread has.
-struct Owner<B> {
+pub(crate) struct Owner<B> {
     board: B,
     queue: mpsc::Receiver<Job>,
     turns: Turns<Job>,
-    tell: watch::Sender<Presence>,
+    seats: Vec<Seat>,
     /// Answers to requests that only read, and when these were sent.
     fresh: Vec<(Request, Vec<u8>, Instant)>,
 }
 
 impl<B: Board> Owner<B> {
-    fn new(board: B, queue: mpsc::Receiver<Job>, tell: watch::Sender<Presence>) -> Owner<B> {
+    pub fn new(board: B, queue: mpsc::Receiver<Job>) -> Owner<B> {
         Owner {
             board,
             queue,
             turns: Turns::default(),
-            tell,
+            seats: Vec::new(),
             fresh: Vec::new(),
         }
     }
 
-    fn run(mut self) {
+    /// One more board, and whether it is there, as it changes.
+    pub fn seat(&mut self, address: u8) -> watch::Receiver<Presence> {
+        let (tell, presence) = watch::channel(Err(String::new()));
+        self.seats.push(Seat {
+            address,
+            tell,
+            away: Some(Instant::now()),
+            pause: AGAIN,
+            silent: 0,
+        });
+        presence
+    }
+
+    /// Serves until nobody is left who asks.
+    pub fn run(mut self) {
         loop {
-            let gone = match self.board.find() {
-                Ok(()) => {
-                    self.tell(Ok(()));
-                    self.serve()
-                }
-                Err(why) => Some(why),
-            };
-            let Some(why) = gone else { return };
-            self.tell(Err(why));
-            if self.refuse(Instant::now() + AGAIN).is_none() {
-                return;
+            self.look(Instant::now());
+            let due = self.seats.iter().filter_map(|seat| seat.away).min();
+            let Some(next) = self.next(due) else { return };
+            if let Some(job) = next {
+                self.serve(job);
             }
         }
     }
 
-    /// Tells whoever asks until then that nobody is there; `None` once nobody is left who asks.
-    fn refuse(&mut self, until: Instant) -> Option<()> {
-        loop {
-            while let Some(job) = self.turns.next() {
+    /// Looks for one of the boards that are away, where it is time; the others wait until then.
+    fn look(&mut self, now: Instant) {
+        let is_due = |seat: &Seat| seat.away.is_some_and(|due| due <= now);
+        let away = self
+            .seats
+            .iter()
+            .enumerate()
+            .filter(|(_, seat)| is_due(seat));
+        let Some((index, _)) = away.min_by_key(|(_, seat)| seat.away) else {
+            return;
+        };
+        let others = self.seats.iter().any(|seat| seat.away.is_none());
+        let found = self.board.find(self.seats[index].address, others);
+        let seat = &mut self.seats[index];
+        if found.is_ok() {
+            (seat.away, seat.pause, seat.silent) = (None, AGAIN, 0);
+        } else {
+            seat.away = Some(Instant::now() + seat.pause);
+            seat.pause = match others {
+                true => (seat.pause * 2).min(RARELY),
+                false => AGAIN,
+            };
+        }
+        seat.tell(found);
+    }
+
+    fn serve(&mut self, job: Job) {
+        let address = job.request.server();
+        let seat = |of: &&mut Seat| of.address == address;
+        let is_there = self
+            .seats
+            .iter_mut()
+            .find(seat)
+            .is_some_and(|seat| seat.away.is_none());
+        if !is_there {
+            return job.refuse(Exception::GatewayTargetSilent);
+        }
+        let answered = self.answer(&job.request, Instant::now());
+        match answered {
+            Ok(reply) => {
+                self.hear(address, true);
+                // Whoever leaves meanwhile needs no answer.
+                drop(job.answer.send(reply));
+            }
+            Err(NoAnswer::Silent) => {
+                self.hear(address, false);
                 job.refuse(Exception::GatewayTargetSilent);
             }
-            let left = until.saturating_duration_since(Instant::now());
-            match self.queue.recv_timeout(left) {
-                Ok(job) => self.wait(job),
-                Err(RecvTimeoutError::Timeout) => return Some(()),
-                Err(RecvTimeoutError::Disconnected) => return None,
-            }
-        }
-    }
-
-    /// Answers until the line is gone, and gives why; `None` once nobody is left who asks.
-    fn serve(&mut self) -> Option<String> {
-        loop {
-            let job = self.next()?;
-            match self.answer(&job.request, Instant::now()) {
-                // Whoever leaves meanwhile needs no answer.
-                Ok(reply) => drop(job.answer.send(reply)),
-                Err(NoAnswer::Silent) => job.refuse(Exception::GatewayTargetSilent),
-                Err(NoAnswer::Gone(why)) => {
-                    job.refuse(Exception::GatewayTargetSilent);
-                    return Some(why);
+            Err(NoAnswer::Gone(why)) => {
+                job.refuse(Exception::GatewayTargetSilent);
+                for seat in &mut self.seats {
+                    seat.away = Some(Instant::now() + AGAIN);
+                    seat.tell(Err(why.clone()));
                 }
             }
         }
     }
 
-    /// Whose turn it is, of all who have asked by now; `None` once nobody is left who asks.
-    fn next(&mut self) -> Option<Job> {
+    /// This board has answered, or not. One that stays silent would keep the others of its line waiting.
+    fn hear(&mut self, address: u8, answers: bool) {
+        let shares = self.seats.len() > 1;
+        let Some(seat) = self.seats.iter_mut().find(|seat| seat.address == address) else {
+            return;
+        };
+        seat.silent = if answers { 0 } else { seat.silent + 1 };
+        if shares && seat.silent >= SILENT {
+            // Why, it tells once it is looked for.
+            seat.away = Some(Instant::now());
+        }
+    }
+
+    /// Whose turn it is, of all who have asked by now; nobody's where nobody asks until then. `None` once nobody is left
+    /// who asks.
+    fn next(&mut self, until: Option<Instant>) -> Option<Option<Job>> {
         loop {
             while let Ok(job) = self.queue.try_recv() {
                 self.wait(job);
@@ -187,10 +199,23 @@ impl<B: Board> Owner<B> {
             match self.turns.next() {
                 // Whoever has left needs no answer.
                 Some(job) if job.answer.is_closed() => {}
-                Some(job) => return Some(job),
+                Some(job) => return Some(Some(job)),
                 None => {
-                    let job = self.queue.recv().ok()?;
-                    self.wait(job);
+                    let came = match until {
+                        None => self
+                            .queue
+                            .recv()
+                            .map_err(|_| RecvTimeoutError::Disconnected),
+                        Some(until) => {
+                            let left = until.saturating_duration_since(Instant::now());
+                            self.queue.recv_timeout(left)
+                        }
+                    };
+                    match came {
+                        Ok(job) => self.wait(job),
+                        Err(RecvTimeoutError::Timeout) => return Some(None),
+                        Err(RecvTimeoutError::Disconnected) => return None,
+                    }
                 }
             }
         }
@@ -215,7 +240,9 @@ impl<B: Board> Owner<B> {
         }
         Ok(reply)
     }
+}
 
+impl Seat {
     fn tell(&self, presence: Presence) {
         self.tell.send_if_modified(|told| {
             let changes = *told != presence;
@@ -226,103 +253,4 @@ impl<B: Board> Owner<B> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use unoclp_modbus::Table;
-
-    /// Counts what it is asked, and answers with the count.
-    struct Counter(u8);
-
-    impl Board for Counter {
-        fn find(&mut self) -> Result<(), String> {
-            Ok(())
-        }
-
-        fn ask(&mut self, _: &Request) -> Result<Vec<u8>, NoAnswer> {
-            self.0 += 1;
-            Ok(vec![self.0])
-        }
-    }
-
-    #[test]
-    fn what_many_ask_at_once_the_board_is_asked_once() {
-        let (_, queue) = mpsc::channel();
-        let mut owner = Owner::new(Counter(0), queue, watch::channel(Ok(())).0);
-        let begin = Instant::now();
-        let coils = Request::read(1, Table::Coils, 0, 4);
-        let inputs = Request::read(1, Table::DiscreteInputs, 0, 4);
-        let stop = Request::write_word(1, 400, 2);
-        for (request, after, expected) in [
-            (&coils, 0, 1),
-            (&coils, 49, 1),
-            (&inputs, 49, 2),
-            (&coils, 50, 3),
-            (&inputs, 60, 2),
-            (&stop, 61, 4),
-            (&stop, 62, 5),
-            (&coils, 63, 6),
-            (&inputs, 64, 7),
-        ] {
-            let now = begin + Duration::from_millis(after);
-            assert_eq!(
-                owner.answer(request, now),
-                Ok(vec![expected]),
-                "after {after} ms"
-            );
-        }
-    }
-
-    /// Says when it is asked something, and answers when it is let.
-    struct Gate {
-        asked: mpsc::Sender<Vec<u8>>,
-        let_go: mpsc::Receiver<()>,
-    }
-
-    impl Board for Gate {
-        fn find(&mut self) -> Result<(), String> {
-            Ok(())
-        }
-
-        fn ask(&mut self, request: &Request) -> Result<Vec<u8>, NoAnswer> {
-            // After the end of the test nobody is left.
-            let _ = self.asked.send(request.bytes().to_vec());
-            let _ = self.let_go.recv();
-            Ok(Vec::new())
-        }
-    }
-
-    #[tokio::test]
-    async fn at_most_one_reading_goes_before_a_write_whoever_watches() {
-        let (asked, asks) = mpsc::channel();
-        let (let_go, gate) = mpsc::channel();
-        let board = Gate {
-            asked,
-            let_go: gate,
-        };
-        let line = Line::begin(board, 1);
-        let visit = async |request: Request, role: Role| {
-            let line = line.clone();
-            tokio::spawn(async move { line.ask(request, role).await });
-            // It is in the queue before the next one.
-            tokio::task::yield_now().await;
-        };
-        let watched: Vec<Request> = (0..60)
-            .map(|first| Request::read(1, Table::HoldingRegisters, first, 2))
-            .collect();
-        for request in &watched {
-            visit(request.clone(), Role::Watch).await;
-        }
-        // The board is asked the first one when the others come.
-        assert_eq!(asks.recv().unwrap(), watched[0].bytes());
-        let own = Request::read(1, Table::Coils, 0, 4);
-        let write = Request::write_coil(1, 0, true);
-        let stop = Request::write_word(1, 400, 2);
-        for request in [&own, &write, &stop] {
-            visit(request.clone(), Role::Control).await;
-        }
-        for expected in [&stop, &write, &own].into_iter().chain(&watched[1..]) {
-            let_go.send(()).unwrap();
-            assert_eq!(asks.recv().unwrap(), expected.bytes());
-        }
-    }
-}
+mod tests;

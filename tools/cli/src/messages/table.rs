@@ -248,6 +248,25 @@ unoclp_program::messages! {
     shared(port)
         "the board at {port} is shared with this PC alone"
         "a placa em {port} é compartilhada só com este PC";
+    not_served_site(address, error)
+        "{address} cannot be served from: {error}. The site file gives another under `listen`"
+        "não é possível servir em {address}: {error}. O arquivo de instalação dá outro em `listen`";
+    page_of_board(name)
+        "board {name}: the same page with #board/{name} in place of #board"
+        "placa {name}: a mesma página com #board/{name} em vez de #board";
+    modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
+    board_found(name) "{name}: found" "{name}: encontrada";
+    board_away(name, why) "{name}: away: {why}" "{name}: fora do ar: {why}";
+    board_keeps(name, program) "{name}: keeps {program}" "{name}: tem {program}";
+    board_keeps_other(name, program)
+        "{name}: keeps another program than {program}, so the names of that file do not hold; upload it"
+        "{name}: tem outro programa que não {program}, e os nomes desse arquivo não valem; envie-o";
+    not_reached(server, error)
+        "{server} is not reached: {error}; is it on, and is there a Modbus TCP server?"
+        "{server} não responde: {error}; está ligado, e há um servidor Modbus TCP nele?";
+    silent_behind(server, address)
+        "no answer from address {address} behind {server}; is that board powered and wired?"
+        "sem resposta do endereço {address} atrás de {server}; essa placa está ligada e conectada?";
     port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     upload_not_begun()
