@@ -2,20 +2,24 @@
 
 use crate::messages;
 use crate::port::{Found, Place, Port, find};
+use crate::site_file;
 use anyhow::{Context, anyhow};
 use rust_embed::RustEmbed;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use unoclp_client::{Failure, Patience};
+use unoclp_history::{Keeper, Sample, Store};
 use unoclp_modbus::client::Request;
+use unoclp_program::shown;
 use unoclp_serve::{
-    Absent, Board, Line, Modbus, News, NoAnswer, Pages, Remote, Server, SharedBoard, Sharing, Tell,
-    Tokens,
+    Absent, Board, Change, Keep, Line, Metric, Metrics, Modbus, News, NoAnswer, Pages, Remote,
+    Server, SharedBoard, Sharing, Tell, Tokens, Watched,
 };
-use unoclp_site::{Site, Way};
+use unoclp_site::{History, Site, Way};
 
 /// What `cargo xtask lab --build` has built.
 #[derive(RustEmbed)]
@@ -58,9 +62,12 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                     name,
                     unit: address,
                     program: None,
+                    watched: None,
                 }],
                 tokens,
                 modbus: None,
+                metrics: None,
+                keep: None,
                 tell: None,
             })
         }
@@ -85,7 +92,7 @@ fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
 ///
 /// # Errors
 /// Where an address cannot be served from.
-pub fn share_site(site: &Site, pages: Pages) -> anyhow::Result<()> {
+pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
     let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
     let listen = site.http.listen;
     let server = Server::bind(listen).map_err(|error| wrong(listen, error))?;
@@ -94,6 +101,10 @@ pub fn share_site(site: &Site, pages: Pages) -> anyhow::Result<()> {
         bound.map_err(|error| wrong(modbus.listen, error))
     });
     let modbus = modbus.transpose()?;
+    let keeper = site.history.as_ref().map(|history| keeper(file, history));
+    let keeper = keeper.transpose()?.map(Arc::new);
+    let metrics = keeper.clone().map(metrics);
+    let keep = keeper.map(keep);
     let page = format!("http://{}/", server.address());
     println!("{page}{}", if server.is_local() { "#board" } else { "" });
     let tokens = tokens(&server, &page)?;
@@ -116,11 +127,87 @@ pub fn share_site(site: &Site, pages: Pages) -> anyhow::Result<()> {
         boards: site.lines.iter().flat_map(boards).collect(),
         tokens,
         modbus,
+        metrics,
+        keep,
         tell: Some(tell),
     };
     server
         .run(pages, Some(sharing))
         .map_err(|error| wrong(listen, error))
+}
+
+/// Opens the history of a site, and begins to write into it.
+fn keeper(site: &Path, history: &History) -> anyhow::Result<Keeper> {
+    let file = site_file::beside(site, &history.store);
+    let store = Store::open(&file).map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    Ok(Keeper::begin(
+        store,
+        history.keep,
+        move |failure| match failure {
+            Some(why) => println!("{}", messages::store_failure(&file, why)),
+            None => println!("{}", messages::history_again(shown(&file))),
+        },
+    ))
+}
+
+/// Writes what has changed.
+fn keep(keeper: Arc<Keeper>) -> Keep {
+    let sample = |change| {
+        let Change {
+            board,
+            point,
+            at,
+            value,
+        } = change;
+        Sample {
+            board,
+            point,
+            at,
+            value,
+        }
+    };
+    Arc::new(move |changes: Vec<Change>| {
+        keeper.keep(changes.into_iter().map(sample).collect());
+    })
+}
+
+/// How it stands with the history, in numbers.
+fn metrics(keeper: Arc<Keeper>) -> Metrics {
+    Arc::new(move || {
+        let state = keeper.state();
+        let number = |name, help, is_counter, value| Metric {
+            name,
+            help,
+            is_counter,
+            value,
+        };
+        vec![
+            number(
+                "history_rows_total",
+                "Rows written to the history",
+                true,
+                state.written,
+            ),
+            number(
+                "history_dropped_total",
+                "Rows given up, since the history took nothing for too long",
+                true,
+                state.dropped,
+            ),
+            number(
+                "history_waiting",
+                "Rows that wait for the history",
+                false,
+                state.waiting as u64,
+            ),
+            number(
+                "history_failing",
+                "Whether the history takes nothing at present",
+                false,
+                state.failure.is_some().into(),
+            ),
+        ]
+    })
 }
 
 /// What has become of a board, in words.
@@ -158,6 +245,10 @@ fn boards(line: &unoclp_site::Line) -> impl Iterator<Item = SharedBoard> {
             name: board.name.clone(),
             unit: board.unit,
             program: board.points.program,
+            watched: Some(Watched {
+                points: board.points.clone(),
+                every: board.every,
+            }),
         })
 }
 

@@ -27,6 +27,11 @@ fn told(why: &Unreadable) -> String {
     }
 }
 
+/// The file of this name beside a site file.
+pub fn beside(site: &Path, name: &str) -> PathBuf {
+    site.parent().unwrap_or(Path::new("")).join(name)
+}
+
 /// The site of a file, or all that is wrong with it, in words.
 ///
 /// # Errors

@@ -258,6 +258,43 @@ fn the_boards_of_a_line_are_served_over_tcp_too() {
 }
 
 #[test]
+fn what_a_board_was_is_kept_and_printed() {
+    let fake = Fake::new(Board::default());
+    fake.board().outputs = 4;
+    let lines = format!(
+        "[history]\nstore = \"kept.db\"\n[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        fake.path()
+    );
+    let file = site("kept", &lines);
+    for end in ["db", "db-wal", "db-shm"] {
+        // That of the last time, if there was one.
+        let _ = std::fs::remove_file(file.replace("toml", end));
+    }
+    let _server = Server::of(&mut unoclp_site(&file));
+    let printed = |point: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+        let output = command
+            .args(["site", "history", &file, point])
+            .env("LC_ALL", "C")
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    // It is written together with what comes within a second.
+    while !printed("one.Q3").ends_with(",1,1,1\n") {}
+    fake.board().outputs = 0;
+    while !printed("one.Q3").ends_with(",0,0,0\n") {}
+    assert_eq!(
+        printed("one.Q3")
+            .lines()
+            .filter(|line| line.ends_with(",1,1,1"))
+            .count(),
+        1
+    );
+    assert!(printed("one.Q1").ends_with(",0,0,0\n"));
+}
+
+#[test]
 fn a_site_file_with_a_mistake_is_not_served() {
     let file = site("wrong", "[[line]]\nport = \"/dev/none\"\n");
     let refused = unoclp_site(&file).output().unwrap();

@@ -14,6 +14,7 @@ use crate::slots::{Slot, Slots};
 use crate::tokens::{Role, Tokens, Visitor};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -49,7 +50,11 @@ pub(crate) struct Gateway {
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
     pub places: Places,
+    values: Mutex<Values>,
 }
+
+/// What the points of a board were when they were last read; none of a point that is not known any more.
+pub(crate) type Values = BTreeMap<String, Option<f64>>;
 
 /// Places for visitors, of all boards together.
 #[derive(Clone, Debug)]
@@ -135,6 +140,7 @@ impl Gateway {
             forcing: tokio::sync::Mutex::default(),
             tokens,
             places,
+            values: Mutex::default(),
         }
     }
 
@@ -142,7 +148,12 @@ impl Gateway {
         self.control.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn role(&self, token: &str) -> Option<Role> {
+    /// What its points were when they were last read, where they are read.
+    pub fn values(&self) -> std::sync::MutexGuard<'_, Values> {
+        self.values.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn role(&self, token: &str) -> Option<Role> {
         match &self.tokens {
             None => Some(Role::Control),
             Some(tokens) => tokens.role(token),

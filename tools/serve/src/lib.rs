@@ -7,8 +7,10 @@
 //! - `gateway`: one visitor's way to that line, a WebSocket
 //! - [`Remote`]: a line that is a Modbus TCP server
 //! - [`News`]: what is told of the boards
+//! - [`Watched`]: boards that are read again and again, and what has changed
 //! - [`Modbus`]: the same boards over Modbus TCP
 //! - [`Sharing`]: what is shared
+//! - `api`: what other programs read over HTTP
 //! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
 //!
 //! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
@@ -16,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 
+mod api;
 mod control;
 mod doors;
 mod forcing;
@@ -25,6 +28,7 @@ mod modbus;
 mod news;
 mod owner;
 mod page;
+mod poll;
 mod release;
 mod remote;
 mod server;
@@ -33,11 +37,13 @@ mod slots;
 mod tokens;
 mod turns;
 
+pub use api::{Metric, Metrics};
 pub use line::Line;
 pub use modbus::Modbus;
 pub use news::{News, Tell};
 pub use owner::{Board, NoAnswer};
 pub use page::Pages;
+pub use poll::{Change, Keep, Watched};
 pub use remote::{Absent, Remote};
 pub use server::Server;
 pub use sharing::{SharedBoard, Sharing};

@@ -1,10 +1,12 @@
 //! The server: connections within limits, files, and visitors.
 
+use crate::api::Api;
 use crate::doors;
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
 use crate::news;
 use crate::page::{self, Pages};
+use crate::poll;
 use crate::release;
 use crate::sharing::{Sharing, Unit, Wired};
 use crate::slots::{Slot, Slots};
@@ -47,6 +49,7 @@ struct Shared {
     pages: Pages,
     is_local: bool,
     gateways: Arc<[Arc<Gateway>]>,
+    api: Api,
     /// The number of the next visitor.
     next: Arc<AtomicU64>,
 }
@@ -89,11 +92,19 @@ impl Server {
         let Wired {
             boards,
             modbus,
+            metrics,
+            keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
         let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
+        let api = Api {
+            gateways: gateways.clone(),
+            is_local,
+            metrics,
+        };
         let shared = Shared {
             pages,
+            api,
             is_local,
             gateways,
             next: Arc::default(),
@@ -103,10 +114,17 @@ impl Server {
             .build()?;
         runtime.block_on(async {
             for Unit {
-                gateway, program, ..
+                gateway,
+                program,
+                watched,
+                ..
             } in &boards
             {
                 tokio::spawn(release::attend(gateway.clone()));
+                if let Some(watched) = watched {
+                    let watching = poll::attend(gateway.clone(), watched.clone(), keep.clone());
+                    tokio::spawn(watching);
+                }
                 if let Some(tell) = &tell {
                     tokio::spawn(news::attend(gateway.clone(), *program, tell.clone()));
                 }
@@ -129,6 +147,9 @@ async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<(
     let routes = Router::new()
         .route("/line", get(first))
         .route("/line/{board}", get(named))
+        .route("/health", get(health))
+        .route("/metrics", get(metrics))
+        .route("/api/boards", get(boards))
         .fallback(get(file))
         .with_state(shared);
     let slots = Slots::new(CONNECTIONS, CONNECTIONS_EACH);
@@ -170,6 +191,18 @@ async fn serve(stream: TcpStream, routes: Router, connection: Connection) {
         _ = served => {}
         () = slot.is_given_up() => {}
     }
+}
+
+async fn health(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.health(&headers)
+}
+
+async fn metrics(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.metrics(&headers)
+}
+
+async fn boards(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.boards(&headers)
 }
 
 async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Response<Body> {

@@ -1,9 +1,11 @@
 //! What is shared, and how it is wired: boards with their names and units, tokens, and places for visitors.
 
+use crate::api::Metrics;
 use crate::gateway::{Gateway, Places};
 use crate::line::Line;
 use crate::modbus::Modbus;
 use crate::news::Tell;
+use crate::poll::{Keep, Watched};
 use crate::slots::Slots;
 use crate::tokens::Tokens;
 use std::sync::Arc;
@@ -21,6 +23,10 @@ pub struct Sharing {
     pub tokens: Option<Tokens>,
     /// The server that shares them over Modbus TCP, if one does.
     pub modbus: Option<Modbus>,
+    /// The numbers of what stands behind, for `/metrics`.
+    pub metrics: Option<Metrics>,
+    /// Who keeps what the points of boards that are watched were, if anybody does.
+    pub keep: Option<Keep>,
     /// Who is told what becomes of them, if anybody is.
     pub tell: Option<Tell>,
 }
@@ -36,6 +42,8 @@ pub struct SharedBoard {
     pub unit: u8,
     /// The program that it shall keep, if one is known.
     pub program: Option<Kept>,
+    /// What is read of it again and again.
+    pub watched: Option<Watched>,
 }
 
 /// A board, and the way to it.
@@ -43,6 +51,7 @@ pub(crate) struct Unit {
     pub unit: u8,
     pub gateway: Arc<Gateway>,
     pub program: Option<Kept>,
+    pub watched: Option<Watched>,
 }
 
 /// Boards whose visitors have their places.
@@ -50,6 +59,8 @@ pub(crate) struct Unit {
 pub(crate) struct Wired {
     pub boards: Vec<Unit>,
     pub modbus: Option<Modbus>,
+    pub metrics: Option<Metrics>,
+    pub keep: Option<Keep>,
     pub tell: Option<Tell>,
 }
 
@@ -59,6 +70,8 @@ impl Sharing {
             boards,
             tokens,
             modbus,
+            metrics,
+            keep,
             tell,
         } = self;
         let places = Places {
@@ -71,17 +84,21 @@ impl Sharing {
                 name,
                 unit,
                 program,
+                watched,
             } = board;
             let gateway = Gateway::new(line, name, tokens.clone(), places.clone());
             Unit {
                 unit,
                 gateway: Arc::new(gateway),
                 program,
+                watched,
             }
         };
         Wired {
             boards: boards.into_iter().map(unit).collect(),
             modbus,
+            metrics,
+            keep,
             tell,
         }
     }

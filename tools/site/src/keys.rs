@@ -2,10 +2,12 @@
 //!
 //! Owns where a value stands, and of what kind it is. Must not know which keys there are.
 
+use crate::duration::duration;
 use crate::mistake::{Mistake, Wrong};
 use std::cell::RefCell;
 use std::net::SocketAddr;
 use std::ops::Range;
+use std::time::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -131,6 +133,29 @@ impl<'a> Keys<'a> {
             Ok(value) => Some(At { value, place }),
             Err(_) => {
                 self.notes.wrong(&place, Wrong::NoAddress { given: value });
+                None
+            }
+        }
+    }
+
+    /// The time of a key, if it is there.
+    pub fn time(
+        &self,
+        key: &'static str,
+        example: &'static str,
+        [from, to]: [&'static str; 2],
+    ) -> Option<At<Duration>> {
+        let At { value, place } = self.text(key, example)?;
+        let within = |time: &Duration| duration(from) <= Some(*time) && Some(*time) <= duration(to);
+        match duration(&value).filter(within) {
+            Some(value) => Some(At { value, place }),
+            None => {
+                let wrong = Wrong::NoTime {
+                    given: value,
+                    from,
+                    to,
+                };
+                self.notes.wrong(&place, wrong);
                 None
             }
         }

@@ -10,6 +10,7 @@
 
 #![forbid(unsafe_code)]
 
+mod duration;
 mod files;
 mod grants;
 mod keys;
@@ -21,9 +22,10 @@ mod read;
 mod site;
 mod words;
 
+pub use duration::duration;
 pub use files::Files;
 pub use mistake::{Mistake, Wrong};
 pub use plan::plan;
-pub use points::{Place, Point, Points};
+pub use points::{Kind, Place, Point, Points};
 pub use read::read;
-pub use site::{Board, Grant, Http, Line, Modbus, Site, Way};
+pub use site::{Board, Grant, History, Http, Line, Modbus, Site, Way};

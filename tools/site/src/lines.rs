@@ -5,10 +5,13 @@ use crate::keys::{At, Keys};
 use crate::mistake::Wrong;
 use crate::points::Points;
 use crate::site::{Board, Line, Way};
+use std::time::Duration;
 use unoclp_client::settings::RATES;
 use unoclp_modbus::map::{Parity, setting};
 use unoclp_program::Written;
 
+/// How often a board is read, unless the file says otherwise.
+const EVERY: Duration = Duration::from_millis(500);
 const ADDRESSES: std::ops::Range<i64> =
     setting::ADDRESS.least as i64..setting::ADDRESS.most as i64 + 1;
 
@@ -118,7 +121,7 @@ struct Seen(Vec<(String, u8)>);
 
 impl Seen {
     fn boards(&mut self, line: &Keys<'_>, files: &dyn Files) -> Vec<Board> {
-        let known = ["address", "unit", "name", "program"];
+        let known = ["address", "unit", "name", "program", "every"];
         let tables = line.tables("board", "[{ name = \"estufa\" }]", &known);
         if tables.as_ref().is_some_and(Vec::is_empty) {
             line.notes.wrong(&line.place, Wrong::NoBoard);
@@ -150,12 +153,14 @@ impl Seen {
             let points = program
                 .as_ref()
                 .and_then(|program| points(table, program, files));
+            let every = table.time("every", "\"500ms\"", ["10ms", "1h"]);
             boards.push(Board {
                 address: address.value,
                 unit: unit.value,
                 name,
                 program: program.map(|program| program.value),
                 points: points.unwrap_or_default(),
+                every: every.map_or(EVERY, |every| every.value),
             });
         }
         boards

@@ -66,6 +66,15 @@ pub enum Wrong {
         /// What was given.
         given: String,
     },
+    /// No time.
+    NoTime {
+        /// What was given.
+        given: String,
+        /// The least.
+        from: &'static str,
+        /// The most.
+        to: &'static str,
+    },
     /// The page is served beyond this PC, and the file does not say that nothing is encrypted.
     Open {
         /// Where.
@@ -177,6 +186,7 @@ impl Wrong {
             Wrong::Choice { key, given, known } => words::choice(lang, key, given, known),
             Wrong::NoAddress { given } => words::no_address(lang, given),
             Wrong::NoHost { given } => words::no_host(lang, given),
+            Wrong::NoTime { given, from, to } => words::no_time(lang, given, from, to),
             Wrong::Open { listen } => words::open(lang, listen),
             Wrong::NoLine => words::no_line(lang),
             Wrong::WayOfLine => words::way_of_line(lang),

@@ -1,5 +1,6 @@
 //! What a gateway would do by a site file, in words.
 
+use crate::duration::written;
 use crate::site::{Board, Line, Modbus, Site, Way};
 use crate::words;
 use unoclp_modbus::map::Parity;
@@ -17,6 +18,9 @@ pub fn plan(site: &Site, lang: Lang) -> String {
         for of in &line.boards {
             lines.extend(board(of, lang));
         }
+    }
+    if let Some(of) = &site.history {
+        lines.push(words::history(lang, &of.store, written(of.keep)));
     }
     if let Some(of) = &site.modbus {
         lines.push(modbus(of, lang));
@@ -53,7 +57,8 @@ fn board(of: &Board, lang: Lang) -> [String; 2] {
         }
         _ => words::board_alone(lang),
     };
-    [words::board(lang, name, address, unit), program]
+    let board = words::board(lang, name, address, unit, written(of.every));
+    [board, program]
 }
 
 fn modbus(of: &Modbus, lang: Lang) -> String {

@@ -3,8 +3,10 @@
 //! Owns which addresses hold a point of a name, and how long the name holds. Must not know how a board is read.
 
 use unoclp_client::diagnostics::Kept;
+use unoclp_lang::typed::Width;
 use unoclp_modbus::Table;
-use unoclp_modbus::map::{Span, Width, coil, discrete, holding, input};
+use unoclp_modbus::map::{Span, Width as Takes, coil, discrete, holding, input};
+use unoclp_program::used::Used;
 use unoclp_program::{Holding, Source, Spot, point_names};
 
 /// Where a value stands.
@@ -15,7 +17,7 @@ pub struct Place {
     /// Its first address.
     pub first: u16,
     /// What it takes.
-    pub width: Width,
+    pub width: Takes,
 }
 
 impl Place {
@@ -23,8 +25,8 @@ impl Place {
     fn of(span: Span, index: u16) -> Option<Place> {
         let width = span.width;
         let each = match width {
-            Width::Bit | Width::Word => 1,
-            Width::Long => 2,
+            Takes::Bit | Takes::Word => 1,
+            Takes::Long => 2,
         };
         (index < span.values).then_some(Place {
             table: span.table,
@@ -36,11 +38,22 @@ impl Place {
     /// Its addresses: the first, and the one behind the last.
     pub fn addresses(self) -> std::ops::Range<u16> {
         let each = match self.width {
-            Width::Bit | Width::Word => 1,
-            Width::Long => 2,
+            Takes::Bit | Takes::Word => 1,
+            Takes::Long => 2,
         };
         self.first..self.first + each
     }
+}
+
+/// How the words of a place make its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// 0 or 1, or a number without a sign.
+    Unsigned,
+    /// A number with a sign.
+    Signed,
+    /// IEEE 754 single.
+    Real,
 }
 
 /// A point.
@@ -48,6 +61,8 @@ impl Place {
 pub struct Point {
     /// What it is called.
     pub name: String,
+    /// How its value is read.
+    pub kind: Kind,
     /// Where its value is read.
     pub read: Place,
     /// Where it is written; nowhere, if it cannot be.
@@ -66,17 +81,37 @@ pub struct Points {
 impl Points {
     /// Those of a board that runs this program.
     pub fn of(source: &Source) -> Points {
+        let used = Used::of(source.program());
+        // Whatever a text calls it, the program computes with it as a REAL.
+        let is_real = |point: &Point| {
+            let registers = used
+                .reals
+                .iter()
+                .filter_map(|&register| at(Spot::Register(register)));
+            registers
+                .map(|real| real.read)
+                .any(|read| read == point.read)
+        };
         let mut named: Vec<Point> = Vec::new();
         let mut add = |name: &str, own: Option<Point>| {
             let is_new = !named.iter().any(|point| point.name == name);
             if let Some(own) = own.filter(|_| is_new) {
+                let kind = if is_real(&own) { Kind::Real } else { own.kind };
                 let name = name.to_owned();
-                named.push(Point { name, ..own });
+                named.push(Point { name, kind, ..own });
             }
         };
         for variable in &source.variables {
-            if let Holding::One((spot, _)) = variable.holding {
-                add(&variable.name, at(spot));
+            if let Holding::One((spot, base)) = variable.holding {
+                let kind = match base.width() {
+                    Width::Single => Kind::Real,
+                    Width::Bit | Width::Unsigned => Kind::Unsigned,
+                    _ => Kind::Signed,
+                };
+                add(
+                    &variable.name,
+                    at(spot).map(|point| Point { kind, ..point }),
+                );
             }
         }
         for (own_name, name) in &point_names(source) {
@@ -86,6 +121,20 @@ impl Points {
         Points {
             program: Some(Kept::of(source.program())),
             named,
+        }
+    }
+
+    /// What is recorded of a board: what its program names while it keeps that program, else what every board has.
+    pub fn recorded(&self, keeps_program: bool) -> Vec<Point> {
+        match keeps_program && !self.named.is_empty() {
+            true => self.named.clone(),
+            false => {
+                let inputs = (1..=discrete::INPUTS.values).map(|n| format!("I{n}"));
+                let outputs = (1..=coil::OUTPUTS.values).map(|n| format!("Q{n}"));
+                let analogue = (0..input::ANALOGUE.values).map(|n| format!("A{n}"));
+                let names = inputs.chain(outputs).chain(analogue);
+                names.filter_map(|name| own(&name)).collect()
+            }
         }
     }
 
@@ -135,7 +184,12 @@ fn at(spot: Spot) -> Option<Point> {
         Spot::Analogue(n) => n.into(),
         _ => u16::from(number).checked_sub(1)?,
     };
+    let is_number = matches!(spot, Spot::Register(_) | Spot::Count(_));
     Some(Point {
+        kind: match is_number {
+            true => Kind::Signed,
+            false => Kind::Unsigned,
+        },
         name: format!("{letter}{number}"),
         read: Place::of(read, index)?,
         write: write
@@ -204,6 +258,44 @@ mod tests {
         let setpoint = points.named("setpoint").expect("setpoint");
         assert_eq!(setpoint.read.table, Table::HoldingRegisters);
         assert_eq!(setpoint.write.len(), 2);
+        assert_eq!(setpoint.kind, Kind::Signed);
+    }
+
+    #[test]
+    fn a_real_is_told_from_an_integer() {
+        for at in ["", " AT %MD1"] {
+            let text = format!(
+                "PROGRAM p VAR level{at} : REAL; count : DINT; END_VAR \
+                 level := level + 0.5; count := count + 1; END_PROGRAM\n"
+            );
+            let points = points("p.st", &text);
+            let kind = |name| points.named(name).expect(name).kind;
+            assert_eq!(
+                [kind("level"), kind("count")],
+                [Kind::Real, Kind::Signed],
+                "{at}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_recorded_are_the_names_while_they_hold() {
+        let points = points(
+            "p.il",
+            "VAR lamp AT %QX0.0 : BOOL; END_VAR\nLD I1\nST lamp\n",
+        );
+        let names = |holds| -> Vec<String> {
+            let recorded = points.recorded(holds).into_iter();
+            recorded.map(|point| point.name).collect()
+        };
+        assert_eq!(names(true), ["lamp"]);
+        let own = names(false);
+        assert_eq!(own.len(), 17);
+        assert!(
+            ["I1", "I8", "Q4", "A0", "A4"]
+                .iter()
+                .all(|name| own.contains(&(*name).to_owned()))
+        );
     }
 
     #[test]

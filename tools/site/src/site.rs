@@ -2,6 +2,7 @@
 
 use crate::points::{Place, Points};
 use std::net::SocketAddr;
+use std::time::Duration;
 use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::map::Parity;
 
@@ -14,6 +15,8 @@ pub struct Site {
     pub lines: Vec<Line>,
     /// The Modbus TCP server, if there is one.
     pub modbus: Option<Modbus>,
+    /// The history, if one is kept.
+    pub history: Option<History>,
 }
 
 /// Where the page is served.
@@ -74,6 +77,17 @@ pub struct Board {
     pub program: Option<String>,
     /// Its points.
     pub points: Points,
+    /// How often its points are read.
+    pub every: Duration,
+}
+
+/// What the points were, kept in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct History {
+    /// The file, as the site file names it.
+    pub store: String,
+    /// How long every change is kept.
+    pub keep: Duration,
 }
 
 /// The Modbus TCP server of a site.

@@ -27,6 +27,9 @@ unoclp_program::messages! {
     no_host(given)
         "{given} is no host with a port; write \"10.0.0.7:502\""
         "{given} não é um computador com porta; escreva \"10.0.0.7:502\"";
+    no_time(given, from, to)
+        "{given} is no time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
+        "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
     open(listen)
         "{listen} is open to the network, and what goes over it is not encrypted; write `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
         "{listen} fica aberto para a rede, e o que passa por ela não é criptografado; escreva `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
@@ -90,15 +93,18 @@ unoclp_program::messages! {
     parity_none() "no parity" "sem paridade";
     parity_even() "even parity" "paridade par";
     parity_odd() "odd parity" "paridade ímpar";
-    board(name, address, unit)
-        "  board {name}: address {address}, unit {unit}"
-        "  placa {name}: endereço {address}, unidade {unit}";
+    board(name, address, unit, every)
+        "  board {name}: address {address}, unit {unit}, read every {every}"
+        "  placa {name}: endereço {address}, unidade {unit}, lida a cada {every}";
     board_program(program, count, sum)
         "    program {program}: its names ({count}) hold while the board keeps check sum {sum}"
         "    programa {program}: os nomes dele ({count}) valem enquanto a placa tiver a soma de verificação {sum}";
     board_alone()
         "    no program: points have their own names"
         "    sem programa: os pontos têm os seus próprios nomes";
+    history(store, keep)
+        "history: {store}, every change for {keep}, then minutes and hours"
+        "histórico: {store}, cada mudança por {keep}, depois minutos e horas";
     modbus_reads(address)
         "Modbus TCP: {address}, reading only"
         "Modbus TCP: {address}, só leitura";

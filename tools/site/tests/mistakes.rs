@@ -38,12 +38,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\n"),
             5,
-            "no key `mqtt` here; there is `http`, `line`, `modbus`",
+            "no key `mqtt` here; there is `http`, `line`, `modbus`, `history`",
         ),
         (
             with("colour = 1\n"),
             5,
-            "no key `colour` here; there is `address`, `unit`, `name`, `program`",
+            "no key `colour` here; there is `address`, `unit`, `name`, `program`, `every`",
         ),
         (
             "\n[[line]]\nport = \"a\"\n[[line.board]]\n".into(),
@@ -179,6 +179,27 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             5,
             "`unoclp check wrong.st` shows them",
         ),
+        (
+            with("every = \"5\"\n"),
+            5,
+            "5 is no time from 10ms to 1h; write \"100ms\"",
+        ),
+        (with("every = \"2h\"\n"), 5, "2h is no time from 10ms to 1h"),
+        (
+            with("[history]\nstore = \"h.db\"\nkeep = \"1m\"\n"),
+            7,
+            "1m is no time from 1h to 36500d",
+        ),
+        (
+            with("[history]\nkeep = \"1h\"\n"),
+            5,
+            "the key `store` is missing; write `store = \"history.db\"`",
+        ),
+        (
+            with("[history]\nstore = \"postgres://x\"\n"),
+            6,
+            "`store` cannot be \"postgres://x\"; give \"history.db\"",
+        ),
         (granted("x"), 8, "x names no point; write board and point"),
         (granted("y.valve"), 8, "there is no board y; there is x"),
         (
@@ -227,7 +248,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 25;
+const KINDS: usize = 26;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
@@ -257,7 +278,7 @@ fn no_text_brings_the_reader_down() {
 
 #[test]
 fn a_right_file_says_what_it_would_do() {
-    let text = granted("x.TARGET").replace("[modbus]", "address = 3\nunit = 7\n[modbus]")
+    let text = granted("x.TARGET").replace("[modbus]", "address = 3\nunit = 7\nevery = \"250ms\"\n[history]\nstore = \"h.db\"\nkeep = \"30d\"\n[modbus]")
         + "[http]\nlisten = \"0.0.0.0:80\"\ntls = \"none\"\n[[line]]\ntcp = \"10.0.0.7:502\"\n[[line.board]]\nname = \"y\"\n";
     let site = of(&text).unwrap();
     assert_eq!(
@@ -271,11 +292,12 @@ fn a_right_file_says_what_it_would_do() {
     for part in [
         "page: http://0.0.0.0:80/, open to the network, not encrypted",
         "line a: 115200 baud, no parity",
-        "board x: address 3, unit 7",
+        "board x: address 3, unit 7, read every 250ms",
         "program tank.st: its names (3) hold while the board keeps check sum ",
         "line 10.0.0.7:502: by Modbus TCP",
-        "board y: address 1, unit 1",
+        "board y: address 1, unit 1, read every 500ms",
         "no program: points have their own names",
+        "history: h.db, every change for 30d, then minutes and hours",
         "Modbus TCP: 127.0.0.1:1502; whoever reaches it may write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");

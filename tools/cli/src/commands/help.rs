@@ -56,6 +56,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Diz o que um gateway faria por ele, ou cada erro com a sua linha",
     ),
     (
+        "site history",
+        "Mostra o que um ponto foi, para uma planilha: valores separados por vírgula",
+    ),
+    (
         "settings",
         "Mostra e muda o endereço, a taxa, a paridade, o pino de direção e o bloqueio de uma placa",
     ),
@@ -242,6 +246,18 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "Compartilha as placas deste arquivo de instalação, como ele diz",
     ),
     ("site check", "site", "O arquivo de instalação (.toml)"),
+    ("site history", "site", "O arquivo de instalação (.toml)"),
+    ("site history", "point", "Placa e ponto: estufa.level"),
+    (
+        "site history",
+        "last",
+        "Desde quanto tempo atrás: 90s, 15m, 1h, 30d [padrão: 1h]",
+    ),
+    (
+        "site history",
+        "step",
+        "Uma linha para cada intervalo, com o menor, o maior e o último valor; sem isto, cada mudança",
+    ),
     (
         "",
         "port",
@@ -309,6 +325,8 @@ const VALUES: &[(&str, &str)] = &[
     ("FILES", "ARQUIVOS"),
     ("OUT.vcd", "REGISTRO.vcd"),
     ("SITE.toml", "INSTALAÇÃO.toml"),
+    ("BOARD.POINT", "PLACA.PONTO"),
+    ("TIME", "TEMPO"),
 ];
 
 /// The layout of a help page.

@@ -40,7 +40,7 @@ pub fn serve(doors: Doors) -> Outcome {
     };
     match site_file::open(&path)? {
         Ok(site) => {
-            share_site(&site, page)?;
+            share_site(&path, &site, page)?;
             Ok(true)
         }
         Err(mistakes) => {

@@ -104,9 +104,12 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
             name: "tty0".into(),
             unit: 1,
             program: None,
+            watched: None,
         }],
         tokens,
         modbus: None,
+        metrics: None,
+        keep: None,
         tell: None,
     });
     thread::spawn(move || server.run(pages, sharing).unwrap());

@@ -5,6 +5,7 @@ mod clients;
 mod common;
 mod modbus;
 mod pages;
+mod poll;
 mod remote;
 mod simulated;
 mod site;

@@ -167,7 +167,7 @@ fn whoever_operates_it_is_told_what_becomes_of_the_boards() {
     });
     let boards = Simulated::at(&[3, 4]);
     let lines = Line::begin_shared(boards.clone(), &[3, 4]);
-    let site = Site::of(boards, lines, Vec::new(), Some(tell));
+    let site = Site::of(boards, lines, Vec::new(), Some(tell), None);
     assert_eq!(told.recv().unwrap(), News::Found);
     assert_eq!(told.recv().unwrap(), News::Program);
     site.boards.unplug(true);

@@ -20,7 +20,13 @@ fn a_line_may_be_another_gateway() {
     let server = near.modbus.to_string();
     // Its units are the addresses here.
     let lines = Line::begin_shared(Remote::new(server, told), &[1, 2]);
-    let far = Site::of(near.boards.clone(), lines, vec![register(0, None)], None);
+    let far = Site::of(
+        near.boards.clone(),
+        lines,
+        vec![register(0, None)],
+        None,
+        None,
+    );
     near.boards.board(4).inputs = 0x42;
     assert_eq!(far.ask(2, &[2, 0, 0, 0, 8]), [2, 1, 0x42]);
     assert_eq!(

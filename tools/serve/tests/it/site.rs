@@ -8,7 +8,9 @@ use std::thread;
 use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::Table;
 use unoclp_modbus::map::Width;
-use unoclp_serve::{Line, Modbus, Server, SharedBoard, Sharing, Tell};
+use unoclp_serve::{
+    Keep, Line, Metric, Metrics, Modbus, Server, SharedBoard, Sharing, Tell, Watched,
+};
 use unoclp_site::{Grant, Place};
 
 /// A gateway of two boards at one line, whose addresses are 3 and 4, and whose units are 1 and 2.
@@ -24,10 +26,17 @@ impl Site {
     pub fn new(write: Vec<Grant>) -> Site {
         let boards = Simulated::at(&[3, 4]);
         let lines = Line::begin_shared(boards.clone(), &[3, 4]);
-        Site::of(boards, lines, write, None)
+        Site::of(boards, lines, write, None, None)
     }
 
-    pub fn of(boards: Simulated, lines: Vec<Line>, write: Vec<Grant>, tell: Option<Tell>) -> Site {
+    pub fn of(
+        boards: Simulated,
+        lines: Vec<Line>,
+        write: Vec<Grant>,
+        tell: Option<Tell>,
+        keep: Option<(Watched, Keep)>,
+    ) -> Site {
+        let (watched, keep) = keep.unzip();
         let server = Server::bind(LISTEN.parse().unwrap()).unwrap();
         let bound = Modbus::bind(LISTEN.parse().unwrap(), write).unwrap();
         let (page, modbus) = (server.address(), bound.address());
@@ -37,11 +46,14 @@ impl Site {
             name: name.into(),
             unit,
             program: Some(kept(3)),
+            watched: watched.clone().filter(|_| unit == 1),
         });
         let sharing = Sharing {
             boards: shared.collect(),
             tokens: None,
             modbus: Some(bound),
+            metrics: Some(numbers()),
+            keep,
             tell,
         };
         thread::spawn(move || server.run(pages, Some(sharing)).unwrap());
@@ -96,4 +108,16 @@ pub fn register(first: u16, while_kept: Option<Kept>) -> Grant {
         }],
         while_kept,
     }
+}
+
+/// The numbers of what stands behind.
+fn numbers() -> Metrics {
+    std::sync::Arc::new(|| {
+        vec![Metric {
+            name: "rows_total",
+            help: "Rows",
+            is_counter: true,
+            value: 7,
+        }]
+    })
 }
