@@ -10,8 +10,7 @@ use crate::count::{self, Count};
 use crate::programs::{self, Round, Tally};
 use crate::shell::{self, cargo, say};
 use crate::steps::{Steps, both};
-use crate::toolchain::Toolchain;
-use crate::{firmware, lab, node, setup, tested, wasm};
+use crate::{firmware, lab, node, setup, tested};
 
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
@@ -121,7 +120,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
                 programs.run(&round, is_wanted)
             })
         },
-        || test_page(&steps, &toolchain, &xtask),
+        || test_page(&steps, &xtask),
     )?;
     let mut others = examples;
     others += of_the_page;
@@ -130,8 +129,7 @@ pub fn run(args: &TestArgs) -> Result<()> {
 }
 
 /// Builds the page, and tries it in Chromium and inside the program `unoclp`.
-fn test_page(steps: &Steps, toolchain: &Toolchain, xtask: &Path) -> Result<Count> {
-    steps.run_aside("libraries for WebAssembly", &mut wasm::check(toolchain))?;
+fn test_page(steps: &Steps, xtask: &Path) -> Result<Count> {
     steps.run_aside("the page", Command::new(xtask).args(["lab", "--build"]))?;
     let mut page = lab::tests()?;
     let mut count =

@@ -1,8 +1,7 @@
-//! WebAssembly: checks that the libraries of a page compile for it, and builds the page's own module.
+//! WebAssembly: builds the page's modules, and with them every library that a page needs.
 //!
 //! Where rustup has installed the target, with the active toolchain; else with Debian's, which builds the
-//! standard library from source. For the check nothing is linked, and no code is made: that takes an eighth of the
-//! time.
+//! standard library from source.
 
 use std::fs;
 use std::path::Path;
@@ -13,31 +12,6 @@ use anyhow::{Context, Result};
 use crate::node;
 use crate::shell;
 use crate::toolchain::{Toolchain, own_linker};
-
-/// What a page needs: none of it knows a port, a thread or a terminal.
-const CRATES: &[&str] = &[
-    "unoclp-client",
-    "unoclp-boot",
-    "unoclp-card",
-    "unoclp-checked",
-    "unoclp-core",
-    "unoclp-exercise",
-    "unoclp-host-sim",
-    "unoclp-draw",
-    "unoclp-lang",
-    "unoclp-modbus",
-    "unoclp-program",
-];
-
-/// The command that checks them, in a folder of its own: another cargo may be at work in the usual one.
-pub fn check(toolchain: &Toolchain) -> Command {
-    let mut check = toolchain.cargo_for_wasm("check");
-    for package in CRATES {
-        check.args(["--package", package]);
-    }
-    check.args(["--target-dir", "target/wasm"]);
-    check
-}
 
 /// How small the standard library becomes where it is built anyway: a panic, which nothing reaches, stops the module
 /// without a word.

@@ -14,7 +14,8 @@ const NAMES: [&str; 6] = [
 ];
 
 /// Where a person or a page says which board is meant, or does not.
-const DOORS: [&str; 2] = [
+const DOORS: [&str; 3] = [
+    "tools/client/src/lib.rs",
     "tools/cli/src/commands/wording.rs",
     "page/bridge/src/facts.rs",
 ];

@@ -8,9 +8,6 @@ use serde::Serialize;
 use unoclp_core::Board;
 use unoclp_core::isa::{REGISTERS, RETENTIVE};
 
-/// What a board at the other end of a line has: no one that answers there has other points.
-pub const AT_A_LINE: Board = Board::UNO;
-
 /// What a board has.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]

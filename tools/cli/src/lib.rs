@@ -3,7 +3,7 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
-//! - `shared`: the page and a board for browsers, with the feature `page`
+//! - `shared`: the page and the boards for browsers, with the feature `page`; [`site_file`]: which boards
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
@@ -19,4 +19,5 @@ pub mod port;
 pub mod screen;
 #[cfg(feature = "page")]
 pub mod shared;
+pub mod site_file;
 mod variables;

@@ -1,5 +1,6 @@
 //! The command line: `unoclp check`, `compile`, `list`, `sim`, `grade`, `run` and `card` on this PC,
-//! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers.
+//! `unoclp upload`, `unoclp monitor`, `unoclp settings` and `unoclp flash` on a board, `unoclp serve` for browsers,
+//! `unoclp site` for the file that says what it serves.
 //!
 //! Exit codes: 0 all is well; 1 a program has faults or an expectation was not met; 2 the command
 //! could not be carried out.
@@ -11,8 +12,8 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Class, Doors, Firmware, Form, Leave, Over, Paper, What, Wording, in_portuguese,
-    langs, language, refuse,
+    At, Changes, Class, Doors, Firmware, Form, Leave, OfSite, Over, Paper, What, Wording,
+    in_portuguese, langs, language, refuse,
 };
 use std::env;
 use std::ffi::OsString;
@@ -154,10 +155,15 @@ enum Command {
         #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u8).range(1..=254))]
         end_forcing: Option<u8>,
     },
-    /// Serve the lab's page, and with --port share the board at that port
+    /// Serve the lab's page, and with --port or --site share boards
     Serve {
         #[command(flatten)]
         doors: Doors,
+    },
+    /// Check a site file: which boards a gateway serves, and to whom
+    Site {
+        #[command(subcommand)]
+        of: OfSite,
     },
     /// Show and set a board's address, rate, parity, direction pin and lock
     Settings {
@@ -312,6 +318,7 @@ fn main() -> ExitCode {
             end_forcing,
         } => commands::monitor(file.as_deref(), at.place(), end_forcing, &wording),
         Command::Serve { doors } => commands::serve(doors),
+        Command::Site { of } => commands::site(&of),
         Command::Settings { at, changes } => commands::settings(&at.place(), &changes),
     };
     match outcome {

@@ -1,15 +1,25 @@
-//! The page inside this program, and the board at a serial port as the gateway takes it.
+//! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
 use crate::messages;
 use crate::port::{Found, Place, Port, find};
+use crate::site_file;
 use anyhow::{Context, anyhow};
 use rust_embed::RustEmbed;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::net::SocketAddr;
+use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 use unoclp_client::{Failure, Patience};
+use unoclp_history::{Keeper, Sample, Store};
 use unoclp_modbus::client::Request;
-use unoclp_serve::{Board, Line, NoAnswer, Pages, Server, Sharing, Tokens};
+use unoclp_program::shown;
+use unoclp_serve::{
+    Absent, Board, Change, Keep, Line, Metric, Metrics, Modbus, News, NoAnswer, Pages, Remote,
+    Server, SharedBoard, Sharing, Tell, Tokens, Watched,
+};
+use unoclp_site::{History, Site, Way};
 
 /// What `cargo xtask lab --build` has built.
 #[derive(RustEmbed)]
@@ -39,30 +49,218 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
     let sharing = match place {
         None => None,
         Some(place) => {
-            let tokens = match server.is_local() {
-                true => None,
-                false => Some(Tokens::random().context("getrandom")?),
-            };
-            match &tokens {
-                None => println!("{}", messages::shared(&place.port)),
-                Some(Tokens { watch, control }) => {
-                    let with = |token| format!("{page}#board={token}");
-                    println!("{}", messages::watch_at(with(watch)));
-                    println!("{}", messages::control_at(with(control)));
-                    println!("{}", messages::open_to_network());
-                }
+            let tokens = tokens(&server, &page)?;
+            if tokens.is_none() {
+                println!("{}", messages::shared(&place.port));
             }
             let address = place.line.address;
             let name = place.port.clone();
             let board = AtPort { place, port: None };
             Some(Sharing {
-                line: Line::begin(board, address),
-                name,
+                boards: vec![SharedBoard {
+                    line: Line::begin(board, address),
+                    name,
+                    unit: address,
+                    program: None,
+                    watched: None,
+                }],
                 tokens,
+                modbus: None,
+                metrics: None,
+                keep: None,
+                tell: None,
             })
         }
     };
     server.run(pages, sharing).map_err(wrong)
+}
+
+/// The tokens of a server that is open to the network, and says where they lead; none for this PC alone.
+fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
+    if server.is_local() {
+        return Ok(None);
+    }
+    let tokens = Tokens::random().context("getrandom")?;
+    let with = |token: &str| format!("{page}#board={token}");
+    println!("{}", messages::watch_at(with(&tokens.watch)));
+    println!("{}", messages::control_at(with(&tokens.control)));
+    println!("{}", messages::open_to_network());
+    Ok(Some(tokens))
+}
+
+/// Serves the page, and shares the boards of this site, until the program ends. Says where, and what becomes of the boards.
+///
+/// # Errors
+/// Where an address cannot be served from.
+pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
+    let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
+    let listen = site.http.listen;
+    let server = Server::bind(listen).map_err(|error| wrong(listen, error))?;
+    let modbus = site.modbus.as_ref().map(|modbus| {
+        let bound = Modbus::bind(modbus.listen, modbus.write.clone());
+        bound.map_err(|error| wrong(modbus.listen, error))
+    });
+    let modbus = modbus.transpose()?;
+    let keeper = site.history.as_ref().map(|history| keeper(file, history));
+    let keeper = keeper.transpose()?.map(Arc::new);
+    let metrics = keeper.clone().map(metrics);
+    let keep = keeper.map(keep);
+    let page = format!("http://{}/", server.address());
+    println!("{page}{}", if server.is_local() { "#board" } else { "" });
+    let tokens = tokens(&server, &page)?;
+    for board in site.boards().skip(1) {
+        println!("{}", messages::page_of_board(&board.name));
+    }
+    if let Some(modbus) = &modbus {
+        println!("{}", messages::modbus_at(modbus.address()));
+    }
+    let programs: BTreeMap<_, _> = site
+        .boards()
+        .cloned()
+        .map(|of| (of.name, of.program))
+        .collect();
+    let tell: Tell = Arc::new(move |board: &str, news| {
+        let program = programs.get(board).cloned().flatten().unwrap_or_default();
+        println!("{}", told(board, &program, news));
+    });
+    let sharing = Sharing {
+        boards: site.lines.iter().flat_map(boards).collect(),
+        tokens,
+        modbus,
+        metrics,
+        keep,
+        tell: Some(tell),
+    };
+    server
+        .run(pages, Some(sharing))
+        .map_err(|error| wrong(listen, error))
+}
+
+/// Opens the history of a site, and begins to write into it.
+fn keeper(site: &Path, history: &History) -> anyhow::Result<Keeper> {
+    let file = site_file::beside(site, &history.store);
+    let store = Store::open(&file).map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    Ok(Keeper::begin(
+        store,
+        history.keep,
+        move |failure| match failure {
+            Some(why) => println!("{}", messages::store_failure(&file, why)),
+            None => println!("{}", messages::history_again(shown(&file))),
+        },
+    ))
+}
+
+/// Writes what has changed.
+fn keep(keeper: Arc<Keeper>) -> Keep {
+    let sample = |change| {
+        let Change {
+            board,
+            point,
+            at,
+            value,
+        } = change;
+        Sample {
+            board,
+            point,
+            at,
+            value,
+        }
+    };
+    Arc::new(move |changes: Vec<Change>| {
+        keeper.keep(changes.into_iter().map(sample).collect());
+    })
+}
+
+/// How it stands with the history, in numbers.
+fn metrics(keeper: Arc<Keeper>) -> Metrics {
+    Arc::new(move || {
+        let state = keeper.state();
+        let number = |name, help, is_counter, value| Metric {
+            name,
+            help,
+            is_counter,
+            value,
+        };
+        vec![
+            number(
+                "history_rows_total",
+                "Rows written to the history",
+                true,
+                state.written,
+            ),
+            number(
+                "history_dropped_total",
+                "Rows given up, since the history took nothing for too long",
+                true,
+                state.dropped,
+            ),
+            number(
+                "history_waiting",
+                "Rows that wait for the history",
+                false,
+                state.waiting as u64,
+            ),
+            number(
+                "history_failing",
+                "Whether the history takes nothing at present",
+                false,
+                state.failure.is_some().into(),
+            ),
+        ]
+    })
+}
+
+/// What has become of a board, in words.
+fn told(board: &str, program: &str, news: News) -> String {
+    match news {
+        News::Found => messages::board_found(board),
+        News::Away(why) => messages::board_away(board, why),
+        News::Program => messages::board_keeps(board, program),
+        News::OtherProgram => messages::board_keeps_other(board, program),
+    }
+}
+
+/// The boards of a line of a site, each with its way there.
+fn boards(line: &unoclp_site::Line) -> impl Iterator<Item = SharedBoard> {
+    let addresses: Vec<u8> = line.boards.iter().map(|board| board.address).collect();
+    let lines = match &line.way {
+        Way::Serial { port, rate, parity } => {
+            let place = Place {
+                port: port.clone(),
+                line: unoclp_client::Line {
+                    rate: *rate,
+                    parity: *parity,
+                    ..unoclp_client::Line::default()
+                },
+            };
+            Line::begin_shared(AtPort { place, port: None }, &addresses)
+        }
+        Way::Tcp { server } => Line::begin_shared(Remote::new(server.clone(), absent), &addresses),
+    };
+    line.boards
+        .iter()
+        .zip(lines)
+        .map(|(board, line)| SharedBoard {
+            line,
+            name: board.name.clone(),
+            unit: board.unit,
+            program: board.points.program,
+            watched: Some(Watched {
+                points: board.points.clone(),
+                every: board.every,
+            }),
+        })
+}
+
+/// Why a board is not behind a server, in words.
+fn absent(server: &str, why: Absent) -> String {
+    match why {
+        Absent::Unreached(error) => messages::not_reached(server, messages::io(&error)),
+        Absent::Silent(address) => messages::silent_behind(server, address),
+        Absent::Foreign(foreign) => {
+            messages::no_unoclp(server, messages::foreign(foreign.as_ref()))
+        }
+    }
 }
 
 /// How long an answer is waited for that a visitor has asked for. A visitor asks again, so it is sent once.
@@ -73,14 +271,19 @@ const PATIENCE: Patience = Patience {
     store: Duration::from_secs(8),
 };
 
-/// The board at a serial port.
+/// The boards at a serial port.
 struct AtPort {
     place: Place,
     port: Option<Port>,
 }
 
 impl Board for AtPort {
-    fn find(&mut self) -> Result<(), String> {
+    fn find(&mut self, address: u8, others: bool) -> Result<(), String> {
+        self.place.line.address = address;
+        if let Some(port) = self.port.as_mut().filter(|_| others) {
+            let found = port.seek(&self.place, false);
+            return found.map(drop).map_err(|why| why.to_string());
+        }
         self.port = None;
         let Found { port, .. } = find(&self.place, PATIENCE).map_err(|why| why.to_string())?;
         self.port = Some(port);

@@ -22,11 +22,11 @@ struct Server {
 
 impl Server {
     fn new(http: &str, more: &[&str]) -> Server {
-        let mut child = unoclp(http)
-            .args(more)
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+        Server::of(unoclp(http).args(more))
+    }
+
+    fn of(command: &mut Command) -> Server {
+        let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut says = BufReader::new(child.stdout.take().unwrap()).lines();
         let first = says.next().unwrap().unwrap();
         let (address, fragment) = first["http://".len()..].split_once('/').unwrap();
@@ -43,9 +43,13 @@ impl Server {
     }
 
     fn visitor(&self, token: &str) -> WebSocket<TcpStream> {
+        self.visitor_of("", token)
+    }
+
+    fn visitor_of(&self, board: &str, token: &str) -> WebSocket<TcpStream> {
         let port = self.address.rsplit_once(':').unwrap().1;
         let stream = TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
-        let request = format!("ws://127.0.0.1:{port}/line").into_client_request();
+        let request = format!("ws://127.0.0.1:{port}/line{board}").into_client_request();
         let (mut socket, _) = tungstenite::client(request.unwrap(), stream).unwrap();
         socket.send(Message::text(token.to_owned())).unwrap();
         while socket.read().unwrap() != Message::text(r#"{"board":true}"#) {}
@@ -60,10 +64,28 @@ impl Drop for Server {
     }
 }
 
+fn unoclp_site(file: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+    command.args(["serve", "--site", file]).env("LC_ALL", "C");
+    command
+}
+
 fn unoclp(http: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
     command.args(["serve", "--http", http]).env("LC_ALL", "C");
     command
+}
+
+/// A site of these lines, whose page is at any port.
+fn site(name: &str, lines: &str) -> String {
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let program = "PROGRAM p VAR lamp AT %QX0.0 : BOOL; END_VAR lamp := TRUE; END_PROGRAM\n";
+    std::fs::write(format!("{folder}/lamp.st"), program).unwrap();
+    let file = format!("{folder}/{name}.toml");
+    let text =
+        format!("[http]\nlisten = \"127.0.0.1:0\"\n[modbus]\nlisten = \"127.0.0.1:0\"\n{lines}");
+    std::fs::write(&file, text).unwrap();
+    file
 }
 
 /// STOP by command (docs/modbus.md).
@@ -158,6 +180,130 @@ fn a_browser_watches_or_controls_the_board() {
     let watch = open.line().replace("to watch:   ", "");
     visit(&watch.replace("0.0.0.0", "127.0.0.1"), "watch");
     assert_eq!(fake.board().state, pty::RUN);
+    drop(open);
+    // The second board of a site, by its name.
+    let lines = format!(
+        "[[line]]\nport = \"/dev/none\"\n[[line.board]]\nname = \"none\"\nunit = 2\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"here\"\n",
+        fake.path()
+    );
+    let of_site = Server::of(&mut unoclp_site(&site("browser", &lines)));
+    visit(
+        &format!("http://{}/#board/here", of_site.address),
+        "control",
+    );
+    assert_eq!(fake.board().state, pty::STOP);
+}
+
+#[test]
+fn the_boards_of_a_site_are_served_each_by_its_name() {
+    let [one, two] = [(); 2].map(|()| Fake::new(Board::default()));
+    let lines = format!(
+        "[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nprogram = \"lamp.st\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"two\"\nunit = 2\n",
+        one.path(),
+        two.path()
+    );
+    let file = site("two_boards", &lines);
+    let mut server = Server::of(&mut unoclp_site(&file));
+    let told = server.line();
+    assert_eq!(
+        told,
+        "board two: the same page with #board/two in place of #board"
+    );
+    let modbus = server.line().replace("Modbus TCP: ", "");
+    let mut said = Vec::new();
+    while said.len() < 3 {
+        said.push(server.line());
+    }
+    said.sort();
+    let other =
+        "one: keeps another program than lamp.st, so the names of that file do not hold; upload it";
+    assert_eq!(said, ["one: found", other, "two: found"]);
+    assert!(ask(&mut server.visitor_of("/two", ""), &stop(), |_| ()).is_some());
+    assert_eq!(two.board().state, pty::STOP);
+    assert_ne!(one.board().state, pty::STOP);
+    // STOP has no name, so it does not pass here.
+    let mut client = TcpStream::connect(modbus).unwrap();
+    client
+        .write_all(&[0, 1, 0, 0, 0, 6, 1, 6, 0x01, 0x90, 0, 2])
+        .unwrap();
+    let mut answer = [0; 9];
+    client.read_exact(&mut answer).unwrap();
+    assert_eq!(answer[7..], [0x86, 1]);
+}
+
+#[test]
+fn the_boards_of_a_line_are_served_over_tcp_too() {
+    let board = |address: u16| {
+        let mut board = Board::default();
+        board.settings[0] = address;
+        Fake::new(board)
+    };
+    let near = board(7);
+    let lines = format!(
+        "[[line]]\nport = {:?}\nrate = 115200\n[[line.board]]\nname = \"near\"\naddress = 7\nunit = 9\n",
+        near.path()
+    );
+    let mut first = Server::of(&mut unoclp_site(&site("near", &lines)));
+    let modbus = first.line().replace("Modbus TCP: ", "");
+    let lines =
+        format!("[[line]]\ntcp = {modbus:?}\n[[line.board]]\nname = \"far\"\naddress = 9\n");
+    let second = Server::of(&mut unoclp_site(&site("far", &lines)));
+    let mut visitor = second.visitor_of("/far", "");
+    let product = ask(&mut visitor, &Request::identify(9), |reply| {
+        reply.texts().nth(1).map(<[u8]>::to_vec)
+    });
+    assert_eq!(product.flatten().as_deref(), Some(&b"unoclp UNO"[..]));
+}
+
+#[test]
+fn what_a_board_was_is_kept_and_printed() {
+    let fake = Fake::new(Board::default());
+    fake.board().outputs = 4;
+    let lines = format!(
+        "[history]\nstore = \"kept.db\"\n[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        fake.path()
+    );
+    let file = site("kept", &lines);
+    for end in ["db", "db-wal", "db-shm"] {
+        // That of the last time, if there was one.
+        let _ = std::fs::remove_file(file.replace("toml", end));
+    }
+    let _server = Server::of(&mut unoclp_site(&file));
+    let printed = |point: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+        let output = command
+            .args(["site", "history", &file, point])
+            .env("LC_ALL", "C")
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    // It is written together with what comes within a second.
+    while !printed("one.Q3").ends_with(",1,1,1\n") {}
+    fake.board().outputs = 0;
+    while !printed("one.Q3").ends_with(",0,0,0\n") {}
+    assert_eq!(
+        printed("one.Q3")
+            .lines()
+            .filter(|line| line.ends_with(",1,1,1"))
+            .count(),
+        1
+    );
+    assert!(printed("one.Q1").ends_with(",0,0,0\n"));
+}
+
+#[test]
+fn a_site_file_with_a_mistake_is_not_served() {
+    let file = site("wrong", "[[line]]\nport = \"/dev/none\"\n");
+    let refused = unoclp_site(&file).output().unwrap();
+    assert_eq!(refused.status.code(), Some(1));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        said.starts_with(&format!("{file}:5: this line has no board;")),
+        "{said}"
+    );
 }
 
 #[test]

@@ -32,3 +32,6 @@ pub use client::{Client, Failure, Line, Patience};
 pub use conversation::{Conversation, Next, Step};
 pub use unoclp_modbus::map::Parity;
 pub use unoclp_modbus::{lock, map};
+
+/// What a board at the other end of a line has: none that answers there has other points.
+pub const AT_A_LINE: unoclp_core::Board = unoclp_core::Board::UNO;

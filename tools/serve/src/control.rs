@@ -65,6 +65,11 @@ impl Control {
         Ok(())
     }
 
+    /// Whether a visitor controls now.
+    pub fn is_held(&self, now: Instant) -> bool {
+        self.holder.is_some_and(|(_, until)| now < until)
+    }
+
     /// The board has done what this visitor asked for.
     pub fn done(&mut self, visitor: Visitor, request: &Request) {
         if begins_upload(request) {

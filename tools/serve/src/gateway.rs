@@ -8,18 +8,23 @@
 
 use crate::control::Control;
 use crate::forcing::forces;
-use crate::line::{Line, Presence};
+use crate::line::Line;
+use crate::owner::Presence;
 use crate::slots::{Slot, Slots};
 use crate::tokens::{Role, Tokens, Visitor};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 use tokio::time::timeout;
+use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::client::Request;
+use unoclp_modbus::map::{form, input};
+use unoclp_modbus::{Exception, Table};
 
 /// Within this a visitor sends the head of its request and the token, and takes a part of what is sent: a slower one is
 /// dropped.
@@ -31,7 +36,7 @@ const SIGNS: u32 = 3;
 /// The longest message, bytes: no request is longer.
 pub(crate) const LONGEST: usize = 256;
 
-/// What all visitors share.
+/// A board, and what all its visitors share.
 #[derive(Debug)]
 pub(crate) struct Gateway {
     pub line: Line,
@@ -44,6 +49,16 @@ pub(crate) struct Gateway {
     pub forcing: tokio::sync::Mutex<()>,
     /// None where only this PC is served: its user may do all.
     pub tokens: Option<Tokens>,
+    pub places: Places,
+    values: Mutex<Values>,
+}
+
+/// What the points of a board were when they were last read; none of a point that is not known any more.
+pub(crate) type Values = BTreeMap<String, Option<f64>>;
+
+/// Places for visitors, of all boards together.
+#[derive(Clone, Debug)]
+pub(crate) struct Places {
     /// For all who have shown a token.
     pub watchers: Slots,
     /// For those alone who may control.
@@ -115,11 +130,30 @@ async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
 }
 
 impl Gateway {
+    /// A board that nobody visits yet.
+    pub fn new(line: Line, name: String, tokens: Option<Tokens>, places: Places) -> Gateway {
+        Gateway {
+            line,
+            name,
+            control: Mutex::default(),
+            forced: Notify::new(),
+            forcing: tokio::sync::Mutex::default(),
+            tokens,
+            places,
+            values: Mutex::default(),
+        }
+    }
+
     pub fn control(&self) -> std::sync::MutexGuard<'_, Control> {
         self.control.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn role(&self, token: &str) -> Option<Role> {
+    /// What its points were when they were last read, where they are read.
+    pub fn values(&self) -> std::sync::MutexGuard<'_, Values> {
+        self.values.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn role(&self, token: &str) -> Option<Role> {
         match &self.tokens {
             None => Some(Role::Control),
             Some(tokens) => tokens.role(token),
@@ -129,10 +163,10 @@ impl Gateway {
     /// Room for a visitor, if there is some.
     fn slot(&self, role: Role, address: IpAddr) -> Option<Slot> {
         let kept = match role {
-            Role::Control => self.controllers.ask(address),
+            Role::Control => self.places.controllers.ask(address),
             Role::Watch => None,
         };
-        kept.or_else(|| self.watchers.ask(address))
+        kept.or_else(|| self.places.watchers.ask(address))
     }
 }
 
@@ -205,6 +239,28 @@ async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Reques
         gateway.control().done(visitor, &request);
     }
     reply
+}
+
+/// Which program the board keeps.
+pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
+    let (first, last) = (input::FLAGS.first, input::PROGRAM_SUM.first);
+    let count = last - first + 1;
+    let address = gateway.line.address();
+    let request = Request::read(address, Table::InputRegisters, first, count);
+    let reply = gateway.line.ask(request.clone(), Role::Control).await;
+    let Some(Ok(reply)) = request.answer(&reply) else {
+        return Err(Exception::GatewayTargetSilent);
+    };
+    let words: Vec<u16> = reply.words().collect();
+    let word = |address: u16| words.get(usize::from(address - first)).copied();
+    match [first, input::PROGRAM_BYTES.first, last].map(word) {
+        [Some(flags), Some(bytes), Some(sum)] => Ok(Kept {
+            version: form::version(flags),
+            bytes,
+            sum,
+        }),
+        _ => Err(Exception::GatewayTargetSilent),
+    }
 }
 
 fn of(presence: &Presence) -> serde_json::Value {

@@ -1,10 +1,16 @@
-//! The page over HTTP, and the gateway that shares the board at this PC among many (`docs/remote.md`).
+//! The page over HTTP, and the gateway that shares the boards at this PC among many (`docs/remote.md`, `docs/site.md`).
 //!
 //! - [`Pages`]: the files of the page, which somebody else has
 //! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
-//! - [`Line`]: the one owner of the line to the board; `turns`: whose request goes next
+//! - [`Line`]: the way to a board, of which `owner` has the port; `turns`: whose request goes next
 //! - `control`, `forcing`: who controls, and who has forced points, which `release` lets go
 //! - `gateway`: one visitor's way to that line, a WebSocket
+//! - [`Remote`]: a line that is a Modbus TCP server
+//! - [`News`]: what is told of the boards
+//! - [`Watched`]: boards that are read again and again, and what has changed
+//! - [`Modbus`]: the same boards over Modbus TCP
+//! - [`Sharing`]: what is shared
+//! - `api`: what other programs read over HTTP
 //! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
 //!
 //! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
@@ -12,19 +18,33 @@
 
 #![forbid(unsafe_code)]
 
+mod api;
 mod control;
 mod doors;
 mod forcing;
 mod gateway;
 mod line;
+mod modbus;
+mod news;
+mod owner;
 mod page;
+mod poll;
 mod release;
+mod remote;
 mod server;
+mod sharing;
 mod slots;
 mod tokens;
 mod turns;
 
-pub use line::{Board, Line, NoAnswer};
+pub use api::{Metric, Metrics};
+pub use line::Line;
+pub use modbus::Modbus;
+pub use news::{News, Tell};
+pub use owner::{Board, NoAnswer};
 pub use page::Pages;
-pub use server::{Server, Sharing};
+pub use poll::{Change, Keep, Watched};
+pub use remote::{Absent, Remote};
+pub use server::Server;
+pub use sharing::{SharedBoard, Sharing};
 pub use tokens::{Role, Tokens};

@@ -1,15 +1,18 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::control::Control;
+use crate::api::Api;
 use crate::doors;
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
-use crate::line::Line;
+use crate::modbus;
+use crate::news;
 use crate::page::{self, Pages};
+use crate::poll;
 use crate::release;
+use crate::sharing::{Sharing, Unit, Wired};
 use crate::slots::{Slot, Slots};
-use crate::tokens::{Tokens, Visitor};
+use crate::tokens::Visitor;
 use axum::body::Body;
-use axum::extract::{State, WebSocketUpgrade};
+use axum::extract::{Path, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, Request, Response, StatusCode, Uri};
 use axum::response::IntoResponse;
 use axum::routing::get;
@@ -19,11 +22,10 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use std::io;
 use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use tokio::net::TcpStream;
-use tokio::sync::Notify;
 use tokio_io_timeout::TimeoutStream;
 use tower::ServiceExt;
 
@@ -31,23 +33,8 @@ use tower::ServiceExt;
 const CONNECTIONS: usize = 128;
 /// Those of one address. A browser takes six.
 const CONNECTIONS_EACH: usize = 32;
-/// Visitors of the board at a time, and those of one address; more are refused.
-const VISITORS: usize = 64;
-/// Visitors who may control for whom there is always room.
-const CONTROLLERS: usize = 8;
 /// The longest head, bytes.
 const LONGEST_HEAD: usize = 16 << 10;
-
-/// A board that is shared.
-#[derive(Debug)]
-pub struct Sharing {
-    /// The line to it.
-    pub line: Line,
-    /// What it is called in the page.
-    pub name: String,
-    /// Who may do what; without them, everybody on this PC may do all. Only then is the server bound to this PC.
-    pub tokens: Option<Tokens>,
-}
 
 /// A server that is bound to its address.
 #[derive(Debug)]
@@ -61,7 +48,8 @@ pub struct Server {
 struct Shared {
     pages: Pages,
     is_local: bool,
-    gateway: Option<Arc<Gateway>>,
+    gateways: Arc<[Arc<Gateway>]>,
+    api: Api,
     /// The number of the next visitor.
     next: Arc<AtomicU64>,
 }
@@ -95,45 +83,73 @@ impl Server {
         self.address.ip().is_loopback()
     }
 
-    /// Serves the page, and shares the board if there is one, for ever.
+    /// Serves the page, and shares the boards if there are some, for ever.
     ///
     /// # Errors
     /// Where the system takes the address away.
     pub fn run(self, pages: Pages, sharing: Option<Sharing>) -> io::Result<()> {
         let is_local = self.is_local();
-        let gateway = sharing.map(|Sharing { line, name, tokens }| {
-            let control = Mutex::new(Control::default());
-            Arc::new(Gateway {
-                line,
-                name,
-                control,
-                forced: Notify::new(),
-                forcing: tokio::sync::Mutex::default(),
-                tokens,
-                watchers: Slots::new(VISITORS, VISITORS),
-                controllers: Slots::new(CONTROLLERS, CONTROLLERS),
-            })
-        });
+        let Wired {
+            boards,
+            modbus,
+            metrics,
+            keep,
+            tell,
+        } = sharing.map(Sharing::wire).unwrap_or_default();
+        let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
+        let api = Api {
+            gateways: gateways.clone(),
+            is_local,
+            metrics,
+        };
         let shared = Shared {
             pages,
+            api,
             is_local,
-            gateway,
+            gateways,
             next: Arc::default(),
         };
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_all()
             .build()?;
-        runtime.block_on(take_connections(self.listener, shared))
+        runtime.block_on(async {
+            for Unit {
+                gateway,
+                program,
+                watched,
+                ..
+            } in &boards
+            {
+                tokio::spawn(release::attend(gateway.clone()));
+                if let Some(watched) = watched {
+                    let watching = poll::attend(gateway.clone(), watched.clone(), keep.clone());
+                    tokio::spawn(watching);
+                }
+                if let Some(tell) = &tell {
+                    tokio::spawn(news::attend(gateway.clone(), *program, tell.clone()));
+                }
+            }
+            let units = boards.into_iter().map(|board| (board.unit, board.gateway));
+            let pages = take_connections(self.listener, shared);
+            match modbus {
+                Some(modbus) => {
+                    let units = modbus::serve(modbus, units.collect());
+                    tokio::try_join!(pages, units).map(drop)
+                }
+                None => pages.await,
+            }
+        })
     }
 }
 
 async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<()> {
-    if let Some(gateway) = &shared.gateway {
-        tokio::spawn(release::attend(gateway.clone()));
-    }
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let routes = Router::new()
-        .route("/line", get(line))
+        .route("/line", get(first))
+        .route("/line/{board}", get(named))
+        .route("/health", get(health))
+        .route("/metrics", get(metrics))
+        .route("/api/boards", get(boards))
         .fallback(get(file))
         .with_state(shared);
     let slots = Slots::new(CONNECTIONS, CONNECTIONS_EACH);
@@ -177,6 +193,18 @@ async fn serve(stream: TcpStream, routes: Router, connection: Connection) {
     }
 }
 
+async fn health(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.health(&headers)
+}
+
+async fn metrics(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.metrics(&headers)
+}
+
+async fn boards(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
+    shared.api.boards(&headers)
+}
+
 async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Response<Body> {
     if !doors::lets_in(&headers, shared.is_local) {
         return StatusCode::FORBIDDEN.into_response();
@@ -184,16 +212,41 @@ async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Res
     page::file(shared.pages, uri.path())
 }
 
-async fn line(
+/// A visitor of the first board.
+async fn first(
     State(shared): State<Shared>,
-    Extension(Connection { slot, address }): Extension<Connection>,
+    Extension(connection): Extension<Connection>,
     headers: HeaderMap,
     upgrade: WebSocketUpgrade,
 ) -> Response<Body> {
-    if !doors::lets_in(&headers, shared.is_local) {
+    let gateway = shared.gateways.first().cloned();
+    visit(shared, connection, &headers, upgrade, gateway)
+}
+
+/// A visitor of the board of this name.
+async fn named(
+    State(shared): State<Shared>,
+    Path(name): Path<String>,
+    Extension(connection): Extension<Connection>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response<Body> {
+    let of_name = |gateway: &&Arc<Gateway>| gateway.name == name;
+    let gateway = shared.gateways.iter().find(of_name).cloned();
+    visit(shared, connection, &headers, upgrade, gateway)
+}
+
+fn visit(
+    shared: Shared,
+    Connection { slot, address }: Connection,
+    headers: &HeaderMap,
+    upgrade: WebSocketUpgrade,
+    gateway: Option<Arc<Gateway>>,
+) -> Response<Body> {
+    if !doors::lets_in(headers, shared.is_local) {
         return StatusCode::FORBIDDEN.into_response();
     }
-    let Some(gateway) = shared.gateway else {
+    let Some(gateway) = gateway else {
         return StatusCode::NOT_FOUND.into_response();
     };
     let visitor: Visitor = shared.next.fetch_add(1, Ordering::Relaxed);

@@ -45,7 +45,19 @@ const COMMANDS: &[(&str, &str)] = &[
     ),
     (
         "serve",
-        "Serve a página do laboratório e, com --port, compartilha a placa nessa porta",
+        "Serve a página do laboratório e, com --port ou --site, compartilha placas",
+    ),
+    (
+        "site",
+        "Confere um arquivo de instalação: que placas um gateway serve, e a quem",
+    ),
+    (
+        "site check",
+        "Diz o que um gateway faria por ele, ou cada erro com a sua linha",
+    ),
+    (
+        "site history",
+        "Mostra o que um ponto foi, para uma planilha: valores separados por vírgula",
     ),
     (
         "settings",
@@ -229,6 +241,24 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "Compartilha a placa nesta porta serial: /dev/ttyACM0, /dev/ttyUSB0, COM3 …",
     ),
     (
+        "serve",
+        "site",
+        "Compartilha as placas deste arquivo de instalação, como ele diz",
+    ),
+    ("site check", "site", "O arquivo de instalação (.toml)"),
+    ("site history", "site", "O arquivo de instalação (.toml)"),
+    ("site history", "point", "Placa e ponto: estufa.level"),
+    (
+        "site history",
+        "last",
+        "Desde quanto tempo atrás: 90s, 15m, 1h, 30d [padrão: 1h]",
+    ),
+    (
+        "site history",
+        "step",
+        "Uma linha para cada intervalo, com o menor, o maior e o último valor; sem isto, cada mudança",
+    ),
+    (
         "",
         "port",
         "A porta serial: /dev/ttyACM0, /dev/ttyUSB0, COM3 …",
@@ -294,6 +324,9 @@ const VALUES: &[(&str, &str)] = &[
     ("EXERCISE", "EXERCÍCIO"),
     ("FILES", "ARQUIVOS"),
     ("OUT.vcd", "REGISTRO.vcd"),
+    ("SITE.toml", "INSTALAÇÃO.toml"),
+    ("BOARD.POINT", "PLACA.PONTO"),
+    ("TIME", "TEMPO"),
 ];
 
 /// The layout of a help page.
@@ -301,7 +334,19 @@ const PAGE: &str = "{about-with-newline}\nUso: {usage}\n\n{all-args}";
 
 /// The same command line, explained in Portuguese.
 pub fn in_portuguese(command: Command) -> Command {
-    let name = command.get_name().to_owned();
+    below("", command)
+}
+
+/// The name of a command of another: `site check`. Those of `unoclp` have their own.
+fn full_name(above: &str, command: &Command) -> String {
+    match above {
+        "" | "unoclp" => command.get_name().to_owned(),
+        above => format!("{above} {}", command.get_name()),
+    }
+}
+
+fn below(above: &str, command: Command) -> Command {
+    let name = full_name(above, &command);
     let mut command = command
         .help_template(PAGE)
         .subcommand_help_heading("Comandos")
@@ -348,7 +393,7 @@ pub fn in_portuguese(command: Command) -> Command {
             false => argument,
         }
     });
-    command.mut_subcommands(in_portuguese)
+    command.mut_subcommands(|command| below(&name, command))
 }
 
 /// What this argument of this command means.
@@ -370,25 +415,27 @@ mod tests {
             .collect()
     }
 
+    /// A command and all below it, each with its name.
+    fn all(above: &str, command: &Command) -> Vec<(String, Command)> {
+        let name = full_name(above, command);
+        let below = command.get_subcommands();
+        let below: Vec<_> = below.flat_map(|of| all(&name, of)).collect();
+        [vec![(name, command.clone())], below].concat()
+    }
+
     #[test]
     fn everything_is_explained_in_portuguese() {
         let english = crate::Arguments::command();
         let portuguese = in_portuguese(english.clone());
-        let all = |command: &Command| {
-            let subcommands = command.get_subcommands().cloned();
-            [command.clone()]
-                .into_iter()
-                .chain(subcommands)
-                .collect::<Vec<_>>()
-        };
-        for (english, portuguese) in all(&english).iter().zip(all(&portuguese)) {
-            let name = english.get_name();
+        let (english, portuguese) = (all("", &english), all("", &portuguese));
+        assert!(english.len() > 14);
+        for ((name, english), (_, portuguese)) in english.iter().zip(&portuguese) {
             assert!(
-                COMMANDS.iter().any(|(command, _)| *command == name),
+                COMMANDS.iter().any(|(command, _)| command == name),
                 "{name}"
             );
             let about = |command: &Command| command.get_about().map(ToString::to_string);
-            assert_ne!(about(english), about(&portuguese), "{name}");
+            assert_ne!(about(english), about(portuguese), "{name}");
             for argument in arguments(english) {
                 assert!(words(name, &argument).is_some(), "{name}: {argument}");
             }
@@ -399,7 +446,7 @@ mod tests {
     fn a_page_of_help_has_no_english_left() {
         let mut command = in_portuguese(crate::Arguments::command());
         let mut pages = vec![command.render_long_help().to_string()];
-        for subcommand in command.get_subcommands_mut() {
+        for (_, mut subcommand) in all("", &command) {
             pages.push(subcommand.render_long_help().to_string());
         }
         for page in pages {

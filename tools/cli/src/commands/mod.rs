@@ -10,7 +10,7 @@
 //! - `run`: a program on this PC, and its variables
 //! - `monitor`, `settings`, `upload`: the commands that speak to a board
 //! - `flash`: the firmware of a board
-//! - `serve`: the page, and a board behind it
+//! - `serve`, `site`: the page, and the boards behind it
 
 /// Says a line, if anybody reads it: a board is not left half done because nobody does.
 macro_rules! say {
@@ -37,6 +37,7 @@ mod run;
 mod serve;
 mod settings;
 mod sim;
+mod site;
 mod upload;
 mod wording;
 mod words;
@@ -55,6 +56,7 @@ pub use run::{What, run};
 pub use serve::{Doors, serve};
 pub use settings::{Changes, settings};
 pub use sim::{Run, scenario, simulate};
+pub use site::{OfSite, site};
 pub use upload::{Leave, upload};
 pub use wording::{Wording, langs, language};
 pub use words::{Form, Paper};

@@ -4,8 +4,9 @@ use super::Spoken;
 use crate::outcome::Outcome;
 use clap::Args;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 
-/// Where the page is served, and which board is shared.
+/// Where the page is served, and which boards are shared.
 #[derive(Args)]
 pub struct Doors {
     /// Where to serve the page; port 0 takes a free one
@@ -14,25 +15,53 @@ pub struct Doors {
     /// Share the board at this serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: Option<String>,
+    /// Share the boards of this site file, as it says
+    #[arg(long, value_name = "SITE.toml", conflicts_with_all = ["http", "port", "address", "rate", "parity"])]
+    site: Option<PathBuf>,
     #[command(flatten)]
     spoken: Spoken,
 }
 
-/// Serves the page until Ctrl-C, and shares the board if there is one.
+/// Serves the page until Ctrl-C, and shares the boards if there are some.
 #[cfg(feature = "page")]
 pub fn serve(doors: Doors) -> Outcome {
-    use unoclp_cli::shared::{page, share};
-    let Doors { http, port, spoken } = doors;
-    let place = port.map(|port| spoken.at(port));
-    share(http, place, page)?;
-    Ok(true)
+    use unoclp_cli::shared::{page, share, share_site};
+    use unoclp_cli::site_file;
+    let Doors {
+        http,
+        port,
+        site,
+        spoken,
+    } = doors;
+    let Some(path) = site else {
+        let place = port.map(|port| spoken.at(port));
+        share(http, place, page)?;
+        return Ok(true);
+    };
+    match site_file::open(&path)? {
+        Ok(site) => {
+            share_site(&path, &site, page)?;
+            Ok(true)
+        }
+        Err(mistakes) => {
+            for mistake in mistakes {
+                anstream::eprintln!("{mistake}");
+            }
+            Ok(false)
+        }
+    }
 }
 
 /// Says how to get the page.
 #[cfg(not(feature = "page"))]
 pub fn serve(doors: Doors) -> Outcome {
-    let Doors { http, port, spoken } = doors;
+    let Doors {
+        http,
+        port,
+        site,
+        spoken,
+    } = doors;
     // What was asked for waits for a program that has the page.
-    drop((http, port.map(|port| spoken.at(port))));
+    drop((http, port.map(|port| spoken.at(port)), site));
     Err(anyhow::anyhow!(unoclp_cli::messages::no_page()))
 }

@@ -4,6 +4,7 @@
 
 use super::spoken::spoken;
 use super::table::*;
+use std::path::Path;
 use unoclp_boot::Stage;
 use unoclp_client::diagnostics::Trouble;
 use unoclp_client::identity::Identity;
@@ -13,7 +14,7 @@ use unoclp_client::upload::{Broken, Pass};
 use unoclp_client::watch::Forced;
 use unoclp_client::{Failure, Line, Parity, lock as bits};
 use unoclp_modbus::Exception;
-use unoclp_program::{Lang, diagnosis};
+use unoclp_program::{Lang, diagnosis, shown};
 
 /// The fault that a board tells: `fault 24, line 7: no such code`.
 pub fn trouble(trouble: Trouble) -> String {
@@ -112,6 +113,19 @@ pub fn failure(failure: &Failure) -> String {
             Exception::GatewayTargetSilent => target_silent(),
         }),
         Failure::Lost(why) => port_gone(why),
+    }
+}
+
+/// Why the history in this file cannot be used.
+pub fn store_failure(file: &Path, failure: &unoclp_history::Failure) -> String {
+    use unoclp_history::Failure::{Foreign, Full, Other, ReadOnly, Version};
+    let file = shown(file);
+    match failure {
+        Foreign => history_foreign(file),
+        Version(version) => history_version(file, version),
+        Full => history_full(file),
+        ReadOnly => history_read_only(file),
+        Other(why) => history_fails(file, why),
     }
 }
 

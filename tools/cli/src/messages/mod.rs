@@ -12,7 +12,7 @@ mod table;
 
 pub use board::{
     broken, failure, foreign, left_forced, lock, parity, pass, settings, spoken_line, stage, start,
-    trouble, volts,
+    store_failure, trouble, volts,
 };
 #[cfg(test)]
 pub(crate) use spoken::SPOKEN_HERE;

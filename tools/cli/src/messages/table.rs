@@ -248,6 +248,50 @@ unoclp_program::messages! {
     shared(port)
         "the board at {port} is shared with this PC alone"
         "a placa em {port} é compartilhada só com este PC";
+    not_served_site(address, error)
+        "{address} cannot be served from: {error}. The site file gives another under `listen`"
+        "não é possível servir em {address}: {error}. O arquivo de instalação dá outro em `listen`";
+    page_of_board(name)
+        "board {name}: the same page with #board/{name} in place of #board"
+        "placa {name}: a mesma página com #board/{name} em vez de #board";
+    modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
+    board_found(name) "{name}: found" "{name}: encontrada";
+    board_away(name, why) "{name}: away: {why}" "{name}: fora do ar: {why}";
+    board_keeps(name, program) "{name}: keeps {program}" "{name}: tem {program}";
+    board_keeps_other(name, program)
+        "{name}: keeps another program than {program}, so the names of that file do not hold; upload it"
+        "{name}: tem outro programa que não {program}, e os nomes desse arquivo não valem; envie-o";
+    not_reached(server, error)
+        "{server} is not reached: {error}; is it on, and is there a Modbus TCP server?"
+        "{server} não responde: {error}; está ligado, e há um servidor Modbus TCP nele?";
+    silent_behind(server, address)
+        "no answer from address {address} behind {server}; is that board powered and wired?"
+        "sem resposta do endereço {address} atrás de {server}; essa placa está ligada e conectada?";
+    no_history()
+        "this site keeps no history; write [history] with `store = \"history.db\"`"
+        "esta instalação não guarda histórico; escreva [history] com `store = \"history.db\"`";
+    no_time(given)
+        "{given} is no time; write 90s, 15m, 1h or 30d"
+        "{given} não é um tempo; escreva 90s, 15m, 1h ou 30d";
+    not_in_history(point, points)
+        "the history has no point {point}; it has {points}"
+        "o histórico não tem o ponto {point}; ele tem {points}";
+    history_foreign(file)
+        "{file} is no history of unoclp; it is left as it is. Name another file under `store`"
+        "{file} não é um histórico do unoclp; ficou como estava. Indique outro arquivo em `store`";
+    history_version(file, version)
+        "{file} is a history of another version of unoclp (form {version}); it is left as it is. Take that version, or name another file under `store`"
+        "{file} é um histórico de outra versão do unoclp (forma {version}); ficou como estava. Use essa versão, ou indique outro arquivo em `store`";
+    history_full(file)
+        "{file} takes nothing: the disk is full. What comes waits in memory; make room"
+        "{file} não aceita nada: o disco está cheio. O que chega espera na memória; libere espaço";
+    history_read_only(file)
+        "{file} may only be read; let this user write it"
+        "{file} só pode ser lido; deixe este usuário gravar nele";
+    history_fails(file, why)
+        "{file} cannot be used: {why}; check its folder, and whether another program has it"
+        "não foi possível usar {file}: {why}; confira a pasta dele, e se outro programa o usa";
+    history_again(file) "{file}: written again" "{file}: gravado de novo";
     port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     upload_not_begun()

@@ -103,6 +103,18 @@ impl Port {
     }
 }
 
+impl Port {
+    /// Finds the board of another place at this port, which is open.
+    ///
+    /// # Errors
+    /// [`NotFound`].
+    pub fn seek(&mut self, place: &Place, may_be_reset: bool) -> Result<Identity, NotFound> {
+        self.line = place.line;
+        let found = self.talk(async |client| start::find(client, may_be_reset).await);
+        found.map_err(|why| NotFound::at(place, why))
+    }
+}
+
 /// A board that has answered.
 pub struct Found {
     /// Its port.
@@ -159,15 +171,12 @@ pub enum NotFound {
 /// [`NotFound`].
 pub fn find(place: &Place, patience: Patience) -> Result<Found, NotFound> {
     let (mut port, may_be_reset) = Port::open(place, patience)?;
-    let found = port.talk(async |client| start::find(client, may_be_reset).await);
-    match found {
-        Ok(identity) => Ok(Found {
-            port,
-            identity,
-            may_be_reset,
-        }),
-        Err(not_found) => Err(NotFound::at(place, not_found)),
-    }
+    let identity = port.seek(place, may_be_reset)?;
+    Ok(Found {
+        port,
+        identity,
+        may_be_reset,
+    })
 }
 
 impl NotFound {

@@ -27,6 +27,7 @@ mod portuguese;
 mod pty;
 mod readme;
 mod run;
+mod site;
 mod source_map;
 mod texts;
 mod tutorial;

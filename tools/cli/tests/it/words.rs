@@ -80,6 +80,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "plcopen",
         "plcopen-diagnostics",
         "st-diagnostics",
+        "site",
         "structured-text",
         "tutorial",
         "types",
@@ -103,6 +104,7 @@ fn pages_and_messages_use_one_word_for_one_thing() {
         "tools/program/src/effect.rs",
         "tools/program/src/list/words.rs",
         "tools/program/src/words.rs",
+        "tools/site/src/words.rs",
         "page/bridge/src/edit/words.rs",
     ] {
         texts.push((table.to_owned(), portuguese(&read(table)).to_lowercase()));

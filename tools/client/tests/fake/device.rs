@@ -358,7 +358,14 @@ impl Points for Board {
         word.copied().unwrap_or_default()
     }
 
-    fn set_bit(&mut self, _: u16, _: bool) {}
+    fn set_bit(&mut self, address: u16, on: bool) {
+        let at = |span| at(span, Table::Coils, address);
+        if let Some(index) = at(coil::MARKERS) {
+            self.markers = self.markers & !(1 << index) | u64::from(on) << index;
+        } else if let Some(index) = at(coil::OUTPUTS) {
+            self.outputs = self.outputs & !(1 << index) | u16::from(on) << index;
+        }
+    }
 
     fn check_word(&self, address: u16, value: u16) -> Result<(), Exception> {
         let at = |span| at(span, Table::HoldingRegisters, address);
@@ -406,6 +413,12 @@ impl Points for Board {
         {
             self.changed |= self.has_defaults || self.settings[index] != value;
             self.settings[index] = value;
+        } else if let Some(word) = at(holding::REGISTERS).or(at(holding::FIRST_REGISTERS)) {
+            // The first of them stand in two rows.
+            for span in [holding::REGISTERS, holding::FIRST_REGISTERS] {
+                let address = span.first + word as u16;
+                self.words.insert((span.table as u16, address), value);
+            }
         }
     }
 

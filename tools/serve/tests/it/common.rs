@@ -10,7 +10,7 @@ use tungstenite::protocol::CloseFrame;
 use tungstenite::{Error, Message, WebSocket};
 use unoclp_modbus::client::Request;
 use unoclp_modbus::{Crc, Table};
-use unoclp_serve::{Board, Line, NoAnswer, Server, Sharing, Tokens};
+use unoclp_serve::{Board, Line, NoAnswer, Server, SharedBoard, Sharing, Tokens};
 
 /// A board in memory: its holding registers, and whether it is there.
 #[derive(Clone)]
@@ -38,7 +38,7 @@ impl Memory {
 }
 
 impl Board for Memory {
-    fn find(&mut self) -> Result<(), String> {
+    fn find(&mut self, _: u8, _: bool) -> Result<(), String> {
         match self.0.lock().unwrap().is_there {
             true => Ok(()),
             false => Err("unplugged".into()),
@@ -76,7 +76,7 @@ impl Board for Memory {
 }
 
 /// A page of two files.
-fn pages(path: &str) -> Option<Cow<'static, [u8]>> {
+pub fn pages(path: &str) -> Option<Cow<'static, [u8]>> {
     match path {
         "index.html" => Some(b"<!doctype html><html><head><title>x</title></head></html>".into()),
         "app.js" => Some(b"1".into()),
@@ -99,9 +99,18 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
     let server = Server::bind("127.0.0.1:0".parse().unwrap()).unwrap();
     let address = server.address();
     let sharing = board.map(|board| Sharing {
-        line: Line::begin(board, 1),
-        name: "tty0".into(),
+        boards: vec![SharedBoard {
+            line: Line::begin(board, 1),
+            name: "tty0".into(),
+            unit: 1,
+            program: None,
+            watched: None,
+        }],
         tokens,
+        modbus: None,
+        metrics: None,
+        keep: None,
+        tell: None,
     });
     thread::spawn(move || server.run(pages, sharing).unwrap());
     address
@@ -123,7 +132,12 @@ pub struct Visitor(pub WebSocket<TcpStream>);
 impl Visitor {
     /// One that has said nothing yet.
     pub fn silent(address: SocketAddr) -> Visitor {
-        let request = format!("ws://{address}/line")
+        Visitor::silent_at(address, "/line")
+    }
+
+    /// The same at this path.
+    fn silent_at(address: SocketAddr, path: &str) -> Visitor {
+        let request = format!("ws://{address}{path}")
             .into_client_request()
             .unwrap();
         let stream = TcpStream::connect(address).unwrap();
@@ -132,7 +146,12 @@ impl Visitor {
 
     /// One with this token, and what it is told.
     pub fn new(address: SocketAddr, token: &str) -> (Visitor, String) {
-        let mut visitor = Visitor::silent(address);
+        Visitor::new_at(address, "/line", token)
+    }
+
+    /// The same at this path.
+    pub fn new_at(address: SocketAddr, path: &str, token: &str) -> (Visitor, String) {
+        let mut visitor = Visitor::silent_at(address, path);
         visitor.send(token);
         let told = visitor.text();
         (visitor, told)
@@ -140,7 +159,12 @@ impl Visitor {
 
     /// One whose board is there.
     pub fn at_board(address: SocketAddr, token: &str) -> Visitor {
-        let (mut visitor, _) = Visitor::new(address, token);
+        Visitor::at(address, "/line", token)
+    }
+
+    /// The same at this path.
+    pub fn at(address: SocketAddr, path: &str, token: &str) -> Visitor {
+        let (mut visitor, _) = Visitor::new_at(address, path, token);
         while visitor.text() != r#"{"board":true}"# {}
         visitor
     }

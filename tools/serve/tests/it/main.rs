@@ -1,6 +1,12 @@
-//! Visitors of a server, with a board in memory.
+//! Visitors of a server, with boards in memory.
 
 mod attacks;
+mod clients;
 mod common;
+mod modbus;
 mod pages;
+mod poll;
+mod remote;
+mod simulated;
+mod site;
 mod visitors;

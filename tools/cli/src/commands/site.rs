@@ -1,0 +1,114 @@
+//! `unoclp site`.
+
+use crate::outcome::Outcome;
+use anyhow::anyhow;
+use clap::{Args, Subcommand};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use unoclp_cli::{messages, site_file};
+use unoclp_history::{Query, Store, csv};
+use unoclp_site::{Site, duration, plan};
+
+/// What may be done with a site file.
+#[derive(Subcommand)]
+pub enum OfSite {
+    /// Say what a gateway would do by it, or every mistake with its line
+    Check {
+        /// The site file (.toml)
+        #[arg(value_name = "SITE.toml")]
+        site: PathBuf,
+    },
+    /// Print what a point was, for a spreadsheet: comma-separated values
+    History {
+        #[command(flatten)]
+        asked: Asked,
+    },
+}
+
+/// What is asked of the history.
+#[derive(Args)]
+pub struct Asked {
+    /// The site file (.toml)
+    #[arg(value_name = "SITE.toml")]
+    site: PathBuf,
+    /// Board and point: estufa.level
+    #[arg(value_name = "BOARD.POINT")]
+    point: String,
+    /// How far back: 90s, 15m, 1h, 30d
+    #[arg(long, value_name = "TIME", default_value = "1h")]
+    last: String,
+    /// One row for so long, with the least, the most and the last value; without it, each change
+    #[arg(long, value_name = "TIME")]
+    step: Option<String>,
+}
+
+/// Does it.
+pub fn site(of: &OfSite) -> Outcome {
+    match of {
+        OfSite::Check { site } => check(site),
+        OfSite::History { asked } => history(asked),
+    }
+}
+
+/// The site of a file; its mistakes are told.
+fn open(path: &Path) -> anyhow::Result<Option<Site>> {
+    let site = site_file::open(path)?;
+    if let Err(mistakes) = &site {
+        for mistake in mistakes {
+            say!("{mistake}");
+        }
+    }
+    Ok(site.ok())
+}
+
+fn check(path: &Path) -> Outcome {
+    let site = open(path)?;
+    if let Some(site) = &site {
+        say!("{}", plan(site, messages::spoken()).trim_end());
+    }
+    Ok(site.is_some())
+}
+
+fn history(asked: &Asked) -> Outcome {
+    let Some(site) = open(&asked.site)? else {
+        return Ok(false);
+    };
+    let kept = site
+        .history
+        .ok_or_else(|| anyhow!(messages::no_history()))?;
+    let (board, point) = asked.point.split_once('.').unwrap_or_default();
+    let time = |text: &str| duration(text).ok_or_else(|| anyhow!(messages::no_time(text)));
+    let last = ms(time(&asked.last)?);
+    let step = asked.step.as_deref().map(time).transpose()?;
+    let file = site_file::beside(&asked.site, &kept.store);
+    let store = Store::read(&file).map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    let points = store
+        .points()
+        .map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    if !points
+        .iter()
+        .any(|(of, name)| (&**of, &**name) == (board, point))
+    {
+        let names: Vec<String> = points
+            .iter()
+            .map(|(of, name)| format!("{of}.{name}"))
+            .collect();
+        anyhow::bail!(messages::not_in_history(&asked.point, names.join(", ")));
+    }
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, ms);
+    let rows = store.rows(&Query {
+        board: board.to_owned(),
+        point: point.to_owned(),
+        from: now.saturating_sub(last),
+        to: i64::MAX,
+        step: step.map_or(0, ms),
+        most: usize::MAX,
+    });
+    let rows = rows.map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    say!("{}", csv(&rows).trim_end());
+    Ok(true)
+}
+
+fn ms(time: Duration) -> i64 {
+    i64::try_from(time.as_millis()).unwrap_or(i64::MAX)
+}

@@ -1,0 +1,31 @@
+//! The site file: which boards a gateway serves, at which lines, and what others may do with them (`docs/site.md`).
+//!
+//! - [`Site`]: what a file says
+//! - [`read`]: from the text of a file to a site, or to all its [`Mistake`]s
+//! - [`Points`]: the points of a board by the names that its program gives them
+//! - [`plan`]: what a gateway would do by it, in words
+//!
+//! Owns the keys of the file, which values they take, and what is wrong with one: line, reason, remedy. Must not know
+//! sockets, ports, threads, nor where the bytes of a file come from.
+
+#![forbid(unsafe_code)]
+
+mod duration;
+mod files;
+mod grants;
+mod keys;
+mod lines;
+mod mistake;
+mod plan;
+mod points;
+mod read;
+mod site;
+mod words;
+
+pub use duration::duration;
+pub use files::Files;
+pub use mistake::{Mistake, Wrong};
+pub use plan::plan;
+pub use points::{Kind, Place, Point, Points};
+pub use read::read;
+pub use site::{Board, Grant, History, Http, Line, Modbus, Site, Way};

@@ -1,0 +1,213 @@
+//! What can be wrong with a site file, as values and in words.
+
+use crate::words;
+use unoclp_program::Lang;
+
+/// A mistake, and where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mistake {
+    /// The line of the file, counted from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub wrong: Wrong,
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wrong {
+    /// It is no TOML.
+    NoToml,
+    /// There is no such key here.
+    NoKey {
+        /// The key.
+        key: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// A key is missing.
+    Missing {
+        /// The key.
+        key: &'static str,
+        /// An example of it.
+        example: &'static str,
+    },
+    /// A value is of another kind.
+    Kind {
+        /// The key.
+        key: &'static str,
+        /// An example of it.
+        example: &'static str,
+    },
+    /// A number is out of its range.
+    Range {
+        /// The key.
+        key: &'static str,
+        /// The least.
+        from: i64,
+        /// The most.
+        to: i64,
+    },
+    /// A text is none of those that there are.
+    Choice {
+        /// The key.
+        key: &'static str,
+        /// What was given.
+        given: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// No address and port.
+    NoAddress {
+        /// What was given.
+        given: String,
+    },
+    /// No host and port.
+    NoHost {
+        /// What was given.
+        given: String,
+    },
+    /// No time.
+    NoTime {
+        /// What was given.
+        given: String,
+        /// The least.
+        from: &'static str,
+        /// The most.
+        to: &'static str,
+    },
+    /// The page is served beyond this PC, and the file does not say that nothing is encrypted.
+    Open {
+        /// Where.
+        listen: String,
+    },
+    /// There is no line.
+    NoLine,
+    /// A line names both a port and a server, or neither.
+    WayOfLine,
+    /// A line over TCP has a rate or a parity.
+    FormatOfTcp {
+        /// Which.
+        key: &'static str,
+    },
+    /// A line has no board.
+    NoBoard,
+    /// Two lines are reached by the same way.
+    TwoLines {
+        /// The way.
+        way: String,
+    },
+    /// A name that cannot be one.
+    Name {
+        /// What was given.
+        given: String,
+    },
+    /// Two boards are called the same.
+    TwoNames {
+        /// The name.
+        name: String,
+    },
+    /// Two boards of a line have the same address.
+    TwoAddresses {
+        /// The address.
+        address: u8,
+        /// The other board.
+        other: String,
+    },
+    /// Two boards of the site have the same unit.
+    TwoUnits {
+        /// The unit.
+        unit: u8,
+        /// The other board.
+        other: String,
+    },
+    /// Two servers have the same address.
+    TwoServers {
+        /// The address.
+        address: String,
+    },
+    /// A program cannot be read.
+    Unreadable {
+        /// Its file.
+        file: String,
+        /// Why.
+        why: String,
+    },
+    /// A program has errors.
+    Faulty {
+        /// Its file.
+        file: String,
+    },
+    /// No board and point.
+    NoPath {
+        /// What was given.
+        given: String,
+    },
+    /// There is no board of this name.
+    NoSuchBoard {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// A board has no point of this name.
+    NoSuchPoint {
+        /// The board.
+        board: String,
+        /// The point.
+        point: String,
+        /// Those that can be written.
+        known: String,
+    },
+    /// A point cannot be written.
+    ReadOnly {
+        /// The point.
+        point: String,
+        /// Those that can be written.
+        known: String,
+    },
+}
+
+impl Mistake {
+    /// In this language: `site.toml:7: two boards of this line have address 1; …`
+    pub fn text(&self, file: &str, lang: Lang) -> String {
+        format!("{file}:{}: {}", self.line, self.wrong.text(lang))
+    }
+}
+
+impl Wrong {
+    /// The reason and the remedy, in this language.
+    pub fn text(&self, lang: Lang) -> String {
+        match self {
+            Wrong::NoToml => words::no_toml(lang),
+            Wrong::NoKey { key, known } => words::no_key(lang, key, known),
+            Wrong::Missing { key, example } => words::missing(lang, key, example),
+            Wrong::Kind { key, example } => words::kind(lang, key, example),
+            Wrong::Range { key, from, to } => words::range(lang, key, from, to),
+            Wrong::Choice { key, given, known } => words::choice(lang, key, given, known),
+            Wrong::NoAddress { given } => words::no_address(lang, given),
+            Wrong::NoHost { given } => words::no_host(lang, given),
+            Wrong::NoTime { given, from, to } => words::no_time(lang, given, from, to),
+            Wrong::Open { listen } => words::open(lang, listen),
+            Wrong::NoLine => words::no_line(lang),
+            Wrong::WayOfLine => words::way_of_line(lang),
+            Wrong::FormatOfTcp { key } => words::format_of_tcp(lang, key),
+            Wrong::NoBoard => words::no_board(lang),
+            Wrong::TwoLines { way } => words::two_lines(lang, way),
+            Wrong::Name { given } => words::name(lang, given),
+            Wrong::TwoNames { name } => words::two_names(lang, name),
+            Wrong::TwoAddresses { address, other } => words::two_addresses(lang, address, other),
+            Wrong::TwoUnits { unit, other } => words::two_units(lang, unit, other),
+            Wrong::TwoServers { address } => words::two_servers(lang, address),
+            Wrong::Unreadable { file, why } => words::unreadable(lang, file, why),
+            Wrong::Faulty { file } => words::faulty(lang, file),
+            Wrong::NoPath { given } => words::no_path(lang, given),
+            Wrong::NoSuchBoard { name, known } => words::no_such_board(lang, name, known),
+            Wrong::NoSuchPoint {
+                board,
+                point,
+                known,
+            } => words::no_such_point(lang, board, point, known),
+            Wrong::ReadOnly { point, known } => words::read_only(lang, point, known),
+        }
+    }
+}

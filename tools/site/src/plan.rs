@@ -1,0 +1,70 @@
+//! What a gateway would do by a site file, in words.
+
+use crate::duration::written;
+use crate::site::{Board, Line, Modbus, Site, Way};
+use crate::words;
+use unoclp_modbus::map::Parity;
+use unoclp_program::Lang;
+
+/// What a gateway would do, line by line, in this language.
+pub fn plan(site: &Site, lang: Lang) -> String {
+    let listen = site.http.listen;
+    let mut lines = vec![match listen.ip().is_loopback() {
+        true => words::page_here(lang, listen),
+        false => words::page_open(lang, listen),
+    }];
+    for line in &site.lines {
+        lines.push(way(line, lang));
+        for of in &line.boards {
+            lines.extend(board(of, lang));
+        }
+    }
+    if let Some(of) = &site.history {
+        lines.push(words::history(lang, &of.store, written(of.keep)));
+    }
+    if let Some(of) = &site.modbus {
+        lines.push(modbus(of, lang));
+    }
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+fn way(line: &Line, lang: Lang) -> String {
+    match &line.way {
+        Way::Tcp { server } => words::tcp(lang, server),
+        Way::Serial { port, rate, parity } => {
+            let parity = match parity {
+                Parity::None => words::parity_none(lang),
+                Parity::Even => words::parity_even(lang),
+                Parity::Odd => words::parity_odd(lang),
+            };
+            words::serial(lang, port, rate, parity)
+        }
+    }
+}
+
+fn board(of: &Board, lang: Lang) -> [String; 2] {
+    let Board {
+        name,
+        address,
+        unit,
+        points,
+        ..
+    } = of;
+    let program = match (&of.program, points.program) {
+        (Some(program), Some(kept)) => {
+            let sum = format!("{:04X}", kept.sum);
+            words::board_program(lang, program, points.named.len(), sum)
+        }
+        _ => words::board_alone(lang),
+    };
+    let board = words::board(lang, name, address, unit, written(of.every));
+    [board, program]
+}
+
+fn modbus(of: &Modbus, lang: Lang) -> String {
+    let names: Vec<&str> = of.write.iter().map(|grant| &*grant.name).collect();
+    match names.is_empty() {
+        true => words::modbus_reads(lang, of.listen),
+        false => words::modbus_writes(lang, of.listen, names.join(", ")),
+    }
+}

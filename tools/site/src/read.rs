@@ -1,0 +1,119 @@
+//! From the text of a site file to a site.
+
+use crate::files::Files;
+use crate::grants::grants;
+use crate::keys::{At, Keys, Notes};
+use crate::lines::lines;
+use crate::mistake::{Mistake, Wrong};
+use crate::site::{History, Http, Modbus, Site};
+use std::net::{Ipv4Addr, SocketAddr};
+use std::time::Duration;
+use toml::de::DeTable;
+
+/// Reads the text of a site file.
+///
+/// # Errors
+/// All that is wrong with it, in the order of the lines.
+pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
+    let notes = Notes::new(text);
+    let (table, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        for error in errors {
+            notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
+        }
+        return Err(notes.mistakes());
+    }
+    let known = ["http", "line", "modbus", "history"];
+    let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
+    let site = site(&keys, files);
+    let mistakes = notes.mistakes();
+    match mistakes.is_empty() {
+        true => Ok(site),
+        false => Err(mistakes),
+    }
+}
+
+/// As much of it as is right.
+fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
+    let http = http(keys);
+    let lines = lines(keys, files);
+    let modbus = modbus(keys, &lines, &http);
+    Site {
+        http: Http { listen: http.value },
+        lines,
+        modbus,
+        history: history(keys),
+    }
+}
+
+/// How long every change is kept, unless the file says otherwise.
+const KEEP: Duration = Duration::from_secs(400 * 86_400);
+
+fn history(keys: &Keys<'_>) -> Option<History> {
+    let example = "{ store = \"history.db\" }";
+    let history = keys.table("history", example, &["store", "keep"])?;
+    let keep = history.time("keep", "\"400d\"", ["1h", "36500d"]);
+    let At { value, place } = history.needed("store", "\"history.db\"")?;
+    if value.is_empty() || value.contains("://") {
+        let wrong = Wrong::Choice {
+            key: "store",
+            given: format!("{value:?}"),
+            known: "\"history.db\"".to_owned(),
+        };
+        keys.notes.wrong(&place, wrong);
+    }
+    Some(History {
+        store: value,
+        keep: keep.map_or(KEEP, |keep| keep.value),
+    })
+}
+
+/// Where the page is served; 127.0.0.1:8420, unless the file says otherwise.
+fn http(keys: &Keys<'_>) -> At<SocketAddr> {
+    let usual = At {
+        value: (Ipv4Addr::LOCALHOST, 8420).into(),
+        place: 0..0,
+    };
+    let example = "{ listen = \"127.0.0.1:8420\" }";
+    let Some(http) = keys.table("http", example, &["listen", "tls"]) else {
+        return usual;
+    };
+    let tls = http.text("tls", "\"none\"");
+    let listen = http.address("listen", "\"127.0.0.1:8420\"");
+    if let Some(At { value, place }) = &tls
+        && value != "none"
+    {
+        let wrong = Wrong::Choice {
+            key: "tls",
+            given: value.clone(),
+            known: "\"none\"".to_owned(),
+        };
+        keys.notes.wrong(place, wrong);
+    }
+    if let Some(At { value, place }) = &listen
+        && !value.ip().is_loopback()
+        && tls.is_none()
+    {
+        let listen = value.to_string();
+        keys.notes.wrong(place, Wrong::Open { listen });
+    }
+    listen.unwrap_or(usual)
+}
+
+fn modbus(keys: &Keys<'_>, lines: &[crate::Line], http: &At<SocketAddr>) -> Option<Modbus> {
+    let example = "{ listen = \"127.0.0.1:1502\" }";
+    let modbus = keys.table("modbus", example, &["listen", "write"])?;
+    let boards: Vec<_> = lines.iter().flat_map(|line| &line.boards).collect();
+    let write = grants(&modbus, &boards);
+    let listen = modbus.address("listen", "\"127.0.0.1:1502\"")?;
+    // Port 0 is another one each time.
+    if listen.value == http.value && listen.value.port() != 0 {
+        let address = listen.value.to_string();
+        keys.notes
+            .wrong(&listen.place, Wrong::TwoServers { address });
+    }
+    Some(Modbus {
+        listen: listen.value,
+        write,
+    })
+}

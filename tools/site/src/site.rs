@@ -1,0 +1,120 @@
+//! What a site file says.
+
+use crate::points::{Place, Points};
+use std::net::SocketAddr;
+use std::time::Duration;
+use unoclp_client::diagnostics::Kept;
+use unoclp_modbus::map::Parity;
+
+/// A site: boards at lines, and what is served of them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// The page.
+    pub http: Http,
+    /// The lines, in the order of the file; at least one.
+    pub lines: Vec<Line>,
+    /// The Modbus TCP server, if there is one.
+    pub modbus: Option<Modbus>,
+    /// The history, if one is kept.
+    pub history: Option<History>,
+}
+
+/// Where the page is served.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Http {
+    /// The address; beyond this PC only where the file says that nothing is encrypted.
+    pub listen: SocketAddr,
+}
+
+/// A line, and the boards at it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// How it is reached.
+    pub way: Way,
+    /// The boards, at least one.
+    pub boards: Vec<Board>,
+}
+
+/// How a line is reached.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// A serial port of this PC.
+    Serial {
+        /// Its name.
+        port: String,
+        /// Bits per second.
+        rate: u32,
+        /// The parity.
+        parity: Parity,
+    },
+    /// A Modbus TCP server, whose units are the boards' addresses.
+    Tcp {
+        /// Host and port.
+        server: String,
+    },
+}
+
+impl Way {
+    /// What it is called: `/dev/ttyACM0`, `10.0.0.7:502`.
+    pub fn name(&self) -> &str {
+        match self {
+            Way::Serial { port, .. } => port,
+            Way::Tcp { server } => server,
+        }
+    }
+}
+
+/// A board of a site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Board {
+    /// Its address, which no other board of its line has.
+    pub address: u8,
+    /// Its unit in Modbus TCP, which no other board of the site has.
+    pub unit: u8,
+    /// What it is called, as no other board of the site is.
+    pub name: String,
+    /// The file of the program that it shall run, as the site file names it.
+    pub program: Option<String>,
+    /// Its points.
+    pub points: Points,
+    /// How often its points are read.
+    pub every: Duration,
+}
+
+/// What the points were, kept in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct History {
+    /// The file, as the site file names it.
+    pub store: String,
+    /// How long every change is kept.
+    pub keep: Duration,
+}
+
+/// The Modbus TCP server of a site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Modbus {
+    /// The address.
+    pub listen: SocketAddr,
+    /// What may be written; nothing else is.
+    pub write: Vec<Grant>,
+}
+
+/// A point that may be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Grant {
+    /// The unit of its board.
+    pub unit: u8,
+    /// Board and point, as the file names them.
+    pub name: String,
+    /// The addresses.
+    pub places: Vec<Place>,
+    /// It is so only while the board keeps this program; none: whichever it keeps.
+    pub while_kept: Option<Kept>,
+}
+
+impl Site {
+    /// All boards, line by line.
+    pub fn boards(&self) -> impl Iterator<Item = &Board> {
+        self.lines.iter().flat_map(|line| &line.boards)
+    }
+}

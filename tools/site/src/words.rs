@@ -1,0 +1,122 @@
+//! The words of site files, in the two languages that the tools speak: one table, in which no text is without its twin.
+//!
+//! Owns the words. Must not know of what they tell.
+
+unoclp_program::messages! {
+    no_toml()
+        "this is no TOML; check quotes, commas and brackets, and whether a key stands there twice"
+        "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
+    no_key(key, known)
+        "there is no key `{key}` here; there is {known}"
+        "não existe aqui a chave `{key}`; existe {known}";
+    missing(key, example)
+        "the key `{key}` is missing; write `{key} = {example}`"
+        "falta a chave `{key}`; escreva `{key} = {example}`";
+    kind(key, example)
+        "`{key}` takes another kind of value; write `{key} = {example}`"
+        "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
+    range(key, from, to)
+        "`{key}` is out of its range; give a number from {from} to {to}"
+        "`{key}` está fora da faixa; dê um número de {from} a {to}";
+    choice(key, given, known)
+        "`{key}` cannot be {given}; give {known}"
+        "`{key}` não pode ser {given}; dê {known}";
+    no_address(given)
+        "{given} is no address with a port; write \"127.0.0.1:8420\", or \"0.0.0.0:8420\" for the network"
+        "{given} não é um endereço com porta; escreva \"127.0.0.1:8420\", ou \"0.0.0.0:8420\" para a rede";
+    no_host(given)
+        "{given} is no host with a port; write \"10.0.0.7:502\""
+        "{given} não é um computador com porta; escreva \"10.0.0.7:502\"";
+    no_time(given, from, to)
+        "{given} is no time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
+        "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
+    open(listen)
+        "{listen} is open to the network, and what goes over it is not encrypted; write `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
+        "{listen} fica aberto para a rede, e o que passa por ela não é criptografado; escreva `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
+    no_line()
+        "there is no line; write [[line]] with its port, and [[line.board]] for each board at it"
+        "não há nenhuma linha; escreva [[line]] com a porta dela, e [[line.board]] para cada placa nela";
+    way_of_line()
+        "a line has either a `port` or a `tcp`; write `port = \"/dev/ttyACM0\"` or `tcp = \"10.0.0.7:502\"`"
+        "uma linha tem ou uma `port` ou um `tcp`; escreva `port = \"/dev/ttyACM0\"` ou `tcp = \"10.0.0.7:502\"`";
+    format_of_tcp(key)
+        "a line over TCP has no `{key}`; remove it"
+        "uma linha por TCP não tem `{key}`; tire essa chave";
+    no_board()
+        "this line has no board; write [[line.board]] below it"
+        "esta linha não tem nenhuma placa; escreva [[line.board]] abaixo dela";
+    two_lines(way)
+        "two lines are at {way}; put all its boards below one [[line]]"
+        "duas linhas estão em {way}; ponha todas as placas dela abaixo de um só [[line]]";
+    name(given)
+        "{given} is no name for a board; take a letter, then letters, digits, - or _, at most 32"
+        "{given} não é um nome de placa; use uma letra e depois letras, algarismos, - ou _, no máximo 32";
+    two_names(name)
+        "two boards are called {name}; give each its own name"
+        "duas placas se chamam {name}; dê a cada uma o seu nome";
+    two_addresses(address, other)
+        "{other} on this line has address {address} too; `unoclp settings --set-address` gives a board another"
+        "{other} nesta linha também tem o endereço {address}; `unoclp settings --set-address` dá outro a uma placa";
+    two_units(unit, other)
+        "{other} has unit {unit} too; give each board of the site its own"
+        "{other} também tem a unidade {unit}; dê a cada placa da instalação a sua";
+    two_servers(address)
+        "two servers listen at {address}; give each its own port"
+        "dois servidores usam {address}; dê a cada um a sua porta";
+    unreadable(file, why)
+        "the program {file} cannot be read ({why}); check its name, which counts from the folder of the site file"
+        "não foi possível ler o programa {file} ({why}); confira o nome, que conta da pasta do arquivo de instalação";
+    faulty(file)
+        "the program {file} has errors; `unoclp check {file}` shows them"
+        "o programa {file} tem erros; `unoclp check {file}` os mostra";
+    no_path(given)
+        "{given} names no point; write board and point, \"estufa.alvo\""
+        "{given} não indica um ponto; escreva placa e ponto, \"estufa.alvo\"";
+    no_such_board(name, known)
+        "there is no board {name}; there is {known}"
+        "não existe a placa {name}; existe {known}";
+    no_such_point(board, point, known)
+        "{board} has no point {point}; what can be written is {known}"
+        "{board} não tem o ponto {point}; pode-se escrever em {known}";
+    read_only(point, known)
+        "{point} cannot be written; what can is {known}"
+        "não se pode escrever em {point}; pode-se em {known}";
+
+    page_here(address)
+        "page: http://{address}/, for this PC alone"
+        "página: http://{address}/, só para este PC";
+    page_open(address)
+        "page: http://{address}/, open to the network, not encrypted; a token watches, another controls"
+        "página: http://{address}/, aberta para a rede, sem criptografia; um token observa, outro controla";
+    serial(port, rate, parity) "line {port}: {rate} baud, {parity}" "linha {port}: {rate} baud, {parity}";
+    tcp(server) "line {server}: by Modbus TCP" "linha {server}: por Modbus TCP";
+    parity_none() "no parity" "sem paridade";
+    parity_even() "even parity" "paridade par";
+    parity_odd() "odd parity" "paridade ímpar";
+    board(name, address, unit, every)
+        "  board {name}: address {address}, unit {unit}, read every {every}"
+        "  placa {name}: endereço {address}, unidade {unit}, lida a cada {every}";
+    board_program(program, count, sum)
+        "    program {program}: its names ({count}) hold while the board keeps check sum {sum}"
+        "    programa {program}: os nomes dele ({count}) valem enquanto a placa tiver a soma de verificação {sum}";
+    board_alone()
+        "    no program: points have their own names"
+        "    sem programa: os pontos têm os seus próprios nomes";
+    history(store, keep)
+        "history: {store}, every change for {keep}, then minutes and hours"
+        "histórico: {store}, cada mudança por {keep}, depois minutos e horas";
+    modbus_reads(address)
+        "Modbus TCP: {address}, reading only"
+        "Modbus TCP: {address}, só leitura";
+    modbus_writes(address, points)
+        "Modbus TCP: {address}; whoever reaches it may write {points}"
+        "Modbus TCP: {address}; quem chegar até ele pode escrever em {points}";
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(unoclp_program::messages::gaps(super::ALL), [""; 0]);
+    }
+}

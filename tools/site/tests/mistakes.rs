@@ -1,0 +1,323 @@
+//! Every kind of mistake in a site file is refused with its line, the reason and a remedy, in both languages.
+
+use std::collections::BTreeSet;
+use std::mem::discriminant;
+use unoclp_program::Lang;
+use unoclp_site::{Files, Mistake, Site, Wrong, plan, read};
+
+/// The folder of the site file.
+struct Folder;
+
+const TANK: &str = "PROGRAM tank VAR level AT %IW0 : INT; valve AT %QX0.0 : BOOL; target : DINT; END_VAR\n\
+    valve := level > target; target := target + 0; END_PROGRAM\n";
+
+impl Files for Folder {
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, String> {
+        match name {
+            "tank.st" => Ok(TANK.into()),
+            "lamp.txt" => Ok("0\n787600\n827301\n877901\n".into()),
+            "wrong.st" => Ok("PROGRAM p lamp := ; END_PROGRAM\n".into()),
+            _ => Err("no such file".into()),
+        }
+    }
+}
+
+fn of(text: &str) -> Result<Site, Vec<Mistake>> {
+    read(text, &Folder)
+}
+
+/// A line with a board.
+const LINE: &str = "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"x\"\n";
+
+/// What is wrong, and in which line of the file.
+fn mistakes() -> Vec<(String, usize, &'static str)> {
+    let with = |more: &str| format!("{LINE}{more}");
+    vec![
+        ("[[line]\n".into(), 1, "this is no TOML"),
+        (with("name = \"y\"\n"), 5, "this is no TOML"),
+        (
+            with("[mqtt]\n"),
+            5,
+            "no key `mqtt` here; there is `http`, `line`, `modbus`, `history`",
+        ),
+        (
+            with("colour = 1\n"),
+            5,
+            "no key `colour` here; there is `address`, `unit`, `name`, `program`, `every`",
+        ),
+        (
+            "\n[[line]]\nport = \"a\"\n[[line.board]]\n".into(),
+            4,
+            "`name` is missing; write `name = \"estufa\"`",
+        ),
+        (with("[modbus]\n"), 5, "`listen` is missing"),
+        (
+            with("address = \"1\"\n"),
+            5,
+            "`address` takes another kind of value; write `address = 1`",
+        ),
+        (
+            with("[modbus]\nlisten = 5\n"),
+            6,
+            "`listen` takes another kind",
+        ),
+        (
+            with("[modbus]\nlisten = \"127.0.0.1:1\"\nwrite = \"x.D1\"\n"),
+            7,
+            "`write` takes another kind",
+        ),
+        (
+            with("[modbus]\nlisten = \"127.0.0.1:1\"\nwrite = [5]\n"),
+            7,
+            "`write` takes another kind",
+        ),
+        ("line = 5\n".into(), 1, "`line` takes another kind"),
+        (
+            "http = 5\n".to_owned() + LINE,
+            1,
+            "`http` takes another kind",
+        ),
+        (
+            with("address = 0\n"),
+            5,
+            "`address` is out of its range; give a number from 1 to 247",
+        ),
+        (with("unit = 248\n"), 5, "`unit` is out of its range"),
+        (
+            with("unit = 99999999999999999999\n"),
+            5,
+            "`unit` is out of its range",
+        ),
+        (
+            "[[line]]\nport = \"a\"\nrate = 9601\n[[line.board]]\nname = \"x\"\n".into(),
+            3,
+            "`rate` cannot be 9601; give 2400, 4800",
+        ),
+        (
+            "[[line]]\nport = \"a\"\nparity = \"mark\"\n[[line.board]]\nname = \"x\"\n".into(),
+            3,
+            "`parity` cannot be mark; give \"none\"",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:8420\"\ntls = \"self-signed\"\n"),
+            7,
+            "`tls` cannot be self-signed; give \"none\"",
+        ),
+        (
+            with("[http]\nlisten = \"localhost\"\n"),
+            6,
+            "localhost is no address with a port",
+        ),
+        (
+            "[[line]]\ntcp = \"10.0.0.7\"\n[[line.board]]\nname = \"x\"\n".into(),
+            2,
+            "10.0.0.7 is no host with a port",
+        ),
+        (
+            with("[http]\nlisten = \"0.0.0.0:8420\"\n"),
+            6,
+            "is not encrypted; write `tls = \"none\"`",
+        ),
+        (String::new(), 1, "there is no line; write [[line]]"),
+        (
+            "\n[[line]]\n[[line.board]]\nname = \"x\"\n".into(),
+            2,
+            "either a `port` or a `tcp`",
+        ),
+        (
+            "[[line]]\nport = \"a\"\ntcp = \"b:1\"\n[[line.board]]\nname = \"x\"\n".into(),
+            1,
+            "either a `port` or a `tcp`",
+        ),
+        (
+            "[[line]]\ntcp = \"b:1\"\nrate = 9600\n[[line.board]]\nname = \"x\"\n".into(),
+            3,
+            "a line over TCP has no `rate`; remove it",
+        ),
+        (
+            "\n[[line]]\nport = \"a\"\n".into(),
+            2,
+            "this line has no board",
+        ),
+        (
+            with("[[line]]\nport = \"a\"\n[[line.board]]\nname = \"y\"\nunit = 2\n"),
+            5,
+            "two lines are at a",
+        ),
+        (
+            "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"a/b\"\n".into(),
+            4,
+            "a/b is no name for a board",
+        ),
+        (
+            with("[[line.board]]\nname = \"X\"\naddress = 2\n"),
+            6,
+            "two boards are called X",
+        ),
+        (
+            with("[[line.board]]\nname = \"y\"\nunit = 2\naddress = 1\n"),
+            8,
+            "x on this line has address 1 too; `unoclp settings",
+        ),
+        (
+            with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
+            7,
+            "x has unit 1 too",
+        ),
+        (
+            with("[modbus]\nlisten = \"127.0.0.1:8420\"\n"),
+            6,
+            "two servers listen at 127.0.0.1:8420",
+        ),
+        (
+            with("program = \"none.st\"\n"),
+            5,
+            "the program none.st cannot be read (no such file)",
+        ),
+        (
+            with("program = \"wrong.st\"\n"),
+            5,
+            "`unoclp check wrong.st` shows them",
+        ),
+        (
+            with("every = \"5\"\n"),
+            5,
+            "5 is no time from 10ms to 1h; write \"100ms\"",
+        ),
+        (with("every = \"2h\"\n"), 5, "2h is no time from 10ms to 1h"),
+        (
+            with("[history]\nstore = \"h.db\"\nkeep = \"1m\"\n"),
+            7,
+            "1m is no time from 1h to 36500d",
+        ),
+        (
+            with("[history]\nkeep = \"1h\"\n"),
+            5,
+            "the key `store` is missing; write `store = \"history.db\"`",
+        ),
+        (
+            with("[history]\nstore = \"postgres://x\"\n"),
+            6,
+            "`store` cannot be \"postgres://x\"; give \"history.db\"",
+        ),
+        (granted("x"), 8, "x names no point; write board and point"),
+        (granted("y.valve"), 8, "there is no board y; there is x"),
+        (
+            granted("x.flow"),
+            8,
+            "x has no point flow; what can be written is target, valve, Q1–Q4",
+        ),
+        (
+            granted("x.level"),
+            8,
+            "level cannot be written; what can is target, valve",
+        ),
+    ]
+}
+
+/// A file that lets write this point.
+fn granted(point: &str) -> String {
+    format!(
+        "{LINE}program = \"tank.st\"\n[modbus]\nlisten = \"127.0.0.1:1502\"\nwrite = [\"{point}\"]\n"
+    )
+}
+
+#[test]
+fn each_mistake_is_refused_with_line_reason_and_remedy() {
+    let mut kinds = Vec::new();
+    for (text, line, says) in mistakes() {
+        let mistakes = of(&text).expect_err(says);
+        let told: Vec<String> = mistakes
+            .iter()
+            .map(|wrong| wrong.text("s.toml", Lang::En))
+            .collect();
+        assert_eq!(mistakes[0].line, line, "{told:?}\n{text}");
+        assert_eq!(mistakes.len(), 1, "{told:?}\n{text}");
+        assert!(
+            told[0].starts_with(&format!("s.toml:{line}: ")) && told[0].contains(says),
+            "{told:?}"
+        );
+        let portuguese = mistakes[0].text("s.toml", Lang::Pt);
+        assert_ne!(portuguese, told[0]);
+        kinds.push(discriminant(&mistakes[0].wrong));
+    }
+    let different: usize = (0..kinds.len())
+        .filter(|&at| !kinds[..at].contains(&kinds[at]))
+        .count();
+    assert_eq!(different, KINDS);
+}
+
+/// The kinds of [`Wrong`]: a new one has its case above.
+const KINDS: usize = 26;
+
+#[test]
+fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
+    let text = "[[line]]\nport = \"a\"\nrate = 1\n[[line.board]]\naddress = 300\n[modbus]\nlisten = \"x\"\n";
+    let lines: Vec<usize> = of(text)
+        .unwrap_err()
+        .iter()
+        .map(|wrong| wrong.line)
+        .collect();
+    assert_eq!(lines, [3, 4, 5, 7]);
+}
+
+#[test]
+fn no_text_brings_the_reader_down() {
+    let whole = granted("x.target");
+    let mut told = BTreeSet::new();
+    for end in 0..whole.len() {
+        for broken in [
+            whole[..end].to_owned(),
+            whole[..end].to_owned() + "\"" + &whole[end..],
+        ] {
+            told.insert(of(&broken).is_ok());
+        }
+    }
+    assert_eq!(told.len(), 2, "some are right, some are not");
+}
+
+#[test]
+fn a_right_file_says_what_it_would_do() {
+    let text = granted("x.TARGET").replace("[modbus]", "address = 3\nunit = 7\nevery = \"250ms\"\n[history]\nstore = \"h.db\"\nkeep = \"30d\"\n[modbus]")
+        + "[http]\nlisten = \"0.0.0.0:80\"\ntls = \"none\"\n[[line]]\ntcp = \"10.0.0.7:502\"\n[[line.board]]\nname = \"y\"\n";
+    let site = of(&text).unwrap();
+    assert_eq!(
+        site.boards().map(|board| board.unit).collect::<Vec<_>>(),
+        [7, 1]
+    );
+    let grant = &site.modbus.as_ref().unwrap().write[0];
+    assert_eq!(grant.while_kept, site.lines[0].boards[0].points.program);
+    assert_eq!(grant.unit, 7);
+    let told = plan(&site, Lang::En);
+    for part in [
+        "page: http://0.0.0.0:80/, open to the network, not encrypted",
+        "line a: 115200 baud, no parity",
+        "board x: address 3, unit 7, read every 250ms",
+        "program tank.st: its names (3) hold while the board keeps check sum ",
+        "line 10.0.0.7:502: by Modbus TCP",
+        "board y: address 1, unit 1, read every 500ms",
+        "no program: points have their own names",
+        "history: h.db, every change for 30d, then minutes and hours",
+        "Modbus TCP: 127.0.0.1:1502; whoever reaches it may write x.TARGET",
+    ] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+    assert!(plan(&site, Lang::Pt).contains("quem chegar até ele pode escrever"));
+}
+
+#[test]
+fn a_point_of_every_board_is_written_whichever_program_it_keeps() {
+    for (point, firsts) in [("x.D1", &[2000, 0][..]), ("x.T1", &[128]), ("x.M64", &[79])] {
+        let site = of(&granted(point)).unwrap();
+        let [grant] = &site.modbus.as_ref().unwrap().write[..] else {
+            panic!("{point}");
+        };
+        assert_eq!(grant.while_kept, None, "{point}");
+        let places: Vec<u16> = grant.places.iter().map(|place| place.first).collect();
+        assert_eq!(places, firsts, "{point}");
+    }
+    assert!(matches!(
+        of(&granted("x.A0")).unwrap_err()[0].wrong,
+        Wrong::ReadOnly { .. }
+    ));
+}

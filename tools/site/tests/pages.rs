@@ -1,0 +1,67 @@
+//! What `docs/site.md` shows is a right site file, in both languages.
+
+use std::fs;
+use std::path::Path;
+use unoclp_program::Lang;
+use unoclp_site::{Files, plan, read};
+
+struct Folder;
+
+impl Files for Folder {
+    fn bytes(&self, name: &str) -> Result<Vec<u8>, String> {
+        assert_eq!(name, "estufa.st");
+        let text = "PROGRAM p VAR fan AT %QX0.0 : BOOL; target : DINT; END_VAR fan := target > 5; END_PROGRAM\n";
+        Ok(text.into())
+    }
+}
+
+fn page(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../docs")
+        .join(name);
+    fs::read_to_string(path).unwrap()
+}
+
+/// The blocks of a page that are TOML, one after the other.
+fn blocks(page: &str) -> String {
+    let blocks = page.split("```toml\n").skip(1);
+    blocks
+        .filter_map(|block| block.split("```").next())
+        .collect()
+}
+
+#[test]
+fn the_steps_of_the_page_make_one_site() {
+    let english = blocks(&page("site.md"));
+    assert_eq!(english, blocks(&page("site.pt-BR.md")));
+    let site = read(&english, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}\n{english}"));
+    assert_eq!(site.boards().count(), 5);
+    let told = plan(&site, Lang::En);
+    assert!(told.contains("may write estufa.target, bomba.M1"), "{told}");
+}
+
+#[test]
+fn each_key_has_its_row() {
+    let known = "[mqtt]\n[[line]]\nx = 1\n[http]\nx = 1\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n";
+    let told = read(known, &Folder).unwrap_err();
+    let told: Vec<String> = told
+        .iter()
+        .map(|wrong| wrong.wrong.text(Lang::En))
+        .collect();
+    let keys: Vec<&str> = told
+        .iter()
+        .filter_map(|told| told.split_once("there is `"))
+        .flat_map(|(_, keys)| keys.split('`').step_by(2))
+        .collect();
+    assert!(keys.len() >= 16, "{keys:?}");
+    for name in ["site.md", "site.pt-BR.md"] {
+        let page = page(name);
+        let rows: String = page.lines().filter(|line| line.starts_with("| ")).collect();
+        for key in &keys {
+            let is_there = ["`{}`", "`[{}]`", "`[[{}]]`", "`[[line.{}]]`"]
+                .iter()
+                .any(|form| rows.contains(&form.replace("{}", key)));
+            assert!(is_there, "{name}: {key}");
+        }
+    }
+}
