@@ -132,10 +132,11 @@ impl Run {
         outputs: Image,
         engine: &mut E,
     ) -> Result<(), E::Error> {
-        let look = |place: &Place| match *place {
-            Place::Output(number) => Ok((outputs.0 >> (number - 1) & 1) as i32),
-            Place::Cell(cell) => engine.look(cell),
-            Place::Pwm(output) => engine.pwm(output).map(i32::from),
+        let level = |output: u8| (outputs.0 >> (output - 1) & 1) as i32;
+        let look = |place: &Place| match (place.cell(), place.output()) {
+            (Some(cell), _) => engine.look(cell),
+            (None, Some(output)) => Ok(level(output)),
+            (None, None) => engine.pwm(place.point().number()).map(i32::from),
         };
         let seen: Result<Vec<i32>, E::Error> = self.columns.seen.iter().map(look).collect();
         let change = Change {
@@ -144,9 +145,9 @@ impl Run {
             outputs,
             seen: seen?,
         };
-        let came = |place: &Place| match *place {
-            Place::Output(number) => (outputs.0 >> (number - 1) & 1) as i32,
-            _ => self.columns.value(place, &change.seen),
+        let came = |place: &Place| match place.output() {
+            Some(output) => level(output),
+            None => self.columns.value(place, &change.seen),
         };
         self.comparisons += self.wanted.len() as u64;
         let unmet: Vec<Unmet> = self

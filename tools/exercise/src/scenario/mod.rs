@@ -115,7 +115,7 @@ impl Step {
     /// it, or reads a voltage.
     fn holds_still(&self) -> bool {
         let outside = |setting: &Setting| matches!(setting, Setting::Input(..));
-        let output = |(place, _): &(Place, _)| matches!(place, Place::Output(_));
+        let output = |(place, _): &(Place, _)| place.output().is_some();
         self.restart || !self.set.iter().all(outside) || !self.expect.iter().all(output)
     }
 }

@@ -75,11 +75,11 @@ impl Columns {
             }
             let places = step.expect.iter().map(|&(place, _)| place);
             for place in places.clone() {
-                if let Place::Output(output) = place {
+                if let Some(output) = place.output() {
                     outputs = outputs.max(output);
                 }
             }
-            seen.extend(places.filter(|place| !matches!(place, Place::Output(_))));
+            seen.extend(places.filter(|place| place.output().is_none()));
         }
         Columns {
             inputs,
@@ -164,9 +164,9 @@ impl Unmet {
 impl Report {
     /// What a place was in the scan of this change.
     pub fn came(&self, place: Place, change: &Change) -> i32 {
-        match place {
-            Place::Output(number) => (change.outputs.0 >> (number - 1) & 1) as i32,
-            _ => self.columns.value(&place, &change.seen),
+        match place.output() {
+            Some(number) => (change.outputs.0 >> (number - 1) & 1) as i32,
+            None => self.columns.value(&place, &change.seen),
         }
     }
 

@@ -9,6 +9,7 @@ use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use unoclp_core::{Board, Cause, Millis, Point};
 use unoclp_host_sim::engine::{Cell, Refusal};
+use unoclp_point::Address;
 
 /// A fault that there is, with a line that there can be.
 pub(super) fn known_fault(
@@ -185,10 +186,10 @@ fn setting(pair: Pair<'_>, board: Board) -> Result<Setting, Slip> {
     if let Some(input) = (0..board.analogue).find(|number| *name == format!("A{number}")) {
         return Ok(Setting::Analogue(input, number(pair, 0..=1023)? as u16));
     }
-    match Place::of_name(name, board) {
-        Some(Place::Cell(cell @ Cell::Marker(_))) => Ok(Setting::Cell(cell, number(pair, 0..=1)?)),
-        Some(Place::Cell(cell)) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
-        _ => {
+    match Place::of_name(name, board).and_then(Place::cell) {
+        Some(cell @ Cell::Marker(_)) => Ok(Setting::Cell(cell, number(pair, 0..=1)?)),
+        Some(cell) => Ok(Setting::Cell(cell, number(pair, i32::MIN..=i32::MAX)?)),
+        None => {
             let name = name.clone();
             Err(slip(
                 Some(pair.0.span()),
@@ -217,9 +218,9 @@ fn expectation(pair: Pair<'_>, board: Board) -> Result<(Place, Option<i32>), Sli
     if pair.1.get_ref().as_str() == Some("any") {
         return Ok((place, None));
     }
-    let range = match place {
+    let range = match place.point() {
         _ if place.is_bit() => 0..=1,
-        Place::Pwm(_) => 0..=255,
+        Address::Pwm(_) => 0..=255,
         _ => i32::MIN..=i32::MAX,
     };
     let number = number(pair, range).map_err(|mut slip| {
