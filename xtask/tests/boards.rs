@@ -4,12 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What holds the UNO's limits, or held them.
-const NAMES: [&str; 6] = [
+const NAMES: [&str; 8] = [
     "Board::UNO",
     "Board::NANO",
     "Profile::UNO",
     "program::BOARD",
-    "BOARD.",
+    "BOARD.i",
+    "BOARD.o",
+    "BOARD.m",
     "limits::",
 ];
 

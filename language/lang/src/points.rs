@@ -204,10 +204,10 @@ fn elsewhere(written: &Written, board: Board) -> Option<Both> {
     let other = Board::ALL
         .into_iter()
         .find(|other| exists(address, *other))?;
-    let (name, other) = (board.name, other.name);
+    let name = other.name;
     Some((
-        format!("; of the {name}, while the board {other} has it"),
-        format!("; do {name}, enquanto a placa {other} o tem"),
+        format!("; the board {name} has this one"),
+        format!("; a placa {name} tem este ponto"),
     ))
 }
 

@@ -1,4 +1,4 @@
-//! A point that no board has is told by the same message at its place, in every language and every door.
+//! A point that the board lacks is told by the same message at its place, in every language and every door.
 
 use crate::project;
 use serde::Deserialize;
@@ -20,12 +20,25 @@ struct Case {
     /// Whether it is a number.
     #[serde(default)]
     number: bool,
+    /// Whether the board PC has it.
+    #[serde(default)]
+    pc: bool,
     /// What to do.
     en: String,
     pt: String,
     /// As LCE writes such a point, and what to do there.
     lce: Option<String>,
     lce_en: Option<String>,
+}
+
+impl Case {
+    /// What ends the message of a point that another board has.
+    fn elsewhere(&self) -> (&'static str, &'static str) {
+        match self.pc {
+            true => ("; the board PC has this one", "; a placa PC tem este ponto"),
+            false => ("", ""),
+        }
+    }
 }
 
 /// A door, a text that comes in by it, and what it is told.
@@ -135,8 +148,16 @@ fn one_fault_has_one_message_in_every_door() {
                 format!("não existe o ponto `{at}` nesta placa"),
                 "{about}"
             );
-            assert_eq!(first.help(Lang::En), case.en, "{about}");
-            assert_eq!(first.help(Lang::Pt), case.pt, "{about}");
+            assert_eq!(
+                first.help(Lang::En),
+                case.en.clone() + case.elsewhere().0,
+                "{about}"
+            );
+            assert_eq!(
+                first.help(Lang::Pt),
+                case.pt.clone() + case.elsewhere().1,
+                "{about}"
+            );
             let place = &text[first.span.range()];
             assert!(
                 place.contains(at.as_str())
@@ -163,7 +184,7 @@ fn lce_says_the_same_of_its_own_notation() {
             first.message(Lang::En),
             format!("there is no point `{at}` on this board")
         );
-        assert_eq!(&first.help(Lang::En), help);
+        assert_eq!(first.help(Lang::En), help.clone() + case.elsewhere().0);
         assert_eq!(&text[first.span.range()], at);
     }
 }
