@@ -29,7 +29,7 @@ fn each_language_names_the_points_of_a_pc() {
             "PROGRAM p\nVAR a AT %IX12.2 : BOOL; b AT %QX12.2 : BOOL; n AT %IW98 : INT; END_VAR\nb := a AND n > 5;\n\
              END_PROGRAM\n",
         ),
-        ("wide.lce", "se (I12.2) Q12.2;\n"),
+        ("wide.lce", "se (I12.2) { aciona Q12.2; }\n"),
     ];
     for (name, text) in texts {
         let program = file(name, text);
