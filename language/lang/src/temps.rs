@@ -55,7 +55,8 @@ impl Temps {
                 } else {
                     MARKER_WORDS
                 });
-                1
+                // What is told is told once: a marker of that kind goes on in its place.
+                self.board.markers_that(retained).next().unwrap_or(1)
             }
         }
     }

@@ -1,8 +1,10 @@
-//! Points above 16, and outputs above 64 that a timer drives, as they are stored. No board with a firmware has them: what
-//! is compiled for one has nothing of this.
+//! How points are stored: in the byte of their row, or beyond 16 in two bytes. No board with a firmware has the latter, nor
+//! outputs above 64 that a timer drives: what is compiled for one has nothing of them.
 //!
 //! A row whose byte holds a point names the others in two bytes: one of its own, then XX. Those of its own are the
 //! bytes that would store the branch points 09 to 15, which no rung has.
+
+use super::{BEHIND_POINTS, FIRST_POINT};
 
 #[cfg(not(target_arch = "avr"))]
 pub(crate) use wide::{far_row, holds_number, is_far, near_row};
@@ -13,9 +15,24 @@ pub(crate) use narrow::{far_row, holds_number, is_far, near_row};
 #[cfg(not(target_arch = "avr"))]
 pub(crate) use wide::{far_output, stored_target};
 
+/// The byte of the row that a first stored byte belongs to.
+pub(crate) const fn first_of(byte: u8) -> u8 {
+    if holds_point(byte) {
+        byte & 0xF0
+    } else {
+        near_row(byte)
+    }
+}
+
+/// Whether the low four bits of a first stored byte are the index of a point.
+pub const fn holds_point(byte: u8) -> bool {
+    byte >= FIRST_POINT && byte < BEHIND_POINTS && !is_far(byte)
+}
+
 #[cfg(not(target_arch = "avr"))]
 mod wide {
-    use crate::isa::{FIRST_POINT, MARKER_TARGET, POINTS, holds_point};
+    use super::holds_point;
+    use crate::isa::{FIRST_POINT, MARKER_TARGET, POINTS};
 
     /// The first byte of the first row's points above 16, and the first behind those of the last row, a reset coil's.
     const FAR: u8 = 0x88;
@@ -69,7 +86,7 @@ mod wide {
 
 #[cfg(target_arch = "avr")]
 mod narrow {
-    use crate::isa::holds_point;
+    use super::holds_point;
 
     #[inline(always)]
     pub(crate) const fn is_far(_: u8) -> bool {

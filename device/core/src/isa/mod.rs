@@ -35,9 +35,10 @@ mod packed;
 mod table;
 
 pub use class::Class;
+pub use far::holds_point;
 #[cfg(not(target_arch = "avr"))]
 pub(crate) use far::{far_output, stored_target};
-pub(crate) use far::{far_row, holds_number, is_far, near_row};
+pub(crate) use far::{far_row, first_of, holds_number, is_far, near_row};
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};
 pub(crate) use packed::{
@@ -153,18 +154,4 @@ pub(crate) fn xx(code: i32, base: i32) -> Option<u8> {
 /// Whether an instruction that is stored so is one of REAL numbers (NC-23).
 pub const fn is_real(stored: u8) -> bool {
     stored >= Opcode::RealAdd as u8 && stored <= Opcode::RealComparable as u8
-}
-
-/// The byte of the row that a first stored byte belongs to.
-pub(crate) const fn first_of(byte: u8) -> u8 {
-    if holds_point(byte) {
-        byte & 0xF0
-    } else {
-        near_row(byte)
-    }
-}
-
-/// Whether the low four bits of a first stored byte are the index of a point.
-pub const fn holds_point(byte: u8) -> bool {
-    byte >= FIRST_POINT && byte < BEHIND_POINTS && !is_far(byte)
 }
