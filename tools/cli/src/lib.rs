@@ -13,6 +13,8 @@
 pub mod ascii;
 mod lamps;
 pub mod messages;
+#[cfg(feature = "page")]
+mod metrics;
 pub mod monitor;
 pub mod panel;
 pub mod port;

@@ -1,6 +1,7 @@
 //! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
 use crate::messages;
+use crate::metrics::metrics;
 use crate::port::{Found, Place, Port, find};
 use crate::site_file;
 use anyhow::{Context, anyhow};
@@ -16,8 +17,8 @@ use unoclp_history::{Keeper, Sample, Store};
 use unoclp_modbus::client::Request;
 use unoclp_program::shown;
 use unoclp_serve::{
-    Absent, Board, Change, Keep, Line, Metric, Metrics, Modbus, News, NoAnswer, Pages, Remote,
-    Server, SharedBoard, Sharing, Tell, Tokens, Watched,
+    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Remote, Server, SharedBoard,
+    Sharing, Tell, Tokens, Watched,
 };
 use unoclp_site::{History, Site, Way};
 
@@ -168,45 +169,6 @@ fn keep(keeper: Arc<Keeper>) -> Keep {
     };
     Arc::new(move |changes: Vec<Change>| {
         keeper.keep(changes.into_iter().map(sample).collect());
-    })
-}
-
-/// How it stands with the history, in numbers.
-fn metrics(keeper: Arc<Keeper>) -> Metrics {
-    Arc::new(move || {
-        let state = keeper.state();
-        let number = |name, help, is_counter, value| Metric {
-            name,
-            help,
-            is_counter,
-            value,
-        };
-        vec![
-            number(
-                "history_rows_total",
-                "Rows written to the history",
-                true,
-                state.written,
-            ),
-            number(
-                "history_dropped_total",
-                "Rows given up, since the history took nothing for too long",
-                true,
-                state.dropped,
-            ),
-            number(
-                "history_waiting",
-                "Rows that wait for the history",
-                false,
-                state.waiting as u64,
-            ),
-            number(
-                "history_failing",
-                "Whether the history takes nothing at present",
-                false,
-                state.failure.is_some().into(),
-            ),
-        ]
     })
 }
 

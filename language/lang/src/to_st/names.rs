@@ -13,7 +13,7 @@ use std::fmt::Write;
 use unoclp_checked::SourceMap;
 use unoclp_core::Instruction;
 use unoclp_core::isa::Opcode;
-use unoclp_point::Address;
+use unoclp_point::{Address, Kind};
 
 /// The names of a program, and its variables.
 pub(super) struct Names {
@@ -50,7 +50,16 @@ impl Names {
             draft.keep(step, &mut used).map_err(|why| (at, why))?;
         }
         let kept: BTreeSet<Place> = kept(steps, body).collect();
-        for &place in &used {
+        // What stands at an address before what has none.
+        let mut places: Vec<Place> = used.iter().copied().collect();
+        places.sort_by_key(|place| match place {
+            Place::At(Address::Analogue(_) | Address::Pwm(_)) => 1,
+            Place::Register(..) => 2,
+            Place::At(point) if point.kind() > Kind::System => 3,
+            Place::At(_) | Place::Pin(_) | Place::FilterOn(_) | Place::FilterOff(_) => 0,
+            _ => 4,
+        });
+        for place in places {
             draft.declare(place, &used, &kept).map_err(|why| (0, why))?;
         }
         Ok(draft.names)

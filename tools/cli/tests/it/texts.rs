@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 /// What holds both languages, or words of one beside a table of the other.
 const TABLES: &[&str] = &[
     "tools/cli/src/messages/table.rs",
+    "tools/cli/src/metrics.rs",
     "tools/cli/src/commands/help.rs",
     "tools/cli/src/commands/refuse.rs",
     "tools/exercise/src/diagram/words.rs",
