@@ -155,8 +155,8 @@ pub fn for_demo() -> Result<()> {
 /// # Errors
 /// As [`for_firmware`].
 pub fn for_tests(kept: bool) -> Result<Toolchain> {
-    let rust = if kept { RUST } else { PINNED_RUST };
-    let toolchain = provide(&[AVR, RUST, rust, CHECKS, SIMAVR, TESTS, LAB, BROWSER])?;
+    let pinned = if kept { &[] } else { PINNED_RUST };
+    let toolchain = provide(&[AVR, RUST, pinned, CHECKS, SIMAVR, TESTS, LAB, BROWSER])?;
     provide_python()?;
     node::install()?;
     Ok(toolchain)

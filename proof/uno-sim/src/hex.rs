@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// What stands for the first byte of RAM that the program leaves free.
-const RAM_END: &str = "_end";
+/// The linker's name for the first byte of RAM that the program leaves free.
+const FREE_RAM: &str = "_end";
 
 /// Reads a firmware and its symbols.
 ///
@@ -26,8 +26,8 @@ pub(crate) fn read(path: &Path) -> Result<Program, Error> {
         )
     })?;
     program.static_ram_end = program
-        .symbol(RAM_END)
-        .ok_or_else(|| Error::unfit(&beside, format!("it does not name {RAM_END}")))?
+        .symbol(FREE_RAM)
+        .ok_or_else(|| Error::unfit(&beside, format!("it does not name {FREE_RAM}")))?
         .address
         .max(RAM_START);
     Ok(program)

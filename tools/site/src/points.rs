@@ -102,7 +102,7 @@ impl Points {
             }
         };
         for variable in &source.variables {
-            if let Holding::One((spot, base)) = variable.holding {
+            if let Holding::One((address, base)) = variable.holding {
                 let kind = match base.width() {
                     Width::Single => Kind::Real,
                     Width::Bit | Width::Unsigned => Kind::Unsigned,
@@ -110,7 +110,7 @@ impl Points {
                 };
                 add(
                     &variable.name,
-                    at(spot).map(|point| Point { kind, ..point }),
+                    at(address).map(|point| Point { kind, ..point }),
                 );
             }
         }
@@ -148,49 +148,42 @@ impl Points {
 /// The point that every board calls so: `I1`, `Q1`, `M1`, `A0`, `D1`; `T1` and `C1`, which are read as what has elapsed or
 /// been counted, and written as the preset.
 pub(crate) fn own(name: &str) -> Option<Point> {
-    let letter = name.chars().next()?;
-    let number: u8 = name.get(letter.len_utf8()..)?.parse().ok()?;
-    at(match letter {
-        'I' => Address::Input(number),
-        'Q' => Address::Output(number),
-        'M' => Address::Marker(number),
-        'A' => Address::Analogue(number),
-        'D' => Address::Register(number),
-        'T' => Address::Elapsed(number),
-        'C' => Address::Count(number),
-        _ => return None,
+    // Lower case is left to names of a program.
+    let written = name.starts_with(|first: char| first.is_ascii_uppercase());
+    at(match Address::parse(name).filter(|_| written)? {
+        Address::Timer(number) => Address::Elapsed(number),
+        Address::Counter(number) => Address::Count(number),
+        other => other,
     })
 }
 
-/// The point of a spot, by its own name; none of what a board does not tell.
-fn at(spot: Address) -> Option<Point> {
-    let (letter, number, read, write): (_, _, _, &[Span]) = match spot {
-        Address::Input(n) => ('I', n, discrete::INPUTS, &[]),
-        Address::Output(n) => ('Q', n, coil::OUTPUTS, &[coil::OUTPUTS]),
-        Address::Marker(n) => ('M', n, coil::MARKERS, &[coil::MARKERS]),
-        Address::Analogue(n) => ('A', n, input::ANALOGUE, &[]),
+/// What stands at an address, by its own name; none of what a board does not tell.
+fn at(address: Address) -> Option<Point> {
+    let (read, write): (_, &[Span]) = match address {
+        Address::Input(_) => (discrete::INPUTS, &[]),
+        Address::Output(_) => (coil::OUTPUTS, &[coil::OUTPUTS]),
+        Address::Marker(_) => (coil::MARKERS, &[coil::MARKERS]),
+        Address::Analogue(_) => (input::ANALOGUE, &[]),
         // The first of them stand in two rows.
-        Address::Register(n) => {
+        Address::Register(_) => {
             let write = &[holding::REGISTERS, holding::FIRST_REGISTERS];
-            ('D', n, holding::REGISTERS, write)
+            (holding::REGISTERS, write)
         }
-        Address::Elapsed(n) => ('T', n, input::TIMERS, &[holding::TIMERS]),
-        Address::Count(n) => ('C', n, input::COUNTERS, &[holding::COUNTERS]),
-        _ => {
-            return None;
-        }
+        Address::Elapsed(_) => (input::TIMERS, &[holding::TIMERS]),
+        Address::Count(_) => (input::COUNTERS, &[holding::COUNTERS]),
+        _ => return None,
     };
-    let index = match spot {
-        Address::Analogue(n) => n.into(),
-        _ => u16::from(number).checked_sub(1)?,
+    let index = match address {
+        Address::Analogue(number) => number.into(),
+        _ => u16::from(address.number()).checked_sub(1)?,
     };
-    let is_number = matches!(spot, Address::Register(_) | Address::Count(_));
+    let is_number = matches!(address, Address::Register(_) | Address::Count(_));
     Some(Point {
         kind: match is_number {
             true => Kind::Signed,
             false => Kind::Unsigned,
         },
-        name: format!("{letter}{number}"),
+        name: address.to_string(),
         read: Place::of(read, index)?,
         write: write
             .iter()
