@@ -37,8 +37,8 @@ mod table;
 pub use class::Class;
 pub use far::holds_point;
 #[cfg(not(target_arch = "avr"))]
-pub(crate) use far::{far_output, stored_target};
-pub(crate) use far::{far_row, first_of, holds_number, is_far, near_row};
+pub(crate) use far::{far_output, is_far, stored_target};
+pub(crate) use far::{far_row, first_of, holds_number, near_row};
 pub use instruction::{Instruction, Operand, Value};
 pub use kind::{Kind, Line};
 pub(crate) use packed::{
