@@ -12,7 +12,9 @@ use unoclp_client::diagnostics::Kept;
 use unoclp_core::{Board, Delay};
 use unoclp_lang::declared;
 use unoclp_program::used::Used;
-use unoclp_program::{Language, Refused, Seal, Source, Written, WrittenIn, point_names};
+use unoclp_program::{
+    Lang, Language, Refused, Seal, Source, Written, WrittenIn, lacks, not_sent, point_names,
+};
 
 /// The longest text that is looked at, bytes.
 pub const LONGEST: usize = 1 << 20;
@@ -60,6 +62,12 @@ pub struct Made {
     uses: Uses,
     /// How a board keeps it.
     kept: Stored,
+    /// Why it is sent to no board; none where it is written for one.
+    unsent: Option<Both>,
+    /// The boards that hold it.
+    held_by: Vec<&'static str>,
+    /// What the first board lacks for it; none where one holds it.
+    lacking: Option<Both>,
 }
 
 /// How much of the board it takes: bytes, each of so many.
@@ -87,7 +95,7 @@ pub struct Uses {
 }
 
 /// How a board keeps a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Stored {
     version: u8,
     bytes: u16,
@@ -252,10 +260,25 @@ fn language(language: &Language) -> &'static str {
     }
 }
 
+/// The boards that hold a program: its own, or each that does, where it is written for none.
+fn held_by(source: &Source) -> Vec<&'static str> {
+    if source.board().has_firmware() {
+        return vec![source.board().name];
+    }
+    let boards = Board::ALL.into_iter().filter(Board::has_firmware);
+    let boards = boards.filter(|board| lacks(source, *board, Lang::En).is_none());
+    boards.map(|board| board.name).collect()
+}
+
 fn made(source: Source) -> Made {
     let places = source.map.steps.iter();
     let map = places.map(|place| [place.line as u32, *place.codes.start(), *place.codes.end()]);
+    let held_by = held_by(&source);
+    let first = Board::ALL.into_iter().find(Board::has_firmware);
+    let lacking = |board| both(|lang| lacks(&source, board, lang).unwrap_or_default());
     Made {
+        lacking: first.filter(|_| held_by.is_empty()).map(lacking),
+        held_by,
         symbols: point_names(&source),
         map: map.collect(),
         size: Size {
@@ -266,6 +289,8 @@ fn made(source: Source) -> Made {
         },
         uses: Uses::of(&source),
         kept: Kept::of(source.program()).into(),
+        unsent: not_sent(&source, Lang::En)
+            .map(|_| both(|lang| not_sent(&source, lang).unwrap_or_default())),
         code: String::from_utf8_lossy(&source.file()).into_owned(),
     }
 }

@@ -100,6 +100,9 @@ unoclp_program::messages! {
     faulty() "the program has errors; the problems say which" "o programa tem erros; veja os problemas";
     no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
+    own_contacts() "the board has contacts of its own; force the input instead" "a placa tem contatos próprios; force a entrada";
+    no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
+    none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
     no_point(name) "{name} is no point that can be set" "{name} não é um ponto que se possa alterar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
     no_flash() "no firmware is on its way" "nenhum firmware está a caminho";

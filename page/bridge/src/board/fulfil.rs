@@ -51,6 +51,7 @@ pub(super) async fn fulfil(
             point::set(client, point, value).await?;
             Ok(None)
         }
+        Order::Press { .. } | Order::Turn { .. } => Err(Undone::Told(both(words::own_contacts))),
         Order::Upload { text, stay } => put(client, desk, number, text, stay).await.map(Some),
         Order::Watch { text } => {
             let watched = Watched::new(text.program()?);

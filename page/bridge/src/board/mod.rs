@@ -4,10 +4,12 @@
 //! - `talk`: what is said: finding the board, reading it again and again, and doing what is ordered in between
 //! - `order`, `wanted`: what may be ordered; `fulfil`, `settle`: how it is done; `undone`: why not
 //! - `news`: what a page is told
+//! - `core`: a board that is none: the core runs the program, and there is no line
 //! - `desk`: what lies between a conversation and its page
 //!
 //! A conversation goes on until it is closed: a board that is lost is sought again.
 
+mod core;
 mod desk;
 mod fulfil;
 mod news;
@@ -23,20 +25,25 @@ mod watched;
 pub use order::Order;
 
 use crate::clock::{NEVER, time, whole_ms};
+use crate::facts;
 use crate::given::Given;
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
+use core::Core;
 use desk::Desk;
 use news::News;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use unoclp_client::{Conversation, Line, Next, Parity, Patience};
+use unoclp_core::Board;
 use watched::Watched;
 
 /// A conversation that is to begin.
 #[derive(Debug)]
 pub struct Open {
+    /// The board whose programs the core runs; none: there is a line to a board.
+    core: Option<Board>,
     /// The program that the board is said to run; none: any.
     program: Option<Text>,
     /// Whether opening the line has probably reset the board.
@@ -54,7 +61,9 @@ impl Open {
     /// Where something in it is something else.
     pub fn of(given: &mut Given) -> Result<Open, Both> {
         let program = given.below_if("program")?;
+        let core = given.truth_if("core")?.unwrap_or_default();
         Ok(Open {
+            core: core.then(|| facts::board(given)).transpose()?,
             program: program.map(|mut text| Text::of(&mut text)).transpose()?,
             reset: given.truth("reset")?,
             address: given.number_if("address")?,
@@ -75,8 +84,14 @@ pub struct Step {
 }
 
 struct Session {
-    conversation: Conversation<'static, ()>,
+    with: With,
     desk: Rc<Desk>,
+}
+
+/// Whom a page speaks to.
+enum With {
+    Line(Conversation<'static, ()>),
+    Core(Box<Core>),
 }
 
 /// All conversations.
@@ -118,12 +133,20 @@ impl Boards {
         let talks = desk.clone();
         let reset = open.reset;
         let talk = async move |client: &mut _| talk::talk(client, &talks, reset).await;
-        let conversation = Conversation::new(line, Patience::default(), talk);
+        let with = match open.core {
+            Some(board) => {
+                desk.tell(News::Found {
+                    identity: board.name.to_owned(),
+                });
+                With::Core(Box::new(Core::new(board)))
+            }
+            None => With::Line(Conversation::new(line, Patience::default(), talk)),
+        };
         let number = self.number();
         if self.sessions.len() >= MOST {
             self.sessions.pop_first();
         }
-        self.sessions.insert(number, Session { conversation, desk });
+        self.sessions.insert(number, Session { with, desk });
         Ok(number)
     }
 
@@ -139,13 +162,19 @@ impl Boards {
     pub fn step(&mut self, board: u32, now: f64, came: &[u8]) -> Result<Step, Both> {
         let session = self.session(board)?;
         let now = time(now);
-        let step = session.conversation.step(now, came);
-        let until = match step.next {
-            Next::Wait(until) => whole_ms(until),
-            Next::Done(()) => NEVER,
+        let (send, until) = match &mut session.with {
+            With::Line(conversation) => {
+                let step = conversation.step(now, came);
+                let until = match step.next {
+                    Next::Wait(until) => whole_ms(until),
+                    Next::Done(()) => NEVER,
+                };
+                (step.send, until)
+            }
+            With::Core(core) => (Vec::new(), core.step(whole_ms(now), &session.desk)),
         };
         Ok(Step {
-            send: step.send,
+            send,
             until,
             news: session.desk.news.take(),
         })
@@ -168,7 +197,9 @@ impl Boards {
     /// # Errors
     /// Where there is no conversation.
     pub fn lose(&mut self, board: u32, why: String) -> Result<(), Both> {
-        self.session(board)?.conversation.lose(why);
+        if let With::Line(conversation) = &mut self.session(board)?.with {
+            conversation.lose(why);
+        }
         Ok(())
     }
 

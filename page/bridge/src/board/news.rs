@@ -3,7 +3,7 @@
 use super::watched::Live;
 use crate::words::{self, Both, both};
 use serde::Serialize;
-use unoclp_client::diagnostics::Diagnostics;
+use unoclp_client::diagnostics::{self, Diagnostics};
 use unoclp_client::map::{State, cause, flag};
 use unoclp_client::settings::Settings;
 use unoclp_client::watch::{Forces, Meter, Reading};
@@ -35,53 +35,67 @@ pub enum News {
 }
 
 /// A reading.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Seen {
     /// ms since the board's start.
-    at: u32,
+    pub(super) at: u32,
     /// `RUN`, `STOP`, `FAULT`; `EMPTY`: nobody has given it a program yet.
-    state: &'static str,
-    switched_off: bool,
-    card_failed: bool,
-    fault: Option<Trouble>,
-    cause: &'static str,
+    pub(super) state: &'static str,
+    pub(super) switched_off: bool,
+    pub(super) card_failed: bool,
+    pub(super) fault: Option<Trouble>,
+    pub(super) cause: &'static str,
     /// µs: last, least, most.
-    scan_times: [u16; 3],
-    free_stack: u16,
-    supply: u32,
-    restarts: u16,
-    faults: u16,
-    kept: Kept,
+    pub(super) scan_times: [u16; 3],
+    pub(super) free_stack: u16,
+    pub(super) supply: u32,
+    pub(super) restarts: u16,
+    pub(super) faults: u16,
+    pub(super) kept: Kept,
     /// Whether the board keeps the program that is watched; none: none is.
-    same: Option<bool>,
+    pub(super) same: Option<bool>,
     /// The numbers of those that are 1.
-    inputs: Vec<u8>,
-    outputs: Vec<u8>,
+    pub(super) inputs: Vec<u8>,
+    pub(super) outputs: Vec<u8>,
+    /// Outputs with PWM, and what of 255; those of the core alone, since a line tells none.
+    pub(super) dimmed: Vec<(u8, u8)>,
     /// The numbers of those that are forced, and to what.
-    forced_inputs: Vec<(u8, bool)>,
-    forced_outputs: Vec<(u8, bool)>,
+    pub(super) forced_inputs: Vec<(u8, bool)>,
+    pub(super) forced_outputs: Vec<(u8, bool)>,
     /// Seconds without a request that end it; 0, 255: none do.
-    forcing_ends: Option<u8>,
+    pub(super) forcing_ends: Option<u8>,
     /// The numbers of those that are 1.
-    markers: Vec<u8>,
-    analogue: Vec<u16>,
+    pub(super) markers: Vec<u8>,
+    pub(super) analogue: Vec<u16>,
     /// From 01 on.
-    registers: Vec<i32>,
+    pub(super) registers: Vec<i32>,
     /// Elapsed and preset, from 01 on.
-    timers: Vec<[i32; 2]>,
-    counters: Vec<[i32; 2]>,
+    pub(super) timers: Vec<[i32; 2]>,
+    pub(super) counters: Vec<[i32; 2]>,
     /// None where another program runs than the one that is watched, or none does.
-    live: Option<Live>,
+    pub(super) live: Option<Live>,
 }
 
 /// A fault.
 #[derive(Debug, Serialize)]
-struct Trouble {
+pub(super) struct Trouble {
     number: u16,
     /// Of the text of the program that is watched.
     line: Option<u32>,
     text: Both,
+}
+
+impl Trouble {
+    /// Of a fault, with its line of the text where that is known.
+    pub(super) fn of(fault: diagnostics::Trouble, line: Option<u32>) -> Trouble {
+        let line = line.or(fault.line);
+        Trouble {
+            number: fault.number,
+            line,
+            text: both(|lang| words::trouble(lang, diagnostics::Trouble { line, ..fault })),
+        }
+    }
 }
 
 impl Seen {
@@ -107,15 +121,7 @@ impl Seen {
             },
             switched_off: board.has(flag::STOP_SWITCH),
             card_failed: board.has(flag::CARD_FAILED),
-            fault: trouble.map(|trouble| Trouble {
-                number: trouble.number,
-                line: line.or(trouble.line),
-                text: both(|lang| {
-                    let line = line.or(trouble.line);
-                    let told = unoclp_client::diagnostics::Trouble { line, ..trouble };
-                    words::trouble(lang, told)
-                }),
-            }),
+            fault: trouble.map(|trouble| Trouble::of(trouble, line)),
             cause: cause(board.cause),
             scan_times: board.scan_times,
             free_stack: board.free_stack,
@@ -126,6 +132,7 @@ impl Seen {
             same,
             inputs: numbers(reading.inputs.into()).collect(),
             outputs: numbers(reading.outputs.into()).collect(),
+            dimmed: Vec::new(),
             forced_inputs: forced(reading.forced_inputs),
             forced_outputs: forced(reading.forced_outputs),
             forcing_ends: reading.forcing_ends,

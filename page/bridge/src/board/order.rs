@@ -23,6 +23,10 @@ pub enum Order {
         number: u8,
         to: Option<bool>,
     },
+    /// Close the contact of an input, from 1, or open it; of the core alone: a board has contacts of its own.
+    Press { input: u8, closed: bool },
+    /// Turn the knob of an analogue input, from 0, to a reading; of the core alone.
+    Turn { input: u8, reading: u16 },
     /// Let all points go.
     Release,
     /// Set an output, a marker, a register or a preset once.
@@ -56,6 +60,14 @@ impl Order {
                 output: given.truth("output")?,
                 number: given.number("number")?,
                 to: given.truth_if("to")?,
+            },
+            "press" => Order::Press {
+                input: given.number("input")?,
+                closed: given.truth("closed")?,
+            },
+            "turn" => Order::Turn {
+                input: given.number("input")?,
+                reading: given.number("reading")?,
             },
             "set" => Order::Set {
                 point: given.text("point")?,

@@ -7,6 +7,7 @@ use unoclp_client::live::Parts;
 use unoclp_client::map::State;
 use unoclp_client::watch::{Reading, Scope};
 use unoclp_core::isa::Class;
+use unoclp_core::{Fault, Image, Inputs, Millis};
 use unoclp_draw::{Ladder, Nets, Symbol};
 use unoclp_exercise::live::{Boxes, Flow, Lines, Mark, Twin};
 use unoclp_host_sim::engine::Machine;
@@ -109,12 +110,27 @@ impl Watched {
         self.map.of_code(code).map(|place| place.line as u32)
     }
 
+    /// The program as it stands, to set something in it between two scans.
+    pub fn machine(&mut self) -> &mut Machine {
+        self.twin.machine_mut()
+    }
+
+    /// A scan of it, and what it has done.
+    pub fn scan(&mut self, inputs: Inputs, now: Millis) -> (Flow, Result<Image, Fault>) {
+        self.twin.scan(inputs, now)
+    }
+
     /// What there is to show of a reading.
     pub fn live(&mut self, reading: &Reading) -> Live {
         let flow = match reading.diagnostics.state {
             Some(State::Fault) => Flow::default(),
             _ => reading.with_snapshot(|board, inputs, now| self.twin.flow(board, inputs, now)),
         };
+        self.show(&flow)
+    }
+
+    /// What there is to show of a scan.
+    pub fn show(&self, flow: &Flow) -> Live {
         let shown = |mark| match mark {
             Mark::Power(power) => Shown::Power(power),
             Mark::Value(None) => Shown::Power(None),
@@ -123,7 +139,7 @@ impl Watched {
                 Err(_) => Shown::Literal(value),
             },
         };
-        let text = |step| Some((step, self.boxes.text(step, &flow)?));
+        let text = |step| Some((step, self.boxes.text(step, flow)?));
         let values = self.values.iter();
         Live {
             nets: self.nets.power(&flow.acc).on().collect(),
@@ -140,7 +156,7 @@ impl Watched {
                     ))
                 })
                 .collect(),
-            lines: self.lines.marks(&flow).into_iter().map(shown).collect(),
+            lines: self.lines.marks(flow).into_iter().map(shown).collect(),
         }
     }
 }

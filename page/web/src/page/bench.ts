@@ -2,16 +2,19 @@
 
 import type { Event, Pins } from "unoclp-uno";
 import type { Line } from "../line/line";
-import type { BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
+import type { Asks, BoardFacts, Both, News, Order, Seen, Settings, Text } from "../tools/answers";
 import type { Modules } from "../tools/modules";
 import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
+import { NoLine } from "../line/none";
 import { both } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
+import { OwnTime } from "./owntime";
 import { Signal } from "./signal";
 import { SimulatedBoard } from "./simulated";
 import { type Way, Ways, formatOf } from "./ways";
 
-export type Where = "simulated" | "desk";
+/** The simulated UNO, a board on the desk, or the core on this computer, which runs what is written for no board. */
+export type Where = "simulated" | "desk" | "core";
 
 /** How far an upload is: 0 to 1; storing. */
 export type Upload = { readonly share: number } | "storing" | null;
@@ -39,7 +42,12 @@ export class Bench {
   private readonly pending = new Set<Promise<unknown>>();
   /** What the board keeps for its next start; null until it was asked. */
   readonly settings = new Signal<Settings | null>(null);
-  private readonly ways = { simulated: new Ways(true), desk: new Ways(false) };
+  /** Who hears that something else is spoken to from now on. */
+  readonly joined = new Set<(where: Where) => void>();
+  private readonly ways = { simulated: new Ways(true), desk: new Ways(false), core: new Ways(true) };
+  private readonly own = new OwnTime();
+  /** What the simulated board has. */
+  private readonly uno: BoardFacts;
   private whenLost = (): void => undefined;
   private line: Line | null = null;
   private talk: Conversation | null = null;
@@ -51,24 +59,25 @@ export class Bench {
     worker: Worker,
     private readonly tell: (both: Both) => void,
   ) {
-    this.board = new Signal(tools.ask("board", {}));
+    this.uno = tools.ask("board", {});
+    this.board = new Signal(this.uno);
     this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
   }
 
   /** The clock of the board at hand. */
   get clock(): Clock {
-    return this.where.value === "simulated" ? this.simulated : WALL;
+    return { simulated: this.simulated, desk: WALL, core: this.own }[this.where.value];
   }
 
   /** Speaks to a board. */
   async connect(where: Where, line: Line, reset: boolean, lost = (): void => undefined): Promise<void> {
     await this.disconnect();
     this.line = line;
+    this.giveWay(where);
     this.where.value = where;
     this.whenLost = lost;
-    const { way } = this;
     const open = (program: Text | null): Promise<Conversation> =>
-      Conversation.open(this.tools, { program, reset, ...way }, line, formatOf(way), this.clock,
+      Conversation.open(this.tools, this.opening(program, reset), line, formatOf(this.way), this.clock,
         (news) => this.hear(news), (bytes) => this.listen(bytes), () => {
           this.forget();
           lost();
@@ -80,6 +89,39 @@ export class Bench {
       await this.revive();
       this.talk = await open(null);
     }
+    for (const hear of this.joined) hear(where);
+  }
+
+  /** Has this computer run what is written for a board that is none. */
+  async useCore(board: BoardFacts): Promise<void> {
+    if (this.where.value === "core" && this.board.value === board) return;
+    this.board.value = board;
+    await this.connect("core", new NoLine(), false);
+  }
+
+  /** Goes back to the simulated board. */
+  async useSimulated(): Promise<void> {
+    if (this.power.value) return this.connect("simulated", this.simulated.line, false);
+    await this.disconnect();
+    this.giveWay("simulated");
+    this.where.value = "simulated";
+  }
+
+  /** The simulated board stands while this computer runs a program in its place. */
+  private giveWay(where: Where): void {
+    if (where === this.where.value) return;
+    if ([where, this.where.value].includes("core")) this.on.value = null;
+    if (where === "core") this.simulated.tell({ kind: "pause" });
+    else this.board.value = this.uno;
+    if (this.where.value === "core") this.simulated.tell({ kind: "run" });
+    this.own.stand(false);
+    this.paused.value = false;
+  }
+
+  private opening(program: Text | null, reset: boolean): Asks["open"]["ask"] {
+    // This computer has no program until it is given one.
+    const core = this.where.value === "core" ? { program: null, core: true, board: this.board.value.id } : {};
+    return { program, reset, ...this.way, ...core };
   }
 
   private reviving: Promise<void> | null = null;
@@ -93,7 +135,8 @@ export class Bench {
       this.upload.value = null;
       for (const settle of [...this.orders.values()]) settle({ why: both("toolsDied") });
       this.orders.clear();
-      this.talk?.move(this.tools, { program: null, reset: false, ...this.way });
+      this.talk?.move(this.tools, this.opening(null, false));
+      this.tellJoined();
     })().finally(() => {
       this.reviving = null;
     });
@@ -106,7 +149,13 @@ export class Bench {
     const whole = await Tools.of(await this.modules.full());
     while (this.pending.size > 0) await Promise.allSettled(this.pending);
     this.tools = whole;
-    this.talk?.move(this.tools, { program: this.on.value, reset: false, ...this.way });
+    this.talk?.move(this.tools, this.opening(this.on.value, false));
+    this.tellJoined();
+  }
+
+  /** Other tools know nothing of what this computer ran. */
+  private tellJoined(): void {
+    if (this.where.value === "core") for (const hear of this.joined) hear("core");
   }
 
   /** The same line, spoken to from the beginning. */
@@ -189,7 +238,7 @@ export class Bench {
     this.upload.value = { share: 0 };
     try {
       this.takeTime();
-      const said = await this.order({ do: "upload", ...text });
+      const said = await this.order({ do: "upload", ...text, board: this.board.value.id });
       if (said) this.tell(said);
     } finally {
       this.upload.value = null;
@@ -198,20 +247,23 @@ export class Bench {
 
   /** What is asked of the board at hand takes time: a simulated one goes on. */
   takeTime(): void {
-    if (this.paused.value && this.where.value === "simulated") this.goOn();
+    if (this.paused.value && this.where.value !== "desk") this.goOn();
   }
 
   pause(): void {
-    this.simulated.tell({ kind: "pause" });
+    if (this.where.value === "core") this.own.stand(true);
+    else this.simulated.tell({ kind: "pause" });
     this.paused.value = true;
   }
 
   goOn(): void {
-    this.simulated.tell({ kind: "run" });
+    if (this.where.value === "core") this.own.stand(false);
+    else this.simulated.tell({ kind: "run" });
     this.paused.value = false;
   }
 
   speed(factor: number): void {
+    this.own.speed(factor);
     this.simulated.tell({ kind: "speed", factor });
   }
 

@@ -87,9 +87,9 @@ export class Buttons {
     if (inputs.some((input) => this.places.get(input)?.hidden)) this.show(this.places.size);
   }
 
-  /** Tells a board that has just got its power how the contacts stand. */
+  /** Tells a board that has just got its power, or takes the place of another, how the contacts stand. */
   tellAll(): void {
-    for (const input of new Set([...this.closed, ...this.latched])) this.tell(input);
+    for (const input of this.places.keys()) this.tell(input);
   }
 
   /** Shows the first so many. */

@@ -93,13 +93,8 @@ export class Desk {
   }
 
   private async leave(): Promise<void> {
-    const { bench } = this;
     this.port = null;
-    if (bench.power.value) await bench.connect("simulated", bench.simulated.line, false);
-    else {
-      await bench.disconnect();
-      bench.where.value = "simulated";
-    }
+    await this.bench.useSimulated();
   }
 
   /** Puts the firmware on the board at the port, and speaks to it then. */

@@ -1,6 +1,6 @@
 // The page: what it is made of, and what leads to what.
 
-import type { Text } from "../tools/answers";
+import type { Both, Text } from "../tools/answers";
 import { Modules } from "../tools/modules";
 import { RemoteTools } from "../tools/remote";
 import { Tools } from "../tools/tools";
@@ -40,7 +40,7 @@ async function load(): Promise<void> {
   const board = new Worker("board.js", { type: "module" });
   const tools = await Tools.of(module);
   const bench = new Bench(tools, modules, board, (both) => note(told(both)));
-  const forBoard = new ForBoard(tools, remote, program);
+  const forBoard = new ForBoard(tools, program);
 
   byId("stuck").remove();
   const editor = new Editor(byId("editor"), program.text.value.text, {
@@ -77,7 +77,11 @@ async function load(): Promise<void> {
   bench.serial.follow((text) => {
     serial.textContent = text || say("serialEmpty");
   });
-  const slot = new CardSlot(bench, remote, () => program.whole?.made.code ?? null, () => note(whyNot(program)));
+  const unsent = (): Both | null => program.whole?.made.unsent ?? null;
+  const slot = new CardSlot(bench, remote, () => (unsent() ? null : (program.whole?.made.code ?? null)), () => {
+    const why = unsent();
+    note(why ? told(why) : whyNot(program));
+  });
   const card = new CardTab(slot);
   const settings = h("div");
   const settingsTab = later(async () => new (await import("./settings")).SettingsTab(bench, settings));

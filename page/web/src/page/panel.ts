@@ -41,6 +41,8 @@ export class Panel {
       this.faults(),
     );
     bench.board.follow((board) => {
+      // Of the points of what is no board those are shown that the program has.
+      if (!board.firmware) return;
       const { own, shared } = inputsOf(board);
       this.buttons.offer([...own, ...shared], own.length);
       this.lamps.offer(upTo(board.outputs));
@@ -54,12 +56,20 @@ export class Panel {
       this.state();
       this.buttons.forced(seen?.forcedInputs ?? []);
       this.lamps.forced(seen?.forcedOutputs ?? []);
-      if (bench.where.value === "desk" && seen) this.lamps.light((output) => Number(seen.outputs.includes(output)));
+      if (bench.where.value !== "simulated" && seen) {
+        const dimmed = new Map(seen.dimmed);
+        this.lamps.light((output) => (dimmed.has(output) ? (dimmed.get(output) ?? 0) / 255 : Number(seen.outputs.includes(output))));
+      }
     });
     for (const signal of [bench.lost, bench.power, bench.upload, bench.paused, speak]) (signal as typeof bench.lost).follow(() => this.state());
     bench.power.follow((on) => {
       this.uno.ledPower = on;
       if (on) this.buttons.tellAll();
+    });
+    bench.joined.add((where) => {
+      if (where === "desk") return;
+      this.buttons.tellAll();
+      for (const [input, reading] of this.readings) this.turn(input, reading);
     });
   }
 
@@ -70,6 +80,10 @@ export class Panel {
 
   /** What the program on the board uses: knobs for its analogue inputs, names for its points. */
   uses(made: Made): void {
+    if (!this.bench.board.value.firmware) {
+      this.buttons.offer(made.uses.inputs, made.uses.inputs.length);
+      this.lamps.offer([...new Set([...made.uses.outputs, ...made.uses.pwm])].sort((one, other) => one - other));
+    }
     this.buttons.names(made.symbols);
     this.lamps.names(made.symbols);
     this.buttons.showTo(made.uses.inputs);
@@ -86,7 +100,7 @@ export class Panel {
     const turn = (reading: number): void => {
       output.textContent = String(reading);
       this.readings.set(input, reading);
-      this.simulated({ kind: "analogue", input, to: { reading } });
+      this.turn(input, reading);
     };
     const range = h("input", {
       type: "range", min: 0, max: 1023, value: 512, "aria-label": say("knobOf", { n: input }), "data-analogue": input,
@@ -94,6 +108,11 @@ export class Panel {
     });
     turn(512);
     return h("div", { class: "knob" }, h("b", {}, `A${input}`), range, output);
+  }
+
+  private turn(input: number, reading: number): void {
+    if (this.bench.where.value === "core") void this.bench.ask({ do: "turn", input, reading });
+    else this.simulated({ kind: "analogue", input, to: { reading } });
   }
 
   private simulated(command: Parameters<Bench["simulated"]["tell"]>[0]): void {
@@ -108,6 +127,7 @@ export class Panel {
   private press(input: number, pressed: boolean, closed: boolean): void {
     this.lamps.listen();
     if (this.bench.where.value === "simulated") this.simulated({ kind: "button", input, closed });
+    else if (this.bench.where.value === "core") void this.bench.ask({ do: "press", input, closed });
     // The buttons of a board on the desk are on the desk; these force its inputs.
     else void this.bench.ask({ do: "force", output: false, number: input, to: pressed ? closed : null });
   }
@@ -167,7 +187,8 @@ export class Panel {
         h("button", { type: "button", id: "command-stop", click: () => void bench.ask({ do: "stop" }) }, h("span", { "data-say": "commandStop" }))),
       pace);
     bench.where.follow((where) => {
-      for (const one of [pause, speed, pace]) one.hidden = where !== "simulated";
+      pause.hidden = speed.hidden = where === "desk";
+      pace.hidden = where !== "simulated";
     });
     return card;
   }
@@ -220,6 +241,7 @@ export class Panel {
     const seen = bench.seen.value;
     const upload = bench.upload.value;
     const simulated = bench.where.value === "simulated";
+    const here = bench.where.value === "core";
     let state = "";
     let text: string;
     if (simulated && !bench.power.value) text = say("stateOff");
@@ -228,9 +250,9 @@ export class Panel {
     else if (!seen) text = bench.lost.value ? told(bench.lost.value) : simulated ? say("stateStarting") : say("stateNone");
     else {
       state = seen.state;
-      if (seen.state === "RUN") text = say("stateRun");
+      if (seen.state === "RUN") text = say(here ? "stateRunHere" : "stateRun");
       else if (seen.state === "STOP") text = say("stateStop");
-      else if (seen.state === "EMPTY") text = say("stateEmpty");
+      else if (seen.state === "EMPTY") text = say(here ? "stateEmptyHere" : "stateEmpty");
       else text = seen.fault ? `${say("stateFault")} – ${told(seen.fault.text)}` : say("stateFault");
     }
     const now = `${state} ${text}`;

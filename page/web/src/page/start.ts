@@ -12,7 +12,9 @@ import { whyNot } from "./problems";
 import type { Tabs } from "./tabs";
 
 export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): HTMLElement {
-  const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"), h("span", { "data-say": "run" }));
+  const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"));
+  const word = h("span");
+  button.append(word);
   const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "upload" });
   const about = h("p", { class: "note", id: "about-program" });
   const run = async (): Promise<void> => {
@@ -22,17 +24,29 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
       else tabs.open("problems");
       return note(whyNot(program));
     }
-    // What the board at hand lacks is said before anything is sent.
-    const board = bench.board.value;
-    const lack = forBoard.chosen.firmware ? null : await forBoard.lack(board, looked.text);
-    if (lack !== null) return note(say("notOn", { name: board.name, why: lack }));
     try {
+      if (!(await atHand())) return;
       await bench.put(looked.text);
       bench.on.value = looked.text;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       note(told(error.both));
     }
+  };
+  /** The board that the program is for is at hand; said where another is. */
+  const atHand = async (): Promise<boolean> => {
+    const { chosen } = forBoard;
+    if (chosen.firmware) {
+      if (bench.where.value === "core") await bench.useSimulated();
+      return true;
+    }
+    const unsent = program.whole?.made.unsent;
+    if (bench.where.value === "desk") {
+      note(unsent ? told(unsent) : whyNot(program));
+      return false;
+    }
+    await bench.useCore(chosen);
+    return true;
   };
   button.addEventListener("click", () => void run());
   document.addEventListener("keydown", (event) => {
@@ -42,7 +56,10 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     }
   });
   const show = (): void => {
-    const there = bench.identity.value !== null;
+    const here = !forBoard.chosen.firmware;
+    const there = bench.identity.value !== null || here;
+    word.dataset["say"] = here ? "runHere" : "run";
+    word.textContent = say(here ? "runHere" : "run");
     button.disabled = !there || bench.upload.value !== null;
     const on = bench.on.value;
     const text = program.text.value;
@@ -55,6 +72,6 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     else if (upload === "storing") bar.removeAttribute("value");
     show();
   });
-  for (const signal of [bench.identity, bench.on, bench.seen, program.text, speak]) (signal as typeof bench.identity).follow(show);
+  for (const signal of [bench.identity, bench.on, bench.seen, program.text, program.board, speak]) (signal as typeof bench.identity).follow(show);
   return h("div", { class: "row" }, button, bar, about);
 }

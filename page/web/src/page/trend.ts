@@ -46,6 +46,7 @@ export class Trend {
   constructor(private readonly bench: Bench) {
     bench.events.add((event) => {
       const { recorder } = this;
+      if (bench.where.value !== "simulated") return;
       if (event.kind === "power" && event.on) this.clear();
       if (event.kind === "pins") {
         this.inputs(event.at, event.pins.closed);

@@ -97,6 +97,12 @@ export interface Made {
   };
   readonly uses: Uses;
   readonly kept: Stored;
+  /** Why it is sent to no board; null where it is written for one. */
+  readonly unsent: Both | null;
+  /** The boards that hold it. */
+  readonly heldBy: readonly string[];
+  /** What the first board lacks for it; null where one holds it. */
+  readonly lacking: Both | null;
 }
 
 export interface Checked {
@@ -190,6 +196,8 @@ export interface Seen {
   /** The numbers of those that are 1. */
   readonly inputs: readonly number[];
   readonly outputs: readonly number[];
+  /** Outputs with PWM, and what of 255; of a board nobody knows. */
+  readonly dimmed: readonly (readonly [number, number])[];
   /** The numbers of those that are forced, and to what. */
   readonly forcedInputs: readonly Forced[];
   readonly forcedOutputs: readonly Forced[];
@@ -226,7 +234,10 @@ export type Order =
   | { readonly do: "run" | "stop" | "scan" | "restart" | "release" | "settings" }
   | { readonly do: "force"; readonly output: boolean; readonly number: number; readonly to: boolean | null }
   | { readonly do: "set"; readonly point: string; readonly value: number }
-  | ({ readonly do: "upload"; readonly stay?: boolean } & Text)
+  /** Of what this computer runs alone: a board has contacts and knobs of its own. */
+  | { readonly do: "press"; readonly input: number; readonly closed: boolean }
+  | { readonly do: "turn"; readonly input: number; readonly reading: number }
+  | ({ readonly do: "upload"; readonly stay?: boolean; readonly board?: string } & Text)
   | ({ readonly do: "watch" } & Text)
   | { readonly do: "settle"; readonly settings: Settings };
 
@@ -333,7 +344,8 @@ export interface Asks {
   edit: { ask: { act: Act | null; width: number; speak: Speak }; answer: Drawn };
   drawn: { ask: { as: "numeric" | "il" }; answer: string };
   find: { ask: { words: string }; answer: readonly number[] };
-  open: { ask: { program: Text | null; reset: boolean; rate?: number; parity?: number; address?: number }; answer: number };
+  /** `core`: this computer runs the programs of the board, and there is no line. */
+  open: { ask: { program: Text | null; reset: boolean; core?: boolean; board?: string; rate?: number; parity?: number; address?: number }; answer: number };
   step: { ask: { board: number; now: number; came: readonly number[] }; answer: Step };
   order: { ask: { board: number; order: Order }; answer: number };
   flash: { ask: { hex: string; model: string }; answer: number };

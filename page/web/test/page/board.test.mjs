@@ -1,12 +1,12 @@
 // The board that a program is for: one that only the core runs is called none, the page says which board holds the program,
-// and nothing is sent to one that does not.
+// this computer runs it, and nothing is sent to a board.
 // @ts-check
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Lab, clean, pictures, run, state, type } from "./harness.mjs";
+import { Lab, clean, lamp, pictures, run, state, type } from "./harness.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -16,9 +16,12 @@ before(async () => {
 });
 after(() => lab.end());
 
-for (const { locale, none, fits, lacks, refused } of [
-  { locale: "en-US", none: /PC is no UNO/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program\. UNO: .*(?:I9|09)/, refused: /Nothing was sent: UNO/ },
-  { locale: "pt-BR", none: /PC não é um UNO/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa\. UNO: .*(?:I9|09)/, refused: /Nada foi enviado: UNO/ },
+/** A program that no board holds: I 09 lights Q 40, and Q 41 comes after a moment. */
+const NINE = "LD I9\nST Q40\nLDN S1\nTON T1, 20\nST Q41\n";
+
+for (const { locale, none, fits, lacks, runs, card, saveCard } of [
+  { locale: "en-US", none: /PC is no UNO/, fits: /also fits on UNO, Nano/, lacks: /No board holds this program: the UNO lacks inputs 09; outputs 40, 41\./, runs: /RUN: this computer/, card: /the UNO lacks inputs 09/, saveCard: /card/i },
+  { locale: "pt-BR", none: /PC não é um UNO/, fits: /também cabe em UNO, Nano/, lacks: /Nenhuma placa comporta este programa: faltam ao UNO as entradas 09; as saídas 40, 41\./, runs: /RUN: este computador/, card: /faltam ao UNO as entradas 09/, saveCard: /cartão/i },
 ]) {
   test(`a board that is none is called so, and sent to nobody, ${locale}`, async () => {
     const page = await lab.open({ locale });
@@ -27,15 +30,36 @@ for (const { locale, none, fits, lacks, refused } of [
     assert.ok(await note.isHidden());
     await page.selectOption("#for-board", "pc");
     await note.filter({ hasText: none }).filter({ hasText: fits }).waitFor();
-    // What an UNO holds too may be sent to one.
     await run(page);
-    await type(page, "LD I9\nST Q3\n", "nine.il");
+    await page.locator("#status", { hasText: runs }).waitFor();
+    // Points that no board has are pressed, seen and forced here.
+    await type(page, NINE, "nine.il");
     await note.filter({ hasText: lacks }).waitFor();
-    await page.locator("#problem-count.good").waitFor();
-    await page.click("#run");
-    await page.locator("#notes", { hasText: refused }).waitFor();
-    assert.equal(await page.locator("progress:visible").count(), 0);
+    await run(page);
+    await lamp(page, 40, false);
+    await page.hover('[data-input="9"]');
+    await page.mouse.down();
+    await lamp(page, 40, true);
+    await page.mouse.up();
+    await lamp(page, 40, false);
+    await page.locator('[data-output="41"][data-on="true"]').waitFor();
+    await page.click("#tab-watch");
+    await page.locator('tr[data-point="I9"] button', { hasText: /1$/ }).click();
+    await lamp(page, 40, true);
+    await page.click("#release");
+    await lamp(page, 40, false);
+    // It stops, makes a single scan, and goes on.
+    await page.click("#command-stop");
+    await state(page, "STOP");
+    await lamp(page, 41, false);
+    await page.click("#command-run");
     await state(page, "RUN");
+    await lamp(page, 41, true);
+    // No card is made of it.
+    await page.click("#menu-fileMenu");
+    await page.locator(".menu button").filter({ hasText: saveCard }).click();
+    await page.locator("#notes", { hasText: card }).waitFor();
+    assert.equal(await page.locator("progress:visible").count(), 0);
     await clean(page, "a board that is none");
     for (const [width, height] of /** @type {const} */ ([[1366, 768], [1920, 1080], [390, 844]])) {
       await page.setViewportSize({ width, height });
@@ -45,9 +69,19 @@ for (const { locale, none, fits, lacks, refused } of [
     // It is so after a reload, and an UNO's errors are there again.
     await page.reload();
     await note.filter({ hasText: lacks }).waitFor();
+    await run(page);
+    await lamp(page, 41, true);
     await page.selectOption("#for-board", "uno");
     await page.locator("#problem-count.bad").waitFor();
     await note.waitFor({ state: "hidden" });
+    // The simulated UNO takes over again, with its own buttons and lamps.
+    await type(page, "LD I1\nST Q1\n", "one.il");
+    await page.locator("#problem-count.good").waitFor();
+    await run(page);
+    await page.hover('[data-input="1"]');
+    await page.mouse.down();
+    await lamp(page, 1, true);
+    assert.equal(await page.locator("[data-output]").count(), 4);
     await page.context().close();
   });
 }

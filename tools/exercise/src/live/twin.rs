@@ -2,7 +2,7 @@
 //! energise.
 
 use super::Flow;
-use unoclp_core::{Inputs, Millis, Snapshot};
+use unoclp_core::{Fault, Image, Inputs, Millis, Snapshot};
 use unoclp_host_sim::engine::Machine;
 
 /// A program that does what a board does with it.
@@ -26,18 +26,28 @@ impl Twin {
         &self.machine
     }
 
+    /// The same, to set something in it between two scans.
+    pub fn machine_mut(&mut self) -> &mut Machine {
+        &mut self.machine
+    }
+
     /// What the program does on the board at the moment: a scan from what was read. Edges are those from reading
     /// to reading.
     pub fn flow(&mut self, board: &Snapshot<'_>, inputs: Inputs, now: Millis) -> Flow {
         self.machine.adopt(board, now);
-        let mut flow = Flow::new(self.steps);
-        // Before the scan they stand as the board has told them.
-        flow.look(self.machine.plc(), now);
         // A scan with too many jumps shows how far it has come.
-        let _ = self
+        self.scan(inputs, now).0
+    }
+
+    /// A scan of the program as it stands: what it does, and what it ends in.
+    pub fn scan(&mut self, inputs: Inputs, now: Millis) -> (Flow, Result<Image, Fault>) {
+        let mut flow = Flow::new(self.steps);
+        // Before the scan they stand as a board has told them.
+        flow.look(self.machine.plc(), now);
+        let outcome = self
             .machine
             .scan_observed(inputs, now, |step, after| flow.observe(step, after));
         flow.end(self.machine.plc());
-        flow
+        (flow, outcome)
     }
 }

@@ -1,0 +1,358 @@
+//! A board that is none: the core runs the program of a page, a scan each millisecond of the page's clock.
+//!
+//! Owns its state, its inputs, and what is ordered of it. Must not know lines, nor how its inputs are pressed.
+
+use super::desk::Desk;
+use super::news::{News, Seen, Trouble};
+use super::order::Order;
+use super::watched::Watched;
+use crate::program::Text;
+use crate::words::{self, Both, No, both};
+use std::collections::BTreeMap;
+use unoclp_client::diagnostics::{self, Kept};
+use unoclp_core::{Board, Fault, Image, Inputs, Millis, Plc, Point, Snapshot};
+use unoclp_exercise::live::Flow;
+use unoclp_point::Address;
+
+/// Scans that are made up for at most, where the page was away for longer: its time stood still then.
+const MOST: Millis = 250;
+/// ms between two pictures of it.
+const PICTURE: u64 = 16;
+
+/// What it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Empty,
+    Run,
+    Stop,
+    Fault(Fault),
+}
+
+/// The core as a page's board.
+pub struct Core {
+    board: Board,
+    state: State,
+    program: Option<Program>,
+    /// ms of the page's clock at the last scan; none before the first step.
+    last: Option<u64>,
+    /// ms since it began.
+    uptime: Millis,
+    inputs: Inputs,
+    /// What is forced, inputs and outputs, by number.
+    forced: [BTreeMap<u8, bool>; 2],
+    faults: u16,
+}
+
+/// A program that it holds.
+struct Program {
+    watched: Watched,
+    kept: Kept,
+    flow: Flow,
+}
+
+impl Core {
+    /// What runs the programs of this board. It has none yet.
+    pub fn new(board: Board) -> Core {
+        Core {
+            board,
+            state: State::Empty,
+            program: None,
+            last: None,
+            uptime: 0,
+            inputs: Inputs::default(),
+            forced: Default::default(),
+            faults: 0,
+        }
+    }
+
+    /// Does what was ordered, scans up to this time in ms, and tells what came of it; gives the time of its next step.
+    pub fn step(&mut self, now: u64, desk: &Desk) -> u64 {
+        let passed = now.saturating_sub(*self.last.get_or_insert(now));
+        self.last = Some(now);
+        for (order, what) in desk.orders.take() {
+            desk.tell(match self.fulfil(what) {
+                Ok(said) => News::Done { order, said },
+                Err(why) => News::Undone { order, why },
+            });
+        }
+        for _ in 0..passed.min(MOST.into()) {
+            self.uptime = self.uptime.wrapping_add(1);
+            if self.state == State::Run {
+                self.scan();
+            }
+        }
+        desk.tell(News::Seen(Box::new(self.seen())));
+        now + PICTURE
+    }
+
+    fn fulfil(&mut self, order: Order) -> Result<Option<Both>, Both> {
+        match order {
+            Order::Run | Order::Restart => self.begin(State::Run)?,
+            Order::Stop => self.begin(State::Stop)?,
+            Order::Scan => match self.state {
+                State::Stop => self.scan(),
+                _ => return Err(both(words::refused_now)),
+            },
+            Order::Release => self.forced = Default::default(),
+            Order::Force { output, number, to } => self.force(output, number, to)?,
+            Order::Set { point, value } => self.set(&point, value)?,
+            Order::Press { input, closed } => {
+                if let Some(point) = Point::new(input, self.board.inputs) {
+                    self.inputs.points.set(point, closed);
+                }
+            }
+            Order::Turn { input, reading } => {
+                if let Some(place) = self.inputs.analogue.get_mut(usize::from(input)) {
+                    *place = reading.min(1023);
+                }
+            }
+            Order::Upload { text, stay } => self.load(text, stay)?,
+            // It knows what it runs.
+            Order::Watch { .. } => {}
+            Order::Settings => return Err(both(words::no_settings)),
+            #[cfg(feature = "full")]
+            Order::Settle { .. } => return Err(both(words::no_settings)),
+        }
+        Ok(None)
+    }
+
+    fn load(&mut self, text: Text, stay: bool) -> Result<(), Both> {
+        let source = text.program().map_err(|no| match no {
+            No::Told(told) => told,
+            No::At(amiss) => (*amiss).into(),
+            // It was asked for before.
+            No::More => both(words::faulty),
+        })?;
+        self.board = source.board();
+        self.program = Some(Program {
+            kept: Kept::of(source.program()),
+            flow: Flow::default(),
+            watched: Watched::new(source),
+        });
+        self.begin(if stay { State::Stop } else { State::Run })
+    }
+
+    /// The program begins anew, and goes on in this state.
+    fn begin(&mut self, state: State) -> Result<(), Both> {
+        let program = self
+            .program
+            .as_mut()
+            .ok_or_else(|| both(words::none_given))?;
+        program.watched.machine().with_plc(|plc| plc.restart());
+        program.flow = Flow::default();
+        self.state = state;
+        Ok(())
+    }
+
+    /// A scan with the inputs as they are, or are forced to be.
+    fn scan(&mut self) {
+        let Some(program) = &mut self.program else {
+            return;
+        };
+        let [inputs, outputs] = &self.forced;
+        let mut now = self.inputs;
+        now.points = forced(now.points, inputs);
+        let (flow, outcome) = program.watched.scan(now, self.uptime);
+        program.flow = flow;
+        match outcome {
+            Ok(image) => {
+                let snapshot = Snapshot {
+                    outputs: forced(image, outputs),
+                    ..Snapshot::default()
+                };
+                program.with_plc(|plc| adopt(plc, snapshot, self.uptime));
+            }
+            Err(fault) => {
+                self.state = State::Fault(fault);
+                self.faults = self.faults.saturating_add(1);
+            }
+        }
+    }
+
+    fn force(&mut self, output: bool, number: u8, to: Option<bool>) -> Result<(), Both> {
+        let last = if output {
+            self.board.outputs
+        } else {
+            self.board.inputs
+        };
+        Point::new(number, last).ok_or_else(|| both(words::refused_address))?;
+        let [inputs, outputs] = &mut self.forced;
+        let forced = if output { outputs } else { inputs };
+        match to {
+            Some(to) => forced.insert(number, to),
+            None => forced.remove(&number),
+        };
+        Ok(())
+    }
+
+    /// Sets a point between two scans; of a timer or counter its preset.
+    fn set(&mut self, name: &str, value: i32) -> Result<(), Both> {
+        let program = self.program.as_mut();
+        let program = program.ok_or_else(|| both(words::none_given))?;
+        let (board, now) = (self.board, self.uptime);
+        let is_set = Address::parse(name).is_some_and(|point| {
+            program.with_plc(|plc| match point {
+                Address::Marker(number) if (1..=board.markers).contains(&number) => {
+                    plc.set_marker(number, value != 0);
+                    true
+                }
+                Address::Register(number) if number >= 1 => {
+                    plc.set_register(number, value);
+                    usize::from(number) <= plc.registers().len()
+                }
+                Address::Output(number) => Point::new(number, board.outputs).is_some_and(|point| {
+                    let mut outputs = plc.outputs();
+                    outputs.set(point, value != 0);
+                    adopt(
+                        plc,
+                        Snapshot {
+                            outputs,
+                            ..Snapshot::default()
+                        },
+                        now,
+                    );
+                    true
+                }),
+                Address::Timer(number) => {
+                    let timers = plc.timers(now).map(|timer| (timer.elapsed, timer.preset));
+                    let mut timers: Vec<(Millis, Millis)> = timers.collect();
+                    let preset = nth(&mut timers, number).map(|(_, preset)| preset);
+                    let is = preset
+                        .map(|preset| *preset = value.max(0).cast_unsigned())
+                        .is_some();
+                    let outputs = plc.outputs();
+                    adopt(
+                        plc,
+                        Snapshot {
+                            outputs,
+                            timers: &timers,
+                            ..Snapshot::default()
+                        },
+                        now,
+                    );
+                    is
+                }
+                Address::Counter(number) => {
+                    let counters = plc
+                        .counters()
+                        .map(|counter| (counter.value, counter.preset));
+                    let mut counters: Vec<(i32, i32)> = counters.collect();
+                    let preset = nth(&mut counters, number).map(|(_, preset)| preset);
+                    let is = preset.map(|preset| *preset = value).is_some();
+                    let outputs = plc.outputs();
+                    adopt(
+                        plc,
+                        Snapshot {
+                            outputs,
+                            counters: &counters,
+                            ..Snapshot::default()
+                        },
+                        now,
+                    );
+                    is
+                }
+                _ => false,
+            })
+        });
+        match is_set {
+            true => Ok(()),
+            false => Err(both(|lang| words::no_point(lang, name))),
+        }
+    }
+
+    fn seen(&mut self) -> Seen {
+        let [inputs, outputs] = &self.forced;
+        let list = |forced: &BTreeMap<u8, bool>| {
+            forced.iter().map(|(&number, &to)| (number, to)).collect()
+        };
+        let mut seen = Seen {
+            at: self.uptime,
+            state: match self.state {
+                State::Empty => "EMPTY",
+                State::Run => "RUN",
+                State::Stop => "STOP",
+                State::Fault(_) => "FAULT",
+            },
+            faults: self.faults,
+            inputs: numbers(forced(self.inputs.points, inputs).0),
+            forced_inputs: list(inputs),
+            forced_outputs: list(outputs),
+            analogue: self.inputs.analogue.to_vec(),
+            ..Seen::default()
+        };
+        let Some(program) = &mut self.program else {
+            return seen;
+        };
+        seen.kept = program.kept.into();
+        seen.same = Some(true);
+        seen.live = Some(program.watched.show(&program.flow));
+        if let State::Fault(fault) = self.state {
+            let trouble = diagnostics::Trouble {
+                number: fault.cause.number().into(),
+                line: fault.line,
+            };
+            seen.fault = Some(Trouble::of(trouble, program.watched.line(trouble)));
+        }
+        let now = self.uptime;
+        program.with_plc(|plc| {
+            seen.outputs = numbers(plc.outputs().0);
+            seen.markers = numbers(plc.markers());
+            seen.registers = plc.registers().to_vec();
+            let signed = |ms: Millis| i32::try_from(ms).unwrap_or(i32::MAX);
+            seen.timers = plc
+                .timers(now)
+                .map(|timer| [signed(timer.elapsed), signed(timer.preset)])
+                .collect();
+            seen.counters = plc
+                .counters()
+                .map(|counter| [counter.value, counter.preset])
+                .collect();
+            let dimmed = self
+                .board
+                .pwm_outputs()
+                .map(|output| (output, plc.pwm(output)));
+            seen.dimmed = dimmed.filter(|(_, share)| *share > 0).collect();
+        });
+        seen
+    }
+}
+
+impl Program {
+    fn with_plc<T>(&mut self, with: impl FnOnce(&mut Plc<'_>) -> T) -> T {
+        self.watched.machine().with_plc(with)
+    }
+}
+
+/// Takes over what is told of the outputs, timers and counters; the markers stay.
+fn adopt(plc: &mut Plc<'_>, snapshot: Snapshot<'_>, now: Millis) {
+    let markers = plc.markers();
+    plc.adopt(
+        &Snapshot {
+            markers,
+            ..snapshot
+        },
+        now,
+    );
+}
+
+/// That with this number, from 1.
+fn nth<T>(all: &mut [T], number: u8) -> Option<&mut T> {
+    all.get_mut(usize::from(number).checked_sub(1)?)
+}
+
+/// These points, but for those that are forced.
+fn forced(mut image: Image, forced: &BTreeMap<u8, bool>) -> Image {
+    for (&number, &to) in forced {
+        if let Some(point) = Point::new(number, Point::MOST) {
+            image.set(point, to);
+        }
+    }
+    image
+}
+
+/// The numbers of the points that are 1: bit 0 is point 01.
+fn numbers(bits: u128) -> Vec<u8> {
+    (1..=128)
+        .filter(|number| bits >> (number - 1) & 1 != 0)
+        .collect()
+}
