@@ -25,15 +25,16 @@ pub fn run() -> Result<()> {
     let image = root.join("target/demo/card.img");
     card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false, true)?;
 
+    // As the tests have it: half of what it needs is compiled for these commands already.
     say("demo: compiling the simulator");
-    shell::run(&mut simulator("build"))?;
+    shell::run(&mut cargo("build"))?;
     say("demo: a simulated UNO boots the firmware, with that card in its slot");
     shell::run(&mut demo(&image))
 }
 
 /// The simulator's demonstration.
 fn demo(image: &Path) -> Command {
-    let mut command = simulator("run");
+    let mut command = cargo("run");
     command.args(["--quiet", "--", "demo", "--elf"]);
     command.arg(tested::hex(Model::Uno));
     command.arg("--card").arg(image);
@@ -42,8 +43,15 @@ fn demo(image: &Path) -> Command {
 }
 
 /// A cargo command on the simulator.
-pub fn simulator(subcommand: &str) -> Command {
+fn cargo(subcommand: &str) -> Command {
     let mut cargo = shell::cargo();
-    cargo.args([subcommand, "--package=unoclp-uno-sim", "--release"]);
+    cargo.args([subcommand, "--package=unoclp-uno-sim"]);
+    cargo
+}
+
+/// The same, as fast as it goes.
+pub fn simulator(subcommand: &str) -> Command {
+    let mut cargo = cargo(subcommand);
+    cargo.arg("--release");
     cargo
 }
