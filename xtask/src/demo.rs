@@ -25,21 +25,35 @@ pub fn run() -> Result<()> {
     let image = root.join("target/demo/card.img");
     card::write(&root.join(PROGRAM), &image, card::Kind::Fat16, false, true)?;
 
-    // As the tests have it: half of what it needs is compiled for these commands already.
     say("demo: compiling the simulator");
-    shell::run(&mut cargo("build"))?;
+    shell::run(&mut quickly("build"))?;
     say("demo: a simulated UNO boots the firmware, with that card in its slot");
     shell::run(&mut demo(&image))
 }
 
 /// The simulator's demonstration.
 fn demo(image: &Path) -> Command {
-    let mut command = cargo("run");
+    let mut command = quickly("run");
     command.args(["--quiet", "--", "demo", "--elf"]);
     command.arg(tested::hex(Model::Uno));
     command.arg("--card").arg(image);
     command.arg("--scenario").arg(shell::root().join(SCENARIO));
     command
+}
+
+/// Crates that are large, and have next to nothing to do in the demonstration.
+const LARGE: [&str; 3] = ["unoclp-lang", "unoclp-draw", "unoclp-exercise"];
+
+/// A cargo command on the simulator, which takes little time to compile.
+fn quickly(subcommand: &str) -> Command {
+    let mut cargo = cargo(subcommand);
+    for package in LARGE {
+        cargo.arg(format!(
+            "--config=profile.dev.package.{package}.opt-level=0"
+        ));
+    }
+    cargo.arg("--bin=unoclp-uno-sim");
+    cargo
 }
 
 /// A cargo command on the simulator.

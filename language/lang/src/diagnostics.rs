@@ -5,16 +5,7 @@ pub use crate::severity::Severity;
 use std::collections::HashSet;
 use std::ops::Deref;
 use std::ops::Range;
-
-/// The language in which a diagnostic speaks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Lang {
-    /// English.
-    #[default]
-    En,
-    /// Brazilian Portuguese.
-    Pt,
-}
+pub use unoclp_words::Lang;
 
 /// A word that a place in the text adds to a message: the same in every language, or one for each.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -92,7 +92,7 @@ pub fn told(diagnostic: &Diagnostic, lang: Lang) -> String {
     format!("{}: {}", diagnostic.message(lang), diagnostic.help(lang))
 }
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     no_request(why) "the page has asked what cannot be understood: {why}" "a página pediu algo incompreensível: {why}";
     no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
     no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
@@ -229,6 +229,6 @@ mod tests {
     #[test]
     fn every_text_says_the_same_in_both_languages() {
         let none: Vec<&str> = Vec::new();
-        assert_eq!(unoclp_program::messages::gaps(super::ALL), none);
+        assert_eq!(unoclp_words::gaps(super::ALL), none);
     }
 }

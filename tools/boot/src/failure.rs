@@ -3,7 +3,7 @@
 use crate::model::Model;
 use crate::stage::Stage;
 use crate::words;
-use unoclp_program::Lang;
+use unoclp_words::Lang;
 
 /// Why a file is no image for a board.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //!
 //! Owns the words; `docs/flash.md` says more of each number.
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     not_hex(line)
         "line {line} is not Intel HEX; name a firmware file that ends in .hex"
         "a linha {line} não é Intel HEX; indique um arquivo de firmware que termine em .hex";
@@ -60,6 +60,6 @@ unoclp_program::messages! {
 mod tests {
     #[test]
     fn every_message_says_the_same_in_both_languages() {
-        assert_eq!(unoclp_program::messages::gaps(super::ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
     }
 }

@@ -39,7 +39,7 @@ use crate::image::Image;
 use crate::script::{Exchange, IN_SYNC, OK, SYNC, SYNCED, script};
 use crate::stage::Stage;
 use std::time::Duration;
-use unoclp_program::Lang;
+use unoclp_words::Lang;
 
 /// How often the board is reset until its boot loader answers.
 const RESETS: u32 = 4;

@@ -6,9 +6,9 @@ use crate::messages;
 use anyhow::anyhow;
 use std::path::{Path, PathBuf};
 use unoclp_exercise::scenario::{ProgramFile, Unreadable};
-use unoclp_program::messages::system;
 use unoclp_program::shown;
 use unoclp_site::{Files, Mistake, Site, read};
+use unoclp_words::system;
 
 /// The folder in which a site file stands.
 struct Folder(PathBuf);

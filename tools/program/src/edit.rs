@@ -5,7 +5,7 @@ use crate::diagnosis::cause;
 use unoclp_draw::edit::{Refusal, Wrong};
 use unoclp_lang::Lang;
 
-crate::messages! {
+unoclp_words::messages! {
     not_there() "what is selected is no longer there" "o que está selecionado já não existe";
     not_one_series() "select elements that stand in one series" "selecione elementos que estejam na mesma série";
     select_elements() "select an element first" "selecione antes um elemento";
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(crate::messages::gaps(super::ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
     }
 
     #[test]

@@ -7,7 +7,6 @@
 //! - [`edit`]: what the ladder editor refuses and finds wrong, in words
 //! - [`lacks()`]: what a board lacks for a program of another
 //! - [`list`]: a program as a ladder diagram or as numeric code with its meaning
-//! - [`mod@messages`]: the form of a table of texts in two languages
 //! - [`used`]: what a program uses of the board and its memory
 //!
 //! Owns the way from a file's bytes to a checked program, and what a person is shown of it. Must not know files, a
@@ -25,7 +24,6 @@ mod kept;
 mod lacks;
 mod language;
 pub mod list;
-pub mod messages;
 mod seal;
 mod shown;
 mod size;

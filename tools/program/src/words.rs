@@ -1,6 +1,6 @@
 //! What is said of a program as a whole, in the two languages that the tools speak.
 
-crate::messages! {
+unoclp_words::messages! {
     size(codes, stored, room, free, parts)
         "{codes}, {stored} of {room} bytes ({free} free), {parts}"
         "{codes}, {stored} de {room} bytes ({free} livres), {parts}";
@@ -66,6 +66,6 @@ crate::messages! {
 mod tests {
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(crate::messages::gaps(super::ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Owns the words. Must not know of what they tell.
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     no_toml()
         "this is no TOML; check quotes, commas and brackets, and whether a key stands there twice"
         "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
@@ -117,6 +117,6 @@ unoclp_program::messages! {
 mod tests {
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(unoclp_program::messages::gaps(super::ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
     }
 }

@@ -8,7 +8,7 @@ pub fn refused(refusal: Refusal) -> No {
     both(|lang| unoclp_program::edit::refusal(lang, refusal)).into()
 }
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     unfinished() "the drawing is not a program yet; its problems say what is missing" "o desenho ainda não é um programa; os problemas dizem o que falta";
     no_drawing() "no drawing is open" "nenhum desenho está aberto";
     select_one() "select one element first" "selecione um elemento primeiro";
@@ -80,6 +80,6 @@ mod tests {
     #[test]
     fn every_text_says_the_same_in_both_languages() {
         let none: Vec<&str> = Vec::new();
-        assert_eq!(unoclp_program::messages::gaps(super::ALL), none);
+        assert_eq!(unoclp_words::gaps(super::ALL), none);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use unoclp_boot::{Failure, Model, Stage, Trouble, Unfit};
-use unoclp_program::Lang;
+use unoclp_words::Lang;
 
 /// One of each.
 fn all(lang: Lang) -> Vec<(u8, String)> {

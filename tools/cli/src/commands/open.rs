@@ -12,8 +12,8 @@ use unoclp_cli::messages;
 use unoclp_core::Fault;
 use unoclp_exercise::scenario::{LONGEST, ProgramFile, Unreadable};
 use unoclp_lang::{self as lang, Severity, Told};
-use unoclp_program::messages::system;
 use unoclp_program::{NoProgram, Refused, Seal, Source, Written, diagnosis, shown};
+use unoclp_words::system;
 
 /// Where the errors of a text are shown.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -21,8 +21,8 @@ pub use table::*;
 
 use std::io;
 use unoclp_core::Cause;
-use unoclp_program::messages::system;
 use unoclp_program::{Size, diagnosis};
+use unoclp_words::system;
 
 /// A fault without its place: `fault 75: too many jumps back in one scan (NC-19)`.
 pub fn fault(cause: Cause) -> String {
@@ -43,6 +43,6 @@ pub fn io(error: &io::Error) -> String {
 mod tests {
     #[test]
     fn every_message_says_the_same_in_both_languages() {
-        assert_eq!(unoclp_program::messages::gaps(super::ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
     }
 }

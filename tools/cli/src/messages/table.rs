@@ -2,7 +2,7 @@
 
 use super::spoken::spoken;
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     in spoken;
 
     cannot_read(file, error)

@@ -2,7 +2,7 @@
 //!
 //! Owns the words. Must not know of what they tell.
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     expected() "expected" "esperado";
     came() "came" "ocorreu";
     power_cut() "power cut" "queda de energia";
@@ -18,6 +18,6 @@ mod tests {
 
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(unoclp_program::messages::gaps(ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(ALL), [""; 0]);
     }
 }

@@ -10,8 +10,8 @@ use super::{
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::Refusal;
-use unoclp_program::messages::system;
 use unoclp_program::{Lang, diagnosis};
+use unoclp_words::system;
 
 impl LoadError {
     /// In this language: `motor.toml:7: Q1 must be 0 or 1`

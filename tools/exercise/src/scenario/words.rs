@@ -2,7 +2,7 @@
 //!
 //! Owns the words. Must not know of what they tell.
 
-unoclp_program::messages! {
+unoclp_words::messages! {
     too_long(most)
         "has more than {most} bytes; no program and no scenario is as long"
         "tem mais de {most} bytes; nenhum programa ou cenário é tão longo";
@@ -121,6 +121,6 @@ mod tests {
 
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(unoclp_program::messages::gaps(ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(ALL), [""; 0]);
     }
 }

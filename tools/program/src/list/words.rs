@@ -2,7 +2,7 @@
 //!
 //! Owns the words. Must not know what a listing looks like.
 
-crate::messages! {
+unoclp_words::messages! {
     rung(number) "Rung {number}" "Degrau {number}";
     rung_line(number, line) "Rung {number}, line {line}" "Degrau {number}, linha {line}";
     rung_lines(number, from, to)
@@ -39,6 +39,6 @@ mod tests {
 
     #[test]
     fn every_text_says_the_same_in_both_languages() {
-        assert_eq!(crate::messages::gaps(ALL), [""; 0]);
+        assert_eq!(unoclp_words::gaps(ALL), [""; 0]);
     }
 }

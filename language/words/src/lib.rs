@@ -1,9 +1,18 @@
-//! Tables of texts in the two languages that the tools speak, and the words of the system's errors.
+//! The two languages that the tools speak: tables of texts, and the words of the system's errors.
 //!
 //! Owns the form of such a table, in which no text is without its twin. Must not know what the texts say.
 
 use std::io::ErrorKind;
-use unoclp_lang::Lang;
+
+/// The language in which a text speaks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// Brazilian Portuguese.
+    Pt,
+}
 
 /// Makes a function of each row `name(value, …) "English" "Portuguese";`, and for tests the table `ALL` of name, English
 /// and Portuguese, which [`gaps`] looks through.
