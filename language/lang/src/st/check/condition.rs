@@ -1,5 +1,6 @@
 //! A condition alone: an expression over names that somebody else gives, as a member of what has it is written: `tank.level`.
 
+use super::super::Asked;
 use super::super::ast::{File, Name, Node, NodeKind, Part, Path};
 use super::Checker;
 use crate::diagnostics::{Found, Span};
@@ -18,7 +19,7 @@ pub(in super::super) fn condition(
     names: &[(String, Base)],
     board: Board,
     found: &mut Found,
-) -> Option<(Tree, Vec<(usize, u32)>, u32)> {
+) -> Option<Asked> {
     let numbers = names.iter().enumerate();
     let numbers: HashMap<String, usize> = numbers
         .map(|(number, (name, _))| (name.to_uppercase(), number))
