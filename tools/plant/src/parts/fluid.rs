@@ -256,6 +256,7 @@ pub(crate) mod level {
             };
             m.set(V::reading, low + (FULL - low) * volume / 1000);
         }
-        m.reading(F::to, m.get(V::reading));
+        let came = m.reading(F::to, m.get(V::reading));
+        m.set(V::reading, came);
     }
 }

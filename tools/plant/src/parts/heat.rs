@@ -143,6 +143,7 @@ pub(crate) mod thermometer {
             let reading = temperature * i64::from(FULL) / i64::from(m.number(F::span).max(1));
             m.set(V::reading, reading.min(FULL.into()) as i32);
         }
-        m.reading(F::to, m.get(V::reading));
+        let came = m.reading(F::to, m.get(V::reading));
+        m.set(V::reading, came);
     }
 }

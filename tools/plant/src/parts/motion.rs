@@ -56,8 +56,8 @@ pub(crate) mod cylinder {
         let fine = m.get(V::fine);
         m.set(V::position, fine / 1000);
         m.put(V::moves, fine != before);
-        m.put(V::at_home, fine == 0);
-        m.put(V::out, fine == 1_000_000);
+        m.put(V::at_home, fine <= 20_000);
+        m.put(V::out, fine >= 980_000);
         if m.is(V::hand_in) && fine > before && fine > 500_000 {
             m.put(V::hurt, true);
         }
@@ -104,8 +104,8 @@ pub(crate) mod gate {
         }
         let fine = m.get(V::fine);
         m.set(V::position, fine / 1000);
-        m.put(V::up, fine == 1_000_000);
-        m.put(V::down, fine == 0);
+        m.put(V::up, fine >= 980_000);
+        m.put(V::down, fine <= 20_000);
         m.put(V::lowers, fine < before);
         let pushes = m.has(F::lower) && (up && fine == 1_000_000 || down && fine == 0);
         m.add(V::push, if pushes { 1 } else { -10_000 });
@@ -164,8 +164,8 @@ pub(crate) mod door {
         }
         let fine = m.get(V::fine);
         m.set(V::position, fine / 1000);
-        m.put(V::opened, fine == 1_000_000);
-        m.put(V::shut, fine == 0);
+        m.put(V::opened, fine >= 980_000);
+        m.put(V::shut, fine <= 10_000);
         m.put(V::closes, fine < before);
         let pushes = m.has(F::close) && (open && fine == 1_000_000 || close && fine == 0);
         m.add(V::push, if pushes { 1 } else { -10_000 });

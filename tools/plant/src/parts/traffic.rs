@@ -152,6 +152,9 @@ pub(crate) mod walk {
     }
 }
 
+/// So long after a car the next one follows it through a gate, ms.
+const NEXT: i32 = 1500;
+
 pub(crate) mod lane {
     use super::*;
     use crate::parts::motion::gate;
@@ -203,6 +206,7 @@ pub(crate) mod lane {
             }
             if m.get(V::on) == 0 {
                 m.put(V::passes, false);
+                m.set(V::on, NEXT);
                 m.add(V::inside, 1);
                 m.add(V::entered, 1);
                 let stays = m.number(F::stays);
@@ -211,7 +215,7 @@ pub(crate) mod lane {
                     m.set_row(V::rest, at, (stays / 2 + more).max(1));
                 }
             }
-        } else if position >= 900 && !lowers && m.get(V::waiting) > 0 {
+        } else if position >= 900 && !lowers && m.get(V::waiting) > 0 && m.get(V::on) == 0 {
             m.put(V::passes, true);
             m.add(V::waiting, -1);
             m.set(V::on, m.number(F::takes));

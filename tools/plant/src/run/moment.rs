@@ -245,11 +245,8 @@ impl Moment<'_> {
         self.inputs.points.set(contact.input, closed);
     }
 
-    /// Its analogue value is this, 0 to 1023: the input that it sets follows, as its faults let it.
-    pub fn reading(&mut self, field: impl Into<usize>, value: i32) {
-        let Given::Analogue(input) = self.given(field) else {
-            return;
-        };
+    /// Its analogue value is this, 0 to 1023: the input that it sets follows, as its faults let it. Gives what came.
+    pub fn reading(&mut self, field: impl Into<usize>, value: i32) -> i32 {
         let value = if self.fails(Fault::Open) {
             0
         } else if self.fails(Fault::Short) {
@@ -257,9 +254,12 @@ impl Moment<'_> {
         } else {
             value.clamp(0, FULL)
         };
-        if let Some(place) = self.inputs.analogue.get_mut(usize::from(input)) {
+        if let Given::Analogue(input) = self.given(field)
+            && let Some(place) = self.inputs.analogue.get_mut(usize::from(input))
+        {
             *place = value as u16;
         }
+        value
     }
 
     /// The value that a field names, and its range.
