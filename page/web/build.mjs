@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { createHash } from "node:crypto";
-import { examples, exercises, lessons } from "./build/lessons.mjs";
+import { examples, exercises, lessons, machines } from "./build/lessons.mjs";
 import { packages } from "./build/packages.mjs";
 import { below, bundle, bundleAll, node } from "../bundle.mjs";
 
@@ -29,7 +29,7 @@ const parts = {
     entryPoints: [
       { in: "src/page/main.ts", out: "page" },
       { in: "src/tools/worker.ts", out: "tools" },
-      { in: "../uno/src/worker.ts", out: "board" },
+      { in: "src/board/worker.ts", out: "board" },
     ],
     splitting: true,
     chunkNames: "part-[hash]",
@@ -73,6 +73,7 @@ async function around(outdir) {
   const root = join(lab, "../..");
   writeFileSync(join(outdir, "lessons.json"), JSON.stringify(lessons(root)));
   writeFileSync(join(outdir, "exercises.json"), JSON.stringify(exercises(root)));
+  writeFileSync(join(outdir, "machines.json"), JSON.stringify(machines(root)));
   writeFileSync(join(outdir, "examples.json"), JSON.stringify(examples(root)));
   const files = readdirSync(outdir).filter((name) => !name.endsWith(".map") && name !== "sw.js");
   const sum = createHash("sha256");

@@ -22,6 +22,7 @@ mod colour;
 mod colours;
 mod comments;
 mod compile;
+mod condition;
 mod decimal;
 mod declared;
 mod diagnostics;
@@ -62,6 +63,7 @@ pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
 pub use compile::{Compiled, Options, compile, compile_untyped};
+pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};
 pub use dialect::Dialect;

@@ -10,9 +10,9 @@ use crate::given::{Given, wrong};
 use crate::program::{self, Text};
 use crate::words::No;
 #[cfg(feature = "full")]
-use crate::words::both;
+use crate::words::{self, both};
 #[cfg(feature = "full")]
-use crate::{card, edit, edit::Drawing, exercise};
+use crate::{card, edit, edit::Drawing, exercise, machine, machine::Machine};
 use serde::Serialize;
 
 /// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `page/web/src/tools/answers.ts`
@@ -97,6 +97,60 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
         "read" => json(card::read(card::blocks(&mut given)?, &given.text("name")?)),
         // Bytes that are free on a card, from the blocks that are not empty.
         "free" => json(card::free(card::blocks(&mut given)?)),
+        // A machine to control, from its file; it stands until it is stepped.
+        "machine" => {
+            let (name, text) = (given.text("name")?, given.text("text")?);
+            let lang = Speak::of(&mut given)?.into();
+            // The same again, in another language, goes on.
+            let kept = match given.truth_if("keep")? {
+                Some(true) => boards.machine.take(),
+                _ => None,
+            };
+            let mut machine = match kept {
+                Some(machine) => machine,
+                None => Machine::open(&name, &text)?,
+            };
+            let known = json(machine.known(lang));
+            boards.machine = Some(machine);
+            known
+        }
+        // It lets go on for so many ms with these outputs; what the board is given then.
+        "machineStep" => {
+            let outputs = machine::outputs(&mut given)?;
+            let ms = given.number("ms")?;
+            let machine = machine(boards)?;
+            machine.step(&outputs, ms);
+            json(machine.gives())
+        }
+        // What has changed of its picture.
+        "machineLook" => json(machine(boards)?.look()),
+        // A person there changes something.
+        "machineHand" => {
+            let (part, value, to) = (
+                given.number("part")?,
+                given.number("value")?,
+                given.number("to")?,
+            );
+            machine(boards)?.hand(part, value, to);
+            json(())
+        }
+        // A part of it fails, or is mended.
+        "machineFault" => {
+            let (part, fault) = (given.number("part")?, given.text("fault")?);
+            let is = given.truth("is")?;
+            machine(boards)?.fault(part, &fault, is);
+            json(())
+        }
+        // As it was at first.
+        "machineReset" => {
+            machine(boards)?.reset();
+            json(())
+        }
+        // There is none any longer.
+        "machineClose" => {
+            boards.machine = None;
+            json(())
+        }
         // Firmware for a board, as Intel hex; the answer is the rate of its boot loader.
         "flash" => {
             let hex = given.text("hex")?;
@@ -137,6 +191,13 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
     })
 }
 
+/// The machine that is open.
+#[cfg(feature = "full")]
+fn machine(boards: &mut Boards) -> Result<&mut Machine, No> {
+    let none = || both(words::machine_first).into();
+    boards.machine.as_mut().ok_or_else(none)
+}
+
 /// The drawing that is open.
 #[cfg(feature = "full")]
 fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
@@ -151,6 +212,8 @@ fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
         "list" | "pages" | "sheet" | "exercise" | "card" | "read" | "free" | "flash"
         | "flashStep" | "flashLose" => Err(No::More),
         "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
+        "machine" | "machineStep" | "machineLook" | "machineHand" | "machineFault"
+        | "machineReset" | "machineClose" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

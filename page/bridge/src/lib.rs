@@ -11,6 +11,7 @@
 //! - `edit`: a program that a person draws
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
+//! - `machine`: a machine beside the board
 //! - `flash`: firmware on its way to a board
 //! - `board`: conversations with a board, simulated or real
 //! - `clock`: the times of a page
@@ -34,6 +35,8 @@ mod facts;
 #[cfg(feature = "full")]
 mod flash;
 mod given;
+#[cfg(feature = "full")]
+mod machine;
 mod program;
 mod tell;
 mod words;

@@ -100,6 +100,16 @@ unoclp_words::messages! {
     faulty() "the program has errors; the problems say which" "o programa tem erros; veja os problemas";
     no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
+    no_machine() "this file is no machine" "este arquivo não é uma máquina";
+    machine_first() "open a machine first" "abra uma máquina antes";
+    fault_stuck() "stuck" "travado";
+    fault_open() "wire broken" "fio partido";
+    fault_short() "short circuit" "em curto";
+    fault_welded() "contacts welded" "contatos soldados";
+    fault_jammed() "jammed" "emperrado";
+    fault_slow() "slow" "lento";
+    fault_leaking() "leaks" "com vazamento";
+    fault_bouncing() "bounces" "trepida";
     own_contacts() "the board has contacts of its own; force the input instead" "a placa tem contatos próprios; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
@@ -177,6 +187,23 @@ pub fn failure(lang: Lang, failure: &Failure) -> String {
 }
 
 /// Why a text is no program.
+/// How a part of a machine fails.
+#[cfg(feature = "full")]
+pub fn fails(lang: Lang, fault: unoclp_plant::Fault) -> String {
+    use unoclp_plant::Fault;
+    let told = match fault {
+        Fault::Stuck => fault_stuck,
+        Fault::Open => fault_open,
+        Fault::Short => fault_short,
+        Fault::Welded => fault_welded,
+        Fault::Jammed => fault_jammed,
+        Fault::Slow => fault_slow,
+        Fault::Leaking => fault_leaking,
+        Fault::Bouncing => fault_bouncing,
+    };
+    told(lang)
+}
+
 pub fn no_program(lang: Lang, why: NoProgram) -> String {
     match why {
         NoProgram::Empty => program_empty(lang),

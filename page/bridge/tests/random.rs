@@ -53,6 +53,13 @@ fn requests() -> Vec<Value> {
         json!({ "ask": "flash", "hex": ":00000001FF", "model": "uno" }),
         json!({ "ask": "flashStep", "now": 1, "came": [20, 16] }),
         json!({ "ask": "flashLose", "why": "gone" }),
+        json!({ "ask": "machine", "name": "m.toml", "text": include_str!("../../../programs/plants/motor.toml"), "speak": "pt", "keep": false }),
+        json!({ "ask": "machineStep", "levels": 5, "shares": [0, 255, 12, 0], "ms": 3 }),
+        json!({ "ask": "machineHand", "part": 1, "value": 0, "to": 1 }),
+        json!({ "ask": "machineFault", "part": 2, "fault": "welded", "is": true }),
+        json!({ "ask": "machineLook" }),
+        json!({ "ask": "machineReset" }),
+        json!({ "ask": "machineClose" }),
         json!({ "ask": "lose", "board": 1, "why": "gone" }),
         json!({ "ask": "close", "board": 1 }),
     ]

@@ -31,6 +31,8 @@ export class Surroundings {
   stop = false;
 
   private readonly lamps = Array.from({ length: OUTPUTS }, () => new Lamp());
+  /** The same for a machine, which looks more often than a person. */
+  private readonly drives = Array.from({ length: OUTPUTS }, () => new Lamp());
   private readonly led = new Lamp();
 
   /** `output` is told of each output whose level changes, but for pulses. */
@@ -74,6 +76,7 @@ export class Surroundings {
       const high = isHigh(chip, port, pin);
       if (!lamp || (lamp.now === 1) === high) return;
       lamp.set(high ? 1 : 0, cycle);
+      this.drives[n]?.set(high ? 1 : 0, cycle);
       const pulses = n === 0 ? chip?.timer0.drivesA : n === OUTPUTS - 1 ? chip?.timer1.drivesA : false;
       if (!pulses) this.output(n + 1, high);
     });
@@ -95,6 +98,11 @@ export class Surroundings {
   /** Bit n: output n + 1 is high. */
   get outputs(): number {
     return this.lamps.reduce((levels, lamp, n) => levels | (lamp.now << n), 0);
+  }
+
+  /** The share of 255 that each output was high since the last call. */
+  takeShares(cycle: number): number[] {
+    return this.drives.map((drive) => Math.round(255 * drive.take(cycle)));
   }
 
   /** What is seen since the last call. */

@@ -4,6 +4,7 @@
 import { Board, type Witness } from "./board";
 import { CYCLES_PER_MS } from "./chip/registers";
 import { flashOf } from "./hex";
+import type { Machine } from "./machine";
 import {
   ANALOGUE_INPUTS,
   type Analogue,
@@ -51,6 +52,10 @@ export class Session implements Witness {
   private eepromChanged = false;
   private readonly written = new Set<number>();
   private shown = "";
+  private machine: Machine | null = null;
+  /** The cycle of its next step, and what it gave before. */
+  private machineAt = 0;
+  private given = 0;
 
   /** `clock` is real time in ms. */
   constructor(
@@ -58,6 +63,14 @@ export class Session implements Witness {
     private readonly clock: () => number,
   ) {
     tell({ kind: "ready" });
+  }
+
+  /** Wires a machine to the board, in place of another, or none: then its contacts are open. */
+  wire(machine: Machine | null): void {
+    if (this.machine) this.give(this.machine.inputs, 0);
+    this.machine = machine;
+    this.machineAt = (this.board?.now ?? 0) + CYCLES_PER_MS;
+    this.given = 0;
   }
 
   /** Obeys a command. After it there may be something to do: see `turn`. */
@@ -99,7 +112,9 @@ export class Session implements Witness {
         const before = board.now;
         const sent = this.sent.length;
         // A whole number: of less than a cycle, time would not go on.
-        board.run(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS));
+        const due = this.machine ? this.machineAt - before : Infinity;
+        board.run(Math.max(1, Math.min(Math.ceil(Math.min(left, CHUNK) * CYCLES_PER_MS), due)));
+        this.move(board);
         const passed = (board.now - before) / CYCLES_PER_MS;
         left -= passed;
         if (this.left === Infinity) this.pace.pay(passed);
@@ -113,6 +128,29 @@ export class Session implements Witness {
     }
     if (this.stands) this.pauses();
     return left > ahead;
+  }
+
+  /** The machine goes on for each millisecond that has passed. */
+  private move(board: Board): void {
+    const { machine } = this;
+    while (machine && board.now >= this.machineAt && machine === this.machine) {
+      this.machineAt += CYCLES_PER_MS;
+      const { closed, analogue } = machine.step(board.surroundings.outputs, board.surroundings.takeShares(board.now));
+      if (machine !== this.machine) return;
+      this.give(machine.inputs, closed);
+      for (const [input, reading] of analogue) {
+        if (isNumber(input, 0, ANALOGUE_INPUTS - 1)) board.setAnalogue(input, { reading });
+      }
+    }
+  }
+
+  /** Moves the contacts at these inputs that stand otherwise. */
+  private give(inputs: number, closed: number): void {
+    const turned = (closed ^ this.given) & inputs;
+    for (let input = 1; input <= INPUTS; input += 1) {
+      if ((turned >> (input - 1)) & 1) this.board?.press(input, ((closed >> (input - 1)) & 1) === 1);
+    }
+    this.given = closed;
   }
 
   private attempt(command: Command): Trouble | null {

@@ -186,3 +186,29 @@ test("a program that does what is not simulated ends with the plug pulled, and w
   assert.deepEqual(desk.of("power").map(({ on }) => on), [true, false]);
   assert.equal(desk.session.turn(), null);
 });
+
+test("a machine moves once each simulated millisecond, drives its contacts, and sees what the board does", () => {
+  const desk = running("motor");
+  const seen: number[] = [];
+  desk.session.wire({
+    inputs: 0b1000,
+    step: (levels, shares) => {
+      assert.equal(shares.length, 4);
+      seen.push(levels);
+      // The overload relay at input 04, from the 100th millisecond on.
+      return { closed: seen.length >= 100 ? 0b1111 : 0b0111, analogue: [[4, 512]] };
+    },
+  });
+  desk.events = [];
+  desk.pass(1000);
+  assert.ok(Math.abs(seen.length - 1000) < 20, `${seen.length}`);
+  // Only input 04 is its own; the others are the buttons' still.
+  assert.equal(desk.of("pins").at(-1)?.pins.closed, 0b1000);
+  assert.equal(seen.at(99), 0);
+  assert.equal(seen.at(-1), 0b1000);
+  // Without it, its contacts are open.
+  desk.session.wire(null);
+  desk.pass(100);
+  assert.equal(desk.of("pins").at(-1)?.pins.closed, 0);
+  assert.ok(Math.abs(seen.length - 1000) < 20);
+});

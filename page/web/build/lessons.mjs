@@ -81,3 +81,19 @@ export function examples(root) {
   }
   return all;
 }
+
+/** Each machine, with a program that controls it. */
+export function machines(root) {
+  const folder = join(root, "programs/plants");
+  const read = (name) => readFileSync(join(folder, name), "utf8");
+  const both = (text, key) => {
+    const [, en, pt] = new RegExp(`^${key} = \\{ en = "([^"]*)", pt = "([^"]*)" \\}`, "m").exec(text) ?? [];
+    if (!en || !pt) throw new Error(`a machine has no ${key} in both languages`);
+    return { en, pt };
+  };
+  return readdirSync(folder).filter((name) => name.endsWith(".toml")).sort().map((name) => {
+    const text = read(name);
+    const solution = name.replace(/\.toml$/, ".st");
+    return { name, text, title: both(text, "title"), about: both(text, "about"), solution: { name: solution, text: read(solution) } };
+  });
+}

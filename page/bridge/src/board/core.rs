@@ -6,13 +6,21 @@ use super::desk::Desk;
 use super::news::{News, Seen, Trouble};
 use super::order::Order;
 use super::watched::Watched;
+#[cfg(feature = "full")]
+use crate::machine::Machine;
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::{self, Kept};
 use unoclp_core::{Board, Fault, Image, Inputs, Millis, Plc, Point, Snapshot};
 use unoclp_exercise::live::Flow;
+#[cfg(feature = "full")]
+use unoclp_plant::Outputs;
 use unoclp_point::Address;
+
+/// The small module has no machines.
+#[cfg(not(feature = "full"))]
+pub type Machine = std::convert::Infallible;
 
 /// Scans that are made up for at most, where the page was away for longer: its time stood still then.
 const MOST: Millis = 250;
@@ -66,7 +74,7 @@ impl Core {
     }
 
     /// Does what was ordered, scans up to this time in ms, and tells what came of it; gives the time of its next step.
-    pub fn step(&mut self, now: u64, desk: &Desk) -> u64 {
+    pub fn step(&mut self, now: u64, desk: &Desk, machine: &mut Option<Machine>) -> u64 {
         let passed = now.saturating_sub(*self.last.get_or_insert(now));
         self.last = Some(now);
         for (order, what) in desk.orders.take() {
@@ -80,10 +88,35 @@ impl Core {
             if self.state == State::Run {
                 self.scan();
             }
+            if let Some(machine) = machine {
+                self.drive(machine);
+            }
         }
         desk.tell(News::Seen(Box::new(self.seen())));
         now + PICTURE
     }
+
+    /// A machine goes on for 1 ms with the outputs as they are; its inputs are those of the next scan.
+    #[cfg(feature = "full")]
+    fn drive(&mut self, machine: &mut Machine) {
+        let mut outputs = Outputs::default();
+        if let (State::Run, Some(program)) = (self.state, &mut self.program) {
+            let board = self.board;
+            program.with_plc(|plc| {
+                outputs.points = plc.outputs();
+                for output in board.pwm_outputs() {
+                    if let Some(place) = outputs.pwm.get_mut(usize::from(output)) {
+                        *place = plc.pwm(output);
+                    }
+                }
+            });
+        }
+        machine.step(&outputs, 1);
+        self.inputs = *machine.inputs();
+    }
+
+    #[cfg(not(feature = "full"))]
+    fn drive(&mut self, _: &mut Machine) {}
 
     fn fulfil(&mut self, order: Order) -> Result<Option<Both>, Both> {
         match order {

@@ -102,6 +102,9 @@ pub struct Boards {
     last: u32,
     #[cfg(feature = "full")]
     pub(crate) flash: crate::flash::Flash,
+    /// A page has one machine. The core gives it its outputs, and takes its inputs.
+    #[cfg(feature = "full")]
+    pub(crate) machine: Option<crate::machine::Machine>,
     /// A page has one drawing.
     #[cfg(feature = "full")]
     pub(crate) drawing: Option<crate::edit::Drawing>,
@@ -160,7 +163,12 @@ impl Boards {
     /// # Errors
     /// Where there is none.
     pub fn step(&mut self, board: u32, now: f64, came: &[u8]) -> Result<Step, Both> {
-        let session = self.session(board)?;
+        #[cfg(feature = "full")]
+        let machine = &mut self.machine;
+        #[cfg(not(feature = "full"))]
+        let machine = &mut None;
+        let session = self.sessions.get_mut(&board);
+        let session = session.ok_or_else(|| both(|lang| words::no_board(lang, board)))?;
         let now = time(now);
         let (send, until) = match &mut session.with {
             With::Line(conversation) => {
@@ -171,7 +179,7 @@ impl Boards {
                 };
                 (step.send, until)
             }
-            With::Core(core) => (Vec::new(), core.step(whole_ms(now), &session.desk)),
+            With::Core(core) => (Vec::new(), core.step(whole_ms(now), &session.desk, machine)),
         };
         Ok(Step {
             send,

@@ -8,6 +8,7 @@ import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
 import { both } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
+import { type Machines, OwnMachine, WorkerMachine } from "./machines";
 import { OwnTime } from "./owntime";
 import { Signal } from "./signal";
 import { SimulatedBoard } from "./simulated";
@@ -46,6 +47,8 @@ export class Bench {
   readonly joined = new Set<(where: Where) => void>();
   private readonly ways = { simulated: new Ways(true), desk: new Ways(false), core: new Ways(true) };
   private readonly own = new OwnTime();
+  private readonly ofWorker: Machines;
+  private readonly ofCore = new OwnMachine(() => this.tools);
   /** What the simulated board has. */
   private readonly uno: BoardFacts;
   private whenLost = (): void => undefined;
@@ -62,11 +65,17 @@ export class Bench {
     this.uno = tools.ask("board", {});
     this.board = new Signal(this.uno);
     this.simulated = new SimulatedBoard(worker, (event) => this.hearBoard(event));
+    this.ofWorker = new WorkerMachine(worker, modules);
   }
 
   /** The clock of the board at hand. */
   get clock(): Clock {
     return { simulated: this.simulated, desk: WALL, core: this.own }[this.where.value];
+  }
+
+  /** Who moves a machine beside the board at hand; null: beside a real one nobody does. */
+  get machines(): Machines | null {
+    return { simulated: this.ofWorker, desk: null, core: this.ofCore }[this.where.value];
   }
 
   /** Speaks to a board. */
@@ -95,6 +104,8 @@ export class Bench {
   /** Has this computer run what is written for a board that is none. */
   async useCore(board: BoardFacts): Promise<void> {
     if (this.where.value === "core" && this.board.value === board) return;
+    // What has a program is not moved to other tools later.
+    await this.grow();
     this.board.value = board;
     await this.connect("core", new NoLine(), false);
   }
@@ -124,6 +135,7 @@ export class Bench {
     return { program, reset, ...this.way, ...core };
   }
 
+  private isWhole = false;
   private reviving: Promise<void> | null = null;
 
   /** The tools have broken down: others take their place, on the same line. What they were asked is not done, and what the
@@ -146,11 +158,12 @@ export class Bench {
   /** The tools that have everything speak from now on, behind what was ordered before. The line stays open: a board at
    * a port would be reset, and its program would begin anew. */
   private async grow(): Promise<void> {
+    if (this.isWhole) return;
     const whole = await Tools.of(await this.modules.full());
     while (this.pending.size > 0) await Promise.allSettled(this.pending);
     this.tools = whole;
+    this.isWhole = true;
     this.talk?.move(this.tools, this.opening(this.on.value, false));
-    this.tellJoined();
   }
 
   /** Other tools know nothing of what this computer ran. */

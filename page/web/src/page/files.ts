@@ -19,6 +19,11 @@ export async function read(file: File): Promise<Text | null> {
   return text === null ? null : { name: file.name, text };
 }
 
+/** Whether a file is a machine: it lists parts. */
+export function isMachine({ text }: Text): boolean {
+  return /^\s*\[\[part\]\]/m.test(text);
+}
+
 /** Whether a file says how a program is checked: an exercise or a scenario, and no program. */
 export function isScenario({ name, text }: Text): boolean {
   return /\.toml$/i.test(name) || /^\s*\[\[?(case|step|expect)\b/m.test(text);

@@ -14,6 +14,7 @@ const PATHS = {
   reset: "M4 12a8 8 0 1 0 3-6.2M4 4v5h5",
   tick: "M4 4h16v16H4zM8 12l3 3 5-6",
   pen: "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
+  machine: "M12 8a4 4 0 1 0 0 8 4 4 0 0 0 0-8M12 3v3M12 18v3M3 12h3M18 12h3M5.6 5.6l2.1 2.1M16.3 16.3l2.1 2.1M18.4 5.6l-2.1 2.1M7.7 16.3l-2.1 2.1",
   examples: "M4 4h7v7H4zM13 4h7v7h-7zM4 13h7v7H4zM13 13h7v7h-7z",
 } as const;
 

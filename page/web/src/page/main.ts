@@ -13,8 +13,9 @@ import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
 import { ForBoard } from "./forboard";
-import { download, isScenario, read, takeDrops } from "./files";
+import { download, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
+import { MachineArea } from "./machine";
 import { note } from "./notes";
 import { OnBoard } from "./onboard";
 import { Panel } from "./panel";
@@ -66,7 +67,8 @@ async function load(): Promise<void> {
   const take = async (file: File): Promise<void> => {
     const text = await read(file);
     if (!text) return;
-    if (isScenario(text)) await (await learning())?.take(text);
+    if (isMachine(text)) await machine.open(text);
+    else if (isScenario(text)) await (await learning())?.take(text);
     else open(text);
   };
 
@@ -94,9 +96,10 @@ async function load(): Promise<void> {
     { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
-  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, forBoard, tabs, () => view.goDraw()), new Desk(bench, modules).control);
+  const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null));
+  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, forBoard, tabs, () => view.goDraw()), new Desk(bench, modules).control, machine.root);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
-  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn });
+  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, machine });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 

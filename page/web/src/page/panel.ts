@@ -18,22 +18,26 @@ export class Panel {
   private readonly buttons: Buttons;
   private readonly lamps = new Lamps();
   private readonly status = h("div", { class: "status", id: "status" });
-  private readonly knobs = h("div", { class: "card", hidden: true });
+  private readonly contacts: HTMLElement;
+  private readonly knobs = h("div", { class: "card knobs", hidden: true });
   private readonly uno = document.createElement("wokwi-arduino-uno") as ArduinoUnoElement;
   private readonly readings = new Map<number, number>();
   private shown = "";
 
   constructor(
-    root: HTMLElement,
+    private readonly root: HTMLElement,
     private readonly bench: Bench,
     private readonly slot: CardSlot,
     start: HTMLElement,
     desk: HTMLElement,
+    machine: HTMLElement,
   ) {
     this.buttons = new Buttons((input, pressed, closed) => this.press(input, pressed, closed));
+    this.contacts = this.inputs();
     root.append(
       h("div", { class: "card" }, this.status, start, desk),
-      this.inputs(),
+      machine,
+      this.contacts,
       h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "lamps" })), this.lamps.root),
       this.knobs,
       this.time(),
@@ -119,6 +123,11 @@ export class Panel {
     this.bench.simulated.tell(command);
   }
 
+  /** A machine has buttons and knobs of its own: those of the board fold away. */
+  fold(folds: boolean): void {
+    this.root.classList.toggle("has-machine", folds);
+  }
+
   /** Makes the buttons of these inputs normally closed, and no others. */
   normallyClosed(inputs: readonly number[]): void {
     this.buttons.normallyClosed(inputs);
@@ -143,7 +152,7 @@ export class Panel {
     this.bench.board.follow((board) => {
       more.hidden = board.shared.length === 0;
     });
-    return h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
+    return h("div", { class: "card contacts" }, h("h3", {}, h("span", { "data-say": "buttons" }), h("span", {}, this.buttons.latching, more)), this.buttons.root,
       h("p", { class: "note", "data-say": "buttonsHint" }));
   }
 

@@ -10,6 +10,7 @@ import { h } from "./dom";
 import { download, pick } from "./files";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
+import type { MachineArea, MachineFile } from "./machine";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
@@ -28,6 +29,7 @@ interface Parts {
   readonly view: ProgramView;
   readonly slot: CardSlot;
   readonly remote: RemoteTools;
+  readonly machine: MachineArea;
   /** Opens the tutorial or the exercises. */
   learn(what: "lessons" | "exercises"): void;
 }
@@ -38,10 +40,22 @@ interface Example {
   readonly text: string;
 }
 
+interface ListedMachine extends MachineFile {
+  readonly title: { readonly en: string; readonly pt: string };
+  readonly about: { readonly en: string; readonly pt: string };
+  readonly solution: Text;
+}
+
+async function start({ machine, open }: Parts, listed: ListedMachine): Promise<void> {
+  await machine.open(listed);
+  note(told(listed.title), { text: say("machineSolve"), take: () => open(listed.solution) });
+}
+
 /** Puts the bar together; what it gives loads the examples, which nobody sees before the menu is opened. */
 export function toolbar(root: HTMLElement, parts: Parts): () => void {
   const { program, open } = parts;
   let examples: readonly Example[] = [];
+  let machines: readonly ListedMachine[] = [];
   const tongue = h("select", { id: "speak", "data-say-label": "language" }, h("option", { value: "en", lang: "en" }, "English"), h("option", { value: "pt", lang: "pt-BR" }, "Português"));
   tongue.addEventListener("change", () => setSpeak(tongue.value === "pt" ? "pt" : "en"));
   speak.follow((language) => {
@@ -53,6 +67,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
     menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
+    menu("machines", "machine", () => machines.map((one) => entry(told(one.title), () => void start(parts, one), told(one.about)))),
     lessons, exercises, share, theme(), tongue,
   );
   document.addEventListener("keydown", (event) => {
@@ -65,6 +80,9 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
   return () => {
     void fetch("examples.json").then(async (answer) => {
       examples = (await answer.json()) as Example[];
+    });
+    void fetch("machines.json").then(async (answer) => {
+      machines = (await answer.json()) as ListedMachine[];
     });
   };
 }

@@ -324,6 +324,46 @@ export interface Shelf {
   readonly items: readonly { readonly id: string; readonly name: Both; readonly key: string; readonly face: string }[];
 }
 
+/** What a person can change of a machine's part. */
+export interface Hand {
+  readonly part: number;
+  readonly value: number;
+  /** The part's name, by which its symbol is found. */
+  readonly name: string;
+  readonly label: Both;
+  readonly what: string;
+  /** It goes back as soon as nobody holds it. */
+  readonly isHeld: boolean;
+  readonly low: number;
+  readonly high: number;
+}
+
+/** A machine to control. */
+export interface MachineFacts {
+  readonly title: Both;
+  readonly about: Both;
+  readonly svg: string;
+  readonly hands: readonly Hand[];
+  /** The part, the fault, and what to call it. */
+  readonly faults: readonly (readonly [number, string, Both])[];
+  /** What must never be, and what must come to be. */
+  readonly rules: readonly Both[];
+  /** Inputs, analogue inputs and outputs that it is wired to. */
+  readonly uses: readonly [readonly number[], readonly number[], readonly number[]];
+}
+
+/** What has changed of a machine. */
+export interface MachineLook {
+  readonly at: number;
+  /** The element, its attribute or null for its text, and what that is now. */
+  readonly changes: readonly (readonly [string, string | null, string])[];
+  /** The rules that broke, and when. */
+  readonly broken: readonly (readonly [number, number])[];
+  readonly met: readonly number[];
+  /** What can be changed by hand, as it stands. */
+  readonly hands: readonly number[];
+}
+
 /** What may be asked, and what is answered. */
 export interface Asks {
   board: { ask: { board?: string }; answer: BoardFacts };
@@ -339,6 +379,14 @@ export interface Asks {
   read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
   /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
   free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
+  /** `keep`: the one that is open goes on, and is told in this language. */
+  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean }; answer: MachineFacts };
+  machineStep: { ask: { levels: number; shares: readonly number[]; ms: number }; answer: { readonly inputs: readonly number[]; readonly analogue: readonly (readonly [number, number])[] } };
+  machineLook: { ask: object; answer: MachineLook };
+  machineHand: { ask: { part: number; value: number; to: number }; answer: null };
+  machineFault: { ask: { part: number; fault: string; is: boolean }; answer: null };
+  machineReset: { ask: object; answer: null };
+  machineClose: { ask: object; answer: null };
   palette: { ask: object; answer: readonly Shelf[] };
   draw: { ask: { base: Text; log: readonly Act[]; width: number; speak: Speak }; answer: Drawn };
   edit: { ask: { act: Act | null; width: number; speak: Speak }; answer: Drawn };

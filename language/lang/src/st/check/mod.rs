@@ -3,10 +3,12 @@
 //! - `types`, `derived`: types as they are declared, and what a variable begins with
 //! - `units`: variables, and the order in which units are declared
 //! - `list`: what Instruction List does
+//! - `condition`: an expression alone, over names that are given
 //! - `expressions`, `statements`: the rest
 //!
 //! What a name means and which types go together is the builder's to say; this says what stands in the text.
 
+mod condition;
 mod derived;
 mod expressions;
 mod initial;
@@ -14,6 +16,8 @@ mod list;
 mod statements;
 mod types;
 mod units;
+
+pub(super) use condition::condition;
 
 use super::ast::File;
 use crate::diagnostics::{Code, Found, Span, Word};
@@ -46,21 +50,27 @@ struct Checker<'a, 't, 'f> {
     within: u32,
 }
 
+impl<'a, 't, 'f> Checker<'a, 't, 'f> {
+    fn new(builder: Builder<'t, 'f>, file: &'a File) -> Checker<'a, 't, 'f> {
+        Checker {
+            builder,
+            file,
+            types: HashMap::new(),
+            type_states: vec![State::Not; file.types.len()],
+            units: Vec::new(),
+            blocks: HashMap::new(),
+            within: 0,
+        }
+    }
+}
+
 pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) -> Option<Tree> {
     if !is_program(text, file, found) {
         return None;
     }
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
-    let mut checker = Checker {
-        builder,
-        file,
-        types: HashMap::new(),
-        type_states: vec![State::Not; file.types.len()],
-        units: Vec::new(),
-        blocks: HashMap::new(),
-        within: 0,
-    };
+    let mut checker = Checker::new(builder, file);
     checker.declare_all();
     checker.bodies();
     checker.builder.finish()

@@ -21,7 +21,7 @@ mod statement;
 mod types;
 mod unit;
 
-use super::ast::{File, Name};
+use super::ast::{File, Name, Node};
 use super::lexer::tokens;
 use super::token::{Dialect, Kind, Token};
 use super::words::{Keyword, meant};
@@ -35,43 +35,25 @@ const MOST_HIGH: u32 = 300;
 
 /// The tree of a text, and whether its declarations can be trusted.
 pub(super) fn parse(text: &str, dialect: Dialect, found: &mut Found) -> (File, bool) {
-    let tokens = tokens(text, dialect, found);
-    let keyword = |token: &Token| match (token.kind, token.meant) {
-        (Kind::Word, Some(meant)) => Keyword::of(meant),
-        (Kind::Word, None) => {
-            let quoted = token.span.start > 0
-                && matches!(
-                    text.as_bytes().get(token.span.start as usize - 1),
-                    Some(b'"' | b'#')
-                );
-            match quoted && dialect == Dialect::Scl {
-                true => Keyword::None,
-                false => Keyword::of(text.get(token.span.range()).unwrap_or_default()),
-            }
-        }
-        _ => Keyword::None,
-    };
-    let keywords = tokens.iter().map(keyword).collect();
-    // A comment that swallows the rest is the one mistake.
-    let dead = found.place_of(Code::StCommentOpen).is_some();
-    let mut parser = Parser {
-        text,
-        tokens,
-        keywords,
-        at: 0,
-        list: dialect == Dialect::Il,
-        open: 0,
-        closers: Vec::new(),
-        dead,
-        wrong_declarations: false,
-        late: false,
-        headless: false,
-        reserved: Vec::new(),
-        found,
-    };
+    let mut parser = Parser::new(text, dialect, found);
     let file = parser.file();
     let trusted = !parser.wrong_declarations && !parser.dead;
     (file, trusted)
+}
+
+/// A text that is one expression, from its first word to its last; none where it is not, which is told.
+pub(super) fn expression(text: &str, found: &mut Found) -> Option<Node> {
+    let mut parser = Parser::new(text, Dialect::Iec, found);
+    let node = parser.expression().ok()?;
+    if !parser.is(Kind::End) {
+        let help = (
+            "a condition is one expression, without a semicolon",
+            "uma condição é uma só expressão, sem ponto e vírgula",
+        );
+        parser.missing(("the end", "o fim"), help);
+        return None;
+    }
+    (!parser.dead).then_some(node)
 }
 
 struct Parser<'t, 'f> {
@@ -103,6 +85,46 @@ struct Parser<'t, 'f> {
 struct Told;
 
 type Parsed<T> = Result<T, Told>;
+
+impl<'t, 'f> Parser<'t, 'f> {
+    /// At the first word of a text.
+    fn new(text: &'t str, dialect: Dialect, found: &'f mut Found) -> Parser<'t, 'f> {
+        let tokens = tokens(text, dialect, found);
+        let keyword = |token: &Token| match (token.kind, token.meant) {
+            (Kind::Word, Some(meant)) => Keyword::of(meant),
+            (Kind::Word, None) => {
+                let quoted = token.span.start > 0
+                    && matches!(
+                        text.as_bytes().get(token.span.start as usize - 1),
+                        Some(b'"' | b'#')
+                    );
+                match quoted && dialect == Dialect::Scl {
+                    true => Keyword::None,
+                    false => Keyword::of(text.get(token.span.range()).unwrap_or_default()),
+                }
+            }
+            _ => Keyword::None,
+        };
+        let keywords = tokens.iter().map(keyword).collect();
+        // A comment that swallows the rest is the one mistake.
+        let dead = found.place_of(Code::StCommentOpen).is_some();
+        Parser {
+            text,
+            tokens,
+            keywords,
+            at: 0,
+            list: dialect == Dialect::Il,
+            open: 0,
+            closers: Vec::new(),
+            dead,
+            wrong_declarations: false,
+            late: false,
+            headless: false,
+            reserved: Vec::new(),
+            found,
+        }
+    }
+}
 
 impl Parser<'_, '_> {
     fn token(&self) -> Token {

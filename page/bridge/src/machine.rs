@@ -1,0 +1,266 @@
+//! A machine beside the board: what a page draws of it, and what passes between the two.
+//!
+//! Owns the one that a page has. Must not know which board it is wired to: its outputs come from outside, its inputs go there.
+
+use crate::given::Given;
+use crate::words::{self, Both, both};
+use self_cell::self_cell;
+use serde::Serialize;
+use unoclp_core::{Inputs, Point};
+use unoclp_plant::{Broken, Change, Fault, Outputs, Picture, Plant, Run, Text, picture, read};
+use unoclp_program::Lang;
+
+/// What chance begins with.
+const SEED: u64 = 1;
+/// A request lets it go on for no longer, ms.
+const MOST: u32 = 250;
+
+self_cell!(
+    struct Moving {
+        owner: Plant,
+        #[covariant]
+        dependent: Run,
+    }
+);
+
+/// A machine in motion, and how a page has seen it last.
+pub struct Machine {
+    moving: Moving,
+    shown: Option<(Picture, Lang)>,
+}
+
+/// A machine as a page gets to know it.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Known {
+    title: Both,
+    about: Both,
+    svg: String,
+    /// What a person there can change.
+    hands: Vec<Hand>,
+    /// What can fail: the part, the fault, and what to call it.
+    faults: Vec<(usize, &'static str, Both)>,
+    /// What must never be, and what must come to be.
+    rules: Vec<Both>,
+    /// The inputs that it switches, the analogue inputs that it sets, the outputs that drive it.
+    uses: [Vec<u8>; 3],
+}
+
+/// What a person there can change of a part.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Hand {
+    part: usize,
+    value: usize,
+    /// The part's name, by which its symbol is found.
+    name: String,
+    label: Both,
+    /// What it is: `pressed`, `turned`.
+    what: &'static str,
+    /// Whether it goes back as soon as nobody holds it.
+    is_held: bool,
+    low: i32,
+    high: i32,
+}
+
+/// What a board is given by it.
+#[derive(Debug, Serialize)]
+pub struct Gives {
+    /// The inputs that are 1.
+    inputs: Vec<u8>,
+    /// Analogue inputs, and their readings.
+    analogue: Vec<(u8, u16)>,
+}
+
+/// What has changed of it.
+#[derive(Debug, Serialize)]
+pub struct Look {
+    /// ms since it began.
+    at: u64,
+    /// The element, its attribute or null for its text, and what that is now.
+    changes: Vec<(String, Option<&'static str>, String)>,
+    /// The rules that broke, by number, and when.
+    broken: Vec<(usize, u64)>,
+    /// How often each goal was met.
+    met: Vec<u32>,
+    /// What can be changed by hand, as it stands.
+    hands: Vec<i32>,
+}
+
+impl From<&Text> for Both {
+    fn from(text: &Text) -> Both {
+        both(|lang| text.text(lang).to_owned())
+    }
+}
+
+impl Machine {
+    /// The machine of this file.
+    ///
+    /// # Errors
+    /// The first mistake in it, with its line.
+    pub fn open(name: &str, text: &str) -> Result<Machine, Both> {
+        let plant = read(text).map_err(|mistakes| match mistakes.first() {
+            Some(mistake) => both(|lang| mistake.text(name, lang)),
+            None => both(words::no_machine),
+        })?;
+        Ok(Machine {
+            moving: Moving::new(plant, |plant| Run::new(plant, SEED).by_hand()),
+            shown: None,
+        })
+    }
+
+    fn run(&self) -> &Run<'_> {
+        self.moving.borrow_dependent()
+    }
+
+    /// What a page gets to know of it; it is drawn in this language from then on.
+    pub fn known(&mut self, lang: Lang) -> Known {
+        let drawn = picture(self.run(), lang);
+        let svg = drawn.svg();
+        self.shown = Some((drawn, lang));
+        let plant = self.run().plant();
+        let nevers = plant.nevers.iter().map(|never| &never.text);
+        let rules = nevers.chain(plant.goals.iter().map(|goal| &goal.text));
+        let faults = plant.parts.iter().enumerate().flat_map(|(part, own)| {
+            own.kind.faults.iter().map(move |fault| {
+                let say =
+                    |lang| format!("{}: {}", own.label.text(lang), words::fails(lang, *fault));
+                (part, fault.name(), both(say))
+            })
+        });
+        Known {
+            title: (&plant.title).into(),
+            about: (&plant.about).into(),
+            svg,
+            hands: hands(plant),
+            faults: faults.collect(),
+            rules: rules.map(Both::from).collect(),
+            uses: plant.uses(),
+        }
+    }
+
+    /// The next milliseconds with these outputs.
+    pub fn step(&mut self, outputs: &Outputs, ms: u32) {
+        self.moving.with_dependent_mut(|_, run| {
+            for _ in 0..ms.min(MOST) {
+                run.step(outputs);
+            }
+        });
+    }
+
+    /// The inputs that it gives.
+    pub fn inputs(&self) -> &Inputs {
+        self.run().inputs()
+    }
+
+    /// The same, as a board is told.
+    pub fn gives(&self) -> Gives {
+        let (inputs, [_, analogue, _]) = (self.inputs(), self.run().plant().uses());
+        let points =
+            (1..=Point::MOST).filter_map(|number| Some((number, Point::new(number, Point::MOST)?)));
+        let reading = |number: u8| Some((number, *inputs.analogue.get(usize::from(number))?));
+        Gives {
+            inputs: points
+                .filter(|(_, point)| inputs.points.get(*point))
+                .map(|(number, _)| number)
+                .collect(),
+            analogue: analogue.into_iter().filter_map(reading).collect(),
+        }
+    }
+
+    /// What has changed since the last look.
+    pub fn look(&mut self) -> Look {
+        let Some((before, lang)) = self.shown.take() else {
+            let lang = Lang::default();
+            self.shown = Some((picture(self.run(), lang), lang));
+            return self.look();
+        };
+        let now = picture(self.run(), lang);
+        let changes = now.changes(&before);
+        self.shown = Some((now, lang));
+        let run = self.run();
+        let told = |Change {
+                        id,
+                        attribute,
+                        value,
+                    }| (id, attribute, value);
+        Look {
+            at: run.now(),
+            changes: changes.into_iter().map(told).collect(),
+            broken: run
+                .verdict()
+                .broken
+                .iter()
+                .map(|Broken { rule, at }| (*rule, *at))
+                .collect(),
+            met: run.verdict().met.clone(),
+            hands: hands(run.plant())
+                .iter()
+                .map(|hand| run.value(hand.part, hand.value))
+                .collect(),
+        }
+    }
+
+    /// A person there changes something.
+    pub fn hand(&mut self, part: usize, value: usize, to: i32) {
+        self.moving
+            .with_dependent_mut(|_, run| run.hand(part, value, to));
+    }
+
+    /// A part fails, or is mended.
+    pub fn fault(&mut self, part: usize, fault: &str, is: bool) {
+        if let Some(fault) = Fault::named(fault) {
+            self.moving
+                .with_dependent_mut(|_, run| run.fault(part, fault, is));
+        }
+    }
+
+    /// As it was before it moved; what has failed is mended.
+    pub fn reset(&mut self) {
+        self.moving.with_dependent_mut(|_, run| run.reset());
+    }
+}
+
+fn hands(plant: &Plant) -> Vec<Hand> {
+    let mut hands = Vec::new();
+    for (part, own) in plant.parts.iter().enumerate() {
+        for (value, slot) in own
+            .kind
+            .values
+            .iter()
+            .enumerate()
+            .filter(|(_, slot)| slot.by_hand)
+        {
+            let (low, high) = own.range(value);
+            hands.push(Hand {
+                part,
+                value,
+                name: own.name.clone(),
+                label: (&own.label).into(),
+                what: slot.name,
+                is_held: own.kind.name == "button",
+                low,
+                high,
+            });
+        }
+    }
+    hands
+}
+
+/// Outputs as a request gives them: `levels`, a bit for each, and `shares`, of 255 for each with PWM.
+///
+/// # Errors
+/// Where they are something else.
+pub fn outputs(given: &mut Given) -> Result<Outputs, Both> {
+    let mut outputs = Outputs::default();
+    let levels: u32 = given.number("levels")?;
+    for number in 1..=32 {
+        if let Some(point) = Point::new(number, 32) {
+            outputs.points.set(point, levels >> (number - 1) & 1 != 0);
+        }
+    }
+    for (place, share) in outputs.pwm.iter_mut().skip(1).zip(given.bytes("shares")?) {
+        *place = share;
+    }
+    Ok(outputs)
+}

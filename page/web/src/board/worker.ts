@@ -1,0 +1,59 @@
+// The worker of the page's board: the simulated UNO, and the machine that is wired to it. Both have one time.
+
+import type { Command, Event } from "unoclp-uno";
+import type { Gives, Machine } from "unoclp-uno/machine";
+import { type Scope, serve } from "unoclp-uno/serve";
+import { Refusal, Tools } from "../tools/tools";
+import type { ForMachine, OfMachine } from "./messages";
+
+const scope = self as unknown as Scope<Event | OfMachine, Command | ForMachine>;
+let tools: Promise<Tools> | null = null;
+
+/** The machine as Rust moves it. */
+class Wired implements Machine {
+  private last: Gives = { closed: 0, analogue: [] };
+
+  constructor(
+    private readonly rust: Tools,
+    readonly inputs: number,
+  ) {}
+
+  step(levels: number, shares: readonly number[]): Gives {
+    try {
+      const { inputs, analogue } = this.rust.ask("machineStep", { levels, shares, ms: 1 });
+      this.last = { closed: bits(inputs), analogue };
+    } catch {
+      // It stands still; who asks for it next is told.
+      session.wire(null);
+    }
+    return this.last;
+  }
+}
+
+function bits(numbers: readonly number[]): number {
+  return numbers.reduce((all, number) => all | (1 << (number - 1)), 0);
+}
+
+async function answer(id: number, what: string, request: unknown): Promise<void> {
+  const told = (answered: Omit<OfMachine, "kind" | "id">): void => scope.postMessage({ kind: "machine-answer", id, ...answered });
+  try {
+    if (!tools) return told({});
+    const rust = await tools;
+    const ok = rust.ask(what as "machine", request as never);
+    if (what === "machine") session.wire(new Wired(rust, bits(ok.uses[0])));
+    if (what === "machineClose") session.wire(null);
+    told({ ok });
+  } catch (error) {
+    if (error instanceof Refusal) return told({ error: error.both });
+    session.wire(null);
+    tools = tools?.then((dead) => dead.anew()) ?? null;
+    told({});
+  }
+}
+
+const session = serve(scope, (data: Command | ForMachine): data is ForMachine => {
+  if (data.kind === "machine-module") tools = Tools.of(data.module);
+  else if (data.kind === "machine-ask") void answer(data.id, data.what, data.request);
+  else return false;
+  return true;
+});

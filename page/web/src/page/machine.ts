@@ -1,0 +1,236 @@
+// The machine beside the board: seen, touched, and judged. It is drawn by Rust; here its changes are applied, and what a
+// person does to it is told.
+
+import type { Both, Hand, MachineFacts, MachineLook } from "../tools/answers";
+import { Refusal } from "../tools/tools";
+import { say, speak, told } from "../words/words";
+import type { Bench, Where } from "./bench";
+import { h } from "./dom";
+import { icon } from "./icons";
+import { announce, note } from "./notes";
+
+/** A machine as a file. */
+export interface MachineFile {
+  readonly name: string;
+  readonly text: string;
+}
+
+export class MachineArea {
+  readonly root = h("section", { class: "card machine", id: "machine", hidden: true, "aria-labelledby": "machine-title" });
+  private readonly title = h("span", { id: "machine-title" });
+  private readonly about = h("p", { class: "note" });
+  private readonly picture = h("div", { class: "machine-picture", id: "machine-picture" });
+  private readonly inside = this.picture.attachShadow({ mode: "open" });
+  private readonly below = h("div", { class: "row machine-hands" });
+  private readonly verdict = h("ul", { class: "machine-rules", id: "machine-rules" });
+  private readonly faults = h("div", { class: "machine-faults" });
+  private file: MachineFile | null = null;
+  private facts: MachineFacts | null = null;
+  private beside: Where = "simulated";
+  private broken = 0;
+  private looking = false;
+  /** What shows a hand as it stands, in the order of the hands. */
+  private shows: ((value: number) => void)[] = [];
+
+  constructor(
+    private readonly bench: Bench,
+    /** What the machine is wired to; null: there is none. */
+    private readonly wired: (facts: MachineFacts | null) => void,
+  ) {
+    const reset = h("button", { type: "button", class: "small", id: "machine-reset", click: () => void this.reset() }, icon("reset"), h("span", { "data-say": "machineReset" }));
+    const close = h("button", { type: "button", class: "small quiet", id: "machine-close", "data-say-label": "machineClose", click: () => void this.close() }, "×");
+    this.root.append(h("h3", {}, this.title, h("span", { class: "row" }, reset, close)), this.about, this.picture, this.below, this.verdict,
+      h("details", {}, h("summary", { "data-say": "machineFaults" }), this.faults));
+    speak.follow(() => {
+      if (this.file) void this.open(this.file, true);
+    });
+    // Beside another board it begins anew.
+    bench.joined.add((where) => {
+      if (this.file && where !== this.beside) void this.open(this.file);
+    });
+  }
+
+  /** Has this machine, as it is at first, or as it is. */
+  async open(file: MachineFile, keep = false): Promise<void> {
+    const { machines } = this.bench;
+    this.beside = this.bench.where.value;
+    if (!machines) {
+      note(say("machineDesk"));
+      return this.forget();
+    }
+    try {
+      const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep });
+      this.file = file;
+      this.show(facts);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      note(told(error.both));
+    }
+  }
+
+  private show(facts: MachineFacts): void {
+    this.facts = facts;
+    this.title.textContent = told(facts.title);
+    this.about.textContent = told(facts.about);
+    const drawn = new DOMParser().parseFromString(facts.svg, "image/svg+xml").documentElement;
+    // A sheet that is adopted, and not written into the page: a page may forbid the latter.
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(`${drawn.querySelector("style")?.textContent ?? ""} svg { width: 100%; height: auto; display: block; } .touch { cursor: pointer; outline: none; } .touch:focus-visible { outline: 3px solid #0b6e65; }`);
+    drawn.querySelector("style")?.remove();
+    // It is no picture alone: one can press what is in it.
+    drawn.setAttribute("role", "group");
+    drawn.setAttribute("aria-label", told(facts.title));
+    this.inside.adoptedStyleSheets = [sheet];
+    this.inside.replaceChildren(document.adoptNode(drawn));
+    this.below.replaceChildren();
+    const taken = new Set<string>();
+    this.shows = facts.hands.map((hand) => {
+      const symbol = taken.has(hand.name) || !isFlag(hand) ? null : this.inside.querySelector<SVGElement>(`[data-part="${CSS.escape(hand.name)}"]`);
+      taken.add(hand.name);
+      return symbol ? this.touch(symbol, hand) : this.lever(hand);
+    });
+    this.below.hidden = this.below.children.length === 0;
+    this.verdict.removeAttribute("data-shown");
+    this.judge({ broken: [], met: [] });
+    this.faults.replaceChildren(...facts.faults.map(([part, fault, name]) => {
+      const box = h("input", { type: "checkbox", change: () => void this.ask("machineFault", { part, fault, is: box.checked }) });
+      return h("label", { class: "switch" }, box, h("span", {}, told(name)));
+    }));
+    this.root.hidden = false;
+    this.wired(facts);
+    if (!this.looking) void this.look();
+  }
+
+  /** Lets go of it. */
+  async close(): Promise<void> {
+    await this.ask("machineClose", {});
+    this.forget();
+  }
+
+  private forget(): void {
+    this.file = this.facts = null;
+    this.root.hidden = true;
+    this.wired(null);
+  }
+
+  private async reset(): Promise<void> {
+    await this.ask("machineReset", {});
+    for (const box of this.faults.querySelectorAll("input")) box.checked = false;
+    this.broken = 0;
+  }
+
+  /** What has changed is drawn, as often as the screen is. */
+  private async look(): Promise<void> {
+    this.looking = true;
+    while (this.facts) {
+      await new Promise<void>((go) => requestAnimationFrame(() => go()));
+      const seen = this.facts && (await this.ask("machineLook", {}));
+      if (!seen) break;
+      for (const [id, attribute, value] of seen.changes) {
+        const element = this.inside.getElementById(id);
+        if (attribute === null) {
+          if (element) element.textContent = value;
+        } else element?.setAttribute(attribute, value);
+      }
+      seen.hands.forEach((value, at) => this.shows[at]?.(value));
+      this.judge(seen);
+    }
+    this.looking = false;
+  }
+
+  /** Which rules hold: each is said once as it breaks. */
+  private judge({ broken, met }: Pick<MachineLook, "broken" | "met">): void {
+    const { facts } = this;
+    if (!facts) return;
+    const nevers = facts.rules.length - met.length;
+    const at = new Map(broken);
+    const rows = facts.rules.map((rule, number) => {
+      const when = at.get(number);
+      const count = number >= nevers ? (met[number - nevers] ?? 0) : 0;
+      const state = when !== undefined ? "broken" : count > 0 ? "met" : "open";
+      const rest = when !== undefined ? ` – ${say("machineBroke", { s: seconds(when) })}` : count > 0 ? ` – ${say("machineMet", { n: count })}` : "";
+      return { state, text: `${told(rule)}${rest}` };
+    });
+    const shown = JSON.stringify(rows);
+    if (this.verdict.dataset["shown"] === shown) return;
+    this.verdict.dataset["shown"] = shown;
+    this.verdict.replaceChildren(...rows.map(({ state, text }) => h("li", { "data-state": state }, text)));
+    if (broken.length < this.broken) this.broken = 0;
+    for (const [rule] of broken.slice(this.broken)) announce(`${say("machineBrokeNow")}: ${told(facts.rules[rule] as Both)}`);
+    this.broken = Math.max(this.broken, broken.length);
+  }
+
+  private hand({ part, value }: Hand, to: number): void {
+    void this.ask("machineHand", { part, value, to });
+  }
+
+  /** A symbol that is pressed or turned where it stands. */
+  private touch(symbol: SVGElement, hand: Hand): (value: number) => void {
+    const name = `${told(hand.label)}`;
+    symbol.classList.add("touch");
+    for (const [key, value] of [["tabindex", "0"], ["role", "button"], ["aria-label", name], ["aria-pressed", "false"]] as const) symbol.setAttribute(key, value);
+    let is = 0;
+    const press = (): void => this.hand(hand, hand.isHeld ? hand.high : is ? hand.low : hand.high);
+    const release = (): void => {
+      if (hand.isHeld) this.hand(hand, hand.low);
+    };
+    symbol.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      symbol.setPointerCapture(event.pointerId);
+      press();
+    });
+    for (const kind of ["pointerup", "pointercancel"]) symbol.addEventListener(kind, release);
+    symbol.addEventListener("keydown", (event) => {
+      if ((event.key !== " " && event.key !== "Enter") || event.repeat) return;
+      event.preventDefault();
+      press();
+    });
+    symbol.addEventListener("keyup", (event) => {
+      if (event.key === " " || event.key === "Enter") release();
+    });
+    symbol.addEventListener("blur", release);
+    return (value) => {
+      if (value === is) return;
+      is = value;
+      symbol.setAttribute("aria-pressed", String(is !== 0));
+    };
+  }
+
+  /** What has no symbol of its own, or more than two states. */
+  private lever(hand: Hand): (value: number) => void {
+    const label = `${told(hand.label)}`;
+    if (isFlag(hand)) {
+      const box = h("input", { type: "checkbox", change: () => this.hand(hand, box.checked ? 1 : 0) });
+      this.below.append(h("label", { class: "switch" }, box, h("span", {}, label)));
+      return (value) => {
+        box.checked = value !== 0;
+      };
+    }
+    const range = h("input", { type: "range", min: hand.low, max: hand.high, "aria-label": label, input: () => this.hand(hand, Number(range.value)) });
+    this.below.append(h("label", { class: "knob" }, h("b", {}, label), range));
+    return (value) => {
+      if (document.activeElement !== range) range.value = String(value);
+    };
+  }
+
+  private async ask<K extends "machineLook" | "machineHand" | "machineFault" | "machineReset" | "machineClose">(
+    what: K, request: Parameters<NonNullable<Bench["machines"]>["ask"]>[1],
+  ): Promise<MachineLook | null> {
+    try {
+      return ((await this.bench.machines?.ask(what, request as never)) ?? null) as MachineLook | null;
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      note(told(error.both));
+      this.forget();
+      return null;
+    }
+  }
+}
+
+function isFlag({ low, high }: Hand): boolean {
+  return low === 0 && high === 1;
+}
+
+function seconds(ms: number): string {
+  return (ms / 1000).toLocaleString(speak.value === "pt" ? "pt-BR" : "en-US", { minimumFractionDigits: 1, maximumFractionDigits: 1 });
+}

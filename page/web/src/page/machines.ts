@@ -1,0 +1,76 @@
+// How the page asks the machine beside its board: the simulated UNO's lives in the worker of that, this computer's with the
+// program that it runs.
+
+import type { ForMachine, OfMachine } from "../board/messages";
+import type { Asks } from "../tools/answers";
+import type { Modules } from "../tools/modules";
+import { Refusal, type Tools } from "../tools/tools";
+import { both } from "../words/words";
+
+type MachineAsk = Extract<keyof Asks, `machine${string}`>;
+
+/** Who answers for a machine. */
+export interface Machines {
+  ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]>;
+}
+
+/** That of this computer: the tools that run the program have the machine too. */
+export class OwnMachine implements Machines {
+  constructor(private readonly tools: () => Tools) {}
+
+  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+    return this.tools().ask(what, request);
+  }
+}
+
+/** What the board's worker needs to be. */
+interface Asked {
+  postMessage(message: ForMachine): void;
+  addEventListener(kind: "message", hear: (message: { readonly data: OfMachine | { readonly kind: string } }) => void): void;
+}
+
+/** That of the simulated UNO. */
+export class WorkerMachine implements Machines {
+  private last = 0;
+  private readonly waiting = new Map<number, (answer: OfMachine) => void>();
+  private sent: Promise<void> | null = null;
+
+  constructor(
+    private readonly worker: Asked,
+    private readonly modules: Modules,
+  ) {
+    worker.addEventListener("message", ({ data }) => {
+      if (!isAnswer(data)) return;
+      this.waiting.get(data.id)?.(data);
+      this.waiting.delete(data.id);
+    });
+  }
+
+  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+    await this.send();
+    const id = ++this.last;
+    const answered = await new Promise<OfMachine>((resolve) => {
+      this.waiting.set(id, resolve);
+      this.worker.postMessage({ kind: "machine-ask", id, what, request });
+    });
+    if (answered.error) throw new Refusal(answered.error);
+    if (answered.ok === undefined) throw new Refusal(both("machineDied"));
+    return answered.ok as Asks[K]["answer"];
+  }
+
+  private send(): Promise<void> {
+    this.sent ??= this.modules.full().then(
+      (module) => this.worker.postMessage({ kind: "machine-module", module }),
+      (error: unknown) => {
+        // The next time it may come.
+        this.sent = null;
+        throw error;
+      },
+    );
+    return this.sent;
+  }
+}
+
+function isAnswer(data: { readonly kind: string }): data is OfMachine {
+  return data.kind === "machine-answer";
+}

@@ -1,0 +1,274 @@
+//! What moves to and fro.
+
+use crate::draw::motion as symbol;
+use crate::kind::{DAMAGE, FLAG, Fault, Form, HAND, Limit, SHARE, Slot, inner, kind, number};
+use crate::run::Moment;
+use crate::unit::Unit;
+
+/// A position in steps as small as the slowest motion asks for.
+const FINE: Slot = inner(0, 1_000_000);
+
+/// The steps of a millisecond in which the whole way takes so long, ms.
+fn pace(m: &Moment<'_>, takes: i32) -> i32 {
+    (1_000_000 / (takes * m.drag()).max(1)).max(1)
+}
+
+pub(crate) mod cylinder {
+    use super::*;
+    kind! {
+        "cylinder" Motion "A pneumatic cylinder: without `retract` a spring draws it back" "Um cilindro pneumático: sem `retract` uma mola o recolhe"
+        [180, 50], symbol::cylinder;
+        fields {
+            extend: Form::Drive, "the coil that extends it" "a bobina que o avança";
+            retract: Form::MayDrive, "the coil that retracts it" "a bobina que o recua";
+            takes: Form::Number(Unit::Ms, 50, 60_000, 800), "how long the whole way takes" "quanto demora o curso todo";
+            is_in: Form::Sense, "the input of the switch at its inner end" "a entrada do fim de curso recuado";
+            is_out: Form::Sense, "the input of the switch at its outer end" "a entrada do fim de curso avançado";
+        }
+        values {
+            position: SHARE, "how far it is out" "quanto está avançado";
+            at_home: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all in" "se está todo recuado";
+            out: FLAG, "whether it is all out" "se está todo avançado";
+            moves: FLAG, "whether it moves" "se está em movimento";
+            hand_in: HAND, "whether somebody has a hand in its way" "se alguém tem a mão no caminho";
+            hurt: DAMAGE, "whether it has hit that hand" "se atingiu essa mão";
+            fine: FINE, "its position in small steps" "a posição em passos pequenos";
+            valve: inner(0, 1), "where its valve stands" "como está a válvula";
+        }
+        faults { Stuck Slow Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        let (out, back) = (m.drive(F::extend), m.drive(F::retract));
+        if m.has(F::retract) {
+            // A valve with two coils stays; with both driven too.
+            if out != back {
+                m.put(V::valve, out);
+            }
+        } else {
+            m.put(V::valve, out);
+        }
+        let before = m.get(V::fine);
+        if !m.fails(Fault::Stuck) {
+            let to = if m.is(V::valve) { 1_000_000 } else { 0 };
+            let by = pace(m, m.number(F::takes));
+            m.approach(V::fine, to, by);
+        }
+        let fine = m.get(V::fine);
+        m.set(V::position, fine / 1000);
+        m.put(V::moves, fine != before);
+        m.put(V::at_home, fine <= 20_000);
+        m.put(V::out, fine >= 980_000);
+        if m.is(V::hand_in) && fine > before && fine > 500_000 {
+            m.put(V::hurt, true);
+        }
+        m.sense(F::is_in, fine <= 20_000);
+        m.sense(F::is_out, fine >= 980_000);
+    }
+}
+
+pub(crate) mod gate {
+    use super::*;
+    kind! {
+        "gate" Motion "A barrier that is raised and lowered" "Uma cancela que sobe e desce"
+        [180, 110], symbol::gate;
+        fields {
+            raise: Form::Drive, "what raises it" "o que a sobe";
+            lower: Form::MayDrive, "what lowers it; without it, it falls by itself" "o que a desce; sem isso ela desce sozinha";
+            takes: Form::Number(Unit::Ms, 100, 60_000, 2000), "how long it takes" "quanto demora";
+            is_up: Form::Sense, "the input of the switch above" "a entrada do fim de curso de cima";
+            is_down: Form::Sense, "the input of the switch below" "a entrada do fim de curso de baixo";
+        }
+        values {
+            position: SHARE, "how far it is up" "quanto está levantada";
+            up: FLAG, "whether it is all up" "se está toda levantada";
+            down: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all down" "se está toda abaixada";
+            lowers: FLAG, "whether it goes down" "se está descendo";
+            strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
+            fine: FINE, "its position in small steps" "a posição em passos pequenos";
+            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim de curso";
+        }
+        faults { Stuck Slow Open Short }
+    }
+    fn step(m: &mut Moment<'_>) {
+        let (up, down) = (m.drive(F::raise), m.drive(F::lower));
+        let falls = !m.has(F::lower) && !up;
+        let to = match (up, down || falls) {
+            (true, false) => Some(1_000_000),
+            (false, true) => Some(0),
+            _ => None,
+        };
+        let before = m.get(V::fine);
+        if let Some(to) = to.filter(|_| !m.fails(Fault::Stuck)) {
+            let by = pace(m, m.number(F::takes));
+            m.approach(V::fine, to, by);
+        }
+        let fine = m.get(V::fine);
+        m.set(V::position, fine / 1000);
+        m.put(V::up, fine >= 980_000);
+        m.put(V::down, fine <= 20_000);
+        m.put(V::lowers, fine < before);
+        let pushes = m.has(F::lower) && (up && fine == 1_000_000 || down && fine == 0);
+        m.add(V::push, if pushes { 1 } else { -10_000 });
+        if m.get(V::push) >= 3000 {
+            m.put(V::strained, true);
+        }
+        m.sense(F::is_up, fine >= 980_000);
+        m.sense(F::is_down, fine <= 20_000);
+    }
+}
+
+pub(crate) mod door {
+    use super::*;
+    kind! {
+        "door" Motion "A door that a motor opens and closes; somebody may stand in it" "Uma porta que um motor abre e fecha; alguém pode estar no vão"
+        [160, 130], symbol::door;
+        fields {
+            open: Form::Drive, "what opens it" "o que a abre";
+            close: Form::MayDrive, "what closes it; without it, it closes by itself" "o que a fecha; sem isso ela fecha sozinha";
+            takes: Form::Number(Unit::Ms, 100, 120_000, 6000), "how long it takes" "quanto demora";
+            is_open: Form::Sense, "the input of the switch at the open end" "a entrada do fim de curso aberto";
+            is_closed: Form::Sense, "the input of the switch at the closed end" "a entrada do fim de curso fechado";
+            beam: Form::Sense, "the input of the light barrier in it" "a entrada da barreira de luz no vão";
+        }
+        values {
+            position: SHARE, "how far it is open" "quanto está aberta";
+            opened: FLAG, "whether it is all open" "se está toda aberta";
+            shut: Slot { first: Limit::Is(1), ..FLAG }, "whether it is all shut" "se está toda fechada";
+            closes: FLAG, "whether it is closing" "se está fechando";
+            obstacle: HAND, "whether somebody stands in it" "se alguém está no vão";
+            crushed: DAMAGE, "whether it has crushed who stood there" "se esmagou quem estava ali";
+            strained: DAMAGE, "whether its motor has pushed against an end for 3 s" "se o motor forçou um fim de curso por 3 s";
+            fine: FINE, "its position in small steps" "a posição em passos pequenos";
+            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim de curso";
+        }
+        faults { Stuck Slow Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        let (open, close) = (m.drive(F::open), m.drive(F::close));
+        let by_itself = !m.has(F::close) && !open;
+        let mut to = match (open, close || by_itself) {
+            (true, false) => Some(1_000_000),
+            (false, true) => Some(0),
+            _ => None,
+        };
+        let before = m.get(V::fine);
+        let obstacle = m.is(V::obstacle);
+        // Who stands there takes two fifths of the way.
+        if obstacle && to == Some(0) && before <= 400_000 && before > 0 {
+            m.put(V::crushed, true);
+            to = None;
+        }
+        if let Some(to) = to.filter(|_| !m.fails(Fault::Stuck)) {
+            let by = pace(m, m.number(F::takes));
+            m.approach(V::fine, to, by);
+        }
+        let fine = m.get(V::fine);
+        m.set(V::position, fine / 1000);
+        m.put(V::opened, fine >= 980_000);
+        m.put(V::shut, fine <= 10_000);
+        m.put(V::closes, fine < before);
+        let pushes = m.has(F::close) && (open && fine == 1_000_000 || close && fine == 0);
+        m.add(V::push, if pushes { 1 } else { -10_000 });
+        if m.get(V::push) >= 3000 {
+            m.put(V::strained, true);
+        }
+        m.sense(F::is_open, fine >= 980_000);
+        m.sense(F::is_closed, fine <= 10_000);
+        m.sense(F::beam, obstacle);
+    }
+}
+
+pub(crate) mod elevator {
+    use super::*;
+    kind! {
+        "elevator" Motion "An elevator car in its shaft of three floors" "A cabine de um elevador no poço de três andares"
+        [110, 330], symbol::elevator;
+        fields {
+            up: Form::Drive, "what moves it up" "o que a sobe";
+            down: Form::Drive, "what moves it down" "o que a desce";
+            door: Form::Part(&["door"]), "its door" "a porta dela";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 4000), "how long it takes from floor to floor" "quanto demora de andar a andar";
+            at_1: Form::Sense, "the input of the switch at floor 1" "a entrada do sensor do 1.º andar";
+            at_2: Form::Sense, "the input of the switch at floor 2" "a entrada do sensor do 2.º andar";
+            at_3: Form::Sense, "the input of the switch at floor 3" "a entrada do sensor do 3.º andar";
+        }
+        values {
+            position: number(Unit::Permille, 0, 2000), "its height: 0, 100% and 200% are the floors" "a altura: 0, 100% e 200% são os andares";
+            floor: number(Unit::Count, 0, 3), "the floor at which it is, 0 between two" "o andar em que está, 0 entre dois";
+            moves: FLAG, "whether it moves" "se está em movimento";
+            crashed: DAMAGE, "whether it has run into an end of the shaft" "se bateu em um fim do poço";
+            fine: inner(0, 2_000_000), "its height in small steps" "a altura em passos pequenos";
+            push: inner(0, 10_000), "how long it has pushed against an end" "há quanto tempo força um fim do poço";
+        }
+        faults { Stuck Slow }
+    }
+    fn step(m: &mut Moment<'_>) {
+        let (up, down) = (m.drive(F::up), m.drive(F::down));
+        let to = match (up, down) {
+            (true, false) => Some(2_000_000),
+            (false, true) => Some(0),
+            _ => None,
+        };
+        let before = m.get(V::fine);
+        let still = m.fails(Fault::Stuck) || m.is(V::crashed);
+        if let Some(to) = to.filter(|_| !still) {
+            let by = pace(m, m.number(F::takes));
+            m.approach(V::fine, to, by);
+        }
+        let fine = m.get(V::fine);
+        m.set(V::position, fine / 1000);
+        m.put(V::moves, fine != before);
+        m.add(V::push, if to == Some(fine) { 1 } else { -10_000 });
+        if m.get(V::push) >= 500 {
+            m.put(V::crashed, true);
+        }
+        let at = |floor: i32| (fine - floor * 1_000_000).abs() <= 25_000;
+        let floor = (0..3).find(|floor| at(*floor)).map_or(0, |floor| floor + 1);
+        m.set(V::floor, floor);
+        for (field, number) in [(F::at_1, 1), (F::at_2, 2), (F::at_3, 3)] {
+            m.sense(field, floor == number);
+        }
+    }
+}
+
+pub(crate) mod call {
+    use super::*;
+    use crate::parts::motion::{door, elevator};
+    kind! {
+        "call" Motion "The button of a floor, and who waits there for the elevator" "O botão de um andar, e quem espera ali pelo elevador"
+        [60, 72], symbol::call;
+        fields {
+            of: Form::Part(&["elevator"]), "the elevator" "o elevador";
+            floor: Form::Number(Unit::Count, 1, 3, 1), "the floor" "o andar";
+            to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
+        }
+        values {
+            pressed: HAND, "whether somebody presses it" "se alguém o aperta";
+            waiting: FLAG, "whether somebody waits there" "se alguém espera ali";
+            waited: number(Unit::Ms, 0, 3_600_000), "for how long" "há quanto tempo";
+        }
+        faults { Stuck Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        if m.is(V::pressed) {
+            m.put(V::waiting, true);
+        }
+        if let Some(car) = m.other(F::of) {
+            let door = m
+                .plant
+                .parts
+                .get(car)
+                .and_then(|own| own.given.get(elevator::F::door as usize));
+            let opened = match door {
+                Some(crate::signal::Given::Part(door)) => m.of(*door, door::V::opened) != 0,
+                _ => false,
+            };
+            let here = m.of(car, elevator::V::floor) == m.number(F::floor);
+            if opened && here && m.of(car, elevator::V::moves) == 0 && !m.is(V::pressed) {
+                m.put(V::waiting, false);
+            }
+        }
+        m.add(V::waited, if m.is(V::waiting) { 1 } else { -3_600_000 });
+        m.sense(F::to, m.is(V::pressed));
+    }
+}

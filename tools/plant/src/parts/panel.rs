@@ -1,0 +1,175 @@
+//! What a person presses and sees.
+
+use crate::draw::panel as symbol;
+use crate::kind::{COUNT, FLAG, Form, HAND, SHARE, Slot, kind};
+use crate::run::Moment;
+
+/// The colours of lamps and buttons.
+const COLOURS: &[&str] = &["green", "red", "yellow", "blue", "white"];
+
+pub(crate) mod button {
+    use super::*;
+    kind! {
+        "button" Panel "A push button: closed while somebody presses it" "Um botão de pulso: fechado enquanto alguém o aperta"
+        [60, 72], symbol::button;
+        fields {
+            to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
+            colour: Form::Choice(super::COLOURS), "its colour" "a cor dele";
+        }
+        values { pressed: HAND, "whether somebody presses it" "se alguém o aperta"; }
+        faults { Stuck Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.sense(F::to, m.is(V::pressed));
+    }
+}
+
+pub(crate) mod switch {
+    use super::*;
+    kind! {
+        "switch" Panel "A switch that stays as it is turned" "Uma chave que fica como se deixa"
+        [60, 72], symbol::switch;
+        fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
+        values { on: HAND, "whether it is turned on" "se está ligada"; }
+        faults { Stuck Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.sense(F::to, m.is(V::on));
+    }
+}
+
+pub(crate) mod key {
+    use super::*;
+    kind! {
+        "key" Panel "A switch that only who has the key can turn" "Uma chave que só quem tem a chave pode girar"
+        [60, 72], symbol::key;
+        fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
+        values { on: HAND, "whether it is turned on" "se está ligada"; }
+        faults { Stuck Open Short }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.sense(F::to, m.is(V::on));
+    }
+}
+
+pub(crate) mod emergency {
+    use super::*;
+    kind! {
+        "emergency" Panel "An emergency stop: it stays pressed until somebody turns it" "Uma parada de emergência: fica apertada até que alguém a gire"
+        [60, 72], symbol::emergency;
+        fields { to: Form::Sense, "the input that it switches, usually normally closed" "a entrada que ela aciona, em geral normalmente fechada"; }
+        values { pressed: HAND, "whether it is pressed" "se está apertada"; }
+        faults { Stuck Open Short }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.sense(F::to, m.is(V::pressed));
+    }
+}
+
+pub(crate) mod lamp {
+    use super::*;
+    use crate::kind::Fault;
+    kind! {
+        "lamp" Panel "A signal lamp" "Um sinaleiro"
+        [60, 72], symbol::lamp;
+        fields {
+            by: Form::Drive, "what lights it" "o que a acende";
+            colour: Form::Choice(super::COLOURS), "its colour" "a cor dela";
+        }
+        values { lit: FLAG, "whether it is lit" "se está acesa"; }
+        faults { Open }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.put(V::lit, m.drive(F::by) && !m.fails(Fault::Open));
+    }
+}
+
+pub(crate) mod tower {
+    use super::*;
+    kind! {
+        "tower" Panel "A tower light: red, yellow, green" "Uma torre luminosa: vermelho, amarelo, verde"
+        [44, 110], symbol::tower;
+        fields {
+            red: Form::MayDrive, "what lights red" "o que acende o vermelho";
+            yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
+            green: Form::MayDrive, "what lights green" "o que acende o verde";
+        }
+        values {
+            red: FLAG, "whether red is lit" "se o vermelho está aceso";
+            yellow: FLAG, "whether yellow is lit" "se o amarelo está aceso";
+            green: FLAG, "whether green is lit" "se o verde está aceso";
+        }
+        faults { }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.put(V::red, m.drive(F::red));
+        m.put(V::yellow, m.drive(F::yellow));
+        m.put(V::green, m.drive(F::green));
+    }
+}
+
+pub(crate) mod buzzer {
+    use super::*;
+    use crate::kind::Fault;
+    kind! {
+        "buzzer" Panel "A buzzer" "Uma sirene"
+        [60, 72], symbol::buzzer;
+        fields { by: Form::Drive, "what makes it sound" "o que a faz soar"; }
+        values { sounds: FLAG, "whether it sounds" "se está soando"; }
+        faults { Open }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.put(V::sounds, m.drive(F::by) && !m.fails(Fault::Open));
+    }
+}
+
+pub(crate) mod dial {
+    use super::*;
+    use crate::kind::Limit;
+    use crate::unit::Unit;
+    kind! {
+        "dial" Panel "A potentiometer" "Um potenciômetro"
+        [60, 72], symbol::dial;
+        fields {
+            to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
+            first: Form::Number(Unit::Permille, 0, 1000, 500), "where it stands at first" "onde ele está no começo";
+        }
+        values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto está girado"; }
+        faults { Stuck Open Short }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.reading(F::to, m.get(V::turned) * 1023 / 1000);
+    }
+}
+
+pub(crate) mod bar {
+    use super::*;
+    kind! {
+        "bar" Panel "A value as a bar" "Um valor como barra"
+        [44, 110], symbol::bar;
+        fields { of: Form::Value, "the value" "o valor"; }
+        values { share: SHARE, "how much of its range the value has" "quanto da faixa o valor tem"; }
+        faults { }
+    }
+    fn step(m: &mut Moment<'_>) {
+        if let Some((part, value)) = m.named(F::of) {
+            m.set(V::share, m.share(part, value));
+        }
+    }
+}
+
+pub(crate) mod number {
+    use super::*;
+    kind! {
+        "number" Panel "A value as a number" "Um valor como número"
+        [84, 60], symbol::number;
+        fields { of: Form::Value, "the value" "o valor"; }
+        values { shown: Slot { low: crate::kind::Limit::Is(-1_000_000_000), high: crate::kind::Limit::Is(1_000_000_000), ..COUNT }, "the number" "o número"; }
+        faults { }
+    }
+    fn step(m: &mut Moment<'_>) {
+        if let Some((part, value)) = m.named(F::of) {
+            m.set(V::shown, m.of(part, value));
+        }
+    }
+}

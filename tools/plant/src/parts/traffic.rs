@@ -1,0 +1,242 @@
+//! What drives and walks.
+
+use crate::draw::traffic as symbol;
+use crate::kind::{COUNT, DAMAGE, FLAG, Fault, Form, HAND, Slot, inner, kind, number};
+use crate::run::Moment;
+use crate::unit::Unit;
+
+pub(crate) mod light {
+    use super::*;
+    kind! {
+        "light" Traffic "A traffic light; without `red` it is red while it is neither green nor yellow" "Um semáforo; sem `red` ele fica vermelho se não está verde nem amarelo"
+        [50, 130], symbol::light;
+        fields {
+            red: Form::MayDrive, "what lights red" "o que acende o vermelho";
+            yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
+            green: Form::Drive, "what lights green" "o que acende o verde";
+            shows: Form::Choice(&["cars", "walk"]), "for whom it is" "para quem é";
+        }
+        values {
+            red: FLAG, "whether it is red" "se está vermelho";
+            yellow: FLAG, "whether it is yellow" "se está amarelo";
+            green: FLAG, "whether it is green" "se está verde";
+            since: number(Unit::Ms, 0, 3_600_000), "how long it has been as it is" "há quanto tempo está assim";
+            was: inner(0, 7), "how it was before" "como estava antes";
+        }
+        faults { Open }
+    }
+    fn step(m: &mut Moment<'_>) {
+        let (green, yellow) = (m.drive(F::green), m.drive(F::yellow));
+        let red = match m.has(F::red) {
+            true => m.drive(F::red) && !m.fails(Fault::Open),
+            false => !green && !yellow,
+        };
+        m.put(V::red, red);
+        m.put(V::yellow, yellow);
+        m.put(V::green, green);
+        let is = i32::from(red) | i32::from(yellow) << 1 | i32::from(green) << 2;
+        m.add(V::since, if is == m.get(V::was) { 1 } else { -3_600_000 });
+        m.set(V::was, is);
+    }
+}
+
+pub(crate) mod road {
+    use super::*;
+    kind! {
+        "road" Traffic "A road with cars that come by chance and wait at a light" "Uma rua com carros que chegam ao acaso e esperam em um semáforo"
+        [420, 90], symbol::road;
+        fields {
+            light: Form::Part(&["light"]), "its light" "o semáforo dela";
+            every: Form::Number(Unit::Ms, 500, 600_000, 5000), "how far cars are from each other in time" "o tempo entre os carros";
+            takes: Form::Number(Unit::Ms, 200, 60_000, 2000), "how long a car takes over the crossing" "quanto um carro demora no cruzamento";
+        }
+        values {
+            waiting: number(Unit::Count, 0, 20), "how many cars wait" "quantos carros esperam";
+            passes: FLAG, "whether a car is on the crossing" "se há um carro no cruzamento";
+            passed: COUNT, "how many cars have passed" "quantos carros passaram";
+            hit: DAMAGE, "whether a car has hit somebody" "se um carro atingiu alguém";
+            on: inner(0, 60_000), "how long the car on the crossing still takes" "quanto falta ao carro no cruzamento";
+            next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
+        }
+        faults { }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.add(V::next, -1);
+        if m.get(V::next) == 0 {
+            m.add(V::waiting, 1);
+            let every = m.number(F::every);
+            let more = m.chance(every);
+            m.set(V::next, every / 2 + more);
+        }
+        m.add(V::on, -1);
+        let green = m
+            .other(F::light)
+            .is_some_and(|light| m.of(light, light::V::green) != 0);
+        if m.get(V::on) == 0 {
+            if m.is(V::passes) {
+                m.add(V::passed, 1);
+            }
+            let goes = green && m.get(V::waiting) > 0;
+            m.put(V::passes, goes);
+            if goes {
+                m.add(V::waiting, -1);
+                m.set(V::on, m.number(F::takes));
+            }
+        }
+    }
+}
+
+pub(crate) mod walk {
+    use super::*;
+    use crate::parts::traffic::{light, road};
+    kind! {
+        "walk" Traffic "A crossing where people come by chance, press the button, and walk at green" "Uma faixa onde chegam pessoas ao acaso, apertam o botão e atravessam no verde"
+        [120, 200], symbol::walk;
+        fields {
+            light: Form::Part(&["light"]), "its light" "o semáforo dela";
+            over: Form::Part(&["road"]), "the road" "a rua";
+            button: Form::Sense, "the input of the button" "a entrada do botão";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 20_000), "how far people are from each other in time" "o tempo entre as pessoas";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 5000), "how long it takes to walk over" "quanto demora a travessia";
+        }
+        values {
+            waiting: number(Unit::Count, 0, 9), "how many people wait" "quantas pessoas esperam";
+            walks: FLAG, "whether somebody walks over" "se alguém atravessa";
+            crossed: COUNT, "how many have crossed" "quantas atravessaram";
+            waited: number(Unit::Ms, 0, 3_600_000), "how long the first of them has waited" "há quanto tempo a primeira delas espera";
+            pressed: HAND, "whether somebody presses the button" "se alguém aperta o botão";
+            on: inner(0, 60_000), "how long they still take" "quanto ainda falta a elas";
+            group: inner(0, 9), "how many walk" "quantas atravessam";
+            next: inner(0, 1_200_000), "the time until the next one" "o tempo até a próxima";
+            presses: inner(0, 10_000), "how long the button is still pressed" "quanto tempo o botão ainda fica apertado";
+        }
+        faults { Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.add(V::next, -1);
+        m.add(V::presses, -1);
+        if m.get(V::next) == 0 {
+            // The first one comes after a while.
+            let every = m.number(F::every);
+            let more = m.chance(every);
+            m.set(V::next, every / 2 + more);
+            m.add(V::waiting, 1);
+            m.set(V::presses, 400);
+        }
+        let green = m
+            .other(F::light)
+            .is_some_and(|light| m.of(light, light::V::green) != 0);
+        m.add(V::on, -1);
+        if m.get(V::on) == 0 && m.is(V::walks) {
+            m.add(V::crossed, m.get(V::group));
+            m.put(V::walks, false);
+            m.set(V::group, 0);
+        }
+        if green && m.get(V::waiting) > 0 && !m.is(V::walks) {
+            m.put(V::walks, true);
+            m.set(V::group, m.get(V::waiting));
+            m.set(V::waiting, 0);
+            m.set(V::on, m.number(F::takes));
+        }
+        m.add(
+            V::waited,
+            if m.get(V::waiting) > 0 { 1 } else { -3_600_000 },
+        );
+        if let Some(road) = m.other(F::over)
+            && m.is(V::walks)
+            && m.of(road, road::V::passes) != 0
+        {
+            m.set_of(road, road::V::hit, 1);
+        }
+        m.sense(F::button, m.is(V::pressed) || m.get(V::presses) > 0);
+    }
+}
+
+/// So long after a car the next one follows it through a gate, ms.
+const NEXT: i32 = 1500;
+
+pub(crate) mod lane {
+    use super::*;
+    use crate::parts::motion::gate;
+    kind! {
+        "lane" Traffic "The lane of a parking lot: cars come to a gate, park, and leave by another way" "A pista de um estacionamento: carros chegam a uma cancela, estacionam e saem por outro lado"
+        [420, 110], symbol::lane;
+        fields {
+            gate: Form::Part(&["gate"]), "the gate" "a cancela";
+            spaces: Form::Number(Unit::Count, 1, 20, 5), "how many cars have room" "quantos carros cabem";
+            every: Form::Number(Unit::Ms, 1000, 600_000, 8000), "how far cars are from each other in time" "o tempo entre os carros";
+            stays: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "how long a car stays" "quanto um carro fica";
+            takes: Form::Number(Unit::Ms, 500, 60_000, 3000), "how long it takes through the gate" "quanto demora na cancela";
+            at_gate: Form::Sense, "the input of the sensor before the gate" "a entrada do sensor antes da cancela";
+            under: Form::Sense, "the input of the sensor under the gate" "a entrada do sensor debaixo da cancela";
+            leaves: Form::Sense, "the input of the sensor at the way out" "a entrada do sensor da saída";
+        }
+        values {
+            waiting: number(Unit::Count, 0, 20), "how many cars wait before the gate" "quantos carros esperam antes da cancela";
+            passes: FLAG, "whether a car is under the gate" "se há um carro debaixo da cancela";
+            inside: number(Unit::Count, 0, 40), "how many cars are inside" "quantos carros estão dentro";
+            overfull: DAMAGE, "whether more cars are inside than have room" "se há mais carros dentro do que cabem";
+            hit: DAMAGE, "whether the gate has come down on a car" "se a cancela desceu em um carro";
+            entered: COUNT, "how many cars have come in" "quantos carros entraram";
+            on: inner(0, 60_000), "how long the car under the gate still takes" "quanto falta ao carro debaixo da cancela";
+            next: inner(0, 1_200_000), "the time until the next car" "o tempo até o próximo carro";
+            out: inner(0, 1000), "how long the car at the way out is still seen" "quanto tempo o carro na saída ainda é visto";
+            rest: Slot { count: 20, ..inner(0, 7_200_000) }, "how long each car still stays" "quanto cada carro ainda fica";
+        }
+        faults { Stuck Open Short Bouncing }
+    }
+    fn step(m: &mut Moment<'_>) {
+        m.add(V::next, -1);
+        if m.get(V::next) == 0 {
+            m.add(V::waiting, 1);
+            let every = m.number(F::every);
+            let more = m.chance(every);
+            m.set(V::next, every / 2 + more);
+        }
+        let position = m
+            .other(F::gate)
+            .map_or(0, |gate| m.of(gate, gate::V::position));
+        let lowers = m
+            .other(F::gate)
+            .is_some_and(|gate| m.of(gate, gate::V::lowers) != 0);
+        m.add(V::on, -1);
+        if m.is(V::passes) {
+            if lowers && position < 600 {
+                m.put(V::hit, true);
+            }
+            if m.get(V::on) == 0 {
+                m.put(V::passes, false);
+                m.set(V::on, NEXT);
+                m.add(V::inside, 1);
+                m.add(V::entered, 1);
+                let stays = m.number(F::stays);
+                let more = m.chance(stays);
+                if let Some(at) = (0..20).find(|at| m.row(V::rest, *at) == 0) {
+                    m.set_row(V::rest, at, (stays / 2 + more).max(1));
+                }
+            }
+        } else if position >= 900 && !lowers && m.get(V::waiting) > 0 && m.get(V::on) == 0 {
+            m.put(V::passes, true);
+            m.add(V::waiting, -1);
+            m.set(V::on, m.number(F::takes));
+        }
+        m.add(V::out, -1);
+        for at in 0..20 {
+            let rest = m.row(V::rest, at);
+            // One leaves after the other.
+            if rest > 1 || rest == 1 && m.get(V::out) == 0 {
+                m.set_row(V::rest, at, rest - 1);
+                if rest == 1 {
+                    m.add(V::inside, -1);
+                    m.set(V::out, 1000);
+                }
+            }
+        }
+        if m.get(V::inside) > m.number(F::spaces) {
+            m.put(V::overfull, true);
+        }
+        m.sense(F::at_gate, m.get(V::waiting) > 0 && !m.is(V::passes));
+        m.sense(F::under, m.is(V::passes));
+        m.sense(F::leaves, m.get(V::out) > 400);
+    }
+}

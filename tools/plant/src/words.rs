@@ -1,0 +1,123 @@
+//! The words of plants, in the two languages that the tools speak: one table, in which no text is without its twin.
+//!
+//! Owns the words. Must not know of what they tell.
+
+unoclp_words::messages! {
+    no_toml()
+        "this is no TOML; check quotes, commas and brackets, and whether a key stands there twice"
+        "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
+    no_key(key, known)
+        "there is no key `{key}` here; there is {known}"
+        "não existe aqui a chave `{key}`; existe {known}";
+    missing(key, example)
+        "the key `{key}` is missing; write `{key} = {example}`"
+        "falta a chave `{key}`; escreva `{key} = {example}`";
+    kind(key, example)
+        "`{key}` takes another kind of value; write `{key} = {example}`"
+        "`{key}` pede outro tipo de valor; escreva `{key} = {example}`";
+    range(key, from, to)
+        "`{key}` is out of its range; give {from} to {to}"
+        "`{key}` está fora da faixa; dê de {from} a {to}";
+    no_number(key, given)
+        "`{key}` is a whole number, and {given} is none; write one without quotes"
+        "`{key}` é um número inteiro, e {given} não é; escreva um sem aspas";
+    no_unit(key, given, known, example)
+        "`{key}` is a number with its unit ({known}), and {given} is none; write \"{example}\""
+        "`{key}` é um número com a unidade ({known}), e {given} não é; escreva \"{example}\"";
+    choice(key, given, known)
+        "`{key}` cannot be {given}; give {known}"
+        "`{key}` não pode ser {given}; dê {known}";
+    name(given)
+        "{given} is no name for a part; take a letter, then letters, digits and _, at most 24, and no word of Structured Text"
+        "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra do Texto Estruturado";
+    two_names(name)
+        "two parts are called {name}; give each its own name"
+        "dois elementos se chamam {name}; dê a cada um o seu nome";
+    no_part()
+        "there is no part; write [[part]] with its name and kind"
+        "não há nenhum elemento; escreva [[part]] com nome e tipo";
+    too_many(key, most)
+        "there are more than {most} [[{key}]]; leave some out"
+        "há mais de {most} [[{key}]]; tire alguns";
+    no_such_part(name, known)
+        "there is no part {name}; there is {known}"
+        "não existe o elemento {name}; existe {known}";
+    other_kind(name, kind, known)
+        "{name} is a {kind}; name a part of kind {known}"
+        "{name} é do tipo {kind}; indique um elemento do tipo {known}";
+    no_such_value(name, value, known)
+        "{name} has no value {value}; it has {known}"
+        "{name} não tem o valor {value}; tem {known}";
+    no_signal(given)
+        "{given} drives nothing; write an output, \"Q1\", its PWM, \"P1\", or a value of a part, \"k1.closed\", and \"not\" before it to turn it round"
+        "{given} não aciona nada; escreva uma saída, \"Q1\", o PWM dela, \"P1\", ou um valor de um elemento, \"k1.closed\", e \"not\" antes para inverter";
+    no_input(given)
+        "{given} is no input; write \"I1\", or \"I1 nc\" for a contact that is normally closed"
+        "{given} não é uma entrada; escreva \"I1\", ou \"I1 nc\" para um contato normalmente fechado";
+    no_analogue(given)
+        "{given} is no analogue input; write \"A0\""
+        "{given} não é uma entrada analógica; escreva \"A0\"";
+    no_point(point, board, known)
+        "{board} has no {point}; it has {known}; choose another, or write `board = \"pc\"`"
+        "a placa {board} não tem {point}; tem {known}; escolha outro ponto, ou escreva `board = \"pc\"`";
+    two_uses(point, other)
+        "{other} sets {point} too; give each its own input"
+        "{other} também comanda {point}; dê a cada um a sua entrada";
+    shared_pin(point, other)
+        "{point} shares its pin with {other}, which is used; choose another input"
+        "{point} divide o pino com {other}, que está em uso; escolha outra entrada";
+    both_ways(point)
+        "{point} is used with PWM and without; keep one of the two"
+        "{point} é usada com PWM e sem; deixe só uma das formas";
+    cycle(way)
+        "these parts need each other in a circle: {way}; take one of the names out"
+        "estes elementos dependem um do outro em círculo: {way}; tire um dos nomes";
+    no_condition(told, help)
+        "this is no condition of Structured Text: {told}{help}; write one like \"tank.level > 950 AND NOT drain.open\""
+        "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";
+    not_by_hand(path, known)
+        "nobody can change {path} by hand; what can be changed is {known}"
+        "ninguém pode mudar {path} com a mão; pode-se mudar {known}";
+    no_fault(kind, given, known)
+        "a {kind} cannot be {given}; it can be {known}"
+        "um elemento {kind} não pode ter a falha {given}; pode ter {known}";
+    never_comes()
+        "this fault never comes; write `at = \"10 s\"` or `when = \"tank.level > 500\"`"
+        "esta falha nunca acontece; escreva `at = \"10 s\"` ou `when = \"tank.level > 500\"`";
+    too_late(key, until)
+        "`{key}` comes after the end, at {until}; make `until` longer"
+        "`{key}` vem depois do fim, em {until}; aumente `until`";
+    nothing() "nothing" "nada";
+    required() "must be given" "obrigatório";
+    left_out() "may be left out" "opcional";
+    the_kinds() "Kinds of parts" "Tipos de elementos";
+    fields() "given" "recebe";
+    values() "has" "tem";
+    faults() "may be" "pode estar";
+    by_hand() "by hand" "com a mão";
+    damage() "stays until the reset" "fica até reiniciar";
+    flag() "true or false" "verdadeiro ou falso";
+    group_panel() "Panel" "Painel";
+    group_electric() "Electric" "Elétrica";
+    group_fluid() "Fluid" "Fluidos";
+    group_heat() "Heat" "Calor";
+    group_motion() "Motion" "Movimento";
+    group_transport() "Transport" "Transporte";
+    group_traffic() "Traffic" "Trânsito";
+    takes_drive() "an output, its PWM or a value" "uma saída, o PWM dela ou um valor";
+    takes_input() "an input" "uma entrada";
+    takes_analogue() "an analogue input" "uma entrada analógica";
+    takes_part(kinds) "a part: {kinds}" "um elemento: {kinds}";
+    takes_value() "a value of a part" "um valor de um elemento";
+    from_to(from, to) "{from} to {to}" "{from} a {to}";
+    usual(value) "{value} if not given" "{value} se não for dado";
+    panel_title() "Control panel" "Painel de comando";
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_text_says_the_same_in_both_languages() {
+        assert_eq!(unoclp_words::gaps(super::ALL), [""; 0]);
+    }
+}
