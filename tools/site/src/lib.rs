@@ -16,15 +16,18 @@ mod grants;
 mod keys;
 mod lines;
 mod mistake;
+mod mqtt;
 mod plan;
 mod points;
 mod read;
 mod site;
+mod values;
 mod words;
 
 pub use duration::duration;
 pub use files::Files;
 pub use mistake::{Mistake, Wrong};
+pub use mqtt::{Broker, Mqtt, Secret, Sparkplug};
 pub use plan::plan;
 pub use points::{Kind, Place, Point, Points};
 pub use read::read;

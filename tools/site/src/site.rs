@@ -1,6 +1,7 @@
 //! What a site file says.
 
-use crate::points::{Place, Points};
+use crate::mqtt::Mqtt;
+use crate::points::{Kind, Place, Points};
 use std::net::SocketAddr;
 use std::time::Duration;
 use unoclp_client::diagnostics::Kept;
@@ -15,6 +16,8 @@ pub struct Site {
     pub lines: Vec<Line>,
     /// The Modbus TCP server, if there is one.
     pub modbus: Option<Modbus>,
+    /// What is reported to a broker, if anything is.
+    pub mqtt: Option<Mqtt>,
     /// The history, if one is kept.
     pub history: Option<History>,
 }
@@ -106,6 +109,10 @@ pub struct Grant {
     pub unit: u8,
     /// Board and point, as the file names them.
     pub name: String,
+    /// The name of the point, as its board has it.
+    pub point: String,
+    /// How the words of its value are made.
+    pub kind: Kind,
     /// The addresses.
     pub places: Vec<Place>,
     /// It is so only while the board keeps this program; none: whichever it keeps.

@@ -11,7 +11,7 @@ use unoclp_modbus::map::Width;
 use unoclp_serve::{
     Keep, Line, Metric, Metrics, Modbus, Server, SharedBoard, Sharing, Tell, Watched,
 };
-use unoclp_site::{Grant, Place};
+use unoclp_site::{Grant, Kind, Place};
 
 /// A gateway of two boards at one line, whose addresses are 3 and 4, and whose units are 1 and 2.
 pub struct Site {
@@ -52,6 +52,7 @@ impl Site {
             boards: shared.collect(),
             tokens: None,
             modbus: Some(bound),
+            orders: None,
             metrics: Some(numbers()),
             keep,
             tell,
@@ -101,6 +102,8 @@ pub fn register(first: u16, while_kept: Option<Kept>) -> Grant {
     Grant {
         unit: 1,
         name: "one.x".into(),
+        point: "x".into(),
+        kind: Kind::Signed,
         places: vec![Place {
             table: Table::HoldingRegisters,
             first,
