@@ -10,8 +10,6 @@
 
 mod host;
 mod payload;
-#[cfg(test)]
-mod tests;
 mod topics;
 
 use crate::backlog::{Backlog, MOST};
@@ -178,16 +176,24 @@ impl Node {
                 self.past.push(Past { board, metrics });
                 continue;
             }
-            let points = self.boards.of(&board).map(|of| of.points());
-            let names: Vec<&String> = points.into_iter().flatten().map(|of| &of.name).collect();
-            let is_born = |metric: &Metric| {
-                let name = metric.name.as_ref();
-                name.is_some_and(|name| names.contains(&name))
+            let Some(of) = self.boards.of(&board) else {
+                continue;
             };
-            let metrics: Vec<_> = metrics.into_iter().filter(is_born).collect();
-            match metrics.is_empty() {
-                true => self.past.give_up(),
-                false => self.say(self.topics.device("DDATA", &board), metrics, now),
+            let is_of_birth = |name: &str| of.points().iter().any(|point| point.name == name);
+            let mut names = metrics.iter().filter_map(|of| of.name.as_deref());
+            if !names.any(is_of_birth) {
+                self.past.give_up();
+                continue;
+            }
+            // What is so still, the birth has said.
+            let is_over = |metric: &Metric| {
+                let name = metric.name.as_deref().filter(|name| is_of_birth(name));
+                let now = name.and_then(|name| of.values.get(name));
+                now.is_some_and(|now| Some(time(now.at)) != metric.timestamp)
+            };
+            let metrics: Vec<_> = metrics.into_iter().filter(is_over).collect();
+            if !metrics.is_empty() {
+                self.say(self.topics.device("DDATA", &board), metrics, now);
             }
         }
     }
