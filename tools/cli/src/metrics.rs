@@ -48,31 +48,31 @@ fn of_broker(reporter: &Reporter) -> Vec<Metric> {
 }
 
 fn of_history(keeper: &Keeper) -> Vec<Metric> {
-        let state = keeper.state();
-        vec![
-            number(
-                "history_rows_total",
-                "Rows written to the history",
-                true,
-                state.written,
-            ),
-            number(
-                "history_dropped_total",
-                "Rows given up, since the history took nothing for too long",
-                true,
-                state.dropped,
-            ),
-            number(
-                "history_waiting",
-                "Rows that wait for the history",
-                false,
-                state.waiting as u64,
-            ),
-            number(
-                "history_failing",
-                "Whether the history takes nothing at present",
-                false,
-                state.failure.is_some().into(),
-            ),
-        ]
+    let state = keeper.state();
+    vec![
+        number(
+            "history_rows_total",
+            "Rows written to the history",
+            true,
+            state.written,
+        ),
+        number(
+            "history_dropped_total",
+            "Rows given up, since the history took nothing for too long",
+            true,
+            state.dropped,
+        ),
+        number(
+            "history_waiting",
+            "Rows that wait for the history",
+            false,
+            state.waiting as u64,
+        ),
+        number(
+            "history_failing",
+            "Whether the history takes nothing at present",
+            false,
+            state.failure.is_some().into(),
+        ),
+    ]
 }

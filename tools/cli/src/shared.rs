@@ -69,7 +69,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                 }],
                 tokens,
                 modbus: None,
-        orders: None,
+                orders: None,
                 metrics: None,
                 keep: None,
                 tell: None,
@@ -107,7 +107,10 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     let modbus = modbus.transpose()?;
     let keeper = site.history.as_ref().map(|history| keeper(file, history));
     let keeper = keeper.transpose()?.map(Arc::new);
-    let broker = site.mqtt.as_ref().map(|mqtt| broker::begin(file, site, mqtt));
+    let broker = site
+        .mqtt
+        .as_ref()
+        .map(|mqtt| broker::begin(file, site, mqtt));
     let (reporter, ordered) = broker.transpose()?.unzip();
     let metrics = metrics(keeper.clone(), reporter.clone());
     let keep = keep(keeper, reporter.clone());

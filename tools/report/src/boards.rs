@@ -30,6 +30,15 @@ pub(crate) struct Board {
     holds: Option<bool>,
 }
 
+/// The changes of one board.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct News {
+    pub board: String,
+    pub turn: Turn,
+    /// In order.
+    pub samples: Vec<(String, Sample)>,
+}
+
 /// What a batch of changes has done to a board.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Turn {
@@ -139,8 +148,8 @@ impl Boards {
         self.all.iter_mut().find(|board| board.name == name)
     }
 
-    /// Takes changes. Gives each board that has some, with what has become of it and the samples, in order.
-    pub fn take(&mut self, changes: &[Change]) -> Vec<(String, Turn, Vec<(String, Sample)>)> {
+    /// Takes changes. Gives each board that has some.
+    pub fn take(&mut self, changes: &[Change]) -> Vec<News> {
         let mut of_boards: Vec<(&str, Vec<(&Change, u64)>)> = Vec::new();
         for change in changes {
             let number = self.next;
@@ -161,7 +170,11 @@ impl Boards {
                 };
                 (change.point.clone(), sample)
             };
-            Some((name.to_owned(), turn, changes.iter().map(sample).collect()))
+            Some(News {
+                board: name.to_owned(),
+                turn,
+                samples: changes.iter().map(sample).collect(),
+            })
         };
         of_boards.into_iter().filter_map(take).collect()
     }

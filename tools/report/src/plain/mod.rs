@@ -11,7 +11,7 @@ mod tests;
 mod topics;
 
 use crate::backlog::{Backlog, MOST};
-use crate::boards::{Boards, Sample};
+use crate::boards::{Boards, News, Sample};
 use crate::change::Change;
 use crate::command::{Command, Refusal, Rights, WAITING, value};
 use crate::session::{Message, Now, Out, Session, Stand};
@@ -183,7 +183,12 @@ impl Session for Plain {
     }
 
     fn changed(&mut self, changes: &[Change], _: Now) {
-        for (board, turn, samples) in self.boards.take(changes) {
+        for news in self.boards.take(changes) {
+            let News {
+                board,
+                turn,
+                samples,
+            } = news;
             for (point, sample) in samples {
                 if !turn.gone.contains(&point) {
                     self.sample(&board, &point, sample);

@@ -13,7 +13,7 @@ mod payload;
 mod topics;
 
 use crate::backlog::{Backlog, MOST};
-use crate::boards::Boards;
+use crate::boards::{Boards, News};
 use crate::change::Change;
 use crate::command::{Command, Refusal, Rights, WAITING};
 use crate::session::{Message, Now, Out, Session, Stand};
@@ -260,7 +260,12 @@ impl Session for Node {
     }
 
     fn changed(&mut self, changes: &[Change], now: Now) {
-        for (board, turn, samples) in self.boards.take(changes) {
+        for news in self.boards.take(changes) {
+            let News {
+                board,
+                turn,
+                samples,
+            } = news;
             let is_born = self.born.contains(&board);
             if is_born && turn.is_other {
                 self.death_of(&board, now);

@@ -9,7 +9,7 @@ use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::Table;
 use unoclp_modbus::map::Width;
 use unoclp_serve::{
-    Keep, Line, Metric, Metrics, Modbus, Server, SharedBoard, Sharing, Tell, Watched,
+    Keep, Line, Metric, Metrics, Modbus, Orders, Server, SharedBoard, Sharing, Tell, Watched,
 };
 use unoclp_site::{Grant, Kind, Place};
 
@@ -18,6 +18,7 @@ pub struct Site {
     pub boards: Simulated,
     pub page: SocketAddr,
     pub modbus: SocketAddr,
+    pub orders: Orders,
 }
 
 pub const LISTEN: &str = "127.0.0.1:0";
@@ -37,6 +38,7 @@ impl Site {
         keep: Option<(Watched, Keep)>,
     ) -> Site {
         let (watched, keep) = keep.unzip();
+        let (orders, ordered) = Orders::new();
         let server = Server::bind(LISTEN.parse().unwrap()).unwrap();
         let bound = Modbus::bind(LISTEN.parse().unwrap(), write).unwrap();
         let (page, modbus) = (server.address(), bound.address());
@@ -52,7 +54,7 @@ impl Site {
             boards: shared.collect(),
             tokens: None,
             modbus: Some(bound),
-            orders: None,
+            orders: Some(ordered),
             metrics: Some(numbers()),
             keep,
             tell,
@@ -62,6 +64,7 @@ impl Site {
             boards,
             page,
             modbus,
+            orders,
         };
         // All of them have been found.
         for unit in [1, 2] {
