@@ -3,8 +3,8 @@
 //! Each connection is a clean session: what a broker has not confirmed is said again by our own backlog, in order.
 
 use crate::command::{Command, Refusal};
-use crate::reporter::{Carry, Shared, Trouble};
 use crate::session::{Message, Now, Out, Session};
+use crate::shared::{Carry, Shared, Trouble};
 use rumqttc::{
     AsyncClient, ConnectReturnCode, ConnectionError, Event, EventLoop, Incoming, LastWill,
     MqttOptions, PublishNoticeError, PublishOptions, QoS,

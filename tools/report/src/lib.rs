@@ -1,7 +1,7 @@
 //! What the points of a site are, told to a broker over MQTT, and what the site lets others write, taken from there
 //! (`docs/site.md`).
 //!
-//! - [`Reporter`]: the way in, and how it stands
+//! - [`Reporter`]: the way in; `shared`: how it stands, and who hears of it
 //! - `boards`: what is known of each board: its points, their values, which names hold
 //! - `session`: what one connection after the other says and hears, without I/O
 //! - `plain`: a topic a point, commands, and what Home Assistant finds
@@ -22,9 +22,11 @@ mod connection;
 mod plain;
 mod reporter;
 mod session;
+mod shared;
 mod sparkplug;
 mod tls;
 
 pub use change::Change;
 pub use command::{Command, Refusal};
-pub use reporter::{Carry, Reporter, State, Tell, Trouble, Unready};
+pub use reporter::Reporter;
+pub use shared::{Carry, State, Tell, Trouble, Unready};

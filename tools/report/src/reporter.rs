@@ -1,16 +1,16 @@
-//! The thread that reports: what comes in, and how it stands.
+//! The thread that reports, and what comes in.
 
 use crate::change::Change;
-use crate::command::{Command, Refusal};
 use crate::connection::{Input, Link, limit};
 use crate::plain::Plain;
-use crate::session::{Session, Stand};
+use crate::session::Session;
+use crate::shared::{Carry, Shared, State, Tell, Unready};
 use crate::sparkplug::Node;
 use crate::tls;
 use rumqttc::{MqttOptions, TlsConfiguration, Transport};
 use std::io;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 use tokio::sync::mpsc::{Sender, channel, unbounded_channel};
@@ -18,91 +18,6 @@ use unoclp_site::{Mqtt, Site};
 
 /// What waits for the thread: readings of boards. Of more, the newest go, and are counted.
 const READINGS: usize = 4_096;
-
-/// Brings a command to its board, and hears what has become of it.
-pub type Carry = Arc<dyn Fn(Command, Box<dyn FnOnce(Result<(), Refusal>) + Send>) + Send + Sync>;
-
-/// Hears when a broker is there, and why it is not. `None`: it is there.
-pub type Tell = Arc<dyn Fn(Option<&Trouble>) + Send + Sync>;
-
-/// Why a broker is not there.
-#[derive(Debug)]
-pub enum Trouble {
-    /// The system says so.
-    Io(io::Error),
-    /// It does not show a certificate that is trusted.
-    Tls(String),
-    /// User or password are not right.
-    NotAllowed,
-    /// It takes no connection.
-    Refused,
-    /// It does not answer.
-    Slow,
-    /// It has ended the connection.
-    Closed,
-    /// What the client says.
-    Other(String),
-}
-
-/// Why nothing can be reported at all.
-#[derive(Debug)]
-pub enum Unready {
-    /// The file of the certificate has none.
-    NoCertificate,
-    /// The system trusts no certificate.
-    NoTrust,
-    /// The system refuses a thread, or random bytes.
-    System(io::Error),
-}
-
-/// How it stands with the broker.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct State {
-    /// Connections that there are.
-    pub connected: u64,
-    /// Connections that there should be.
-    pub wanted: u64,
-    /// Samples that wait.
-    pub waiting: u64,
-    /// Samples that were given up.
-    pub dropped: u64,
-}
-
-/// What a connection tells of itself.
-#[derive(Default)]
-pub(crate) struct Shared {
-    now: Mutex<(bool, Stand)>,
-    /// Only one of the connections tells.
-    tell: Option<Tell>,
-    /// Whether the trouble has been told.
-    told: Mutex<Option<bool>>,
-}
-
-impl Shared {
-    pub fn connected(&self, is_connected: bool) {
-        lock(&self.now).0 = is_connected;
-        if is_connected && lock(&self.told).replace(true) != Some(true) {
-            self.say(None);
-        }
-    }
-
-    pub fn stand(&self, stand: Stand) {
-        lock(&self.now).1 = stand;
-    }
-
-    /// Tells it once, until the broker is there again.
-    pub fn trouble(&self, why: Trouble) {
-        if lock(&self.told).replace(false) != Some(false) {
-            self.say(Some(&why));
-        }
-    }
-
-    fn say(&self, why: Option<&Trouble>) {
-        if let Some(tell) = &self.tell {
-            tell(why);
-        }
-    }
-}
 
 /// The way to the thread. With the last of it the broker is told goodbye.
 pub struct Reporter {
@@ -133,10 +48,9 @@ impl Reporter {
         for session in sessions {
             let (send, receive) = channel(READINGS);
             let (outcome, outcomes) = unbounded_channel();
-            let shared = Arc::new(Shared {
-                tell: Some(tell.clone()).filter(|_| inputs.is_empty()),
-                ..Shared::default()
-            });
+            // Only one of the connections tells.
+            let tell = Some(tell.clone()).filter(|_| inputs.is_empty());
+            let shared = Arc::new(Shared::new(tell));
             links.push(Link {
                 session,
                 options: options(mqtt, ca)?,
@@ -202,7 +116,7 @@ impl Reporter {
             ..State::default()
         };
         for shared in &self.shared {
-            let (is_connected, stand) = *lock(&shared.now);
+            let (is_connected, stand) = shared.now();
             state.connected += u64::from(is_connected);
             state.waiting += stand.waiting as u64;
             state.dropped += stand.dropped;
@@ -252,8 +166,4 @@ fn options(mqtt: &Mqtt, ca: Option<&[u8]>) -> Result<MqttOptions, Unready> {
 fn first_birth() -> u8 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.map_or(0, |since| (since.as_secs() % 256) as u8)
-}
-
-fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
-    of.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,6 +1,6 @@
 //! Whom an encrypted connection trusts.
 
-use crate::reporter::Unready;
+use crate::shared::Unready;
 use rustls::crypto::ring;
 use rustls::pki_types::CertificateDer;
 use rustls::pki_types::pem::PemObject;

@@ -1,8 +1,8 @@
 //! What a gateway would do by a site file, in words.
 
+use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::mqtt::{Mqtt, Sparkplug};
-use crate::site::{Board, Grant, Line, Modbus, Site, Way};
+use crate::site::{Board, Grant, Line, Modbus, Mqtt, Site, Way};
 use crate::words;
 use unoclp_modbus::map::Parity;
 use unoclp_program::Lang;

@@ -1,6 +1,6 @@
 //! What a site file says.
 
-use crate::mqtt::Mqtt;
+use crate::broker::{Broker, Secret, Sparkplug};
 use crate::points::{Kind, Place, Points};
 use std::net::SocketAddr;
 use std::time::Duration;
@@ -91,6 +91,29 @@ pub struct History {
     pub store: String,
     /// How long every change is kept.
     pub keep: Duration,
+}
+
+/// What is reported over MQTT.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mqtt {
+    /// To whom.
+    pub broker: Broker,
+    /// As which user; without one, as nobody.
+    pub user: Option<String>,
+    /// The user's password.
+    pub password: Option<Secret>,
+    /// The file of the certificate that signs the broker's, in PEM; without it, those that the system trusts.
+    pub ca: Option<String>,
+    /// The topic above all others; no other gateway at this broker has it.
+    pub topic: String,
+    /// How often every value is told again.
+    pub every: Duration,
+    /// Whether Home Assistant is told which boards there are.
+    pub home_assistant: bool,
+    /// The edge node that is reported as Sparkplug B too, if one is.
+    pub sparkplug: Option<Sparkplug>,
+    /// What may be written; nothing else is.
+    pub write: Vec<Grant>,
 }
 
 /// The Modbus TCP server of a site.

@@ -293,7 +293,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 26;
+const KINDS: usize = 31;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
@@ -366,7 +366,10 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
     assert!(!format!("{site:?}{told}").contains("secret"));
     let site = of(&format!("{LINE}[mqtt]\nbroker = \"mqtt://localhost\"\n")).unwrap();
     let told = plan(&site, Lang::En);
-    assert!(told.ends_with("below unoclp\n  nothing can be written by it\n"), "{told}");
+    assert!(
+        told.ends_with("below unoclp\n  nothing can be written by it\n"),
+        "{told}"
+    );
 }
 
 #[test]
