@@ -143,17 +143,19 @@ impl Link {
         ticks.set_missed_tick_behavior(MissedTickBehavior::Delay);
         let begin = Instant::now();
         let mut is_connected = false;
+        // Whether the polling has ended: it must not be asked again.
+        let mut is_over = false;
         loop {
             if is_connected && let Some(end) = self.send(&client, unsure) {
                 return match end {
-                    End::Leave => leave(&client, polling, unsure).await,
+                    End::Leave if !is_over => leave(&client, polling, unsure).await,
                     other => other,
                 };
             }
             self.shared.stand(self.session.stand());
             tokio::select! {
                 // It ends with the connection, after what has come is taken.
-                () = &mut polling, if !events_come.is_closed() => {}
+                () = &mut polling, if !is_over => is_over = true,
                 event = events_come.recv() => match event {
                     None => return End::Lost(Trouble::Closed),
                     Some(Err(why)) => return End::Lost(why),
@@ -172,7 +174,7 @@ impl Link {
                     Some(Ok(_)) => {}
                 },
                 input = self.inputs.recv() => if self.takes(input) {
-                    if is_connected {
+                    if is_connected && !is_over {
                         let now = self.now();
                         for message in self.session.farewell(now) {
                             publish(&client, message, unsure);
