@@ -102,6 +102,14 @@ const TESTS: &[Need] = &[
     need("mbpoll", "asking the Modbus server", |_| {
         output(Command::new("mbpoll").arg("-V")).is_some()
     }),
+    need("mosquitto", "reporting to a broker", |_| {
+        // Debian puts it where only root's path leads.
+        Path::new("/usr/sbin/mosquitto").is_file() || exists("mosquitto")
+    }),
+    need("mosquitto-clients", "hearing what is reported", |_| {
+        // Its `--version` says that it has failed.
+        output(Command::new("sh").args(["-c", "command -v mosquitto_sub"])).is_some()
+    }),
     need(
         "python3-venv",
         "asking the Modbus server by pymodbus",
@@ -123,8 +131,8 @@ const BROWSER: &[Need] = &[need("chromium-headless-shell", "trying the page", |_
     has_chromium()
 })];
 
-/// What Python brings, for a folder of its own: the Modbus client that is not of Debian.
-const PYTHON: [&str; 2] = ["pymodbus==3.16.1", "pyserial==3.5"];
+/// What Python brings, for a folder of its own: the clients of Modbus and of Sparkplug B that are not of Debian.
+const PYTHON: [&str; 3] = ["pymodbus==3.16.1", "pyserial==3.5", "pysparkplug==0.6.1"];
 
 /// Sees to it that the firmware can be built.
 ///
@@ -172,14 +180,15 @@ pub fn for_lab() -> Result<Toolchain> {
     Ok(toolchain)
 }
 
-/// A Python with a Modbus client, under `target/python`.
+/// A Python with these clients, under `target/python`.
 fn provide_python() -> Result<()> {
     let folder = shell::root().join("target/python");
     let python = folder.join("bin/python3");
-    if output(Command::new(&python).args(["-c", "import pymodbus, serial"])).is_some() {
+    if output(Command::new(&python).args(["-c", "import pymodbus, serial, pysparkplug"])).is_some()
+    {
         return Ok(());
     }
-    say("setup: installing pymodbus in target/python");
+    say("setup: installing pymodbus and pysparkplug in target/python");
     shell::run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
     let pip = ["-m", "pip", "--quiet", "install"];
     shell::run(Command::new(&python).args(pip).args(PYTHON))

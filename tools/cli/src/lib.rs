@@ -3,6 +3,7 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
+//! - `broker`: what a broker is told of a site, with the same feature
 //! - `shared`: the page and the boards for browsers, with the feature `page`; [`site_file`]: which boards
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
@@ -11,6 +12,8 @@
 //! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
 pub mod ascii;
+#[cfg(feature = "page")]
+mod broker;
 mod lamps;
 pub mod messages;
 #[cfg(feature = "page")]

@@ -1,5 +1,6 @@
 //! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
+use crate::broker;
 use crate::messages;
 use crate::metrics::metrics;
 use crate::port::{Found, Place, Port, find};
@@ -16,6 +17,7 @@ use unoclp_client::{Failure, Patience};
 use unoclp_history::{Keeper, Sample, Store};
 use unoclp_modbus::client::Request;
 use unoclp_program::shown;
+use unoclp_report::Reporter;
 use unoclp_serve::{
     Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Remote, Server, SharedBoard,
     Sharing, Tell, Tokens, Watched,
@@ -67,6 +69,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                 }],
                 tokens,
                 modbus: None,
+                orders: None,
                 metrics: None,
                 keep: None,
                 tell: None,
@@ -104,8 +107,13 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     let modbus = modbus.transpose()?;
     let keeper = site.history.as_ref().map(|history| keeper(file, history));
     let keeper = keeper.transpose()?.map(Arc::new);
-    let metrics = keeper.clone().map(metrics);
-    let keep = keeper.map(keep);
+    let broker = site
+        .mqtt
+        .as_ref()
+        .map(|mqtt| broker::begin(file, site, mqtt));
+    let (reporter, ordered) = broker.transpose()?.unzip();
+    let metrics = metrics(keeper.clone(), reporter.clone());
+    let keep = keep(keeper, reporter.clone());
     let page = format!("http://{}/", server.address());
     println!("{page}{}", if server.is_local() { "#board" } else { "" });
     let tokens = tokens(&server, &page)?;
@@ -122,14 +130,20 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
         .collect();
     let tell: Tell = Arc::new(move |board: &str, news| {
         let program = programs.get(board).cloned().flatten().unwrap_or_default();
+        match (&reporter, &news) {
+            (Some(reporter), News::Found) => reporter.presence(board, true),
+            (Some(reporter), News::Away(_)) => reporter.presence(board, false),
+            _ => {}
+        }
         println!("{}", told(board, &program, news));
     });
     let sharing = Sharing {
         boards: site.lines.iter().flat_map(boards).collect(),
         tokens,
         modbus,
-        metrics,
-        keep,
+        orders: ordered,
+        metrics: Some(metrics),
+        keep: Some(keep),
         tell: Some(tell),
     };
     server
@@ -151,24 +165,21 @@ fn keeper(site: &Path, history: &History) -> anyhow::Result<Keeper> {
     ))
 }
 
-/// Writes what has changed.
-fn keep(keeper: Arc<Keeper>) -> Keep {
-    let sample = |change| {
-        let Change {
-            board,
-            point,
-            at,
-            value,
-        } = change;
-        Sample {
-            board,
-            point,
-            at,
-            value,
-        }
+/// Writes what has changed, and tells it to the broker.
+fn keep(keeper: Option<Arc<Keeper>>, reporter: Option<Arc<Reporter>>) -> Keep {
+    let sample = |change: &Change| Sample {
+        board: change.board.clone(),
+        point: change.point.clone(),
+        at: change.at,
+        value: change.value,
     };
     Arc::new(move |changes: Vec<Change>| {
-        keeper.keep(changes.into_iter().map(sample).collect());
+        if let Some(keeper) = &keeper {
+            keeper.keep(changes.iter().map(sample).collect());
+        }
+        if let Some(reporter) = &reporter {
+            reporter.changed(changes.into_iter().map(broker::change).collect());
+        }
     })
 }
 

@@ -1,10 +1,14 @@
 //! `unoclp serve`, with the page inside: it is built before (`cargo xtask lab --build`).
 #![cfg(unix)]
 
+#[path = "../../report/tests/it/broker.rs"]
+#[allow(dead_code, reason = "each test uses its part")]
+mod broker;
 #[path = "it/pty.rs"]
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
 
+use broker::{Broker, Listener};
 use pty::{Board, Fake};
 use std::io::{BufRead, BufReader, Lines, Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -292,6 +296,41 @@ fn what_a_board_was_is_kept_and_printed() {
         1
     );
     assert!(printed("one.Q1").ends_with(",0,0,0\n"));
+}
+
+#[test]
+fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
+    let mut broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    fake.board().outputs = 4;
+    let lines = format!(
+        "[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\nwrite = [\"one.Q1\"]\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let listener = Listener::new(&broker, "unoclp/#");
+    let mut server = Server::of(&mut unoclp_site(&site("mqtt", &lines)));
+    listener.until("one/Q3", "\"v\":true");
+    broker.publish("unoclp/one/Q1/set", b"true", &[]);
+    listener.until("one/Q1", "\"v\":true");
+    assert_eq!(fake.board().outputs, 5);
+    broker.publish("unoclp/one/Q2/set", b"true", &[]);
+    let refused = listener.next_at("$refused").text();
+    assert_eq!(refused, r#"{"point":"Q2","why":"not allowed"}"#);
+    let metrics = {
+        let mut stream = TcpStream::connect(&server.address).unwrap();
+        let head = format!("Host: {}\r\nConnection: close\r\n", server.address);
+        write!(stream, "GET /metrics HTTP/1.1\r\n{head}\r\n").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    };
+    assert!(metrics.contains("unoclp_mqtt_connected 1\n"), "{metrics}");
+    let url = format!("mqtt://127.0.0.1:{}", broker.port);
+    while server.line() != format!("{url}: connected") {}
+    broker.kill();
+    while !server.line().starts_with(&format!("{url}: away: ")) {}
 }
 
 #[test]

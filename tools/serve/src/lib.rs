@@ -9,6 +9,7 @@
 //! - [`News`]: what is told of the boards
 //! - [`Watched`]: boards that are read again and again, and what has changed
 //! - [`Modbus`]: the same boards over Modbus TCP
+//! - [`Orders`]: values that others write by name
 //! - [`Sharing`]: what is shared
 //! - `api`: what other programs read over HTTP
 //! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
@@ -26,6 +27,7 @@ mod gateway;
 mod line;
 mod modbus;
 mod news;
+mod orders;
 mod owner;
 mod page;
 mod poll;
@@ -41,6 +43,7 @@ pub use api::{Metric, Metrics};
 pub use line::Line;
 pub use modbus::Modbus;
 pub use news::{News, Tell};
+pub use orders::{Done, Order, Ordered, Orders};
 pub use owner::{Board, NoAnswer};
 pub use page::Pages;
 pub use poll::{Change, Keep, Watched};

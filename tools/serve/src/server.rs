@@ -5,6 +5,7 @@ use crate::doors;
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
 use crate::news;
+use crate::orders;
 use crate::page::{self, Pages};
 use crate::poll;
 use crate::release;
@@ -92,6 +93,7 @@ impl Server {
         let Wired {
             boards,
             modbus,
+            orders,
             metrics,
             keep,
             tell,
@@ -130,10 +132,14 @@ impl Server {
                 }
             }
             let units = boards.into_iter().map(|board| (board.unit, board.gateway));
+            let units: Vec<_> = units.collect();
+            if let Some(orders) = orders {
+                tokio::spawn(orders::attend(orders, units.clone()));
+            }
             let pages = take_connections(self.listener, shared);
             match modbus {
                 Some(modbus) => {
-                    let units = modbus::serve(modbus, units.collect());
+                    let units = modbus::serve(modbus, units);
                     tokio::try_join!(pages, units).map(drop)
                 }
                 None => pages.await,

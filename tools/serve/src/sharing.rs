@@ -5,6 +5,7 @@ use crate::gateway::{Gateway, Places};
 use crate::line::Line;
 use crate::modbus::Modbus;
 use crate::news::Tell;
+use crate::orders::Ordered;
 use crate::poll::{Keep, Watched};
 use crate::slots::Slots;
 use crate::tokens::Tokens;
@@ -23,6 +24,8 @@ pub struct Sharing {
     pub tokens: Option<Tokens>,
     /// The server that shares them over Modbus TCP, if one does.
     pub modbus: Option<Modbus>,
+    /// Values that others write, if any may come.
+    pub orders: Option<Ordered>,
     /// The numbers of what stands behind, for `/metrics`.
     pub metrics: Option<Metrics>,
     /// Who keeps what the points of boards that are watched were, if anybody does.
@@ -59,6 +62,7 @@ pub(crate) struct Unit {
 pub(crate) struct Wired {
     pub boards: Vec<Unit>,
     pub modbus: Option<Modbus>,
+    pub orders: Option<Ordered>,
     pub metrics: Option<Metrics>,
     pub keep: Option<Keep>,
     pub tell: Option<Tell>,
@@ -70,6 +74,7 @@ impl Sharing {
             boards,
             tokens,
             modbus,
+            orders,
             metrics,
             keep,
             tell,
@@ -97,6 +102,7 @@ impl Sharing {
         Wired {
             boards: boards.into_iter().map(unit).collect(),
             modbus,
+            orders,
             metrics,
             keep,
             tell,

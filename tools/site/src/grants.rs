@@ -37,7 +37,10 @@ fn grant(path: &str, boards: &[&Board]) -> Result<Grant, Wrong> {
     };
     let of_program = board.points.named(point_name).cloned();
     let while_kept = board.points.program.filter(|_| of_program.is_some());
-    let Some(Point { write, .. }) = of_program.or_else(|| own(point_name)) else {
+    let Some(Point {
+        name, kind, write, ..
+    }) = of_program.or_else(|| own(point_name))
+    else {
         return Err(Wrong::NoSuchPoint {
             board: board.name.clone(),
             point: point_name.to_owned(),
@@ -53,6 +56,8 @@ fn grant(path: &str, boards: &[&Board]) -> Result<Grant, Wrong> {
     Ok(Grant {
         unit: board.unit,
         name: path.to_owned(),
+        point: name,
+        kind,
         places: write,
         while_kept,
     })

@@ -100,6 +100,11 @@ impl<'a> Keys<'a> {
         self.text(key, example)
     }
 
+    /// Whether a key says so; none where it is missing.
+    pub fn flag(&self, key: &'static str) -> Option<At<bool>> {
+        self.take(key, "true", |value| value.as_bool())
+    }
+
     /// The number of a key, if it is there.
     pub fn number<N: TryFrom<i64>>(
         &self,

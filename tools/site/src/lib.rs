@@ -10,22 +10,26 @@
 
 #![forbid(unsafe_code)]
 
+mod broker;
 mod duration;
 mod files;
 mod grants;
 mod keys;
 mod lines;
 mod mistake;
+mod mqtt;
 mod plan;
 mod points;
 mod read;
 mod site;
+mod values;
 mod words;
 
+pub use broker::{Broker, Secret, Sparkplug};
 pub use duration::duration;
 pub use files::Files;
 pub use mistake::{Mistake, Wrong};
 pub use plan::plan;
 pub use points::{Kind, Place, Point, Points};
 pub use read::read;
-pub use site::{Board, Grant, History, Http, Line, Modbus, Site, Way};
+pub use site::{Board, Grant, History, Http, Line, Modbus, Mqtt, Site, Way};

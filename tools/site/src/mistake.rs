@@ -125,6 +125,24 @@ pub enum Wrong {
         /// The address.
         address: String,
     },
+    /// No broker.
+    NoBroker {
+        /// What was given.
+        given: String,
+    },
+    /// A broker's address has a password in it.
+    BrokerSecret,
+    /// A broker over a connection without encryption has a certificate.
+    CaWithoutTls,
+    /// A password without a user.
+    NoUser,
+    /// No name of a topic.
+    NoTopic {
+        /// The key.
+        key: &'static str,
+        /// What was given.
+        given: String,
+    },
     /// A program cannot be read.
     Unreadable {
         /// Its file.
@@ -198,6 +216,11 @@ impl Wrong {
             Wrong::TwoAddresses { address, other } => words::two_addresses(lang, address, other),
             Wrong::TwoUnits { unit, other } => words::two_units(lang, unit, other),
             Wrong::TwoServers { address } => words::two_servers(lang, address),
+            Wrong::NoBroker { given } => words::no_broker(lang, given),
+            Wrong::BrokerSecret => words::broker_secret(lang),
+            Wrong::CaWithoutTls => words::ca_without_tls(lang),
+            Wrong::NoUser => words::no_user(lang),
+            Wrong::NoTopic { key, given } => words::no_topic(lang, key, given),
             Wrong::Unreadable { file, why } => words::unreadable(lang, file, why),
             Wrong::Faulty { file } => words::faulty(lang, file),
             Wrong::NoPath { given } => words::no_path(lang, given),

@@ -1,7 +1,8 @@
 //! What a gateway would do by a site file, in words.
 
+use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::site::{Board, Line, Modbus, Site, Way};
+use crate::site::{Board, Grant, Line, Modbus, Mqtt, Site, Way};
 use crate::words;
 use unoclp_modbus::map::Parity;
 use unoclp_program::Lang;
@@ -24,6 +25,9 @@ pub fn plan(site: &Site, lang: Lang) -> String {
     }
     if let Some(of) = &site.modbus {
         lines.push(modbus(of, lang));
+    }
+    if let Some(of) = &site.mqtt {
+        lines.extend(mqtt(of, lang));
     }
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
@@ -62,9 +66,34 @@ fn board(of: &Board, lang: Lang) -> [String; 2] {
 }
 
 fn modbus(of: &Modbus, lang: Lang) -> String {
-    let names: Vec<&str> = of.write.iter().map(|grant| &*grant.name).collect();
-    match names.is_empty() {
+    match of.write.is_empty() {
         true => words::modbus_reads(lang, of.listen),
-        false => words::modbus_writes(lang, of.listen, names.join(", ")),
+        false => words::modbus_writes(lang, of.listen, names(&of.write)),
     }
+}
+
+fn names(grants: &[Grant]) -> String {
+    let names: Vec<&str> = grants.iter().map(|grant| &*grant.name).collect();
+    names.join(", ")
+}
+
+fn mqtt(of: &Mqtt, lang: Lang) -> Vec<String> {
+    let mut lines = vec![words::mqtt(lang, &of.broker, &of.topic)];
+    if !of.broker.tls && !of.broker.is_here() {
+        lines.push(words::mqtt_open(lang));
+    }
+    lines.push(match of.write.is_empty() {
+        true => words::mqtt_reads(lang),
+        false => words::mqtt_writes(lang, names(&of.write)),
+    });
+    if of.home_assistant {
+        lines.push(words::home_assistant(lang));
+    }
+    if let Some(Sparkplug { group, node, host }) = &of.sparkplug {
+        lines.push(match host {
+            None => words::sparkplug(lang, group, node),
+            Some(host) => words::sparkplug_host(lang, group, node, host),
+        });
+    }
+    lines
 }

@@ -5,6 +5,7 @@ use crate::grants::grants;
 use crate::keys::{At, Keys, Notes};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
+use crate::mqtt::mqtt;
 use crate::site::{History, Http, Modbus, Site};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::time::Duration;
@@ -23,7 +24,7 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
         }
         return Err(notes.mistakes());
     }
-    let known = ["http", "line", "modbus", "history"];
+    let known = ["http", "line", "modbus", "mqtt", "history"];
     let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
     let site = site(&keys, files);
     let mistakes = notes.mistakes();
@@ -38,10 +39,12 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
     let http = http(keys);
     let lines = lines(keys, files);
     let modbus = modbus(keys, &lines, &http);
+    let mqtt = mqtt(keys, &lines);
     Site {
         http: Http { listen: http.value },
         lines,
         modbus,
+        mqtt,
         history: history(keys),
     }
 }

@@ -1,6 +1,7 @@
 //! What a site file says.
 
-use crate::points::{Place, Points};
+use crate::broker::{Broker, Secret, Sparkplug};
+use crate::points::{Kind, Place, Points};
 use std::net::SocketAddr;
 use std::time::Duration;
 use unoclp_client::diagnostics::Kept;
@@ -15,6 +16,8 @@ pub struct Site {
     pub lines: Vec<Line>,
     /// The Modbus TCP server, if there is one.
     pub modbus: Option<Modbus>,
+    /// What is reported to a broker, if anything is.
+    pub mqtt: Option<Mqtt>,
     /// The history, if one is kept.
     pub history: Option<History>,
 }
@@ -90,6 +93,29 @@ pub struct History {
     pub keep: Duration,
 }
 
+/// What is reported over MQTT.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mqtt {
+    /// To whom.
+    pub broker: Broker,
+    /// As which user; without one, as nobody.
+    pub user: Option<String>,
+    /// The user's password.
+    pub password: Option<Secret>,
+    /// The file of the certificate that signs the broker's, in PEM; without it, those that the system trusts.
+    pub ca: Option<String>,
+    /// The topic above all others; no other gateway at this broker has it.
+    pub topic: String,
+    /// How often every value is told again.
+    pub every: Duration,
+    /// Whether Home Assistant is told which boards there are.
+    pub home_assistant: bool,
+    /// The edge node that is reported as Sparkplug B too, if one is.
+    pub sparkplug: Option<Sparkplug>,
+    /// What may be written; nothing else is.
+    pub write: Vec<Grant>,
+}
+
 /// The Modbus TCP server of a site.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Modbus {
@@ -106,6 +132,10 @@ pub struct Grant {
     pub unit: u8,
     /// Board and point, as the file names them.
     pub name: String,
+    /// The name of the point, as its board has it.
+    pub point: String,
+    /// How the words of its value are made.
+    pub kind: Kind,
     /// The addresses.
     pub places: Vec<Place>,
     /// It is so only while the board keeps this program; none: whichever it keeps.

@@ -63,6 +63,21 @@ unoclp_words::messages! {
     two_servers(address)
         "two servers listen at {address}; give each its own port"
         "dois servidores usam {address}; dê a cada um a sua porta";
+    no_broker(given)
+        "{given} is no broker; write \"mqtt://10.0.0.7:1883\", or \"mqtts://broker.example:8883\" for an encrypted connection"
+        "{given} não é um broker; escreva \"mqtt://10.0.0.7:1883\", ou \"mqtts://broker.example:8883\" para uma conexão criptografada";
+    broker_secret()
+        "the broker's address holds a user or a password, and addresses are printed; write `user` and `password` below `broker`"
+        "o endereço do broker contém usuário ou senha, e endereços são exibidos; escreva `user` e `password` abaixo de `broker`";
+    ca_without_tls()
+        "a broker at mqtt:// shows no certificate; write mqtts://, or remove `ca`"
+        "um broker em mqtt:// não apresenta certificado; escreva mqtts://, ou tire `ca`";
+    no_user()
+        "MQTT takes no password without a user; write `user` too"
+        "o MQTT não aceita senha sem usuário; escreva também `user`";
+    no_topic(key, given)
+        "`{key}` cannot be {given}; use letters, digits, - or _, at most 32"
+        "`{key}` não pode ser {given}; use letras, algarismos, - ou _, no máximo 32";
     unreadable(file, why)
         "the program {file} cannot be read ({why}); check its name, which counts from the folder of the site file"
         "não foi possível ler o programa {file} ({why}); confira o nome, que conta da pasta do arquivo de instalação";
@@ -108,6 +123,25 @@ unoclp_words::messages! {
     modbus_reads(address)
         "Modbus TCP: {address}, reading only"
         "Modbus TCP: {address}, só leitura";
+    mqtt(broker, topic)
+        "MQTT: {broker}, topics below {topic}"
+        "MQTT: {broker}, tópicos abaixo de {topic}";
+    mqtt_open()
+        "  not encrypted: whoever is on the way there reads it, the password too"
+        "  sem criptografia: quem estiver no caminho lê tudo, também a senha";
+    mqtt_reads() "  nothing can be written by it" "  nada pode ser escrito por ele";
+    mqtt_writes(points)
+        "  whoever may publish there may write {points}"
+        "  quem puder publicar ali pode escrever em {points}";
+    home_assistant()
+        "  Home Assistant finds each board"
+        "  o Home Assistant encontra cada placa";
+    sparkplug(group, node)
+        "  Sparkplug B: group {group}, edge node {node}"
+        "  Sparkplug B: grupo {group}, nó {node}";
+    sparkplug_host(group, node, host)
+        "  Sparkplug B: group {group}, edge node {node}, while host {host} is online"
+        "  Sparkplug B: grupo {group}, nó {node}, enquanto o host {host} estiver on-line";
     modbus_writes(address, points)
         "Modbus TCP: {address}; whoever reaches it may write {points}"
         "Modbus TCP: {address}; quem chegar até ele pode escrever em {points}";

@@ -36,9 +36,54 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         ("[[line]\n".into(), 1, "this is no TOML"),
         (with("name = \"y\"\n"), 5, "this is no TOML"),
         (
+            with("[mqqt]\n"),
+            5,
+            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`",
+        ),
+        (
             with("[mqtt]\n"),
             5,
-            "no key `mqtt` here; there is `http`, `line`, `modbus`, `history`",
+            "`broker` is missing; write `broker = \"mqtts://",
+        ),
+        (
+            with("[mqtt]\nbroker = \"10.0.0.7\"\n"),
+            6,
+            "10.0.0.7 is no broker; write \"mqtt://",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://me:secret@a\"\n"),
+            6,
+            "addresses are printed; write `user` and `password`",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\nca = \"ca.pem\"\n"),
+            7,
+            "write mqtts://, or remove `ca`",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\npassword = \"x\"\n"),
+            7,
+            "no password without a user",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\ntopic = \"a/b\"\n"),
+            7,
+            "`topic` cannot be \"a/b\"; use letters",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\nhome_assistant = \"yes\"\n"),
+            7,
+            "`home_assistant` takes another kind of value; write `home_assistant = true`",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\nsparkplug = {}\n"),
+            7,
+            "`group` is missing; write `group = \"lab\"`",
+        ),
+        (
+            with("[mqtt]\nbroker = \"mqtt://a\"\nevery = \"1ms\"\n"),
+            7,
+            "1ms is no time from 1s to 1d",
         ),
         (
             with("colour = 1\n"),
@@ -248,7 +293,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 26;
+const KINDS: usize = 31;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
@@ -303,6 +348,28 @@ fn a_right_file_says_what_it_would_do() {
         assert!(told.contains(part), "{part}\n{told}");
     }
     assert!(plan(&site, Lang::Pt).contains("quem chegar até ele pode escrever"));
+}
+
+#[test]
+fn a_plan_says_what_a_broker_is_told_and_may_write() {
+    let mqtt = "[mqtt]\nbroker = \"mqtt://10.0.0.7\"\nuser = \"u\"\npassword = \"secret\"\n";
+    let more = "home_assistant = true\nwrite = [\"x.D1\"]\nsparkplug = { group = \"lab\", host = \"scada\" }\n";
+    let site = of(&format!("{LINE}{mqtt}{more}")).unwrap();
+    let told = plan(&site, Lang::En);
+    for part in [
+        "MQTT: mqtt://10.0.0.7:1883, topics below unoclp\n  not encrypted",
+        "may publish there may write x.D1\n  Home Assistant finds each board\n",
+        "group lab, edge node unoclp, while host scada is online",
+    ] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+    assert!(!format!("{site:?}{told}").contains("secret"));
+    let site = of(&format!("{LINE}[mqtt]\nbroker = \"mqtt://localhost\"\n")).unwrap();
+    let told = plan(&site, Lang::En);
+    assert!(
+        told.ends_with("below unoclp\n  nothing can be written by it\n"),
+        "{told}"
+    );
 }
 
 #[test]

@@ -255,6 +255,24 @@ unoclp_words::messages! {
         "board {name}: the same page with #board/{name} in place of #board"
         "placa {name}: a mesma página com #board/{name} em vez de #board";
     modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
+    mqtt_there(broker) "{broker}: connected" "{broker}: conectado";
+    mqtt_away(broker, why) "{broker}: away: {why}" "{broker}: fora do ar: {why}";
+    mqtt_no_trust(why)
+        "its certificate is not trusted ({why}); check `ca` in the site file, and the name in `broker`"
+        "o certificado dele não é confiável ({why}); confira `ca` no arquivo de instalação e o nome em `broker`";
+    mqtt_not_allowed()
+        "it refuses user or password; check `user` and `password` in the site file"
+        "ele recusa o usuário ou a senha; confira `user` e `password` no arquivo de instalação";
+    mqtt_refused() "it refuses the connection" "ele recusa a conexão";
+    mqtt_slow() "it does not answer" "ele não responde";
+    mqtt_closed() "it has closed the connection" "ele encerrou a conexão";
+    mqtt_other(why) "it speaks otherwise than expected: {why}" "ele fala de um modo inesperado: {why}";
+    no_certificate(file)
+        "{file} holds no certificate in PEM; name the file of the authority that signed the broker's"
+        "{file} não contém nenhum certificado em PEM; indique o arquivo da autoridade que assinou o do broker";
+    no_trust()
+        "this system trusts no certificate; install ca-certificates, or name one by `ca`"
+        "este sistema não confia em nenhum certificado; instale ca-certificates, ou indique um em `ca`";
     board_found(name) "{name}: found" "{name}: encontrada";
     board_away(name, why) "{name}: away: {why}" "{name}: fora do ar: {why}";
     board_keeps(name, program) "{name}: keeps {program}" "{name}: tem {program}";

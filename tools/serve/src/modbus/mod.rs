@@ -10,7 +10,8 @@
 pub(crate) mod frame;
 mod rights;
 
-use crate::gateway::{Gateway, PROMPT, kept_by};
+use crate::gateway::{Gateway, PROMPT};
+use crate::orders::may_write;
 use crate::slots::{Slot, Slots};
 use crate::tokens::Role;
 use frame::Head;
@@ -18,7 +19,7 @@ use rights::Rights;
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, TcpListener};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 use tokio::time::timeout;
@@ -131,28 +132,13 @@ impl Units {
         if request.only_reads() {
             return gateway.line.ask(request, Role::Watch).await;
         }
-        match self.may_write(unit, gateway, &request).await {
+        let allowed = match self.rights.of(unit, &request) {
+            Ok(while_kept) => may_write(gateway, while_kept).await,
+            Err(exception) => Err(exception),
+        };
+        match allowed {
             Ok(()) => gateway.line.ask(request, Role::Control).await,
             Err(exception) => request.refusal(exception).to_vec(),
-        }
-    }
-
-    /// Whether the site lets write this now; else the exception that refuses it.
-    async fn may_write(
-        &self,
-        unit: u8,
-        gateway: &Gateway,
-        request: &Request,
-    ) -> Result<(), Exception> {
-        let while_kept = self.rights.of(unit, request)?;
-        if let Some(kept) = while_kept
-            && kept_by(gateway).await? != kept
-        {
-            return Err(Exception::ServerDeviceFailure);
-        }
-        match gateway.control().is_held(Instant::now()) {
-            true => Err(Exception::ServerDeviceBusy),
-            false => Ok(()),
         }
     }
 }

@@ -97,6 +97,8 @@ mod tests {
         Grant {
             unit,
             name: String::new(),
+            point: String::new(),
+            kind: unoclp_site::Kind::Signed,
             places: vec![Place {
                 table,
                 first,

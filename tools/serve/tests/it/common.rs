@@ -108,6 +108,7 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
         }],
         tokens,
         modbus: None,
+        orders: None,
         metrics: None,
         keep: None,
         tell: None,

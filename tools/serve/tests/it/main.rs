@@ -4,6 +4,7 @@ mod attacks;
 mod clients;
 mod common;
 mod modbus;
+mod orders;
 mod pages;
 mod poll;
 mod remote;

@@ -9,15 +9,16 @@ use unoclp_client::diagnostics::Kept;
 use unoclp_modbus::Table;
 use unoclp_modbus::map::Width;
 use unoclp_serve::{
-    Keep, Line, Metric, Metrics, Modbus, Server, SharedBoard, Sharing, Tell, Watched,
+    Keep, Line, Metric, Metrics, Modbus, Orders, Server, SharedBoard, Sharing, Tell, Watched,
 };
-use unoclp_site::{Grant, Place};
+use unoclp_site::{Grant, Kind, Place};
 
 /// A gateway of two boards at one line, whose addresses are 3 and 4, and whose units are 1 and 2.
 pub struct Site {
     pub boards: Simulated,
     pub page: SocketAddr,
     pub modbus: SocketAddr,
+    pub orders: Orders,
 }
 
 pub const LISTEN: &str = "127.0.0.1:0";
@@ -37,6 +38,7 @@ impl Site {
         keep: Option<(Watched, Keep)>,
     ) -> Site {
         let (watched, keep) = keep.unzip();
+        let (orders, ordered) = Orders::new();
         let server = Server::bind(LISTEN.parse().unwrap()).unwrap();
         let bound = Modbus::bind(LISTEN.parse().unwrap(), write).unwrap();
         let (page, modbus) = (server.address(), bound.address());
@@ -52,6 +54,7 @@ impl Site {
             boards: shared.collect(),
             tokens: None,
             modbus: Some(bound),
+            orders: Some(ordered),
             metrics: Some(numbers()),
             keep,
             tell,
@@ -61,6 +64,7 @@ impl Site {
             boards,
             page,
             modbus,
+            orders,
         };
         // All of them have been found.
         for unit in [1, 2] {
@@ -101,6 +105,8 @@ pub fn register(first: u16, while_kept: Option<Kept>) -> Grant {
     Grant {
         unit: 1,
         name: "one.x".into(),
+        point: "x".into(),
+        kind: Kind::Signed,
         places: vec![Place {
             table: Table::HoldingRegisters,
             first,

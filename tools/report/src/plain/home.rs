@@ -1,0 +1,129 @@
+//! What Home Assistant finds: one device a board, one component a point (*MQTT discovery, device discovery payload*).
+
+use super::topics::Topics;
+use crate::boards::{Board, Shape, shape};
+use crate::command::Rights;
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+use unoclp_site::Point;
+
+/// Where Home Assistant looks, and says that it is there.
+const ABOVE: &str = "homeassistant";
+
+/// What Home Assistant has been told.
+#[derive(Debug)]
+pub(super) struct Home {
+    gateway: String,
+    /// The components of each board, and their platforms. One that is no more is removed by name.
+    told: BTreeMap<String, BTreeMap<String, &'static str>>,
+}
+
+impl Home {
+    pub fn new(gateway: &str) -> Home {
+        Home {
+            gateway: gateway.to_owned(),
+            told: BTreeMap::new(),
+        }
+    }
+
+    /// Where it says that it is there.
+    pub fn status(&self) -> String {
+        format!("{ABOVE}/status")
+    }
+
+    /// The topic and the payload that tell it of a board; none as long as the points of the board are not known.
+    pub fn config(
+        &mut self,
+        board: &Board,
+        rights: &Rights,
+        topics: &Topics,
+    ) -> Option<(String, String)> {
+        if board.points().is_empty() {
+            return None;
+        }
+        let id = format!("{}_{}", self.gateway, board.name);
+        let mut components = Map::new();
+        let mut told = BTreeMap::new();
+        for point in board.points() {
+            let is_writable = rights.of(&board.name, &point.name).is_some();
+            let platform = platform(point, is_writable);
+            let mut component = json!({
+                "p": platform,
+                "unique_id": format!("{id}_{}", point.name),
+                "name": point.name,
+                "state_topic": topics.point(&board.name, &point.name),
+            });
+            if let Some(component) = component.as_object_mut() {
+                component.extend(details(point, is_writable, &board.name, topics));
+            }
+            components.insert(point.name.clone(), component);
+            told.insert(point.name.clone(), platform);
+        }
+        let before = self.told.insert(board.name.clone(), told);
+        for (name, platform) in before.unwrap_or_default() {
+            // With nothing but its platform a component is removed.
+            components
+                .entry(name)
+                .or_insert_with(|| json!({ "p": platform }));
+        }
+        let online = |topic: String| json!({ "topic": topic });
+        let config = json!({
+            "dev": { "ids": [id], "name": board.name, "mf": "unoclp", "mdl": "unoclp" },
+            "o": { "name": "unoclp", "sw": env!("CARGO_PKG_VERSION") },
+            "availability": [online(topics.gateway()), online(topics.board(&board.name))],
+            "availability_mode": "all",
+            "qos": 1,
+            "cmps": components,
+        });
+        Some((format!("{ABOVE}/device/{id}/config"), config.to_string()))
+    }
+}
+
+fn platform(point: &Point, is_writable: bool) -> &'static str {
+    match (shape(point), is_writable) {
+        (Shape::Bit, false) => "binary_sensor",
+        (Shape::Bit, true) => "switch",
+        (_, false) => "sensor",
+        (_, true) => "number",
+    }
+}
+
+fn details(
+    point: &Point,
+    is_writable: bool,
+    board: &str,
+    topics: &Topics,
+) -> impl Iterator<Item = (String, Value)> {
+    let shape = shape(point);
+    let value = match shape {
+        // What is not known is neither.
+        Shape::Bit => {
+            "{{ value_json.v if value_json.v is none else ('ON' if value_json.v else 'OFF') }}"
+        }
+        _ => "{{ value_json.v }}",
+    };
+    let mut details = vec![("value_template", json!(value))];
+    if is_writable {
+        details.push(("command_topic", json!(topics.command(board, &point.name))));
+        if shape == Shape::Bit {
+            let more = [
+                ("payload_on", "true"),
+                ("payload_off", "false"),
+                ("state_on", "ON"),
+                ("state_off", "OFF"),
+            ];
+            details.extend(more.map(|(key, text)| (key, json!(text))));
+        } else {
+            let (least, most) = point.kind.range(point.read.width);
+            let step = if shape == Shape::Real { 0.001 } else { 1.0 };
+            let more = [("min", least), ("max", most), ("step", step)];
+            details.extend(more.map(|(key, number)| (key, json!(number))));
+            details.push(("mode", json!("box")));
+        }
+    } else if shape != Shape::Bit {
+        details.push(("state_class", json!("measurement")));
+    }
+    details
+        .into_iter()
+        .map(|(key, value)| (key.to_owned(), value))
+}

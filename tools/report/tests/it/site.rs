@@ -1,0 +1,85 @@
+//! A site of two boards, and what reports it.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
+use unoclp_report::{Carry, Change, Command, Refusal, Reporter, State, Tell};
+use unoclp_site::{Files, Site, read};
+
+struct Folder;
+
+const TANK: &str = "PROGRAM tank VAR level : REAL; valve AT %QX0.0 : BOOL; target : DINT; END_VAR\n\
+    valve := target > 5; target := target + 0; level := level + 0.5; END_PROGRAM\n";
+
+impl Files for Folder {
+    fn bytes(&self, _: &str) -> Result<Vec<u8>, String> {
+        Ok(TANK.into())
+    }
+}
+
+/// The boards `tank`, of a program, and `lamp`, of none, with these lines of `[mqtt]`.
+pub fn site(broker: &str, more: &str) -> Site {
+    let text = format!(
+        "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"tank\"\nprogram = \"tank.st\"\n\
+         [[line.board]]\nname = \"lamp\"\naddress = 2\n[mqtt]\nbroker = \"{broker}\"\n{more}"
+    );
+    read(&text, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}"))
+}
+
+/// A reporter, and the commands that it has brought.
+pub struct Reporting {
+    pub reporter: Reporter,
+    pub commands: Receiver<Command>,
+    pub told: Receiver<Option<String>>,
+}
+
+impl Reporting {
+    /// Reports this site; each command is answered so.
+    pub fn new(site: &Site, ca: Option<&[u8]>, outcome: Result<(), Refusal>) -> Reporting {
+        let (send, commands) = channel();
+        let (tell, told) = channel();
+        let mqtt = site.mqtt.as_ref().unwrap();
+        let begun = Reporter::begin(site, mqtt, ca, carry(send, outcome), telling(tell));
+        Reporting {
+            reporter: begun.unwrap_or_else(|why| panic!("{why:?}")),
+            commands,
+            told,
+        }
+    }
+
+    pub fn change(&self, board: &str, values: &[(&str, Option<f64>)], at: i64) {
+        let change = |(point, value): &(&str, Option<f64>)| Change {
+            board: board.into(),
+            point: (*point).into(),
+            at,
+            value: *value,
+        };
+        self.reporter.changed(values.iter().map(change).collect());
+    }
+
+    /// Waits until it stands so.
+    pub fn until(&self, is: impl Fn(State) -> bool) {
+        let begun = std::time::Instant::now();
+        while !is(self.reporter.state()) {
+            let state = self.reporter.state();
+            assert!(begun.elapsed().as_secs() < 20, "{state:?}");
+            std::thread::yield_now();
+        }
+    }
+}
+
+fn carry(send: Sender<Command>, outcome: Result<(), Refusal>) -> Carry {
+    let send = Mutex::new(send);
+    Arc::new(move |command, done| {
+        // After the end of the test nobody listens.
+        let _ = send.lock().unwrap().send(command);
+        done(outcome);
+    })
+}
+
+fn telling(send: Sender<Option<String>>) -> Tell {
+    let send = Mutex::new(send);
+    Arc::new(move |trouble| {
+        let told = trouble.map(|why| format!("{why:?}"));
+        let _ = send.lock().unwrap().send(told);
+    })
+}
