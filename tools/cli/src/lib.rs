@@ -4,6 +4,7 @@
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
 //! - `shared`: the page and the boards for browsers, with the feature `page`; [`site_file`]: which boards
+//! - [`film`]: a run of a machine as a moving picture
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
@@ -11,6 +12,7 @@
 //! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
 pub mod ascii;
+pub mod film;
 mod lamps;
 pub mod messages;
 #[cfg(feature = "page")]

@@ -4,6 +4,7 @@
 //! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from a text to numeric code, and onto a card
 //! - `list`, `sim`: a program shown, and simulated
+//! - `plant`: a machine alone, and one that a program controls
 //! - `grade`: the programs of a class in an exercise
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`, `progress`: Ctrl-C; a line that changes
@@ -31,6 +32,7 @@ mod list;
 mod monitor;
 mod open;
 mod output;
+mod plant;
 mod progress;
 mod refuse;
 mod run;
@@ -51,6 +53,7 @@ pub use list::{Picture, list};
 pub use monitor::monitor;
 pub use open::check;
 pub use output::Over;
+pub use plant::{Machine, OfPlant, drive, plant};
 pub use refuse::refuse;
 pub use run::{What, run};
 pub use serve::{Doors, serve};

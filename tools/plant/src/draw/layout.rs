@@ -15,7 +15,7 @@ const HEAD: i32 = 56;
 /// Between two parts of the panel.
 const GAP: i32 = 18;
 /// The least width of a picture, for its title.
-const LEAST: i32 = 460;
+const LEAST: i32 = 480;
 
 fn leaf(
     tag: &'static str,

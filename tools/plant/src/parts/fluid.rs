@@ -213,7 +213,7 @@ pub(crate) mod float {
     use super::*;
     kind! {
         "float" Fluid "A float switch: actuated while the level stands above it" "Uma chave-boia: acionada enquanto o nível está acima dela"
-        [40, 30], symbol::float;
+        [90, 30], symbol::float;
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dela";
             height: Form::Number(Unit::Permille, 0, 1000, 500), "where it hangs" "onde fica";

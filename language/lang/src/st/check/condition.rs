@@ -5,7 +5,7 @@ use super::super::ast::{File, Name, Node, NodeKind, Part, Path};
 use super::Checker;
 use crate::diagnostics::{Found, Span};
 use crate::typed::build::{Builder, Letters, Section, Traits};
-use crate::typed::{Base, Tree, TypeId, UnitKind};
+use crate::typed::{Base, TypeId, UnitKind};
 use std::collections::HashMap;
 use unoclp_core::Board;
 
