@@ -115,6 +115,13 @@ enum Command {
         #[command(flatten)]
         class: Class,
     },
+    /// Make wrong programs of an exercise's solution, and say which of them pass
+    Mutants {
+        /// The exercise: a scenario file with cases (.toml)
+        exercise: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
+    },
     /// Run a program on this PC, and show its variables
     Run {
         #[command(flatten)]
@@ -314,6 +321,7 @@ fn main() -> ExitCode {
         },
         Command::Plant { of } => commands::plant(&of),
         Command::Grade { class } => commands::grade(&class),
+        Command::Mutants { exercise, wording } => commands::find_mutants(&exercise, &wording),
         Command::Run { what } => commands::run(what),
         Command::Card {
             card,

@@ -35,6 +35,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "grade",
         "Roda os programas de uma turma pelos casos de um exercício",
     ),
+    (
+        "mutants",
+        "Faz programas errados da solução de um exercício e diz quais passam",
+    ),
     ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
         "card",
@@ -85,6 +89,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "run",
         "file",
         "O programa, em qualquer das linguagens; - o lê da entrada padrão",
+    ),
+    (
+        "mutants",
+        "exercise",
+        "O exercício: um arquivo de cenário com casos (.toml)",
     ),
     (
         "grade",

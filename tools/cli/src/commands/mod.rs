@@ -6,6 +6,7 @@
 //! - `list`, `sim`: a program shown, and simulated
 //! - `plant`: a machine alone, and one that a program controls
 //! - `grade`: the programs of a class in an exercise
+//! - `mutants`: which mistakes an exercise lets pass
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`, `progress`: Ctrl-C; a line that changes
 //! - `run`: a program on this PC, and its variables
@@ -30,6 +31,7 @@ mod help;
 mod interrupt;
 mod list;
 mod monitor;
+mod mutants;
 mod open;
 mod output;
 mod plant;
@@ -51,6 +53,7 @@ pub use grade::{Class, grade};
 pub use help::in_portuguese;
 pub use list::{Picture, list};
 pub use monitor::monitor;
+pub use mutants::find_mutants;
 pub use open::check;
 pub use output::Over;
 pub use plant::{Machine, OfPlant, drive, plant};

@@ -73,7 +73,7 @@ pub fn plant(of: &OfPlant) -> Outcome {
 }
 
 /// The plant of a file; its mistakes are told.
-fn machine(path: &Path) -> anyhow::Result<Option<Plant>> {
+pub(super) fn machine(path: &Path) -> anyhow::Result<Option<Plant>> {
     let file = read(path)?;
     let name = file.name;
     let text = String::from_utf8(file.bytes).map_err(|_| anyhow!(messages::plant_binary(&name)))?;
@@ -286,6 +286,32 @@ fn say_verdict(plant: &Plant, verdict: &Verdict) {
             messages::machine_failed()
         }
     );
+}
+
+/// What went wrong first with a machine that this program controls; nothing, where all is well.
+pub(super) fn first_wrong(plant: &Plant, program: &[u8], board: Board) -> Option<String> {
+    let engine = &mut HostEngine::new(board);
+    let verdict = match control(plant, plant.seed, program, engine, |_| ()) {
+        Ok(verdict) => verdict,
+        Err(ended) => return Some(told(&ended)),
+    };
+    let lang = messages::spoken();
+    let seconds = |at: u64| Unit::Ms.shown(at as i64);
+    let broken = verdict.broken.iter().filter_map(|broken| {
+        let never = plant.nevers.get(broken.rule)?;
+        let text = messages::rule_broken(seconds(broken.at), never.text.text(lang));
+        Some((broken.at, text))
+    });
+    let missed = verdict.missed.iter().filter_map(|missed| {
+        let goal = plant.goals.get(missed.goal)?;
+        let (at, since) = (seconds(missed.at), seconds(missed.since));
+        Some((
+            missed.at,
+            messages::goal_missed(at, goal.text.text(lang), since),
+        ))
+    });
+    let first = broken.chain(missed).min_by_key(|(at, _)| *at);
+    first.map(|(_, text)| text)
 }
 
 /// Why a program has not controlled the machine to the end.

@@ -87,6 +87,7 @@ unoclp_program::messages! {
     written(file) "{file}: written" "{file}: gravado";
     grade_file() "file" "arquivo";
     grade_cases() "cases" "casos";
+    grade_machine() "machine" "máquina";
     grade_failing() "first failing case" "primeiro caso que falha";
     passed() "passed" "passou";
     not_compiled() "no program that runs" "não é um programa que rode";
@@ -435,6 +436,22 @@ unoclp_program::messages! {
     plant_board(file, board)
         "{file} is wired to another board; add --board {board}"
         "{file} está ligada a outra placa; acrescente --board {board}";
+    no_model(file)
+        "{file} names no program; write `program = \"…\"` with a solution that passes"
+        "{file} não indica um programa; escreva `program = \"…\"` com uma solução que passa";
+    model_faulty(file)
+        "the solution {file} has errors; `unoclp check {file}` shows them"
+        "a solução {file} tem erros; `unoclp check {file}` os mostra";
+    mutants_passed(passed, count)
+        "wrong programs that pass: {passed} of {count}"
+        "programas errados que passam: {passed} de {count}";
+    slip_inverted() "a contact inverted" "um contato invertido";
+    slip_dropped() "a contact left out" "um contato a menos";
+    slip_joined() "series for parallel" "série por paralelo";
+    slip_halved() "a number halved" "um número pela metade";
+    slip_doubled() "a number doubled" "um número em dobro";
+    slip_swapped() "two coils exchanged" "duas bobinas trocadas";
+    slip_not_reset() "a coil that is not reset" "uma bobina que não é resetada";
     no_moment(given)
         "{given} is no time of a run; write 2.5s, 300ms or 1min"
         "{given} não é um tempo da execução; escreva 2.5s, 300ms ou 1min";
