@@ -3,7 +3,7 @@
 use divan::{Bencher, black_box};
 use std::fs;
 use std::path::Path;
-use unoclp_core::Image;
+use unoclp_core::{Board, Image};
 use unoclp_plant::{Outputs, Run, picture, read};
 use unoclp_program::Lang;
 
@@ -42,7 +42,9 @@ fn text(name: &str) -> String {
 /// A thousand steps.
 #[divan::bench(args = names())]
 fn thousand_steps(bencher: Bencher, name: &str) {
-    let Ok(plant) = read(&text(name)) else { return };
+    let Ok(plant) = read(&text(name), Board::UNO) else {
+        return;
+    };
     let mut run = Run::new(&plant, 1);
     let outputs = Outputs {
         points: Image(0b0101),
@@ -57,7 +59,9 @@ fn thousand_steps(bencher: Bencher, name: &str) {
 
 #[divan::bench(args = names())]
 fn drawn(bencher: Bencher, name: &str) {
-    let Ok(plant) = read(&text(name)) else { return };
+    let Ok(plant) = read(&text(name), Board::UNO) else {
+        return;
+    };
     let run = Run::new(&plant, 1);
     bencher.bench_local(|| picture(black_box(&run), Lang::En));
 }

@@ -19,7 +19,7 @@ pub fn find_mutants(path: &Path, wording: &Wording) -> Outcome {
     let exercise = Exercise::load(path, board);
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
     let plant = match &exercise.plant {
-        Some(path) => match machine(path)? {
+        Some(path) => match machine(path, board)? {
             Some(plant) => Some(plant),
             None => return Ok(false),
         },

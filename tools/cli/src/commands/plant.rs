@@ -23,6 +23,8 @@ pub enum OfPlant {
         /// The plant (.toml)
         #[arg(value_name = "PLANT.toml")]
         plant: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
     },
     /// Draw a plant as it stands at first
     Draw {
@@ -34,6 +36,8 @@ pub enum OfPlant {
         svg: PathBuf,
         #[command(flatten)]
         over: Over,
+        #[command(flatten)]
+        wording: Wording,
     },
 }
 
@@ -67,17 +71,22 @@ impl Machine {
 /// Does it.
 pub fn plant(of: &OfPlant) -> Outcome {
     match of {
-        OfPlant::Check { plant } => check(plant),
-        OfPlant::Draw { plant, svg, over } => draw(plant, svg, *over),
+        OfPlant::Check { plant, wording } => check(plant, wording),
+        OfPlant::Draw {
+            plant,
+            svg,
+            over,
+            wording,
+        } => draw(plant, svg, *over, wording),
     }
 }
 
 /// The plant of a file; its mistakes are told.
-pub(super) fn machine(path: &Path) -> anyhow::Result<Option<Plant>> {
+pub(super) fn machine(path: &Path, board: Board) -> anyhow::Result<Option<Plant>> {
     let file = read(path)?;
     let name = file.name;
     let text = String::from_utf8(file.bytes).map_err(|_| anyhow!(messages::plant_binary(&name)))?;
-    let plant = unoclp_plant::read(&text);
+    let plant = unoclp_plant::read(&text, board);
     if let Err(mistakes) = &plant {
         for mistake in mistakes {
             println!("{}", mistake.text(&name, messages::spoken()));
@@ -86,8 +95,8 @@ pub(super) fn machine(path: &Path) -> anyhow::Result<Option<Plant>> {
     Ok(plant.ok())
 }
 
-fn check(path: &Path) -> Outcome {
-    let Some(plant) = machine(path)? else {
+fn check(path: &Path, wording: &Wording) -> Outcome {
+    let Some(plant) = machine(path, wording.board)? else {
         return Ok(false);
     };
     let lang = messages::spoken();
@@ -108,8 +117,8 @@ fn check(path: &Path) -> Outcome {
     Ok(true)
 }
 
-fn draw(path: &Path, svg: &Path, over: Over) -> Outcome {
-    let Some(plant) = machine(path)? else {
+fn draw(path: &Path, svg: &Path, over: Over, wording: &Wording) -> Outcome {
+    let Some(plant) = machine(path, wording.board)? else {
         return Ok(false);
     };
     let run = Run::new(&plant, plant.seed);
@@ -164,7 +173,7 @@ pub fn drive(
     let Some(path) = machine_of.plant() else {
         bail!(messages::nothing_to_simulate());
     };
-    let Some(plant) = machine(path)? else {
+    let Some(plant) = machine(path, wording.board)? else {
         return Ok(false);
     };
     let Some(source) = open(program, wording, Shown::Here)? else {

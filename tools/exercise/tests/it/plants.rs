@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_core::Board;
 use unoclp_exercise::machine::control;
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::{Plant, Verdict, read};
@@ -33,7 +34,7 @@ fn plants() -> Vec<(String, Plant)> {
     let read = |path: PathBuf| {
         let name = stem(&path);
         let text = fs::read_to_string(&path).unwrap();
-        let plant = read(&text).unwrap_or_else(|mistakes| {
+        let plant = read(&text, Board::UNO).unwrap_or_else(|mistakes| {
             let told = mistakes.iter().map(|mistake| mistake.text(&name, Lang::En));
             panic!("{}", told.collect::<Vec<_>>().join("\n"))
         });

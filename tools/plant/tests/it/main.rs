@@ -7,6 +7,7 @@ mod random;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use unoclp_core::Board;
 use unoclp_plant::{Plant, read};
 use unoclp_program::Lang;
 
@@ -19,7 +20,7 @@ fn folder(path: &str) -> PathBuf {
 
 /// The plant of a text that is right.
 fn plant(text: &str) -> Plant {
-    read(text).unwrap_or_else(|mistakes| {
+    read(text, Board::UNO).unwrap_or_else(|mistakes| {
         let told = mistakes
             .iter()
             .map(|mistake| mistake.text("plant", Lang::En));

@@ -2,8 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::mem::discriminant;
-use unoclp_plant::{MOST_PARTS, read};
+use unoclp_core::Board;
+use unoclp_plant::{MOST_PARTS, Mistake, Plant};
 use unoclp_program::Lang;
+
+fn read(text: &str) -> Result<Plant, Vec<Mistake>> {
+    unoclp_plant::read(text, Board::UNO)
+}
 
 /// What is right, in lines 1 to 9.
 const RIGHT: &str = "title = \"t\"\n[[part]]\nname = \"b\"\nkind = \"button\"\nto = \"I1\"\n[[part]]\nname = \"k\"\nkind = \"contactor\"\nby = \"Q1\"\n";
@@ -232,9 +237,7 @@ fn each_mistake_is_told_with_its_line() {
     let mut kinds = BTreeSet::new();
     for (text, line, words) in mistakes() {
         let told = read(&text).expect_err(words);
-        let fits = |of: &&unoclp_plant::Mistake| {
-            of.line == line && of.wrong.text(Lang::En).contains(words)
-        };
+        let fits = |of: &&Mistake| of.line == line && of.wrong.text(Lang::En).contains(words);
         let found = told.iter().find(fits);
         let all: Vec<String> = told
             .iter()

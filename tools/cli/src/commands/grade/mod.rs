@@ -51,7 +51,7 @@ pub fn grade(class: &Class) -> Outcome {
     let exercise = Exercise::load(&class.exercise, class.wording.board);
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
     let plant = match &exercise.plant {
-        Some(path) => match machine(path)? {
+        Some(path) => match machine(path, class.wording.board)? {
             Some(plant) => Some(plant),
             None => return Ok(false),
         },
