@@ -108,7 +108,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             };
             let mut machine = match kept {
                 Some(machine) => machine,
-                None => Machine::open(&name, &text)?,
+                None => Machine::open(&name, &text, facts::board(&mut given)?)?,
             };
             let known = json(machine.known(lang));
             boards.machine = Some(machine);

@@ -6,7 +6,7 @@ use crate::given::Given;
 use crate::words::{self, Both, both};
 use self_cell::self_cell;
 use serde::Serialize;
-use unoclp_core::{Inputs, Point};
+use unoclp_core::{Board, Inputs, Point};
 use unoclp_plant::{Broken, Change, Fault, Outputs, Picture, Plant, Run, Text, picture, read};
 use unoclp_program::Lang;
 
@@ -94,12 +94,12 @@ impl From<&Text> for Both {
 }
 
 impl Machine {
-    /// The machine of this file.
+    /// The machine of this file, wired to this board where it names none.
     ///
     /// # Errors
     /// The first mistake in it, with its line.
-    pub fn open(name: &str, text: &str) -> Result<Machine, Both> {
-        let plant = read(text).map_err(|mistakes| match mistakes.first() {
+    pub fn open(name: &str, text: &str, board: Board) -> Result<Machine, Both> {
+        let plant = read(text, board).map_err(|mistakes| match mistakes.first() {
             Some(mistake) => both(|lang| mistake.text(name, lang)),
             None => both(words::no_machine),
         })?;

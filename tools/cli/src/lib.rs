@@ -5,6 +5,7 @@
 //! - [`port`]: the serial port
 //! - `broker`: what a broker is told of a site, with the same feature
 //! - `shared`: the page and the boards for browsers, with the feature `page`; [`site_file`]: which boards
+//! - [`film`]: a run of a machine as a moving picture
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
 //! - [`messages`]: what all of them say, in two languages
@@ -14,6 +15,7 @@
 pub mod ascii;
 #[cfg(feature = "page")]
 mod broker;
+pub mod film;
 mod lamps;
 pub mod messages;
 #[cfg(feature = "page")]

@@ -12,8 +12,8 @@ use anstream::eprintln;
 use anyhow::anyhow;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    At, Changes, Class, Doors, Firmware, Form, Leave, OfSite, Over, Paper, What, Wording,
-    in_portuguese, langs, language, refuse,
+    At, Changes, Class, Doors, Firmware, Form, Leave, Machine, OfPlant, OfSite, Over, Paper, What,
+    Wording, in_portuguese, langs, language, refuse,
 };
 use std::env;
 use std::ffi::OsString;
@@ -92,21 +92,35 @@ enum Command {
         /// Run this case of the scenario alone, counted from 1
         #[arg(long, value_name = "N", requires = "scenario", value_parser = clap::value_parser!(u16).range(1..))]
         case: Option<u16>,
-        /// Draw what was pressed, expected and came into this file, as a timing diagram
-        #[arg(long, value_name = "OUT.svg", requires = "scenario")]
+        /// Draw what was pressed, expected and came into this file, as a timing diagram; of a machine, pictures of it
+        #[arg(long, value_name = "OUT.svg")]
         svg: Option<PathBuf>,
         /// Write the trace of all inputs, outputs and timers for a wave viewer
         #[arg(long, value_name = "OUT.vcd")]
         vcd: Option<PathBuf>,
         #[command(flatten)]
+        machine: Machine,
+        #[command(flatten)]
         over: Over,
         #[command(flatten)]
         wording: Wording,
+    },
+    /// Check a machine that programs control, or draw it
+    Plant {
+        #[command(subcommand)]
+        of: OfPlant,
     },
     /// Run the programs of a class through the cases of an exercise
     Grade {
         #[command(flatten)]
         class: Class,
+    },
+    /// Make wrong programs of an exercise's solution, and say which of them pass
+    Mutants {
+        /// The exercise: a scenario file with cases (.toml)
+        exercise: PathBuf,
+        #[command(flatten)]
+        wording: Wording,
     },
     /// Run a program on this PC, and show its variables
     Run {
@@ -279,9 +293,19 @@ fn main() -> ExitCode {
             case,
             svg,
             vcd,
+            machine,
             over,
             wording,
         } => match (file, scenario) {
+            (None, None) if machine.plant().is_some() => {
+                Err(anyhow!(messages::plant_without_program()))
+            }
+            (_, None) if svg.is_some() && machine.plant().is_none() => {
+                Err(anyhow!(messages::svg_of_what()))
+            }
+            (Some(file), None) if machine.plant().is_some() => {
+                commands::drive(&file, &machine, svg.as_deref(), over, &wording)
+            }
             (file, Some(scenario)) => {
                 let run = commands::Run {
                     program: file.as_deref(),
@@ -295,7 +319,9 @@ fn main() -> ExitCode {
             (Some(file), None) => commands::simulate(&file, vcd.as_deref(), over, &wording),
             (None, None) => Err(anyhow!(messages::nothing_to_simulate())),
         },
+        Command::Plant { of } => commands::plant(&of),
         Command::Grade { class } => commands::grade(&class),
+        Command::Mutants { exercise, wording } => commands::find_mutants(&exercise, &wording),
         Command::Run { what } => commands::run(what),
         Command::Card {
             card,

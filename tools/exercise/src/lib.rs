@@ -3,6 +3,7 @@
 //! - [`scenario`]: the one test format of the project, and the check that every engine passes
 //! - [`diagram`]: a run of a scenario as a picture: what was pressed, expected and came
 //! - [`machine`]: a plant controlled by a program
+//! - [`mutants`]: wrong programs made of a right one
 //! - [`wave`]: the trace of a run for a wave viewer
 //! - [`live`]: a running program as it is shown
 //!
@@ -14,5 +15,6 @@
 pub mod diagram;
 pub mod live;
 pub mod machine;
+pub mod mutants;
 pub mod scenario;
 pub mod wave;

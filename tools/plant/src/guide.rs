@@ -114,7 +114,7 @@ fn one(text: &mut String, kind: &Kind, lang: Lang) {
 
 /// The file of a plant that has a part of this kind, and what that needs.
 pub(crate) fn sample(kind: &Kind) -> String {
-    let mut text = String::from("title = \"sample\"\nboard = \"pc\"\n");
+    let mut text = String::from("title = \"sample\"\n");
     let mut made = Vec::new();
     let mut left = vec![kind.name];
     while let Some(name) = left.pop() {

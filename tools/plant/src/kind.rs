@@ -2,8 +2,6 @@
 //!
 //! The reader, the checks, the rules' names, the pages and the pictures are all made from its rows.
 
-use crate::draw::Brush;
-use crate::run::Moment;
 use crate::unit::Unit;
 
 /// The groups of kinds, in the order of the pages.
@@ -41,10 +39,6 @@ pub struct Kind {
     pub values: &'static [Slot],
     /// How it may fail.
     pub faults: &'static [Fault],
-    /// What it does in a millisecond.
-    pub(crate) step: fn(&mut Moment<'_>),
-    /// How it looks.
-    pub(crate) draw: fn(&mut Brush<'_>),
 }
 
 /// What a part is given.
@@ -252,7 +246,7 @@ impl std::fmt::Debug for Kind {
 /// A row of the table: `F` numbers its fields, `V` its values.
 macro_rules! kind {
     (
-        $name:literal $group:ident $english:literal $portuguese:literal $size:expr, $draw:path;
+        $name:literal $group:ident $english:literal $portuguese:literal $size:expr;
         fields { $($field:ident: $form:expr, $field_en:literal $field_pt:literal;)* }
         values { $($value:ident: $slot:expr, $value_en:literal $value_pt:literal;)* }
         faults { $($fault:ident)* }
@@ -286,8 +280,6 @@ macro_rules! kind {
                 ..$slot
             },)*],
             faults: &[$($crate::kind::Fault::$fault,)*],
-            step,
-            draw: $draw,
         };
     };
 }

@@ -7,7 +7,8 @@
 //! - [`picture`]: a moment of it as a drawing
 //!
 //! The way of a file: `keys` (values with their places), `read`, `fields` (what a part is given), `order` (what needs
-//! what), `rules`. `kind` is the form of the table; `parts/` are its rows, by groups; `draw/` their symbols.
+//! what), `rules`. `kind` is the form of the table; `parts/` are its rows, by groups, each with what it does in a
+//! `moment`; `draw/` their symbols.
 //!
 //! Owns machines. Must not know a PLC, a program, a board at a line, a file, a clock, a screen, a page.
 
@@ -19,8 +20,10 @@ mod guide;
 mod keys;
 mod kind;
 mod mistake;
+mod moment;
 mod names;
 mod order;
+mod outputs;
 mod parts;
 mod plant;
 mod read;
@@ -36,11 +39,12 @@ pub use draw::{Change, Picture, picture, symbol};
 pub use guide::guide;
 pub use kind::{Fault, Field, Form, Group, Kind, Limit, Slot};
 pub use mistake::{Mistake, Wrong};
+pub use outputs::Outputs;
 pub use parts::KINDS;
 pub use plant::{Decoration, Part, Plant, Step, Trouble};
 pub use read::{MOST_PARTS, read};
 pub use rules::{Goal, Never};
-pub use run::{Outputs, Run};
+pub use run::Run;
 pub use text::Text;
 pub use unit::Unit;
 pub use verdict::{Broken, Missed, Verdict};

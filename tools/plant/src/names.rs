@@ -1,21 +1,9 @@
 //! The names that a plant's conditions read, and where each value is.
 
 use crate::plant::Plant;
+use crate::signal::At;
 use unoclp_core::{Board, Point};
 use unoclp_lang::typed::Base;
-
-/// Where a value of a condition is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum At {
-    /// In this cell of the plant.
-    Cell(usize),
-    /// An output of the PLC.
-    Output(Point),
-    /// An input.
-    Input(Point),
-    /// The time since the first step, ms.
-    Clock,
-}
 
 /// What the time is called.
 pub(crate) const CLOCK: &str = "clock";

@@ -1,9 +1,8 @@
 //! A plant as its file says it, checked: every name is known, every number in its range.
 
 use crate::kind::{Fault, Kind, Limit};
-use crate::names::At;
 use crate::rules::{Goal, Never};
-use crate::signal::{Given, Source};
+use crate::signal::{At, Given, Source};
 use crate::text::Text;
 use std::collections::BTreeSet;
 use unoclp_core::Board;

@@ -29,11 +29,11 @@ const FILE: [&str; 11] = [
     "title", "about", "board", "until", "seed", "part", "draw", "step", "fault", "never", "goal",
 ];
 
-/// Reads the text of a plant's file.
+/// Reads the text of a plant's file; it is wired to this board, unless it names another.
 ///
 /// # Errors
 /// All that is wrong with it, in the order of the lines.
-pub fn read(text: &str) -> Result<Plant, Vec<Mistake>> {
+pub fn read(text: &str, board: Board) -> Result<Plant, Vec<Mistake>> {
     let notes = Notes::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
@@ -44,7 +44,7 @@ pub fn read(text: &str) -> Result<Plant, Vec<Mistake>> {
     }
     let keys = Keys::new(table.get_ref(), 0..0, &notes);
     keys.known(&FILE);
-    let plant = plant(&keys);
+    let plant = plant(&keys, board);
     match plant {
         Some(plant) if notes.is_right() => Ok(plant),
         _ => Err(notes.mistakes()),
@@ -67,14 +67,14 @@ fn some<'a>(
 }
 
 /// The plant as far as its parts are right; none where they are not, which is told.
-fn plant(keys: &Keys<'_>) -> Option<Plant> {
+fn plant(keys: &Keys<'_>, usual: Board) -> Option<Plant> {
     let title = keys.both("title");
     if !keys.has("title") {
         keys.missing("title", "{ en = \"Press\", pt = \"Prensa\" }");
     }
     let title = title.map_or_else(Text::default, |at| at.value);
     let about = keys.both("about").map_or_else(Text::default, |at| at.value);
-    let board = board(keys);
+    let board = board(keys, usual);
     let until = keys.time("until", 1, DAY).map_or(60_000, |at| at.value);
     let seed = keys
         .whole("seed", 0, i64::from(i32::MAX))
@@ -156,9 +156,9 @@ fn plant(keys: &Keys<'_>) -> Option<Plant> {
     Some(plant)
 }
 
-fn board(keys: &Keys<'_>) -> Board {
+fn board(keys: &Keys<'_>, usual: Board) -> Board {
     let Some(At { value, place }) = keys.text("board", "\"uno\"") else {
-        return Board::UNO;
+        return usual;
     };
     Board::named(&value).unwrap_or_else(|| {
         let ids: Vec<&str> = Board::ALL.iter().map(Board::id).collect();
@@ -168,7 +168,7 @@ fn board(keys: &Keys<'_>) -> Board {
             known: quoted(&ids),
         };
         keys.notes.wrong(&place, wrong);
-        Board::UNO
+        usual
     })
 }
 

@@ -42,3 +42,16 @@ pub(crate) enum Given {
     Value(usize, usize),
     Choice(usize),
 }
+
+/// Where a value of a condition is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum At {
+    /// In this cell of the plant.
+    Cell(usize),
+    /// An output of the PLC.
+    Output(Point),
+    /// An input.
+    Input(Point),
+    /// The time since the first step, ms.
+    Clock,
+}

@@ -56,18 +56,15 @@ pub(crate) fn is_keyword(word: &str) -> bool {
     words::Keyword::of(word) != words::Keyword::None
 }
 
-/// A condition: its tree, the names that it reads with the cell of each, and the cell of what it comes to.
-pub(crate) type Asked = (Tree, Vec<(usize, u32)>, u32);
-
 /// A text that is one condition over these names; none where something is wrong, which is told.
 pub(crate) fn condition(
     text: &str,
     names: &[(String, Base)],
     board: Board,
     found: &mut Found,
-) -> Option<Asked> {
+) -> Option<check::condition::Asked> {
     let node = parser::expression(text, found)?;
-    check::condition(text, node, names, board, found).filter(|_| !found.has_errors())
+    check::condition::condition(text, node, names, board, found).filter(|_| !found.has_errors())
 }
 
 /// The tree of a text; none where something is wrong, which is told.

@@ -59,7 +59,7 @@ export class MachineArea {
       return this.forget();
     }
     try {
-      const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep });
+      const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id });
       this.file = file;
       this.show(facts);
     } catch (error) {

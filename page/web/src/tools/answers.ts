@@ -380,7 +380,7 @@ export interface Asks {
   /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
   free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
   /** `keep`: the one that is open goes on, and is told in this language. */
-  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean }; answer: MachineFacts };
+  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean; board?: string }; answer: MachineFacts };
   machineStep: { ask: { levels: number; shares: readonly number[]; ms: number }; answer: { readonly inputs: readonly number[]; readonly analogue: readonly (readonly [number, number])[] } };
   machineLook: { ask: object; answer: MachineLook };
   machineHand: { ask: { part: number; value: number; to: number }; answer: null };

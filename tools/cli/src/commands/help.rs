@@ -23,8 +23,21 @@ const COMMANDS: &[(&str, &str)] = &[
         "Simula um programa, à mão neste terminal ou com um cenário",
     ),
     (
+        "plant",
+        "Confere uma máquina que os programas controlam, ou a desenha",
+    ),
+    (
+        "plant check",
+        "Diz o que uma máquina tem e pede, ou cada erro com a sua linha",
+    ),
+    ("plant draw", "Desenha uma máquina como ela está no começo"),
+    (
         "grade",
         "Roda os programas de uma turma pelos casos de um exercício",
+    ),
+    (
+        "mutants",
+        "Faz programas errados da solução de um exercício e diz quais passam",
     ),
     ("run", "Executa um programa neste PC e mostra as variáveis"),
     (
@@ -76,6 +89,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "run",
         "file",
         "O programa, em qualquer das linguagens; - o lê da entrada padrão",
+    ),
+    (
+        "mutants",
+        "exercise",
+        "O exercício: um arquivo de cenário com casos (.toml)",
     ),
     (
         "grade",
@@ -174,6 +192,34 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "form",
         "Como listar: ladder, il, st, numeric ou xml (PLCopen, para o OpenPLC Editor e outros) [padrão: ladder]",
     ),
+    ("plant check", "plant", "A máquina (.toml)"),
+    ("plant draw", "plant", "A máquina (.toml)"),
+    ("plant draw", "svg", "Neste arquivo"),
+    (
+        "sim",
+        "plant",
+        "Deixa o programa controlar esta máquina: julga metas e regras",
+    ),
+    (
+        "sim",
+        "seed",
+        "Com o que o acaso começa, no lugar do valor da máquina",
+    ),
+    (
+        "sim",
+        "at",
+        "Com --svg, os momentos que se desenham, no lugar daqueles em que regras foram violadas: 1s,2.5s,1min",
+    ),
+    (
+        "sim",
+        "gif",
+        "Grava a execução da máquina como imagem animada",
+    ),
+    (
+        "sim",
+        "span",
+        "O trecho da execução que a imagem animada mostra: 0s-12s",
+    ),
     (
         "sim",
         "case",
@@ -182,7 +228,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     (
         "sim",
         "svg",
-        "Desenha neste arquivo o que foi apertado, o esperado e o que ocorreu, como diagrama de tempo",
+        "Desenha neste arquivo o que foi apertado, o esperado e o que ocorreu, como diagrama de tempo; de uma máquina, imagens dela",
     ),
     (
         "",

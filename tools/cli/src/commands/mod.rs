@@ -4,7 +4,9 @@
 //! - `output`: files that are written, and what is not overwritten
 //! - `compile`, `card`: from a text to numeric code, and onto a card
 //! - `list`, `sim`: a program shown, and simulated
+//! - `plant`: a machine alone, and one that a program controls
 //! - `grade`: the programs of a class in an exercise
+//! - `mutants`: which mistakes an exercise lets pass
 //! - `help`, `refuse`: the help, and what is wrong with the arguments, in Portuguese
 //! - `interrupt`, `progress`: Ctrl-C; a line that changes
 //! - `run`: a program on this PC, and its variables
@@ -29,8 +31,10 @@ mod help;
 mod interrupt;
 mod list;
 mod monitor;
+mod mutants;
 mod open;
 mod output;
+mod plant;
 mod progress;
 mod refuse;
 mod run;
@@ -49,8 +53,10 @@ pub use grade::{Class, grade};
 pub use help::in_portuguese;
 pub use list::{Picture, list};
 pub use monitor::monitor;
+pub use mutants::find_mutants;
 pub use open::check;
 pub use output::Over;
+pub use plant::{Machine, OfPlant, drive, plant};
 pub use refuse::refuse;
 pub use run::{What, run};
 pub use serve::{Doors, serve};

@@ -31,6 +31,8 @@ pub enum Kind {
     Program,
     /// A page for a browser.
     Page,
+    /// A moving picture (GIF).
+    Film,
 }
 
 /// The last line of a drawing and of a page: a comment in both.
@@ -52,6 +54,8 @@ impl Kind {
                 version.is_some_and(|rest| rest.trim_start().starts_with("unoclp "))
             }
             Kind::Program => is_ours(head.as_bytes()),
+            // It is made of a run anew each time, and nobody writes into one.
+            Kind::Film => head.starts_with("GIF89a"),
         }
     }
 
@@ -61,6 +65,7 @@ impl Kind {
             Kind::Trace => messages::a_trace(),
             Kind::Program => messages::a_program(),
             Kind::Page => messages::a_page(),
+            Kind::Film => messages::a_film(),
         }
     }
 
@@ -71,7 +76,7 @@ impl Kind {
                 let line_end: &[u8] = if content.ends_with(b"\n") { b"" } else { b"\n" };
                 [&content, line_end, MARK.as_bytes(), b"\n"].concat()
             }
-            Kind::Trace | Kind::Program => content,
+            Kind::Trace | Kind::Program | Kind::Film => content,
         }
     }
 }

@@ -87,6 +87,7 @@ unoclp_words::messages! {
     written(file) "{file}: written" "{file}: gravado";
     grade_file() "file" "arquivo";
     grade_cases() "cases" "casos";
+    grade_machine() "machine" "máquina";
     grade_failing() "first failing case" "primeiro caso que falha";
     passed() "passed" "passou";
     not_compiled() "no program that runs" "não é um programa que rode";
@@ -436,6 +437,67 @@ unoclp_words::messages! {
     nothing_to_simulate()
         "nothing to simulate; name a program or a --scenario"
         "nada a simular; indique um programa ou um --scenario";
+    plant_without_program()
+        "a machine needs a program that controls it; name one before --plant"
+        "uma máquina precisa de um programa que a controle; indique um antes de --plant";
+    svg_of_what()
+        "--svg draws the run of a --scenario or of a --plant; name one of them"
+        "--svg desenha a execução de um --scenario ou de uma --plant; indique um deles";
+    plant_binary(file)
+        "{file} is no plant: it holds bytes that are no text"
+        "{file} não é uma máquina: contém bytes que não são texto";
+    plant_has(parts, rules, goals, until)
+        "{parts} parts, {rules} rules, {goals} goals; a run takes {until}"
+        "{parts} elementos, {rules} regras, {goals} metas; uma execução dura {until}";
+    plant_never(text) "rule: {text}" "regra: {text}";
+    plant_goal(text, within) "goal: {text} ({within})" "meta: {text} ({within})";
+    plant_board(file, board)
+        "{file} is wired to another board; add --board {board}"
+        "{file} está ligada a outra placa; acrescente --board {board}";
+    no_model(file)
+        "{file} names no program; write `program = \"…\"` with a solution that passes"
+        "{file} não indica um programa; escreva `program = \"…\"` com uma solução que passa";
+    model_faulty(file)
+        "the solution {file} has errors; `unoclp check {file}` shows them"
+        "a solução {file} tem erros; `unoclp check {file}` os mostra";
+    mutants_passed(passed, count)
+        "wrong programs that pass: {passed} of {count}"
+        "programas errados que passam: {passed} de {count}";
+    slip_inverted() "a contact inverted" "um contato invertido";
+    slip_dropped() "a contact left out" "um contato a menos";
+    slip_joined() "series for parallel" "série por paralelo";
+    slip_halved() "a number halved" "um número pela metade";
+    slip_doubled() "a number doubled" "um número em dobro";
+    slip_swapped() "two coils exchanged" "duas bobinas trocadas";
+    slip_not_reset() "a coil that is not reset" "uma bobina que não é resetada";
+    no_moment(given)
+        "{given} is no time of a run; write 2.5s, 300ms or 1min"
+        "{given} não é um tempo da execução; escreva 2.5s, 300ms ou 1min";
+    late_moment(given, until)
+        "{given} comes after the end of the run, at {until}"
+        "{given} vem depois do fim da execução, em {until}";
+    no_span(given)
+        "{given} is no part of a run; write the begin and the end, 0s-12s"
+        "{given} não é um trecho da execução; escreva o começo e o fim, 0s-12s";
+    no_film(why)
+        "the moving picture cannot be made: {why}"
+        "não foi possível fazer a imagem animada: {why}";
+    built_without_gif()
+        "this unoclp is built without moving pictures"
+        "este unoclp foi compilado sem imagens animadas";
+    a_film() "a moving picture (GIF)" "uma imagem animada (GIF)";
+    rule_broken(at, text) "at {at} a rule broke: {text}" "em {at} uma regra foi violada: {text}";
+    goal_missed(at, text, since)
+        "at {at} a goal was missed: {text} (since {since})"
+        "em {at} uma meta não foi atingida: {text} (desde {since})";
+    rules_kept(kept, rules, met, goals)
+        "rules kept: {kept} of {rules}; goals met: {met} of {goals}"
+        "regras cumpridas: {kept} de {rules}; metas atingidas: {met} de {goals}";
+    machine_passed() "the machine does as it should: PASS" "a máquina faz o que deve: PASSOU";
+    machine_failed() "the machine does not do as it should: FAIL" "a máquina não faz o que deve: FALHOU";
+    stopped_in(at, fault)
+        "at {at} the program ended: {fault}"
+        "em {at} o programa parou: {fault}";
     svg_is_a_ladder()
         "--svg draws a ladder diagram; leave out --as, or --svg"
         "--svg desenha um diagrama ladder; tire --as ou --svg";

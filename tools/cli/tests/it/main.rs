@@ -21,6 +21,7 @@ mod nano;
 mod outputs;
 mod pages;
 mod pc;
+mod plant;
 mod plcopen;
 mod portuguese;
 #[cfg(unix)]

@@ -29,6 +29,8 @@ pub struct Exercise {
     pub normally_closed: Vec<u8>,
     /// The file of a program that passes, where one is named.
     pub program: Option<PathBuf>,
+    /// The file of the machine that a program controls, where one is named.
+    pub plant: Option<PathBuf>,
     cases: Vec<Case>,
 }
 
@@ -108,6 +110,7 @@ impl Exercise {
                 .collect(),
             normally_closed: closed.collect::<Result<_, _>>()?,
             program: program.map(|file| folder.join(file.get_ref())),
+            plant: keys.plant.as_ref().map(|file| folder.join(file.get_ref())),
         })
     }
 }

@@ -57,6 +57,7 @@ pub(super) struct FileKeys {
     #[serde(default)]
     pub(super) normally_closed: Vec<Spanned<String>>,
     pub(super) program: Option<Spanned<String>>,
+    pub(super) plant: Option<Spanned<String>>,
     pub(super) text: Option<Spanned<TextKey>>,
     pub(super) start_ms: Option<Spanned<Millis>>,
     pub(super) scan_ms: Option<Spanned<Millis>>,

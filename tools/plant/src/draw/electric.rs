@@ -31,7 +31,10 @@ pub(crate) fn contactor(b: &mut Brush<'_>) {
     let (closed, coil) = (b.is(contactor::V::closed), b.is(contactor::V::coil));
     for (twin, x) in WIRES.into_iter().enumerate() {
         b.twin = twin;
-        b.path(&format!("M{x} 0V22M{x} 54V80"), "wire");
+        b.live("ends").path(
+            &format!("M{x} 0V22M{x} 54V80"),
+            if closed { "hot" } else { "wire" },
+        );
         b.path(&format!("M{} 22a4 4 0 0 1 8 0", x - 4), "wire");
         let way = if closed {
             format!("M{x} 54L{x} 22")
@@ -58,9 +61,17 @@ pub(crate) fn overload(b: &mut Brush<'_>) {
         0,
         "heat glow",
     );
-    for x in WIRES {
-        b.path(&format!("M{x} 0V28H{}V40H{x}V80", x + 8), "wire");
+    let class = if b.get(overload::V::current) > 0 {
+        "hot"
+    } else {
+        "wire"
+    };
+    for (twin, x) in WIRES.into_iter().enumerate() {
+        b.twin = twin;
+        b.live("wire")
+            .path(&format!("M{x} 0V28H{}V40H{x}V80", x + 8), class);
     }
+    b.twin = 0;
     b.live("state")
         .circle([69, 46], 7, if tripped { "red-on" } else { "green-off" });
     let label = b.label();

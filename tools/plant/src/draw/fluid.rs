@@ -27,7 +27,7 @@ pub(crate) fn tank(b: &mut Brush<'_>) {
     });
     b.live("level")
         .text([60, 92], "title mid", format!("{}%", level / 10));
-    b.name([60, 182]);
+    b.name([60, 30]);
 }
 
 pub(crate) fn valve(b: &mut Brush<'_>) {

@@ -2,10 +2,12 @@
 
 use super::brush::Brush;
 use super::picture::{Element, Item, Picture};
+use super::symbols;
 use crate::kind::Kind;
 use crate::plant::Decoration;
 use crate::run::Run;
 use crate::{read, words};
+use unoclp_core::Board;
 use unoclp_words::Lang;
 
 /// Around all.
@@ -15,7 +17,7 @@ const HEAD: i32 = 56;
 /// Between two parts of the panel.
 const GAP: i32 = 18;
 /// The least width of a picture, for its title.
-const LEAST: i32 = 460;
+const LEAST: i32 = 480;
 
 fn leaf(
     tag: &'static str,
@@ -157,7 +159,7 @@ fn draw(items: &mut Vec<Item>, run: &Run<'_>, number: usize, [x, y]: [i32; 2], l
         ],
         text: String::new(),
     }));
-    (part.kind.draw)(&mut Brush {
+    let mut brush = Brush {
         run,
         number,
         part,
@@ -165,7 +167,10 @@ fn draw(items: &mut Vec<Item>, run: &Run<'_>, number: usize, [x, y]: [i32; 2], l
         items,
         live: None,
         twin: 0,
-    });
+    };
+    if let Some(symbol) = symbols::of(part.kind) {
+        symbol(&mut brush);
+    }
     items.push(Item::Close);
 }
 
@@ -209,7 +214,7 @@ fn decoration(items: &mut Vec<Item>, run: &Run<'_>, drawn: &Decoration, number: 
 
 /// The symbol of a kind, as a part of it stands at first; none of a kind that is not there.
 pub fn symbol(kind: &Kind, lang: Lang) -> Option<Picture> {
-    let plant = read(&crate::guide::sample(kind)).ok()?;
+    let plant = read(&crate::guide::sample(kind), Board::PC).ok()?;
     let run = Run::new(&plant, 1);
     let number = plant
         .parts

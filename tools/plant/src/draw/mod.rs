@@ -3,22 +3,22 @@
 //! - `brush`: what a symbol is drawn with; `picture`: the elements, as text and as what has changed
 //! - `style`: colours and strokes, said once
 //! - `layout`: where parts stand, and the panel
-//! - the others: the symbols, by the groups of parts
+//! - `symbols`: which symbol each kind has; the others: the symbols, by the groups of parts
 //!
 //! Owns how things look. Must not know what makes them move, nor who shows them.
 
 mod brush;
-pub(crate) mod electric;
-pub(crate) mod fluid;
-pub(crate) mod heat;
+mod electric;
+mod fluid;
+mod heat;
 mod layout;
-pub(crate) mod motion;
-pub(crate) mod panel;
+mod motion;
+mod panel;
 mod picture;
 mod style;
-pub(crate) mod traffic;
-pub(crate) mod transport;
+mod symbols;
+mod traffic;
+mod transport;
 
-pub(crate) use brush::Brush;
 pub use layout::{picture, symbol};
 pub use picture::{Change, Picture};

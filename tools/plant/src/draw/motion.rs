@@ -45,7 +45,8 @@ pub(crate) fn gate(b: &mut Brush<'_>) {
         b.rect([10, 44, 168, 12], 4, "ink");
     });
     b.circle([17, 50], 7, "dark");
-    b.name([17, 118]);
+    let label = b.label();
+    b.text([36, 84], "tag", label);
 }
 
 pub(crate) fn door(b: &mut Brush<'_>) {

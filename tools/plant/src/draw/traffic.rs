@@ -5,7 +5,8 @@ use crate::parts::traffic::{lane, light, road, walk};
 
 pub(crate) fn light(b: &mut Brush<'_>) {
     let walks = b.given(light::F::shows) == 1;
-    b.rect([22, 96, 6, 34], 0, "metal");
+    let foot = if walks { 70 } else { 96 };
+    b.rect([22, foot, 6, 130 - foot], 0, "metal");
     b.rect([6, 0, 38, if walks { 70 } else { 98 }], 8, "deep");
     let (red, yellow, green) = (
         b.is(light::V::red),

@@ -1,8 +1,7 @@
 //! Contactors, and what they switch.
 
-use crate::draw::electric as symbol;
 use crate::kind::{DAMAGE, FLAG, Fault, Form, HAND, inner, kind, number};
-use crate::run::Moment;
+use crate::moment::Moment;
 use crate::unit::Unit;
 
 /// What flows in a short circuit, mA.
@@ -12,7 +11,7 @@ pub(crate) mod fuse {
     use super::*;
     kind! {
         "fuse" Electric "A fuse: it blows at a short circuit, and after a while at too much current" "Um fusível: queima em um curto-circuito, e com o tempo se a corrente é alta demais"
-        [60, 80], symbol::fuse;
+        [60, 80];
         fields { rated: Form::Number(Unit::Ma, 100, 100_000, 10_000), "the current that it bears for ever" "a corrente que ele suporta sempre"; }
         values {
             blown: DAMAGE, "whether it has blown" "se queimou";
@@ -22,7 +21,7 @@ pub(crate) mod fuse {
         }
         faults { Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let current = m.get(V::drawn);
         m.set(V::drawn, 0);
         m.set(V::current, current);
@@ -42,7 +41,7 @@ pub(crate) mod contactor {
     use super::*;
     kind! {
         "contactor" Electric "A contactor: it closes and opens a while after its coil is driven" "Um contator: fecha e abre um pouco depois de comandada a bobina"
-        [80, 80], symbol::contactor;
+        [80, 80];
         fields {
             by: Form::Drive, "what drives its coil" "o que comanda a bobina";
             pull_in: Form::Number(Unit::Ms, 0, 500, 20), "how long it takes to close" "quanto demora para fechar";
@@ -56,7 +55,7 @@ pub(crate) mod contactor {
         }
         faults { Welded Open Slow Stuck }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let coil = m.drive(F::by) && !m.fails(Fault::Open);
         m.put(V::coil, coil);
         let closed = m.is(V::closed);
@@ -79,7 +78,7 @@ pub(crate) mod overload {
     use super::*;
     kind! {
         "overload" Electric "A thermal overload relay: it trips when a motor takes too much for a while" "Um relé térmico: desarma quando um motor puxa demais por um tempo"
-        [80, 80], symbol::overload;
+        [80, 80];
         fields {
             rated: Form::Number(Unit::Ma, 100, 100_000, 4000), "the current that it bears for ever" "a corrente que ele suporta sempre";
             contact: Form::Sense, "the input of its contact, usually normally closed" "a entrada do contato, em geral normalmente fechado";
@@ -94,7 +93,7 @@ pub(crate) mod overload {
         }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let current = m.get(V::drawn);
         m.set(V::drawn, 0);
         m.set(V::current, current);
@@ -120,7 +119,7 @@ pub(crate) mod motor {
     use crate::parts::electric::{contactor, fuse, overload};
     kind! {
         "motor" Electric "A three-phase motor with its inertia: run by one contactor, by two for both directions, or by three as star and delta" "Um motor trifásico com a sua inércia: com um contator, com dois para os dois sentidos, ou com três em estrela e triângulo"
-        [80, 100], symbol::motor;
+        [80, 100];
         fields {
             line: Form::Part(&["contactor"]), "the contactor of its line" "o contator da linha";
             reverse: Form::MayPart(&["contactor"]), "the contactor that exchanges two phases" "o contator que troca duas fases";
@@ -143,7 +142,7 @@ pub(crate) mod motor {
         }
         faults { Jammed }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let closed = |m: &Moment<'_>, field: F| {
             m.other(field)
                 .is_some_and(|part| m.of(part, contactor::V::closed) != 0)

@@ -1,8 +1,7 @@
 //! What flows. A millilitre in a second is a microlitre in a millisecond, and that is what moves.
 
-use crate::draw::fluid as symbol;
 use crate::kind::{DAMAGE, FLAG, Fault, Form, HAND, Limit, SHARE, Slot, inner, kind, number};
-use crate::run::{FULL, Moment};
+use crate::moment::{FULL, Moment};
 use crate::unit::Unit;
 
 const TANKS: &[&str] = &["tank"];
@@ -11,7 +10,7 @@ pub(crate) mod tank {
     use super::*;
     kind! {
         "tank" Fluid "A tank: it overflows when it is full, and that stays until the machine is reset" "Um tanque: transborda quando enche, e isso fica até reiniciar a máquina"
-        [120, 160], symbol::tank;
+        [120, 160];
         fields {
             holds: Form::Number(Unit::Ml, 100, 2_000_000, 100_000), "how much it holds" "quanto cabe nele";
             first: Form::Number(Unit::Permille, 0, 1000, 0), "how full it is at first" "quanto tem no começo";
@@ -28,7 +27,7 @@ pub(crate) mod tank {
         }
         faults { Leaking }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let holds = m.number(F::holds);
         if !m.is(V::begun) {
             m.put(V::begun, true);
@@ -77,7 +76,7 @@ pub(crate) mod valve {
     use super::*;
     kind! {
         "valve" Fluid "A valve between two tanks; without `from` behind it is the mains, without `to` the drain" "Uma válvula entre dois tanques; sem `from` antes dela está a rede, sem `to` depois dela o ralo"
-        [60, 60], symbol::valve;
+        [60, 60];
         fields {
             by: Form::Duty, "what opens it" "o que a abre";
             from: Form::MayPart(TANKS), "the tank before it" "o tanque antes dela";
@@ -94,7 +93,7 @@ pub(crate) mod valve {
         }
         faults { Stuck Leaking Slow Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let driven = if m.fails(Fault::Open) {
             0
         } else {
@@ -125,7 +124,7 @@ pub(crate) mod pump {
     use super::*;
     kind! {
         "pump" Fluid "A pump; it breaks when it runs dry for too long" "Uma bomba; quebra se roda a seco por tempo demais"
-        [80, 70], symbol::pump;
+        [80, 70];
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             from: Form::Part(TANKS), "the tank that it empties" "o tanque que ela esvazia";
@@ -143,7 +142,7 @@ pub(crate) mod pump {
         }
         faults { Jammed Open Welded }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let mut duty = m.duty(F::by);
         if m.fails(Fault::Welded) {
             duty = 1000;
@@ -176,7 +175,7 @@ pub(crate) mod stirrer {
     use super::*;
     kind! {
         "stirrer" Fluid "A stirrer in a tank" "Um misturador em um tanque"
-        [40, 140], symbol::stirrer;
+        [40, 140];
         fields {
             by: Form::Drive, "what drives it" "o que o aciona";
             within: Form::Part(TANKS), "its tank" "o tanque dele";
@@ -189,7 +188,7 @@ pub(crate) mod stirrer {
         }
         faults { Jammed Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let runs = m.drive(F::by) && !m.fails(Fault::Jammed) && !m.fails(Fault::Open);
         m.put(V::runs, runs);
         if !runs {
@@ -213,7 +212,7 @@ pub(crate) mod float {
     use super::*;
     kind! {
         "float" Fluid "A float switch: actuated while the level stands above it" "Uma chave-boia: acionada enquanto o nível está acima dela"
-        [40, 30], symbol::float;
+        [90, 30];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dela";
             height: Form::Number(Unit::Permille, 0, 1000, 500), "where it hangs" "onde fica";
@@ -222,7 +221,7 @@ pub(crate) mod float {
         values { up: FLAG, "whether the level stands above it" "se o nível está acima dela"; }
         faults { Stuck Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if let Some(tank) = m.other(F::of).filter(|_| !m.fails(Fault::Stuck)) {
             // Waves do not make it chatter.
             let height = m.number(F::height) - if m.is(V::up) { 5 } else { 0 };
@@ -236,7 +235,7 @@ pub(crate) mod level {
     use super::*;
     kind! {
         "level" Fluid "A level transmitter, with 0 to 10 V or 4 to 20 mA" "Um transmissor de nível, de 0 a 10 V ou de 4 a 20 mA"
-        [50, 50], symbol::transmitter;
+        [50, 50];
         fields {
             of: Form::Part(TANKS), "its tank" "o tanque dele";
             to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
@@ -245,7 +244,7 @@ pub(crate) mod level {
         values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if let Some(tank) = m.other(F::of).filter(|_| !m.fails(Fault::Stuck)) {
             let holds = m.number_of(tank, tank::F::holds).max(1);
             let volume = m.of(tank, tank::V::volume) / holds;

@@ -1,8 +1,7 @@
 //! What warms and cools. Temperatures are thousandths of a degree, and inside an oven millionths.
 
-use crate::draw::heat as symbol;
 use crate::kind::{DAMAGE, FLAG, Fault, Form, Limit, SHARE, Slot, inner, kind, number};
-use crate::run::{FULL, Moment};
+use crate::moment::{FULL, Moment};
 use crate::unit::Unit;
 
 const OVENS: &[&str] = &["oven"];
@@ -13,7 +12,7 @@ pub(crate) mod oven {
     use super::*;
     kind! {
         "oven" Heat "An oven with a lag and a dead time" "Um forno com atraso e tempo morto"
-        [140, 120], symbol::oven;
+        [140, 120];
         fields {
             outside: Form::Number(Unit::MilliC, -20_000, 50_000, 25_000), "the temperature outside" "a temperatura de fora";
             lag: Form::Number(Unit::Ms, 1000, 3_600_000, 60_000), "its time constant" "a constante de tempo";
@@ -33,7 +32,7 @@ pub(crate) mod oven {
         }
         faults { Leaking }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let outside = m.number(F::outside);
         if !m.is(V::begun) {
             m.put(V::begun, true);
@@ -72,7 +71,7 @@ pub(crate) mod heater {
     use super::*;
     kind! {
         "heater" Heat "A heater, driven by an output or by its PWM" "Uma resistência, acionada por uma saída ou pelo PWM dela"
-        [80, 50], symbol::heater;
+        [80, 50];
         fields {
             by: Form::Duty, "what drives it" "o que a aciona";
             within: Form::Part(OVENS), "its oven" "o forno dela";
@@ -81,7 +80,7 @@ pub(crate) mod heater {
         values { power: SHARE, "how much of its power it gives" "quanto da potência dá"; }
         faults { Open Welded }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let mut duty = m.duty(F::by);
         if m.fails(Fault::Welded) {
             duty = 1000;
@@ -101,7 +100,7 @@ pub(crate) mod fan {
     use super::*;
     kind! {
         "fan" Heat "A fan that cools an oven" "Um ventilador que esfria um forno"
-        [60, 60], symbol::fan;
+        [60, 60];
         fields {
             by: Form::Drive, "what drives it" "o que o aciona";
             within: Form::Part(OVENS), "its oven" "o forno dele";
@@ -112,7 +111,7 @@ pub(crate) mod fan {
         }
         faults { Jammed Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let runs = m.drive(F::by) && !m.fails(Fault::Jammed) && !m.fails(Fault::Open);
         m.put(V::runs, runs);
         if runs {
@@ -128,7 +127,7 @@ pub(crate) mod thermometer {
     use super::*;
     kind! {
         "thermometer" Heat "A thermometer with its transmitter" "Um termômetro com o seu transmissor"
-        [50, 50], symbol::thermometer;
+        [50, 50];
         fields {
             of: Form::Part(OVENS), "its oven" "o forno dele";
             to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
@@ -137,7 +136,7 @@ pub(crate) mod thermometer {
         values { reading: number(Unit::Count, 0, 1023), "what the input reads" "o que a entrada lê"; }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if let Some(oven) = m.other(F::of).filter(|_| !m.fails(Fault::Stuck)) {
             let temperature = i64::from(m.of(oven, oven::V::temperature).max(0));
             let reading = temperature * i64::from(FULL) / i64::from(m.number(F::span).max(1));

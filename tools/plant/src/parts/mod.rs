@@ -9,6 +9,7 @@ pub(crate) mod traffic;
 pub(crate) mod transport;
 
 use crate::kind::Kind;
+use crate::moment::Moment;
 
 /// Every kind, by groups.
 pub static KINDS: [&Kind; 42] = [
@@ -55,6 +56,63 @@ pub static KINDS: [&Kind; 42] = [
     &traffic::walk::KIND,
     &traffic::lane::KIND,
 ];
+
+/// What each kind does in a millisecond, in the order of [`KINDS`].
+static STEPS: [Step; 42] = [
+    panel::button::step,
+    panel::switch::step,
+    panel::key::step,
+    panel::emergency::step,
+    panel::lamp::step,
+    panel::tower::step,
+    panel::buzzer::step,
+    panel::dial::step,
+    panel::bar::step,
+    panel::number::step,
+    electric::fuse::step,
+    electric::contactor::step,
+    electric::overload::step,
+    electric::motor::step,
+    fluid::tank::step,
+    fluid::valve::step,
+    fluid::pump::step,
+    fluid::stirrer::step,
+    fluid::float::step,
+    fluid::level::step,
+    heat::oven::step,
+    heat::heater::step,
+    heat::fan::step,
+    heat::thermometer::step,
+    motion::cylinder::step,
+    motion::gate::step,
+    motion::door::step,
+    motion::elevator::step,
+    motion::call::step,
+    transport::bin::step,
+    transport::belt::step,
+    transport::feeder::step,
+    transport::eye::step,
+    transport::inductive::step,
+    transport::height::step,
+    transport::pusher::step,
+    transport::filler::step,
+    transport::counter::step,
+    traffic::light::step,
+    traffic::road::step,
+    traffic::walk::step,
+    traffic::lane::step,
+];
+
+/// What a part does in a millisecond.
+pub(crate) type Step = fn(&mut Moment<'_>);
+
+/// What a part of this kind does in a millisecond.
+pub(crate) fn step(kind: &Kind) -> Step {
+    let own = KINDS.iter().position(|row| row.name == kind.name);
+    own.and_then(|own| STEPS.get(own))
+        .copied()
+        .unwrap_or(|_| ())
+}
 
 /// The kind that a file names so.
 pub(crate) fn named(name: &str) -> Option<&'static Kind> {

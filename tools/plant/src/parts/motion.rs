@@ -1,8 +1,7 @@
 //! What moves to and fro.
 
-use crate::draw::motion as symbol;
 use crate::kind::{DAMAGE, FLAG, Fault, Form, HAND, Limit, SHARE, Slot, inner, kind, number};
-use crate::run::Moment;
+use crate::moment::Moment;
 use crate::unit::Unit;
 
 /// A position in steps as small as the slowest motion asks for.
@@ -17,7 +16,7 @@ pub(crate) mod cylinder {
     use super::*;
     kind! {
         "cylinder" Motion "A pneumatic cylinder: without `retract` a spring draws it back" "Um cilindro pneumático: sem `retract` uma mola o recolhe"
-        [180, 50], symbol::cylinder;
+        [180, 50];
         fields {
             extend: Form::Drive, "the coil that extends it" "a bobina que o avança";
             retract: Form::MayDrive, "the coil that retracts it" "a bobina que o recua";
@@ -37,7 +36,7 @@ pub(crate) mod cylinder {
         }
         faults { Stuck Slow Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let (out, back) = (m.drive(F::extend), m.drive(F::retract));
         if m.has(F::retract) {
             // A valve with two coils stays; with both driven too.
@@ -70,7 +69,7 @@ pub(crate) mod gate {
     use super::*;
     kind! {
         "gate" Motion "A barrier that is raised and lowered" "Uma cancela que sobe e desce"
-        [180, 110], symbol::gate;
+        [180, 110];
         fields {
             raise: Form::Drive, "what raises it" "o que a sobe";
             lower: Form::MayDrive, "what lowers it; without it, it falls by itself" "o que a desce; sem isso ela desce sozinha";
@@ -89,7 +88,7 @@ pub(crate) mod gate {
         }
         faults { Stuck Slow Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let (up, down) = (m.drive(F::raise), m.drive(F::lower));
         let falls = !m.has(F::lower) && !up;
         let to = match (up, down || falls) {
@@ -121,7 +120,7 @@ pub(crate) mod door {
     use super::*;
     kind! {
         "door" Motion "A door that a motor opens and closes; somebody may stand in it" "Uma porta que um motor abre e fecha; alguém pode estar no vão"
-        [160, 130], symbol::door;
+        [160, 130];
         fields {
             open: Form::Drive, "what opens it" "o que a abre";
             close: Form::MayDrive, "what closes it; without it, it closes by itself" "o que a fecha; sem isso ela fecha sozinha";
@@ -143,7 +142,7 @@ pub(crate) mod door {
         }
         faults { Stuck Slow Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let (open, close) = (m.drive(F::open), m.drive(F::close));
         let by_itself = !m.has(F::close) && !open;
         let mut to = match (open, close || by_itself) {
@@ -182,7 +181,7 @@ pub(crate) mod elevator {
     use super::*;
     kind! {
         "elevator" Motion "An elevator car in its shaft of three floors" "A cabine de um elevador no poço de três andares"
-        [110, 330], symbol::elevator;
+        [110, 330];
         fields {
             up: Form::Drive, "what moves it up" "o que a sobe";
             down: Form::Drive, "what moves it down" "o que a desce";
@@ -202,7 +201,7 @@ pub(crate) mod elevator {
         }
         faults { Stuck Slow }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let (up, down) = (m.drive(F::up), m.drive(F::down));
         let to = match (up, down) {
             (true, false) => Some(2_000_000),
@@ -236,7 +235,7 @@ pub(crate) mod call {
     use crate::parts::motion::{door, elevator};
     kind! {
         "call" Motion "The button of a floor, and who waits there for the elevator" "O botão de um andar, e quem espera ali pelo elevador"
-        [60, 72], symbol::call;
+        [60, 72];
         fields {
             of: Form::Part(&["elevator"]), "the elevator" "o elevador";
             floor: Form::Number(Unit::Count, 1, 3, 1), "the floor" "o andar";
@@ -249,7 +248,7 @@ pub(crate) mod call {
         }
         faults { Stuck Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if m.is(V::pressed) {
             m.put(V::waiting, true);
         }

@@ -1,8 +1,7 @@
 //! What a person presses and sees.
 
-use crate::draw::panel as symbol;
 use crate::kind::{COUNT, FLAG, Form, HAND, SHARE, Slot, kind};
-use crate::run::Moment;
+use crate::moment::Moment;
 
 /// The colours of lamps and buttons.
 const COLOURS: &[&str] = &["green", "red", "yellow", "blue", "white"];
@@ -11,7 +10,7 @@ pub(crate) mod button {
     use super::*;
     kind! {
         "button" Panel "A push button: closed while somebody presses it" "Um botão de pulso: fechado enquanto alguém o aperta"
-        [60, 72], symbol::button;
+        [60, 72];
         fields {
             to: Form::Sense, "the input that it switches" "a entrada que ele aciona";
             colour: Form::Choice(super::COLOURS), "its colour" "a cor dele";
@@ -19,7 +18,7 @@ pub(crate) mod button {
         values { pressed: HAND, "whether somebody presses it" "se alguém o aperta"; }
         faults { Stuck Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.sense(F::to, m.is(V::pressed));
     }
 }
@@ -28,12 +27,12 @@ pub(crate) mod switch {
     use super::*;
     kind! {
         "switch" Panel "A switch that stays as it is turned" "Uma chave que fica como se deixa"
-        [60, 72], symbol::switch;
+        [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
         faults { Stuck Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.sense(F::to, m.is(V::on));
     }
 }
@@ -42,12 +41,12 @@ pub(crate) mod key {
     use super::*;
     kind! {
         "key" Panel "A switch that only who has the key can turn" "Uma chave que só quem tem a chave pode girar"
-        [60, 72], symbol::key;
+        [60, 72];
         fields { to: Form::Sense, "the input that it switches" "a entrada que ela aciona"; }
         values { on: HAND, "whether it is turned on" "se está ligada"; }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.sense(F::to, m.is(V::on));
     }
 }
@@ -56,12 +55,12 @@ pub(crate) mod emergency {
     use super::*;
     kind! {
         "emergency" Panel "An emergency stop: it stays pressed until somebody turns it" "Uma parada de emergência: fica apertada até que alguém a gire"
-        [60, 72], symbol::emergency;
+        [60, 72];
         fields { to: Form::Sense, "the input that it switches, usually normally closed" "a entrada que ela aciona, em geral normalmente fechada"; }
         values { pressed: HAND, "whether it is pressed" "se está apertada"; }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.sense(F::to, m.is(V::pressed));
     }
 }
@@ -71,7 +70,7 @@ pub(crate) mod lamp {
     use crate::kind::Fault;
     kind! {
         "lamp" Panel "A signal lamp" "Um sinaleiro"
-        [60, 72], symbol::lamp;
+        [60, 72];
         fields {
             by: Form::Drive, "what lights it" "o que a acende";
             colour: Form::Choice(super::COLOURS), "its colour" "a cor dela";
@@ -79,7 +78,7 @@ pub(crate) mod lamp {
         values { lit: FLAG, "whether it is lit" "se está acesa"; }
         faults { Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.put(V::lit, m.drive(F::by) && !m.fails(Fault::Open));
     }
 }
@@ -88,7 +87,7 @@ pub(crate) mod tower {
     use super::*;
     kind! {
         "tower" Panel "A tower light: red, yellow, green" "Uma torre luminosa: vermelho, amarelo, verde"
-        [44, 110], symbol::tower;
+        [44, 110];
         fields {
             red: Form::MayDrive, "what lights red" "o que acende o vermelho";
             yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
@@ -101,7 +100,7 @@ pub(crate) mod tower {
         }
         faults { }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.put(V::red, m.drive(F::red));
         m.put(V::yellow, m.drive(F::yellow));
         m.put(V::green, m.drive(F::green));
@@ -113,12 +112,12 @@ pub(crate) mod buzzer {
     use crate::kind::Fault;
     kind! {
         "buzzer" Panel "A buzzer" "Uma sirene"
-        [60, 72], symbol::buzzer;
+        [60, 72];
         fields { by: Form::Drive, "what makes it sound" "o que a faz soar"; }
         values { sounds: FLAG, "whether it sounds" "se está soando"; }
         faults { Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.put(V::sounds, m.drive(F::by) && !m.fails(Fault::Open));
     }
 }
@@ -129,7 +128,7 @@ pub(crate) mod dial {
     use crate::unit::Unit;
     kind! {
         "dial" Panel "A potentiometer" "Um potenciômetro"
-        [60, 72], symbol::dial;
+        [60, 72];
         fields {
             to: Form::Reading, "the analogue input that it sets" "a entrada analógica que ele comanda";
             first: Form::Number(Unit::Permille, 0, 1000, 500), "where it stands at first" "onde ele está no começo";
@@ -137,7 +136,7 @@ pub(crate) mod dial {
         values { turned: Slot { by_hand: true, first: Limit::Of("first"), ..SHARE }, "how far it is turned" "quanto está girado"; }
         faults { Stuck Open Short }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.reading(F::to, m.get(V::turned) * 1023 / 1000);
     }
 }
@@ -146,12 +145,12 @@ pub(crate) mod bar {
     use super::*;
     kind! {
         "bar" Panel "A value as a bar" "Um valor como barra"
-        [44, 110], symbol::bar;
+        [44, 110];
         fields { of: Form::Value, "the value" "o valor"; }
         values { share: SHARE, "how much of its range the value has" "quanto da faixa o valor tem"; }
         faults { }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if let Some((part, value)) = m.named(F::of) {
             m.set(V::share, m.share(part, value));
         }
@@ -162,12 +161,12 @@ pub(crate) mod number {
     use super::*;
     kind! {
         "number" Panel "A value as a number" "Um valor como número"
-        [84, 60], symbol::number;
+        [84, 60];
         fields { of: Form::Value, "the value" "o valor"; }
         values { shown: Slot { low: crate::kind::Limit::Is(-1_000_000_000), high: crate::kind::Limit::Is(1_000_000_000), ..COUNT }, "the number" "o número"; }
         faults { }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if let Some((part, value)) = m.named(F::of) {
             m.set(V::shown, m.of(part, value));
         }

@@ -1,15 +1,14 @@
 //! What drives and walks.
 
-use crate::draw::traffic as symbol;
 use crate::kind::{COUNT, DAMAGE, FLAG, Fault, Form, HAND, Slot, inner, kind, number};
-use crate::run::Moment;
+use crate::moment::Moment;
 use crate::unit::Unit;
 
 pub(crate) mod light {
     use super::*;
     kind! {
         "light" Traffic "A traffic light; without `red` it is red while it is neither green nor yellow" "Um semáforo; sem `red` ele fica vermelho se não está verde nem amarelo"
-        [50, 130], symbol::light;
+        [50, 130];
         fields {
             red: Form::MayDrive, "what lights red" "o que acende o vermelho";
             yellow: Form::MayDrive, "what lights yellow" "o que acende o amarelo";
@@ -25,7 +24,7 @@ pub(crate) mod light {
         }
         faults { Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let (green, yellow) = (m.drive(F::green), m.drive(F::yellow));
         let red = match m.has(F::red) {
             true => m.drive(F::red) && !m.fails(Fault::Open),
@@ -44,7 +43,7 @@ pub(crate) mod road {
     use super::*;
     kind! {
         "road" Traffic "A road with cars that come by chance and wait at a light" "Uma rua com carros que chegam ao acaso e esperam em um semáforo"
-        [420, 90], symbol::road;
+        [420, 90];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
             every: Form::Number(Unit::Ms, 500, 600_000, 5000), "how far cars are from each other in time" "o tempo entre os carros";
@@ -60,7 +59,7 @@ pub(crate) mod road {
         }
         faults { }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.add(V::next, -1);
         if m.get(V::next) == 0 {
             m.add(V::waiting, 1);
@@ -91,7 +90,7 @@ pub(crate) mod walk {
     use crate::parts::traffic::{light, road};
     kind! {
         "walk" Traffic "A crossing where people come by chance, press the button, and walk at green" "Uma faixa onde chegam pessoas ao acaso, apertam o botão e atravessam no verde"
-        [120, 200], symbol::walk;
+        [120, 200];
         fields {
             light: Form::Part(&["light"]), "its light" "o semáforo dela";
             over: Form::Part(&["road"]), "the road" "a rua";
@@ -112,7 +111,7 @@ pub(crate) mod walk {
         }
         faults { Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.add(V::next, -1);
         m.add(V::presses, -1);
         if m.get(V::next) == 0 {
@@ -160,7 +159,7 @@ pub(crate) mod lane {
     use crate::parts::motion::gate;
     kind! {
         "lane" Traffic "The lane of a parking lot: cars come to a gate, park, and leave by another way" "A pista de um estacionamento: carros chegam a uma cancela, estacionam e saem por outro lado"
-        [420, 110], symbol::lane;
+        [420, 110];
         fields {
             gate: Form::Part(&["gate"]), "the gate" "a cancela";
             spaces: Form::Number(Unit::Count, 1, 20, 5), "how many cars have room" "quantos carros cabem";
@@ -185,7 +184,7 @@ pub(crate) mod lane {
         }
         faults { Stuck Open Short Bouncing }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         m.add(V::next, -1);
         if m.get(V::next) == 0 {
             m.add(V::waiting, 1);

@@ -1,10 +1,9 @@
 //! What carries things. A thing on a belt has a place, a nature and a filling; where a nature is 0, nothing is.
 
-use crate::draw::transport as symbol;
 use crate::kind::{
     COUNT, DAMAGE, FLAG, Fault, Form, HAND, Limit, SHARE, Slot, inner, kind, number,
 };
-use crate::run::Moment;
+use crate::moment::Moment;
 use crate::unit::Unit;
 
 /// A belt carries no more things.
@@ -24,7 +23,7 @@ pub(crate) mod bin {
     use super::*;
     kind! {
         "bin" Transport "A bin that counts what falls into it" "Uma caixa que conta o que cai nela"
-        [110, 90], symbol::bin;
+        [110, 90];
         fields { wants: Form::Choice(&["any", "metal", "plastic", "tall", "short", "full"]), "what belongs into it; `full` is a bottle that is filled to 90% or more" "o que deve cair nela; `full` é uma garrafa com 90% ou mais"; }
         values {
             count: COUNT, "how much has fallen into it" "quanto caiu nela";
@@ -33,7 +32,7 @@ pub(crate) mod bin {
         }
         faults { }
     }
-    fn step(_: &mut Moment<'_>) {}
+    pub(crate) fn step(_: &mut Moment<'_>) {}
 
     /// A thing falls into a bin.
     pub(crate) fn take(m: &mut Moment<'_>, bin: usize, nature: i32, fill: i32) {
@@ -54,7 +53,7 @@ pub(crate) mod belt {
     use super::*;
     kind! {
         "belt" Transport "A belt; what comes to its end goes onto the next belt, into a bin, or on the floor" "Uma esteira; o que chega ao fim passa à próxima esteira, a uma caixa, ou cai no chão"
-        [320, 80], symbol::belt;
+        [320, 80];
         fields {
             run: Form::Duty, "what drives it" "o que a aciona";
             onto: Form::MayPart(&["belt", "bin"]), "what stands at its end" "o que está no fim dela";
@@ -77,7 +76,7 @@ pub(crate) mod belt {
         }
         faults { Jammed Slow Open Stuck }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let mut to = if m.fails(Fault::Open) {
             0
         } else {
@@ -161,7 +160,7 @@ pub(crate) mod feeder {
     use super::*;
     kind! {
         "feeder" Transport "It lays things on a belt while the belt runs" "Põe peças em uma esteira enquanto ela anda"
-        [90, 90], symbol::feeder;
+        [90, 90];
         fields {
             onto: Form::Part(BELTS), "the belt" "a esteira";
             every: Form::Number(Unit::Mm, 100, 10_000, 400), "how far things are from each other" "a distância entre as peças";
@@ -175,7 +174,7 @@ pub(crate) mod feeder {
         }
         faults { Jammed }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let Some(belt) = m.other(F::onto) else {
             return;
         };
@@ -213,12 +212,12 @@ fn sees(m: &Moment<'_>, belt: Option<usize>, place: i32, mask: i32) -> bool {
 }
 
 macro_rules! sensor {
-    ($module:ident $name:literal $en:literal $pt:literal $draw:ident $mask:expr) => {
+    ($module:ident $name:literal $en:literal $pt:literal $mask:expr) => {
         pub(crate) mod $module {
             use super::*;
             kind! {
                 $name Transport $en $pt
-                [40, 70], symbol::$draw;
+                [40, 70];
                 fields {
                     of: Form::Part(BELTS), "its belt" "a esteira";
                     place: Form::Number(Unit::Mm, 0, 20_000, 1000), "where it stands" "onde fica";
@@ -227,7 +226,7 @@ macro_rules! sensor {
                 values { sees: FLAG, "whether it sees something" "se vê algo"; }
                 faults { Stuck Open Short Bouncing }
             }
-            fn step(m: &mut Moment<'_>) {
+            pub(crate) fn step(m: &mut Moment<'_>) {
                 if !m.fails(Fault::Stuck) {
                     let sees = sees(m, m.other(F::of), m.number(F::place), $mask);
                     m.put(V::sees, sees);
@@ -238,15 +237,15 @@ macro_rules! sensor {
     };
 }
 
-sensor! { eye "eye" "A photo-eye beside a belt" "Um sensor óptico ao lado de uma esteira" eye THING }
-sensor! { inductive "inductive" "An inductive sensor: it sees metal alone" "Um sensor indutivo: só vê metal" inductive METAL }
-sensor! { height "height" "A photo-eye above a belt: it sees what is tall alone" "Um sensor óptico acima de uma esteira: só vê o que é alto" height TALL }
+sensor! { eye "eye" "A photo-eye beside a belt" "Um sensor óptico ao lado de uma esteira" THING }
+sensor! { inductive "inductive" "An inductive sensor: it sees metal alone" "Um sensor indutivo: só vê metal" METAL }
+sensor! { height "height" "A photo-eye above a belt: it sees what is tall alone" "Um sensor óptico acima de uma esteira: só vê o que é alto" TALL }
 
 pub(crate) mod pusher {
     use super::*;
     kind! {
         "pusher" Transport "A pusher: it moves what is before it from a belt into a bin" "Um empurrador: passa o que está na frente dele da esteira para uma caixa"
-        [60, 110], symbol::pusher;
+        [60, 110];
         fields {
             by: Form::Drive, "what extends it; a spring draws it back" "o que o avança; uma mola o recolhe";
             of: Form::Part(BELTS), "the belt" "a esteira";
@@ -266,7 +265,7 @@ pub(crate) mod pusher {
         }
         faults { Stuck Slow }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let before = m.get(V::fine);
         if !m.fails(Fault::Stuck) {
             let to = if m.drive(F::by) { 1_000_000 } else { 0 };
@@ -301,7 +300,7 @@ pub(crate) mod filler {
     use super::*;
     kind! {
         "filler" Transport "A filler: it pours into the bottle below it, or on the belt" "Um enchedor: despeja na garrafa debaixo dele, ou na esteira"
-        [70, 110], symbol::filler;
+        [70, 110];
         fields {
             by: Form::Drive, "what opens it" "o que o abre";
             of: Form::Part(BELTS), "the belt" "a esteira";
@@ -316,7 +315,7 @@ pub(crate) mod filler {
         }
         faults { Stuck Leaking Open }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         if !m.fails(Fault::Stuck) {
             let pours = m.drive(F::by) && !m.fails(Fault::Open);
             m.put(V::pours, pours);
@@ -355,7 +354,7 @@ pub(crate) mod counter {
     use super::*;
     kind! {
         "counter" Transport "It counts how often something becomes true" "Conta quantas vezes algo se torna verdadeiro"
-        [84, 60], symbol::counter;
+        [84, 60];
         fields { of: Form::Drive, "what it counts" "o que ele conta"; }
         values {
             count: COUNT, "how often" "quantas vezes";
@@ -363,7 +362,7 @@ pub(crate) mod counter {
         }
         faults { }
     }
-    fn step(m: &mut Moment<'_>) {
+    pub(crate) fn step(m: &mut Moment<'_>) {
         let is = m.drive(F::of);
         if is && !m.is(V::was) {
             m.add(V::count, 1);

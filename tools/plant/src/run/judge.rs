@@ -1,12 +1,12 @@
 //! The rules of a plant, and its faults that come on a condition.
 
-use super::Run;
+use crate::kind::Fault;
 use crate::plant::Plant;
-use crate::verdict::{Broken, Missed};
+use crate::verdict::{Broken, Missed, Verdict};
 use unoclp_lang::Judge;
 
 /// The conditions of a plant while it runs.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Judges<'p> {
     nevers: Vec<Watched<'p>>,
     goals: Vec<Due<'p>>,
@@ -38,6 +38,7 @@ struct Coming<'p> {
 }
 
 impl<'p> Judges<'p> {
+    /// Before the first step.
     pub fn new(plant: &'p Plant) -> Judges<'p> {
         let nevers = plant.nevers.iter().map(|never| Watched {
             when: Judge::new(&never.when),
@@ -62,67 +63,64 @@ impl<'p> Judges<'p> {
             troubles: troubles.collect(),
         }
     }
-}
 
-impl Run<'_> {
-    /// The faults that come or go now.
-    pub(super) fn troubles(&mut self) {
-        let mut judges = std::mem::take(&mut self.judges.troubles);
-        for (trouble, coming) in self.plant.troubles.iter().zip(&mut judges) {
+    /// The faults that come or go now: the part, the fault, whether it has it.
+    pub fn troubles(
+        &mut self,
+        plant: &Plant,
+        now: u64,
+        value: impl Fn(usize) -> i64,
+    ) -> Vec<(usize, Fault, bool)> {
+        let mut changes = Vec::new();
+        for (trouble, coming) in plant.troubles.iter().zip(&mut self.troubles) {
             if coming.over {
                 continue;
             }
-            let due = trouble.at.is_none_or(|at| self.now >= at);
-            let value = |name| self.read(self.plant.places.get(name));
-            let holds = due && coming.when.as_mut().is_none_or(|when| when.holds(value));
+            let due = trouble.at.is_none_or(|at| now >= at);
+            let holds = due && coming.when.as_mut().is_none_or(|when| when.holds(&value));
             match coming.since {
                 None if holds => {
-                    coming.since = Some(self.now);
-                    self.fault(trouble.part, trouble.fault, true);
+                    coming.since = Some(now);
+                    changes.push((trouble.part, trouble.fault, true));
                 }
-                Some(since) if trouble.lasts > 0 && self.now - since >= trouble.lasts => {
+                Some(since) if trouble.lasts > 0 && now - since >= trouble.lasts => {
                     coming.over = true;
-                    self.fault(trouble.part, trouble.fault, false);
+                    changes.push((trouble.part, trouble.fault, false));
                 }
                 _ => {}
             }
         }
-        self.judges.troubles = judges;
+        changes
     }
 
     /// Which rules break now, and which goals are met or missed.
-    pub(super) fn judge(&mut self) {
-        let mut judges = std::mem::replace(
-            &mut self.judges,
-            Judges {
-                nevers: Vec::new(),
-                goals: Vec::new(),
-                troubles: Vec::new(),
-            },
-        );
-        let now = self.now;
-        for (rule, watched) in judges.nevers.iter_mut().enumerate() {
-            let Some(never) = self.plant.nevers.get(rule).filter(|_| !watched.broken) else {
+    pub fn judge(
+        &mut self,
+        plant: &Plant,
+        now: u64,
+        value: impl Fn(usize) -> i64,
+        verdict: &mut Verdict,
+    ) {
+        for (rule, (watched, never)) in self.nevers.iter_mut().zip(&plant.nevers).enumerate() {
+            if watched.broken {
                 continue;
-            };
-            let value = |name| self.read(self.plant.places.get(name));
-            if now < never.after || !watched.when.holds(value) {
+            }
+            if now < never.after || !watched.when.holds(&value) {
                 watched.held = 0;
                 continue;
             }
             watched.held += 1;
             if watched.held > never.lasts {
                 watched.broken = true;
-                self.verdict.broken.push(Broken { rule, at: now });
+                verdict.broken.push(Broken { rule, at: now });
             }
         }
-        for (number, due) in judges.goals.iter_mut().enumerate() {
-            let Some(goal) = self.plant.goals.get(number).filter(|_| !due.missed) else {
+        for (number, (due, goal)) in self.goals.iter_mut().zip(&plant.goals).enumerate() {
+            if due.missed {
                 continue;
-            };
-            let value = |name| self.read(self.plant.places.get(name));
+            }
             if let Some(each) = &mut due.each {
-                let holds = each.holds(value);
+                let holds = each.holds(&value);
                 if holds && !due.held && due.since.is_none() {
                     due.since = Some(now);
                 }
@@ -131,21 +129,16 @@ impl Run<'_> {
             let Some(since) = due.since else {
                 continue;
             };
-            if due.when.holds(value) {
+            if due.when.holds(&value) {
                 due.since = None;
-                if let Some(met) = self.verdict.met.get_mut(number) {
+                if let Some(met) = verdict.met.get_mut(number) {
                     *met += 1;
                 }
             } else if now - since >= goal.within {
                 due.missed = true;
-                let missed = Missed {
-                    goal: number,
-                    since,
-                    at: now,
-                };
-                self.verdict.missed.push(missed);
+                let (goal, at) = (number, now);
+                verdict.missed.push(Missed { goal, since, at });
             }
         }
-        self.judges = judges;
     }
 }

@@ -1,39 +1,20 @@
 //! A plant in motion.
 //!
-//! - `moment`: what a part sees and changes in a millisecond
 //! - `judge`: the rules
 //!
 //! Owns the state. Must not know what kinds there are.
 
 mod judge;
-mod moment;
-
-pub(crate) use moment::{FULL, Moment};
 
 use crate::kind::Fault;
-use crate::names::At;
+use crate::moment::Moment;
+use crate::outputs::Outputs;
+use crate::parts;
 use crate::plant::{Plant, Step};
+use crate::signal::At;
 use crate::verdict::Verdict;
 use judge::Judges;
-use unoclp_core::{Image, Inputs};
-
-/// What a PLC gives to a plant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Outputs {
-    /// The outputs.
-    pub points: Image,
-    /// The PWM of the output with each number, 0 to 255; number 0 is none.
-    pub pwm: [u8; 100],
-}
-
-impl Default for Outputs {
-    fn default() -> Outputs {
-        Outputs {
-            points: Image::default(),
-            pwm: [0; 100],
-        }
-    }
-}
+use unoclp_core::Inputs;
 
 /// A plant in motion: the same plant, seed and outputs give the same inputs, on every machine.
 #[derive(Debug)]
@@ -51,6 +32,8 @@ pub struct Run<'p> {
     is_scripted: bool,
     judges: Judges<'p>,
     verdict: Verdict,
+    /// What each part does.
+    moves: Vec<parts::Step>,
 }
 
 impl<'p> Run<'p> {
@@ -68,6 +51,11 @@ impl<'p> Run<'p> {
             is_scripted: true,
             judges: Judges::new(plant),
             verdict: Verdict::default(),
+            moves: plant
+                .parts
+                .iter()
+                .map(|part| parts::step(part.kind))
+                .collect(),
         };
         run.reset();
         run
@@ -115,22 +103,28 @@ impl<'p> Run<'p> {
     /// The next millisecond with these outputs. Gives the inputs at its end.
     pub fn step(&mut self, outputs: &Outputs) -> &Inputs {
         self.outputs = *outputs;
+        let mut judges = std::mem::take(&mut self.judges);
         if self.is_scripted {
             self.script();
-            self.troubles();
+            let coming = judges.troubles(self.plant, self.now, |name| self.read(name));
+            for (part, fault, is) in coming {
+                self.fault(part, fault, is);
+            }
         }
         self.move_parts();
-        self.judge();
+        let mut verdict = std::mem::take(&mut self.verdict);
+        judges.judge(self.plant, self.now, |name| self.read(name), &mut verdict);
+        (self.judges, self.verdict) = (judges, verdict);
         self.now += 1;
         &self.inputs
     }
 
     fn move_parts(&mut self) {
         for &part in &self.plant.order {
-            let Some(own) = self.plant.parts.get(part) else {
+            let (Some(own), Some(step)) = (self.plant.parts.get(part), self.moves.get(part)) else {
                 continue;
             };
-            (own.kind.step)(&mut Moment {
+            step(&mut Moment {
                 plant: self.plant,
                 part: own,
                 values: &mut self.values,
@@ -264,8 +258,8 @@ impl<'p> Run<'p> {
     }
 
     /// The value of a condition's name.
-    fn read(&self, place: Option<&At>) -> i64 {
-        match place {
+    fn read(&self, name: usize) -> i64 {
+        match self.plant.places.get(name) {
             Some(At::Cell(cell)) => self.values.get(*cell).copied().unwrap_or(0).into(),
             Some(At::Output(point)) => self.outputs.points.get(*point).into(),
             Some(At::Input(point)) => self.inputs.points.get(*point).into(),

@@ -1,18 +1,20 @@
 //! A condition alone: an expression over names that somebody else gives, as a member of what has it is written: `tank.level`.
 
-use super::super::Asked;
 use super::super::ast::{File, Name, Node, NodeKind, Part, Path};
 use super::Checker;
 use crate::diagnostics::{Found, Span};
 use crate::typed::build::{Builder, Letters, Section, Traits};
-use crate::typed::{Base, TypeId, UnitKind};
+use crate::typed::{Base, Tree, TypeId, UnitKind};
 use std::collections::HashMap;
 use unoclp_core::Board;
 
 /// What the condition comes to; no name of a text can be this.
 const RESULT: &str = "#";
 
-/// The tree of a condition over these names, the names that it reads with the cell of each, and the cell of what it comes to.
+/// A condition: its tree, the names that it reads with the cell of each, and the cell of what it comes to.
+pub(crate) type Asked = (Tree, Vec<(usize, u32)>, u32);
+
+/// Checks a condition over these names.
 pub(in super::super) fn condition(
     text: &str,
     mut node: Node,

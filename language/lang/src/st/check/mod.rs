@@ -8,7 +8,7 @@
 //!
 //! What a name means and which types go together is the builder's to say; this says what stands in the text.
 
-mod condition;
+pub(super) mod condition;
 mod derived;
 mod expressions;
 mod initial;
@@ -16,8 +16,6 @@ mod list;
 mod statements;
 mod types;
 mod units;
-
-pub(super) use condition::condition;
 
 use super::ast::File;
 use crate::diagnostics::{Code, Found, Span, Word};

@@ -14,6 +14,7 @@ mod table;
 
 use super::open::unreadable;
 use super::output::{Kind, Over, may_write, write};
+use super::plant::machine;
 use super::wording::Wording;
 use crate::outcome::Outcome;
 use anstream::{eprintln, print, println};
@@ -49,6 +50,13 @@ pub struct Class {
 pub fn grade(class: &Class) -> Outcome {
     let exercise = Exercise::load(&class.exercise, class.wording.board);
     let exercise = exercise.map_err(|error| anyhow!(error.text(messages::spoken())))?;
+    let plant = match &exercise.plant {
+        Some(path) => match machine(path, class.wording.board)? {
+            Some(plant) => Some(plant),
+            None => return Ok(false),
+        },
+        None => None,
+    };
     let found = files::find(&class.files)?;
     let inputs = found.programs.iter().map(PathBuf::as_path);
     let inputs: Vec<&Path> = inputs.chain([class.exercise.as_path()]).collect();
@@ -57,7 +65,9 @@ pub fn grade(class: &Class) -> Outcome {
         may_write(html, Kind::Page, &inputs, class.over)?;
     }
     let row = |path: &PathBuf| match ProgramFile::read(path) {
-        Ok(ProgramFile { name, bytes }) => Row::of(class.wording.of(name, bytes), &exercise),
+        Ok(ProgramFile { name, bytes }) => {
+            Row::of(class.wording.of(name, bytes), &exercise, plant.as_ref())
+        }
         Err(why) => Row::unreadable(path, unreadable(&shown(path), &why)),
     };
     let unreadable = found.unreadable.into_iter();

@@ -47,6 +47,7 @@ fn table(rows: &[Row], exercise: &Exercise) -> Markup {
                 tr {
                     th { (messages::grade_file()) }
                     th { (messages::grade_cases()) }
+                    @if exercise.plant.is_some() { th { (messages::grade_machine()) } }
                     th { (messages::grade_failing()) }
                 }
             }
@@ -55,6 +56,12 @@ fn table(rows: &[Row], exercise: &Exercise) -> Markup {
                     tr {
                         td { (row.file) }
                         td { (row.passed) "/" (exercise.cases().len()) }
+                        @if exercise.plant.is_some() {
+                            @match &row.machine {
+                                None => td.yes { (messages::passed()) },
+                                Some(why) => td.no { (why) },
+                            }
+                        }
                         @match &row.fail {
                             None => td.yes { (messages::passed()) },
                             Some(fail) => td.no { a href=(format!("#p{index}")) { (fail.case) } },

@@ -1,5 +1,6 @@
 //! What came of a program.
 
+use super::super::plant::first_wrong;
 use annotate_snippets::Renderer;
 use std::path::Path;
 use unoclp_cli::messages;
@@ -7,6 +8,7 @@ use unoclp_exercise::diagram;
 use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::{self as lang, Lines, Severity, Told};
+use unoclp_plant::Plant;
 use unoclp_program::{NoProgram, Refused, Source, Written, diagnosis, shown};
 
 /// How a program does.
@@ -18,6 +20,8 @@ pub struct Row {
     pub passed: usize,
     /// Why it did not pass all of them.
     pub fail: Option<Fail>,
+    /// What went wrong first with the machine, where the exercise has one; nothing, where all was well.
+    pub machine: Option<String>,
 }
 
 /// Why a program did not pass.
@@ -61,7 +65,7 @@ impl Row {
     }
 
     /// That of a program, which is compiled and run through all cases.
-    pub fn of(written: Written, exercise: &Exercise) -> Row {
+    pub fn of(written: Written, exercise: &Exercise, plant: Option<&Plant>) -> Row {
         let board = written.board;
         let source = match written.check(None) {
             Ok(source) => source,
@@ -73,6 +77,7 @@ impl Row {
         };
         let grade = grade(exercise, &program, &mut HostEngine::new(board));
         Row {
+            machine: plant.and_then(|plant| first_wrong(plant, &program.bytes, board)),
             passed: grade.count(),
             fail: grade.failing.map(|failing| Fail {
                 case: failing.scenario.about(messages::spoken()).to_owned(),
@@ -119,6 +124,7 @@ impl Row {
         Row {
             file,
             passed: 0,
+            machine: Some(messages::not_compiled()),
             fail: Some(Fail {
                 case: messages::not_compiled(),
                 why,
@@ -127,9 +133,9 @@ impl Row {
         }
     }
 
-    /// Whether it passed all cases.
+    /// Whether it passed all cases, and did what the machine asks.
     pub fn is_passed(&self) -> bool {
-        self.fail.is_none()
+        self.fail.is_none() && self.machine.is_none()
     }
 }
 

@@ -5,13 +5,14 @@ use unoclp_exercise::scenario::Exercise;
 use unoclp_program::harmless;
 
 /// The columns, in both languages: what reads them knows them by these names.
-const COLUMNS: [&str; 6] = [
+const COLUMNS: [&str; 7] = [
     "file",
     "exercise",
     "passed",
     "cases passed",
     "cases",
     "first failing case",
+    "machine",
 ];
 
 /// A line for each program, below the names of the columns.
@@ -20,16 +21,21 @@ const COLUMNS: [&str; 6] = [
 /// Those of the writer, which has none in memory.
 pub fn csv(rows: &[Row], exercise: &Exercise) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(COLUMNS)?;
+    // The last one is that of the machine, where there is one.
+    let count = COLUMNS.len() - usize::from(exercise.plant.is_none());
+    writer.write_record(COLUMNS.iter().take(count))?;
     for row in rows {
-        writer.write_record([
-            cell(&row.file).as_str(),
-            &cell(&exercise.name),
-            if row.is_passed() { "yes" } else { "no" },
-            &row.passed.to_string(),
-            &exercise.cases().len().to_string(),
-            &cell(row.fail.as_ref().map_or("", |fail| fail.case.as_str())),
-        ])?;
+        let (passed, of) = (row.passed.to_string(), exercise.cases().len().to_string());
+        let cells = [
+            cell(&row.file),
+            cell(&exercise.name),
+            if row.is_passed() { "yes" } else { "no" }.to_owned(),
+            passed,
+            of,
+            cell(row.fail.as_ref().map_or("", |fail| fail.case.as_str())),
+            cell(row.machine.as_deref().unwrap_or_default()),
+        ];
+        writer.write_record(cells.into_iter().take(count))?;
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
 }

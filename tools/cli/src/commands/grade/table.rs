@@ -14,6 +14,7 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     let mut lines = vec![[
         messages::grade_file(),
         messages::grade_cases(),
+        messages::grade_machine(),
         messages::grade_failing(),
     ]];
     lines.extend(rows.iter().map(|row| {
@@ -28,16 +29,29 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
                 }
             }
         };
-        [row.file.clone(), format!("{}/{count}", row.passed), why]
+        let machine = row
+            .machine
+            .as_deref()
+            .map_or_else(messages::passed, harmless);
+        [
+            row.file.clone(),
+            format!("{}/{count}", row.passed),
+            machine,
+            why,
+        ]
     }));
     let width = |column: usize| {
         let widths = lines.iter().map(|line| line[column].chars().count());
         widths.max().unwrap_or_default()
     };
-    let (files, cases) = (width(0), width(1));
+    let (files, cases, machines) = (width(0), width(1), width(2));
     let mut text = String::new();
-    for [file, passed, why] in &lines {
-        text += &format!("{file:files$}  {passed:cases$}  {why}\n");
+    for [file, passed, machine, why] in &lines {
+        text += &format!("{file:files$}  {passed:cases$}  ");
+        if exercise.plant.is_some() {
+            text += &format!("{machine:machines$}  ");
+        }
+        text += &format!("{why}\n");
     }
     let title = exercise.title.text(messages::spoken());
     let passed = rows.iter().filter(|row| row.is_passed()).count();

@@ -1,7 +1,7 @@
 //! What a part sees and changes in a millisecond.
 
-use super::Outputs;
 use crate::kind::Fault;
+use crate::outputs::Outputs;
 use crate::plant::{CONTACT_SEEN, Part, Plant};
 use crate::signal::{Given, Signal, Source};
 use unoclp_core::Inputs;

@@ -1,0 +1,165 @@
+//! `unoclp plant`, `unoclp sim --plant`, and machines in `unoclp grade` and `unoclp mutants`.
+
+use crate::common::{empty_folder, outcome};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn plants(name: &str) -> String {
+    let folder: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants");
+    folder.join(name).to_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_program_that_controls_a_machine_well_passes() {
+    let (program, plant) = (plants("garage.st"), plants("garage.toml"));
+    let (code, said, told) = outcome(&["sim", &program, "--plant", &plant]);
+    assert_eq!(code, 0, "{said}{told}");
+    assert_eq!(
+        said,
+        "A garage door\n  rules kept: 3 of 3; goals met: 4 of 4\nthe machine does as it should: PASS\n"
+    );
+}
+
+#[test]
+fn a_rule_that_breaks_is_told_with_its_second_and_drawn() {
+    let folder = empty_folder("plant-broken");
+    let svg = folder.join("strip.svg").to_str().unwrap().to_owned();
+    let (program, plant) = (plants("wrong/garage-beam.st"), plants("garage.toml"));
+    let arguments = [
+        "sim", &program, "--plant", &plant, "--lang", "pt", "--svg", &svg,
+    ];
+    let (code, said, told) = outcome(&arguments);
+    assert_eq!(code, 1, "{said}{told}");
+    let first = "em 15.";
+    assert!(
+        said.contains(first) && said.contains("Ninguém é esmagado"),
+        "{said}"
+    );
+    let drawing = fs::read_to_string(&svg).unwrap();
+    // Three moments, of which the last has the damage.
+    assert_eq!(drawing.matches("class=\"title\"").count(), 3);
+    roxmltree::Document::parse(&drawing).unwrap();
+    let (code, ..) = outcome(&[
+        "sim", &program, "--plant", &plant, "--svg", &svg, "--at", "1s,2.5s",
+    ]);
+    assert_eq!(code, 1);
+    assert_eq!(
+        fs::read_to_string(&svg)
+            .unwrap()
+            .matches("class=\"title\"")
+            .count(),
+        2
+    );
+}
+
+/// The moving picture of README: `unoclp sim … --gif` makes it.
+#[cfg(feature = "gif")]
+#[test]
+fn a_run_becomes_a_moving_picture() {
+    let folder = empty_folder("plant-film");
+    let gif = folder.join("filling.gif").to_str().unwrap().to_owned();
+    let (program, plant) = (plants("filling.st"), plants("filling.toml"));
+    let arguments = [
+        "sim", &program, "--plant", &plant, "--gif", &gif, "--span", "0s-12s",
+    ];
+    let (code, said, told) = outcome(&arguments);
+    assert_eq!(code, 0, "{said}{told}");
+    let bytes = fs::read(&gif).unwrap();
+    assert!(bytes.len() < 1_500_000, "{}", bytes.len());
+    let mut decoder = gif::DecodeOptions::new().read_info(&bytes[..]).unwrap();
+    let mut frames = 0;
+    while decoder.read_next_frame().unwrap().is_some() {
+        frames += 1;
+    }
+    assert_eq!(frames, 121);
+}
+
+#[test]
+fn what_is_wrong_with_the_arguments_is_told() {
+    let (program, plant) = (plants("garage.st"), plants("garage.toml"));
+    for (more, words) in [
+        (["--at", "tomorrow"], "tomorrow is no time of a run"),
+        (
+            ["--at", "2min"],
+            "2min comes after the end of the run, at 60 s",
+        ),
+    ] {
+        let arguments = [&["sim", &program, "--plant", &plant][..], &more].concat();
+        let (code, _, told) = outcome(&arguments);
+        assert_ne!(code, 0);
+        assert!(told.contains(words), "{told}");
+    }
+    let (code, _, told) = outcome(&["sim", "--plant", &plant]);
+    assert_ne!(code, 0);
+    assert!(told.contains("a machine needs a program"), "{told}");
+    let (code, _, told) = outcome(&["sim", &program, "--svg", "x.svg"]);
+    assert_ne!(code, 0);
+    assert!(told.contains("--svg draws the run of"), "{told}");
+}
+
+#[test]
+fn a_plant_alone_is_told_and_drawn_or_its_mistakes_are() {
+    let folder = empty_folder("plant-alone");
+    let svg = folder.join("press.svg").to_str().unwrap().to_owned();
+    let (code, said, _) = outcome(&["plant", "check", &plants("press.toml")]);
+    assert_eq!(code, 0);
+    assert!(
+        said.contains("5 parts, 4 rules, 2 goals; a run takes 40 s\n  rule: Nobody is hurt\n"),
+        "{said}"
+    );
+    let (code, said, told) = outcome(&["plant", "draw", &plants("press.toml"), &svg]);
+    assert_eq!(code, 0, "{said}{told}");
+    roxmltree::Document::parse(&fs::read_to_string(&svg).unwrap()).unwrap();
+    let wrong = folder.join("wrong.toml").to_str().unwrap().to_owned();
+    let text = fs::read_to_string(plants("press.toml")).unwrap();
+    fs::write(&wrong, text.replace("to = \"I2\"", "to = \"I1\"")).unwrap();
+    let (code, said, _) = outcome(&["plant", "check", &wrong]);
+    assert_eq!(code, 1);
+    assert!(
+        said.contains("left sets I1 too; give each its own input"),
+        "{said}"
+    );
+}
+
+#[test]
+fn an_exercise_with_a_machine_has_two_verdicts() {
+    let folder = empty_folder("plant-grade");
+    let exercise = folder.join("motor.toml").to_str().unwrap().to_owned();
+    let text = format!(
+        "title = \"Motor\"\nprogram = {:?}\nplant = {:?}\n[[case]]\ntitle = \"Rest\"\nuntil = 100\nstep = [{{ at = 0, set = {{ I2 = 1, I3 = 1 }}, expect = {{ Q1 = 0 }} }}]\n",
+        plants("motor.st"),
+        plants("motor.toml"),
+    );
+    fs::write(&exercise, text).unwrap();
+    let programs = [plants("motor.st"), plants("wrong/motor-relay.st")];
+    let (code, said, told) = outcome(&["grade", &exercise, &programs[0], &programs[1]]);
+    assert_eq!(code, 1, "{said}{told}");
+    assert!(
+        said.contains("machine") && said.contains("the overload relay has tripped"),
+        "{said}"
+    );
+    assert!(said.contains("Motor: 1 of 2 passed"), "{said}");
+    let (_, said, _) = outcome(&["grade", &exercise, &programs[1], "--csv"]);
+    let mut lines = said.lines();
+    assert_eq!(
+        lines.next(),
+        Some("file,exercise,passed,cases passed,cases,first failing case,machine")
+    );
+    assert!(
+        lines
+            .next()
+            .is_some_and(|line| line.contains(",no,1,1,,at 23.145 s a rule broke")),
+        "{said}"
+    );
+    // What the one case and the machine leave open.
+    let (code, said, _) = outcome(&["mutants", &exercise]);
+    assert_eq!(code, 1);
+    assert!(
+        said.contains("two coils exchanged: ST Q1 → ST Q2\n"),
+        "{said}"
+    );
+    assert!(
+        said.ends_with("wrong programs that pass: 2 of 14\n"),
+        "{said}"
+    );
+}

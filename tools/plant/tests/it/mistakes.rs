@@ -1,0 +1,282 @@
+//! Every kind of mistake in a plant is refused with its line, the reason and a remedy, in both languages.
+
+use std::collections::BTreeSet;
+use std::mem::discriminant;
+use unoclp_core::Board;
+use unoclp_plant::{MOST_PARTS, Mistake, Plant};
+use unoclp_words::Lang;
+
+fn read(text: &str) -> Result<Plant, Vec<Mistake>> {
+    unoclp_plant::read(text, Board::UNO)
+}
+
+/// What is right, in lines 1 to 9.
+const RIGHT: &str = "title = \"t\"\n[[part]]\nname = \"b\"\nkind = \"button\"\nto = \"I1\"\n[[part]]\nname = \"k\"\nkind = \"contactor\"\nby = \"Q1\"\n";
+
+/// What is wrong, and in which line of the file.
+fn mistakes() -> Vec<(String, usize, &'static str)> {
+    let with = |more: &str| format!("{RIGHT}{more}");
+    let part = |kind: &str, more: &str| {
+        with(&format!(
+            "[[part]]\nname = \"x\"\nkind = \"{kind}\"\n{more}"
+        ))
+    };
+    vec![
+        ("[[part]\n".into(), 1, "this is no TOML"),
+        (with("by = \"Q2\"\n"), 10, "this is no TOML"),
+        (
+            with("[wheel]\n"),
+            10,
+            "no key `wheel` here; there is `title`",
+        ),
+        (
+            with("colour = 1\n"),
+            10,
+            "no key `colour` here; there is `name`, `kind`",
+        ),
+        (
+            "[[part]]\nname = \"b\"\nkind = \"button\"\n".into(),
+            1,
+            "`title` is missing",
+        ),
+        (
+            "title = 5\n[[part]]\nname = \"b\"\nkind = \"button\"\n".into(),
+            1,
+            "`title` takes another kind",
+        ),
+        ("title = \"t\"\n".into(), 1, "there is no part"),
+        (
+            part("wheel", ""),
+            12,
+            "`kind` cannot be \"wheel\"; give \"button\"",
+        ),
+        (part("lamp", ""), 10, "`by` is missing; write `by = \"Q1\"`"),
+        (part("lamp", "by = 1\n"), 13, "`by` takes another kind"),
+        (
+            with("[[part]]\nname = \"if\"\nkind = \"button\"\n"),
+            11,
+            "\"if\" is no name for a part",
+        ),
+        (
+            with("[[part]]\nname = \"Q1\"\nkind = \"button\"\n"),
+            11,
+            "\"Q1\" is no name for a part",
+        ),
+        (
+            with("[[part]]\nname = \"<script>\"\nkind = \"button\"\n"),
+            11,
+            "is no name for a part",
+        ),
+        (
+            with("[[part]]\nname = \"B\"\nkind = \"button\"\n"),
+            10,
+            "two parts are called B",
+        ),
+        (
+            part("button", "to = \"I1\"\n"),
+            13,
+            "b sets I1 too; give each its own input",
+        ),
+        (
+            part("button", "to = \"I9\"\n"),
+            13,
+            "UNO has no I9; it has I1–I8",
+        ),
+        (part("button", "to = \"Q1\"\n"), 13, "\"I1 nc\""),
+        (
+            part("lamp", "by = \"Q5\"\n"),
+            13,
+            "UNO has no Q5; it has Q1–Q4",
+        ),
+        (
+            part("lamp", "by = \"P2\"\n"),
+            13,
+            "UNO has no P2; it has P1, P4",
+        ),
+        (part("lamp", "by = \"Z\"\n"), 13, "Z drives nothing"),
+        (
+            part("lamp", "by = \"not k.heat\"\n"),
+            13,
+            "k has no value heat; it has closed, coil",
+        ),
+        (
+            part("lamp", "by = \"m.closed\"\n"),
+            13,
+            "there is no part m; there is b, k, x",
+        ),
+        (
+            part("valve", "by = \"P1\"\n"),
+            10,
+            "Q1 is used with PWM and without",
+        ),
+        (part("dial", "to = \"I2\"\n"), 13, "I2 is no analogue input"),
+        (
+            part("dial", "to = \"A7\"\n"),
+            13,
+            "UNO has no A7; it has A0–A4",
+        ),
+        (
+            part(
+                "dial",
+                "to = \"A0\"\n[[part]]\nname = \"y\"\nkind = \"button\"\nto = \"I5\"\n",
+            ),
+            17,
+            "I5 shares its pin with A0",
+        ),
+        (
+            part("float", "of = \"k\"\n"),
+            13,
+            "k is a contactor; name a part of kind tank",
+        ),
+        (part("float", "of = \"t\"\n"), 13, "there is no part t"),
+        (
+            part("tank", "holds = \"5 kg\"\n"),
+            13,
+            "`holds` is a number with its unit (l, ml), and \"5 kg\" is none",
+        ),
+        (
+            part("tank", "holds = \"5000 l\"\n"),
+            13,
+            "`holds` is out of its range; give 0.1 l to 2000 l",
+        ),
+        (
+            part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
+            13,
+            "k is a contactor",
+        ),
+        (
+            part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
+            14,
+            "`most` is a whole number",
+        ),
+        (
+            part("lamp", "by = \"Q2\"\ncolour = \"pink\"\n"),
+            14,
+            "`colour` cannot be \"pink\"; give \"green\"",
+        ),
+        (
+            part(
+                "lamp",
+                "by = \"y.lit\"\n[[part]]\nname = \"y\"\nkind = \"lamp\"\nby = \"x.lit\"\n",
+            ),
+            10,
+            "in a circle: x → y → x",
+        ),
+        (part("lamp", "by = \"x.lit\"\n"), 10, "in a circle: x → x"),
+        (
+            with("[[never]]\nwhen = \"k.closed AND\"\ntext = \"x\"\n"),
+            11,
+            "no condition of Structured Text",
+        ),
+        (
+            with("[[never]]\nwhen = \"k.heat > 3\"\n"),
+            11,
+            "no condition of Structured Text",
+        ),
+        (
+            with("[[never]]\nwhen = \"k.closed; DELETE\"\n"),
+            11,
+            "no condition of Structured Text",
+        ),
+        (with("[[never]]\ntext = \"x\"\n"), 10, "`when` is missing"),
+        (
+            with("[[goal]]\nwhen = \"k.closed\"\n"),
+            10,
+            "`within` is missing",
+        ),
+        (
+            with("[[goal]]\nwhen = \"k.closed\"\nwithin = \"3 weeks\"\n"),
+            12,
+            "`within` is a number with its unit",
+        ),
+        (
+            with("[[step]]\nat = \"2 min\"\nset = { b = 1 }\n"),
+            11,
+            "`at` comes after the end, at 60 s",
+        ),
+        (
+            with("[[step]]\nat = \"1 s\"\nset = { k = 1 }\n"),
+            12,
+            "nobody can change k by hand; what can be changed is b.pressed",
+        ),
+        (
+            with("[[step]]\nat = \"1 s\"\nset = { b = 2 }\n"),
+            12,
+            "`b` is out of its range; give 0 to 1",
+        ),
+        (
+            with("[[fault]]\npart = \"k\"\nis = \"leaking\"\nat = \"1 s\"\n"),
+            12,
+            "a contactor cannot be \"leaking\"; it can be \"welded\"",
+        ),
+        (
+            with("[[fault]]\npart = \"k\"\nis = \"welded\"\n"),
+            10,
+            "this fault never comes",
+        ),
+        (
+            with("[[draw]]\nkind = \"pipe\"\npoints = [[0]]\n"),
+            12,
+            "`points` takes another kind",
+        ),
+        (
+            "title = \"t\"\n".to_owned()
+                + &(0..10_000)
+                    .map(|number| format!("[[part]]\nname = \"b{number}\"\nkind = \"button\"\n"))
+                    .collect::<String>(),
+            302,
+            "there are more than 100 [[part]]",
+        ),
+    ]
+}
+
+#[test]
+fn each_mistake_is_told_with_its_line() {
+    read(RIGHT).unwrap();
+    assert_eq!(MOST_PARTS, 100);
+    let mut kinds = BTreeSet::new();
+    for (text, line, words) in mistakes() {
+        let told = read(&text).expect_err(words);
+        let fits = |of: &&Mistake| of.line == line && of.wrong.text(Lang::En).contains(words);
+        let found = told.iter().find(fits);
+        let all: Vec<String> = told
+            .iter()
+            .map(|mistake| mistake.text("p.toml", Lang::En))
+            .collect();
+        let found = found.unwrap_or_else(|| panic!("{line}: {words}: {all:#?}"));
+        kinds.insert(format!("{:?}", discriminant(&found.wrong)));
+        let portuguese = found.text("p.toml", Lang::Pt);
+        assert!(
+            portuguese.starts_with(&format!("p.toml:{line}: ")),
+            "{portuguese}"
+        );
+        assert_ne!(found.wrong.text(Lang::Pt), found.wrong.text(Lang::En));
+    }
+    // Each kind of mistake that there is.
+    assert_eq!(kinds.len(), 28, "{kinds:?}");
+}
+
+/// Cut anywhere, or with a byte changed, a file is read or refused, and nothing else.
+#[test]
+fn a_damaged_file_is_refused_in_words() {
+    let folder = crate::folder("programs/plants");
+    for name in ["two-tanks.toml", "sorting.toml"] {
+        let text = std::fs::read_to_string(folder.join(name)).unwrap();
+        let ends = text.char_indices().map(|(at, _)| at).step_by(37);
+        for end in ends {
+            if let Err(mistakes) = read(&text[..end]) {
+                assert!(!mistakes.is_empty());
+            }
+            let (before, after) = text.split_at(end);
+            let mut rest = after.chars();
+            rest.next();
+            if let Err(mistakes) = read(&format!("{before}9{}", rest.as_str())) {
+                assert!(
+                    mistakes
+                        .iter()
+                        .all(|mistake| !mistake.wrong.text(Lang::Pt).is_empty())
+                );
+            }
+        }
+    }
+}
