@@ -21,6 +21,7 @@ pub mod node;
 pub mod notice;
 pub mod parts;
 pub mod programs;
+pub mod rulings;
 pub mod setup;
 pub mod shell;
 pub mod steps;

@@ -3,7 +3,9 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{bench, card, demo, dist, firmware, flash, fuzz, lab, modules, notice, setup, test};
+use xtask::{
+    bench, card, demo, dist, firmware, flash, fuzz, lab, modules, notice, rulings, setup, test,
+};
 
 /// Builds, shows and tests unoclp
 #[derive(Parser)]
@@ -33,6 +35,8 @@ enum Task {
     Notice,
     /// Show circles of modules in each crate
     Modules,
+    /// Write docs/rulings.md: which tests name which ruling of the numeric code
+    Rulings,
     /// Install what demo, test and firmware need, or say what is missing
     Setup,
 }
@@ -63,6 +67,7 @@ fn main() -> ExitCode {
         Task::Dist => dist::run(),
         Task::Notice => notice::run(),
         Task::Modules => modules::run(),
+        Task::Rulings => rulings::run(),
         Task::Setup => setup::run(),
     };
     match done {

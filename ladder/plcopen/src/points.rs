@@ -98,15 +98,16 @@ impl Points {
 
 /// How an address is written.
 pub(crate) fn written(point: Address) -> Option<String> {
-    Some(match point {
-        Address::Input(number) => format!("%IX0.{}", number.checked_sub(1)?),
-        Address::Output(number) => format!("%QX0.{}", number.checked_sub(1)?),
-        Address::Marker(number) => {
-            let number = number.checked_sub(1)?;
-            format!("%MX{}.{}", number / 8, number % 8)
-        }
-        Address::Register(number) => format!("%MD{number}"),
-        Address::Analogue(number) => format!("%IW{number}"),
-        _ => return None,
-    })
+    let eights = |kind: &str, number: u8| {
+        let index = number.checked_sub(1)?;
+        Some(format!("%{kind}X{}.{}", index / 8, index % 8))
+    };
+    match point {
+        Address::Input(number) => eights("I", number),
+        Address::Output(number) => eights("Q", number),
+        Address::Marker(number) => eights("M", number),
+        Address::Register(number) => Some(format!("%MD{number}")),
+        Address::Analogue(number) => Some(format!("%IW{number}")),
+        _ => None,
+    }
 }

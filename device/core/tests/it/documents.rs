@@ -1,6 +1,5 @@
 //! The documents say what the code says.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use unoclp_core::isa::{Kind, Line, Row, TABLE, holds_point};
@@ -277,47 +276,5 @@ fn limits_of_the_uno() {
             ],
             "{name}"
         );
-    }
-}
-
-/// Every ruling of the language is named by a test: a scenario, or a test of a crate.
-#[test]
-fn every_ruling_is_tested() {
-    let text = document("docs/numeric-code.md");
-    let rulings: BTreeSet<&str> = text
-        .lines()
-        .filter_map(|line| line.strip_prefix("- NC-"))
-        .map(|line| line.split(|c: char| !c.is_ascii_digit()).next().unwrap())
-        .collect();
-    assert!(rulings.len() >= 20, "{rulings:?}");
-
-    let mut tests = String::new();
-    for folder in [
-        "programs",
-        "proof/suite",
-        "device/core/tests",
-        "device/card/tests",
-        "proof/uno-sim/tests",
-    ] {
-        read_all(&root().join(folder), &mut tests);
-    }
-    for ruling in rulings {
-        let named = tests
-            .match_indices(&format!("NC-{ruling}"))
-            .any(|(at, found)| {
-                !tests[at + found.len()..].starts_with(|c: char| c.is_ascii_digit())
-            });
-        assert!(named, "no test names NC-{ruling}");
-    }
-}
-
-fn read_all(folder: &Path, into: &mut String) {
-    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{folder:?}: {error}")) {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            read_all(&path, into);
-        } else if path.extension().is_some_and(|e| e == "toml" || e == "rs") {
-            *into += &fs::read_to_string(&path).unwrap();
-        }
     }
 }

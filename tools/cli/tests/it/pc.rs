@@ -64,6 +64,37 @@ fn a_scenario_sets_and_expects_points_of_a_pc() {
     assert_eq!(code, 0, "{out}{err}");
 }
 
+/// A project names the points of a PC by bytes of eight, and comes back as the same codes.
+#[test]
+fn a_project_carries_points_of_a_pc() {
+    let program = file(
+        "wide-out.il",
+        "LD I99\nAND I9\nST Q65\nLD I1\nTON T1, 20\nST Q99\n",
+    );
+    let (code, xml, err) = outcome(&["list", "--board", "pc", "--as", "xml", &program]);
+    assert_eq!(code, 0, "{err}");
+    for address in ["%IX12.2", "%IX1.0", "%QX8.0", "%QX12.2", "%IX0.0"] {
+        assert!(
+            xml.contains(&format!("address=\"{address}\"")),
+            "{address}: {xml}"
+        );
+    }
+    let project = file("wide-out.xml", &xml);
+    let codes = |file: &str| {
+        let (code, out, err) = outcome(&["list", "--board", "pc", "--as", "il", file]);
+        assert_eq!(code, 0, "{out}{err}");
+        let lines = out.lines().skip_while(|line| !line.starts_with("LD"));
+        lines.map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(codes(&project), codes(&program));
+    let (code, out, err) = outcome(&["check", &project]);
+    assert_eq!(code, 1, "{out}{err}");
+    assert!(
+        out.contains("input 99") && out.contains("the board PC has this one"),
+        "{out}"
+    );
+}
+
 /// A card is for a board: what it lacks is told before anything is written.
 #[test]
 fn a_program_for_a_pc_goes_on_no_card_and_no_board() {
