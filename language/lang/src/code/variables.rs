@@ -107,16 +107,19 @@ pub(super) fn variables(tree: &Tree, seats: &Seats, timers: &[u8]) -> Vec<Variab
     for unit in &tree.units {
         watch(&unit.body, &mut watched);
     }
-    let held = |cell: u32| {
-        let point = match seats.outputs.get(&cell) {
+    let place = |cell: u32| {
+        Some(match seats.outputs.get(&cell) {
             Some(&output) => Address::Pwm(output),
             None => seats.of.get(&cell)?.address(timers)?,
-        };
-        Some((point, tree.cells.get(cell as usize)?.base))
+        })
     };
+    let held = |cell: u32| Some((place(cell)?, tree.cells.get(cell as usize)?.base));
     let variable = |symbol: &Symbol| {
         let (holding, cells) = match symbol.holds {
-            Holds::Cell(cell) => (held(cell).map(Holding::One), [cell; 2]),
+            Holds::Cell(cell) => {
+                let one = place(cell).map(|point| Holding::One((point, symbol.base)));
+                (one, [cell; 2])
+            }
             Holds::Either { flag, set, clear } => {
                 let either = held(flag).map(|(flag, _)| Holding::Either {
                     flag,
@@ -129,7 +132,11 @@ pub(super) fn variables(tree: &Tree, seats: &Seats, timers: &[u8]) -> Vec<Variab
         };
         let holding = holding.or_else(|| {
             let cell = tree.cells.get(*cells.last()? as usize)?;
-            Some(Holding::Constant(cell.initial.clone(), cell.base))
+            let base = match symbol.holds {
+                Holds::Cell(_) => symbol.base,
+                Holds::Either { .. } => cell.base,
+            };
+            Some(Holding::Constant(cell.initial.clone(), base))
         });
         Variable {
             name: symbol.name.clone(),
@@ -200,5 +207,25 @@ mod tests {
         ] {
             assert_eq!(of_bits(bits, base).shown(base), shown);
         }
+    }
+
+    #[test]
+    fn a_name_of_a_register_has_its_own_type() {
+        let text = "VAR x AT %MD1 : REAL; n AT %MD1 : DINT; w AT %MW2 : WORD; END_VAR\n\
+                    x := x + 1.0; n := n + 1; w := 1;";
+        let board = unoclp_core::Board::UNO;
+        let made = crate::compile_text(text, crate::TextLanguage::St, board);
+        let holding = made.variables.iter().map(|of| of.holding.clone());
+        let one = |number, base| Holding::One((Address::Register(number), base));
+        assert_eq!(
+            holding.collect::<Vec<_>>(),
+            [one(1, Base::Real), one(1, Base::Dint), one(2, Base::Word)]
+        );
+        let shown = made
+            .variables
+            .iter()
+            .map(|of| of.shown(|_| Some(0x4020_0000)));
+        let shown: Vec<String> = shown.flatten().collect();
+        assert_eq!(shown, ["2.5", "1075838976", "16#40200000"]);
     }
 }

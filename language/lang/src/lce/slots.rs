@@ -158,26 +158,28 @@ impl Checker<'_, '_> {
     pub(super) fn symbols(&mut self) -> Vec<Symbol> {
         let shown = std::mem::take(&mut self.shown);
         let symbol = |Shown { name, slot, at }| {
-            let (holds, type_name) = match slot {
+            let (holds, base, type_name) = match slot {
                 Slot::Point(point) => {
                     let cell = self.builder.point(point);
-                    (Holds::Cell(cell), point_base(point).name().to_owned())
+                    let base = point_base(point);
+                    (Holds::Cell(cell), base, base.name().to_owned())
                 }
                 Slot::Variable(number) => match self.cells(number) {
-                    Cells::One(cell, base) => (Holds::Cell(cell), base.name().to_owned()),
+                    Cells::One(cell, base) => (Holds::Cell(cell), base, base.name().to_owned()),
                     Cells::Two { flag, real, whole } => {
                         let holds = Holds::Either {
                             flag,
                             set: real,
                             clear: whole,
                         };
-                        (holds, format!("{}/{}", Base::Real, Base::Dint))
+                        (holds, Base::Dint, format!("{}/{}", Base::Real, Base::Dint))
                     }
                 },
             };
             Symbol {
                 name,
                 type_name,
+                base,
                 holds,
                 at,
                 values: Default::default(),

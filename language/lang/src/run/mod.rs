@@ -155,7 +155,7 @@ impl<'t> Machine<'t> {
     /// The value of a symbol, and its type.
     pub fn value(&self, symbol: &Symbol) -> (Value, Base) {
         let cell = match symbol.holds {
-            Holds::Cell(cell) => cell,
+            Holds::Cell(cell) => return (self.cell(cell), symbol.base),
             Holds::Either { flag, set, clear } => match self.cell(flag).is_true() {
                 true => set,
                 false => clear,
@@ -165,7 +165,7 @@ impl<'t> Machine<'t> {
             .tree
             .cells
             .get(cell as usize)
-            .map_or(Base::Bool, |cell| cell.base);
+            .map_or(symbol.base, |cell| cell.base);
         (self.cell(cell), base)
     }
 

@@ -62,6 +62,8 @@ pub struct Symbol {
     pub name: String,
     /// Its type, as a person writes it.
     pub type_name: String,
+    /// What its value is. Its cell may be of another type, where it stands at a point that other names have too.
+    pub base: Base,
     /// Where it is.
     pub holds: Holds,
     /// Its declaration.

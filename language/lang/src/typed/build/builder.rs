@@ -6,6 +6,7 @@ use super::named::{Letters, Named, Param, Variable};
 use crate::diagnostics::{Code, Found, Span, Word};
 use crate::points::Spellings;
 use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, Tree, Type, TypeId, Unit, UnitKind};
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Board;
 use unoclp_point::Address;
@@ -118,8 +119,25 @@ impl<'t, 'f> Builder<'t, 'f> {
     /// A name as the tables have it.
     pub fn key(&self, name: &str) -> String {
         match self.letters {
+            Letters::Alike if name.is_ascii() => name.to_ascii_uppercase(),
             Letters::Alike => name.to_uppercase(),
             Letters::Apart => name.to_owned(),
+        }
+    }
+
+    /// The same to look it up: without memory of its own where it fits this room, as nearly all names do.
+    pub(super) fn folded<'n>(&self, name: &'n str, room: &'n mut [u8; 32]) -> Cow<'n, str> {
+        if self.letters == Letters::Apart {
+            return Cow::Borrowed(name);
+        }
+        let Some(room) = room.get_mut(..name.len()).filter(|_| name.is_ascii()) else {
+            return Cow::Owned(self.key(name));
+        };
+        room.copy_from_slice(name.as_bytes());
+        room.make_ascii_uppercase();
+        match std::str::from_utf8(room) {
+            Ok(key) => Cow::Borrowed(key),
+            Err(_) => Cow::Owned(self.key(name)),
         }
     }
 

@@ -92,15 +92,16 @@ impl<'t, 'f> Builder<'t, 'f> {
 
     /// What a name stands for here.
     pub fn find(&self, name: &str) -> Option<&Named> {
-        let key = self.key(name);
+        let mut room = [0; 32];
+        let key = &*self.folded(name, &mut room);
         let here = self.current.and_then(|unit| self.drafts.get(unit));
-        let own = here.and_then(|draft| draft.names.get(&key));
-        own.or_else(|| self.globals.get(&key))
+        let own = here.and_then(|draft| draft.names.get(key));
+        own.or_else(|| self.globals.get(key))
     }
 
     /// The type of this name, which a variable may have too.
     pub fn find_type(&self, name: &str) -> Option<TypeId> {
-        match self.globals.get(&self.key(name)) {
+        match self.globals.get(&*self.folded(name, &mut [0; 32])) {
             Some(Named::Type(ty)) => Some(*ty),
             _ => None,
         }

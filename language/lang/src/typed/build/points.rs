@@ -27,7 +27,7 @@ impl Builder<'_, '_> {
         });
         if let Some(cell) = self.tree.cells.get_mut(offset as usize) {
             if let Some(first) = first {
-                cell.initial = first.initial;
+                (cell.base, cell.initial) = (first.base, first.initial);
             }
             cell.retain |= traits.retain;
         }

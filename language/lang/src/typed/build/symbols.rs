@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::Role;
-use crate::typed::{Holds, Kind, Symbol, TypeId};
+use crate::typed::{Base, Holds, Kind, Symbol, TypeId};
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -54,12 +54,13 @@ impl Builder<'_, '_> {
         offset: u32,
         symbols: &mut Vec<Symbol>,
     ) {
-        let one = |part: &str, type_name: String, values: Arc<Vec<String>>, cell| {
+        let one = |part: &str, type_name: String, base, values: Arc<Vec<String>>, cell| {
             let text = whole.name.len() + part.len() + type_name.len();
             whole.room.set(whole.room.get().saturating_sub(text));
             Symbol {
                 name: format!("{}{part}", whole.name),
                 type_name,
+                base,
                 holds: Holds::Cell(cell),
                 at: whole.at,
                 values,
@@ -99,7 +100,7 @@ impl Builder<'_, '_> {
                     if *role != Role::Hidden {
                         let part = format!("{part}.{name}");
                         let type_name = base.name().to_owned();
-                        symbols.push(one(&part, type_name, Arc::default(), offset + at));
+                        symbols.push(one(&part, type_name, *base, Arc::default(), offset + at));
                     }
                 }
             }
@@ -117,7 +118,8 @@ impl Builder<'_, '_> {
                     Kind::Enum(names) => names.clone(),
                     _ => Arc::default(),
                 };
-                symbols.push(one(part, self.tree.types.name(ty), values, offset));
+                let base = self.tree.types.base(ty).unwrap_or(Base::Bool);
+                symbols.push(one(part, self.tree.types.name(ty), base, values, offset));
             }
         }
     }
