@@ -1,4 +1,6 @@
-// The one entry to the simulated UNO: what its worker is told and tells, and the form of what it flashes.
+// The one entry to the simulated UNO: what its worker is told and tells, what is wired to it, and the form of what it flashes.
 
 export { readHex } from "./hex";
+export type * from "./machine";
 export type * from "./messages";
+export { type Scope, serve } from "./serve";

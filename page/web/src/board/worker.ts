@@ -1,8 +1,6 @@
 // The worker of the page's board: the simulated UNO, and the machine that is wired to it. Both have one time.
 
-import type { Command, Event } from "unoclp-uno";
-import type { Gives, Machine } from "unoclp-uno/machine";
-import { type Scope, serve } from "unoclp-uno/serve";
+import { type Command, type Event, type Gives, type Machine, type Scope, serve } from "unoclp-uno";
 import { Refusal, Tools } from "../tools/tools";
 import type { ForMachine, OfMachine } from "./messages";
 
