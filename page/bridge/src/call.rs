@@ -108,7 +108,7 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             };
             let mut machine = match kept {
                 Some(machine) => machine,
-                None => Machine::open(&name, &text, facts::board(&mut given)?)?,
+                None => Machine::open(&name, &text, facts::board(&mut given)?, lang)?,
             };
             let known = json(machine.known(lang));
             boards.machine = Some(machine);

@@ -80,6 +80,14 @@ impl Facts {
     }
 }
 
+/// The numbers of the points that are 1: bit 0 is point 01.
+pub fn numbers(bits: impl Into<u128>) -> Vec<u8> {
+    let bits = bits.into();
+    (1..=128)
+        .filter(|number| bits >> (number - 1) & 1 != 0)
+        .collect()
+}
+
 /// The board that a request is for: the UNO, where it names none.
 ///
 /// # Errors

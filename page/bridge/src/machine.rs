@@ -2,6 +2,7 @@
 //!
 //! Owns the one that a page has. Must not know which board it is wired to: its outputs come from outside, its inputs go there.
 
+use crate::facts::numbers;
 use crate::given::Given;
 use crate::words::{self, Both, both};
 use self_cell::self_cell;
@@ -26,7 +27,12 @@ self_cell!(
 /// A machine in motion, and how a page has seen it last.
 pub struct Machine {
     moving: Moving,
-    shown: Option<(Picture, Lang)>,
+    /// What a person there can change, by part and value.
+    hands: Vec<(usize, usize)>,
+    /// The analogue inputs that it sets.
+    analogue: Vec<u8>,
+    shown: Picture,
+    lang: Lang,
 }
 
 /// A machine as a page gets to know it.
@@ -94,18 +100,24 @@ impl From<&Text> for Both {
 }
 
 impl Machine {
-    /// The machine of this file, wired to this board where it names none.
+    /// The machine of this file, wired to this board where it names none, and drawn in this language.
     ///
     /// # Errors
     /// The first mistake in it, with its line.
-    pub fn open(name: &str, text: &str, board: Board) -> Result<Machine, Both> {
+    pub fn open(name: &str, text: &str, board: Board, lang: Lang) -> Result<Machine, Both> {
         let plant = read(text, board).map_err(|mistakes| match mistakes.first() {
             Some(mistake) => both(|lang| mistake.text(name, lang)),
             None => both(words::no_machine),
         })?;
+        let hands = hands(&plant);
+        let [_, analogue, _] = plant.uses();
+        let moving = Moving::new(plant, |plant| Run::new(plant, SEED).by_hand());
         Ok(Machine {
-            moving: Moving::new(plant, |plant| Run::new(plant, SEED).by_hand()),
-            shown: None,
+            hands: hands.iter().map(|hand| (hand.part, hand.value)).collect(),
+            analogue,
+            shown: picture(moving.borrow_dependent(), lang),
+            lang,
+            moving,
         })
     }
 
@@ -115,9 +127,9 @@ impl Machine {
 
     /// What a page gets to know of it; it is drawn in this language from then on.
     pub fn known(&mut self, lang: Lang) -> Known {
-        let drawn = picture(self.run(), lang);
-        let svg = drawn.svg();
-        self.shown = Some((drawn, lang));
+        self.lang = lang;
+        self.shown = picture(self.run(), lang);
+        let svg = self.shown.svg();
         let plant = self.run().plant();
         let nevers = plant.nevers.iter().map(|never| &never.text);
         let rules = nevers.chain(plant.goals.iter().map(|goal| &goal.text));
@@ -155,29 +167,19 @@ impl Machine {
 
     /// The same, as a board is told.
     pub fn gives(&self) -> Gives {
-        let (inputs, [_, analogue, _]) = (self.inputs(), self.run().plant().uses());
-        let points =
-            (1..=Point::MOST).filter_map(|number| Some((number, Point::new(number, Point::MOST)?)));
-        let reading = |number: u8| Some((number, *inputs.analogue.get(usize::from(number))?));
+        let inputs = self.inputs();
+        let reading = |number: &u8| Some((*number, *inputs.analogue.get(usize::from(*number))?));
         Gives {
-            inputs: points
-                .filter(|(_, point)| inputs.points.get(*point))
-                .map(|(number, _)| number)
-                .collect(),
-            analogue: analogue.into_iter().filter_map(reading).collect(),
+            inputs: numbers(inputs.points.0),
+            analogue: self.analogue.iter().filter_map(reading).collect(),
         }
     }
 
     /// What has changed since the last look.
     pub fn look(&mut self) -> Look {
-        let Some((before, lang)) = self.shown.take() else {
-            let lang = Lang::default();
-            self.shown = Some((picture(self.run(), lang), lang));
-            return self.look();
-        };
-        let now = picture(self.run(), lang);
-        let changes = now.changes(&before);
-        self.shown = Some((now, lang));
+        let now = picture(self.run(), self.lang);
+        let changes = now.changes(&self.shown);
+        self.shown = now;
         let run = self.run();
         let told = |Change {
                         id,
@@ -194,9 +196,10 @@ impl Machine {
                 .map(|Broken { rule, at }| (*rule, *at))
                 .collect(),
             met: run.verdict().met.clone(),
-            hands: hands(run.plant())
+            hands: self
+                .hands
                 .iter()
-                .map(|hand| run.value(hand.part, hand.value))
+                .map(|&(part, value)| run.value(part, value))
                 .collect(),
         }
     }

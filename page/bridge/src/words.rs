@@ -73,6 +73,17 @@ impl From<Amiss> for Both {
     }
 }
 
+impl From<No> for Both {
+    fn from(no: No) -> Both {
+        match no {
+            No::Told(told) => told,
+            No::At(amiss) => (*amiss).into(),
+            // It was asked for before.
+            No::More => both(faulty),
+        }
+    }
+}
+
 impl From<Both> for No {
     fn from(told: Both) -> No {
         No::Told(told)

@@ -6,10 +6,11 @@ use super::desk::Desk;
 use super::news::{News, Seen, Trouble};
 use super::order::Order;
 use super::watched::Watched;
+use crate::facts::numbers;
 #[cfg(feature = "full")]
 use crate::machine::Machine;
 use crate::program::Text;
-use crate::words::{self, Both, No, both};
+use crate::words::{self, Both, both};
 use std::collections::BTreeMap;
 use unoclp_client::diagnostics::{self, Kept};
 use unoclp_core::{Board, Fault, Image, Inputs, Millis, Plc, Point, Snapshot};
@@ -150,12 +151,7 @@ impl Core {
     }
 
     fn load(&mut self, text: Text, stay: bool) -> Result<(), Both> {
-        let source = text.program().map_err(|no| match no {
-            No::Told(told) => told,
-            No::At(amiss) => (*amiss).into(),
-            // It was asked for before.
-            No::More => both(words::faulty),
-        })?;
+        let source = text.program()?;
         self.board = source.board();
         self.program = Some(Program {
             kept: Kept::of(source.program()),
@@ -381,11 +377,4 @@ fn forced(mut image: Image, forced: &BTreeMap<u8, bool>) -> Image {
         }
     }
     image
-}
-
-/// The numbers of the points that are 1: bit 0 is point 01.
-fn numbers(bits: u128) -> Vec<u8> {
-    (1..=128)
-        .filter(|number| bits >> (number - 1) & 1 != 0)
-        .collect()
 }

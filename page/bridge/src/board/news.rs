@@ -1,6 +1,7 @@
 //! What a page is told of a board.
 
 use super::watched::Live;
+use crate::facts::numbers;
 use crate::words::{self, Both, both};
 use serde::Serialize;
 use unoclp_client::diagnostics::{self, Diagnostics};
@@ -130,13 +131,13 @@ impl Seen {
             faults: board.faults,
             kept: board.program.into(),
             same,
-            inputs: numbers(reading.inputs.into()).collect(),
-            outputs: numbers(reading.outputs.into()).collect(),
+            inputs: numbers(reading.inputs),
+            outputs: numbers(reading.outputs),
             dimmed: Vec::new(),
             forced_inputs: forced(reading.forced_inputs),
             forced_outputs: forced(reading.forced_outputs),
             forcing_ends: reading.forcing_ends,
-            markers: numbers(markers).collect(),
+            markers: numbers(markers),
             analogue: reading.analogue.clone(),
             registers: reading.registers.clone(),
             timers: meters(&reading.timers),
@@ -146,15 +147,10 @@ impl Seen {
     }
 }
 
-/// The numbers of the points that are 1: bit 0 is point 01.
-fn numbers(bits: u64) -> impl Iterator<Item = u8> {
-    (1..=64).filter(move |number| bits >> (number - 1) & 1 != 0)
-}
-
 /// The points that are forced, and to what.
 fn forced(forces: Forces) -> Vec<(u8, bool)> {
     let to = |number: u8| (number, u32::from(forces.to) >> (number - 1) & 1 != 0);
-    numbers(forces.points.into()).map(to).collect()
+    numbers(forces.points).into_iter().map(to).collect()
 }
 
 /// The settings as a page has them.

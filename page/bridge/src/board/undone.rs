@@ -28,11 +28,6 @@ impl From<Both> for Undone {
 
 impl From<No> for Undone {
     fn from(no: No) -> Undone {
-        match no {
-            No::Told(told) => Undone::Told(told),
-            No::At(amiss) => Undone::Told((*amiss).into()),
-            // It was asked for before.
-            No::More => Undone::Told(both(words::faulty)),
-        }
+        Undone::Told(no.into())
     }
 }
