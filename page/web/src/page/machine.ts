@@ -39,7 +39,7 @@ export class MachineArea {
   ) {
     const reset = h("button", { type: "button", class: "small", id: "machine-reset", click: () => void this.reset() }, icon("reset"), h("span", { "data-say": "machineReset" }));
     const close = h("button", { type: "button", class: "small quiet", id: "machine-close", "data-say-label": "machineClose", click: () => void this.close() }, "×");
-    this.root.append(h("h3", {}, this.title, h("span", { class: "row" }, reset, close)), this.about, this.picture, this.below, this.verdict,
+    this.root.append(h("h3", {}, this.title, close), this.about, this.picture, this.below, h("div", { class: "row" }, reset), this.verdict,
       h("details", {}, h("summary", { "data-say": "machineFaults" }), this.faults));
     speak.follow(() => {
       if (this.file) void this.open(this.file, true);
