@@ -1,6 +1,7 @@
 //! What names stand for, as far as a text has been read.
 
 use super::near::Near;
+use super::widths::Widths;
 use crate::Dialect;
 use crate::ast::Init;
 use crate::diagnostics::Span;
@@ -109,6 +110,7 @@ pub(crate) struct Names<'t> {
     /// How each point of the board is written where it is first named.
     pub(super) points: Spellings,
     pub(super) near: Near,
+    pub(super) widths: Widths,
 }
 
 /// What a text keeps.

@@ -59,6 +59,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub divides_by_zero: bool,
     /// The text is in Instruction List.
     pub is_list: bool,
+    /// Integers go into each other, each cut to what it is stored in.
+    pub is_wide: bool,
     pub(super) globals: HashMap<String, Named>,
     pub(super) drafts: Vec<Draft>,
     pub(super) current: Option<usize>,
@@ -97,6 +99,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             letters,
             divides_by_zero: false,
             is_list: false,
+            is_wide: false,
             globals: HashMap::new(),
             drafts: Vec::new(),
             current: None,
