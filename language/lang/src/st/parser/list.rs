@@ -60,12 +60,9 @@ impl Parser<'_, '_> {
                 Ok(Some(Line::Close(token.span)))
             }
             // The number of a line, as listings have it.
-            Kind::Number if self.on_new_line() => {
+            Kind::Number if self.on_new_line() || self.at == 0 => {
                 self.next();
-                match self.on_new_line() {
-                    true => Err(self.unexpected(token.span)),
-                    false => Ok(None),
-                }
+                Ok(None)
             }
             Kind::Word if self.ahead(1).kind == Kind::Colon => {
                 let label = self.named(token.span);
@@ -83,7 +80,7 @@ impl Parser<'_, '_> {
                 self.tell(Code::StructuredText, span, [written.into()]);
                 Err(Told)
             }
-            Kind::Word | Kind::And => self.instruction(open).map(Some),
+            Kind::Word | Kind::And | Kind::Equal => self.instruction(open).map(Some),
             _ => Err(self.unexpected(token.span)),
         }
     }
@@ -152,9 +149,16 @@ impl Parser<'_, '_> {
         Ok(Line::Does(Box::new(made)))
     }
 
-    /// The operator that comes next; `&N` is one.
+    /// The operator that comes next; `&N` is one, and so is `=`.
     fn operator(&mut self) -> Name {
         let token = self.next();
+        if token.kind == Kind::Equal {
+            // As the S7-200 writes it.
+            return Name {
+                text: "ST".to_owned(),
+                span: token.span,
+            };
+        }
         if token.kind != Kind::And {
             return self.named(token.span);
         }

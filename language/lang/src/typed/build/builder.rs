@@ -28,6 +28,8 @@ pub(crate) struct Draft {
     pub gives: bool,
     /// It calls a timer, a counter or an edge.
     pub timed: bool,
+    /// Something in it has one call in a program.
+    pub once: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
     pub incomplete: bool,
     /// The type of a block's instances.
@@ -202,6 +204,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             closed: kind != UnitKind::Block,
             gives: false,
             timed: false,
+            once: false,
             incomplete: false,
             block,
             constants: Vec::new(),

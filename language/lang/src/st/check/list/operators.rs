@@ -179,7 +179,10 @@ impl Walk<'_, '_, '_, '_> {
         if one.spelling.is_some_and(|spelling| spelling.negated) {
             value = self.c.builder.not(value, one.span);
         }
-        let reads = stays && self.links > 0 && !one.spelling.is_some_and(|s| s.negated);
+        // What has just been stored in a bit is there for the next store.
+        let is_read = |acc: &Acc| matches!(acc, Acc::Value(expr) if expr.base == Base::Bool && matches!(expr.kind, ExprKind::Read(_)));
+        let costs = self.links > 0 || is_read(&self.acc);
+        let reads = stays && costs && !one.spelling.is_some_and(|s| s.negated);
         let again = reads.then(|| target.clone());
         let Some(statement) = self.c.builder.assign(target, value, one.span) else {
             return;
