@@ -117,7 +117,8 @@ impl Parser<'_, '_> {
             let negates = n.kind == Kind::Word
                 && self.slice(n.span).eq_ignore_ascii_case("N")
                 && !self.on_new_line()
-                && !matches!(self.ahead(1).kind, Kind::Close | Kind::Dot);
+                && !matches!(self.ahead(1).kind, Kind::Close | Kind::Dot)
+                && !(self.declares_n && self.ends_line());
             if negates {
                 self.next();
             }
@@ -183,6 +184,16 @@ impl Parser<'_, '_> {
         matches!(token.kind, Kind::End | Kind::Close | Kind::Semicolon)
             || self.on_new_line()
             || follows()
+    }
+
+    /// Whether the word that comes is the last of its line.
+    fn ends_line(&self) -> bool {
+        let (word, next) = (self.token().span, self.ahead(1));
+        let between = Span {
+            start: word.end,
+            end: next.span.start,
+        };
+        next.kind == Kind::End || self.slice(between).contains('\n')
     }
 
     fn list_operand(&mut self) -> Parsed<Arg> {
