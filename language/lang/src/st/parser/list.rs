@@ -3,7 +3,7 @@
 //! An operand is what Structured Text has for one, so that names, members, subscripts and literals are read in one
 //! place.
 
-use super::super::ast::{Arg, Instruction, Line, Name};
+use super::super::ast::{Arg, Instruction, Line, Name, Section, Vars};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
@@ -11,8 +11,21 @@ use crate::diagnostics::{Code, Span};
 use crate::operators::{self, Op};
 
 impl Parser<'_, '_> {
-    /// Lines up to the end of the unit.
-    pub(super) fn lines(&mut self) -> Vec<Line> {
+    /// Lines up to the end of the unit. Declarations may stand between them.
+    pub(super) fn list_body(&mut self, vars: &mut Vec<Vars>, globals: &mut Vec<Vars>) -> Vec<Line> {
+        let mut lines = self.lines();
+        while self.keyword().is_section() {
+            let section = self.section();
+            match section.section {
+                Section::Global => globals.push(section),
+                _ => vars.push(section),
+            }
+            lines.append(&mut self.lines());
+        }
+        lines
+    }
+
+    fn lines(&mut self) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut open = 0_u32;
         loop {
@@ -20,14 +33,8 @@ impl Parser<'_, '_> {
             let keyword = self.keyword();
             let labelled = self.ahead(1).kind == Kind::Colon;
             let ends = keyword.ends_unit() || keyword.begins_unit() || keyword == Keyword::EndVar;
-            if self.is(Kind::End) || ends && !labelled {
+            if self.is(Kind::End) || (ends || keyword.is_section()) && !labelled {
                 return lines;
-            }
-            if keyword.is_section() {
-                let start = self.token().span;
-                // It tells, and passes over the declarations.
-                let _ = self.late_section(start);
-                continue;
             }
             let before = self.at;
             match self.line(&mut open) {
