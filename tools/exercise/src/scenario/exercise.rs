@@ -5,9 +5,8 @@
 
 use super::keys::{CaseKeys, FaultKeys, FileKeys, Slip, slip};
 use super::timeline::{Rhythm, known_fault};
-use super::{Both, Given, Goal, Place, ProgramFile, Scenario, Wrong};
+use super::{Both, Equivalent, Given, Goal, Place, ProgramFile, Scenario, Wrong};
 use crate::find::Hidden;
-use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -40,18 +39,6 @@ pub struct Exercise {
     /// The fault that is to be found, where that is the task.
     pub find: Option<Hidden>,
     cases: Vec<Case>,
-}
-
-/// A change of the model solution that leaves it right, and why.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Equivalent {
-    /// The line of Instruction List as it was, with single spaces.
-    pub was: String,
-    /// And as it is then; empty where it is gone.
-    pub is: String,
-    /// Why that does the same.
-    pub why: Both,
 }
 
 /// A run of an exercise.

@@ -8,6 +8,7 @@
 mod alike;
 mod both;
 mod check;
+mod equivalent;
 mod exercise;
 mod file;
 mod grade;
@@ -25,7 +26,8 @@ mod wrong;
 pub use alike::Given;
 pub use both::Both;
 pub use check::check;
-pub use exercise::{Case, Equivalent, Exercise};
+pub use equivalent::Equivalent;
+pub use exercise::{Case, Exercise};
 pub use grade::{Failing, Grade, grade, passes};
 pub use place::Place;
 pub use plan::{Course, Plan};
