@@ -23,9 +23,8 @@ use unoclp_core::Board;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
 use unoclp_point::{Address, Kind as Point, read};
 
-use meaning::Retained;
 pub(crate) use meaning::{Initial, Instance, Names, Place};
-use widths::Widths;
+use meaning::{Retained, Widths};
 pub(crate) use widths::{kept, narrow_type};
 
 const LAST_REGISTER: u32 = REGISTERS as u32;

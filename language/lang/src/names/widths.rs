@@ -7,17 +7,7 @@ use crate::ast::{Operand, Var};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::Num;
 use crate::typed::{Base, Value, narrow};
-use std::collections::HashMap;
 use unoclp_point::Address;
-
-/// The types of names that are narrower than the board's numbers.
-#[derive(Debug, Default)]
-pub(crate) struct Widths {
-    /// By the instance that has the name, or none, and the name.
-    of: HashMap<(Option<usize>, String), Base>,
-    /// By the register that is the name's alone, so that nothing else is ever stored in it.
-    registers: HashMap<u8, Base>,
-}
 
 /// The type of this name, where it is a number of less than 32 bits.
 pub(crate) fn narrow_type(ty: &str) -> Option<Base> {
