@@ -78,11 +78,15 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             &given.text("scenario")?,
             facts::board(&mut given)?,
         )?),
-        // Whether its program does what the cases of a scenario file expect.
+        // Whether its program does what the cases of a scenario file expect, and its machine too.
         "exercise" => {
             let text = Text::of(&mut given)?;
             let (title, scenario) = (given.text("title")?, given.text("scenario")?);
-            json(exercise::exercise(text, &title, &scenario)?)
+            let machine = match (given.text_if("plant")?, given.text_if("plantText")?) {
+                (Some(name), Some(text)) => Some((name, text)),
+                _ => None,
+            };
+            json(exercise::exercise(text, &title, &scenario, machine)?)
         }
         // The image of a card with this PROGRAM.TXT.
         "card" => {

@@ -1,5 +1,6 @@
 //! Exercises: what they ask of a student, and whether a program does it.
 
+use crate::machine::plant;
 use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
@@ -7,8 +8,10 @@ use std::collections::BTreeMap;
 use unoclp_core::Board;
 use unoclp_draw::edit::Row;
 use unoclp_exercise::diagram;
+use unoclp_exercise::machine::first_wrong;
 use unoclp_exercise::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
+use unoclp_plant::Plant;
 use unoclp_point::Address;
 use unoclp_program::{Lang, drawn};
 
@@ -16,6 +19,8 @@ use unoclp_program::{Lang, drawn};
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Sheet {
+    /// The name of its machine's file, where it has one.
+    plant: Option<String>,
     title: Both,
     task: Option<Both>,
     hints: Vec<Both>,
@@ -42,6 +47,16 @@ pub struct Outcome {
     /// The cases in order, and whether each was passed.
     cases: Vec<(Told, bool)>,
     failing: Option<Failing>,
+    /// How the machine of the exercise fared, where it has one.
+    machine: Option<Fared>,
+}
+
+/// How a machine fared with a program.
+#[derive(Debug, Serialize)]
+struct Fared {
+    passed: bool,
+    /// What went wrong first: when, and which rule.
+    why: Option<Both>,
 }
 
 /// The first case that was not passed.
@@ -97,7 +112,9 @@ impl From<&Case> for Told {
 pub fn sheet(name: &str, text: &str, board: Board) -> Result<Sheet, No> {
     let exercise = read(name, text, board)?;
     let names = exercise.names.iter();
+    let file = exercise.plant.as_ref().and_then(|file| file.file_name());
     Ok(Sheet {
+        plant: file.map(|name| name.to_string_lossy().into_owned()),
         title: (&exercise.title).into(),
         task: exercise.task.as_ref().map(Both::from),
         hints: exercise.hints.iter().map(Both::from).collect(),
@@ -130,11 +147,16 @@ fn begin(exercise: &Exercise, lang: Lang) -> String {
     drawn::blank_text(exercise.title.text(lang), rows)
 }
 
-/// Runs a program through the cases of an exercise.
+/// Runs a program through the cases of an exercise, and through the script of its machine.
 ///
 /// # Errors
-/// Where there is no program, or the file of the exercise is wrong.
-pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
+/// Where there is no program, or the file of the exercise or of the machine is wrong.
+pub fn exercise(
+    text: Text,
+    name: &str,
+    scenario: &str,
+    machine: Option<(String, String)>,
+) -> Result<Outcome, No> {
     let board = text.board;
     let program = text.program()?;
     let program = ProgramFile {
@@ -142,16 +164,34 @@ pub fn exercise(text: Text, name: &str, scenario: &str) -> Result<Outcome, No> {
         bytes: program.code,
     };
     let exercise = read(name, scenario, board)?;
+    let machine = match machine {
+        Some((name, text)) => Some(fared(&plant(&name, &text, board)?, &program.bytes)),
+        None => None,
+    };
     let grade = grade(&exercise, &program, &mut HostEngine::new(board));
     let cases = exercise.cases();
     Ok(Outcome {
-        passed: grade.is_passed(),
+        passed: grade.is_passed() && machine.as_ref().is_none_or(|machine| machine.passed),
+        machine,
         cases: cases.iter().map(Told::from).zip(grade.passed).collect(),
         failing: grade.failing.map(|failing| Failing {
             case: failing.case,
             shown: (!cases[failing.case].hidden).then(|| shown(&failing, &exercise)),
         }),
     })
+}
+
+/// How the machine fares with this program.
+fn fared(plant: &Plant, program: &[u8]) -> Fared {
+    let engine = &mut HostEngine::new(plant.board);
+    let why = match first_wrong(plant, plant.seed, program, engine) {
+        Ok(first) => first.map(|first| both(|lang| first.text(plant, lang))),
+        Err(ended) => Some(both(|lang| ended.text(lang))),
+    };
+    Fared {
+        passed: why.is_none(),
+        why,
+    }
 }
 
 fn read(name: &str, text: &str, board: Board) -> Result<Exercise, No> {

@@ -107,10 +107,7 @@ impl Machine {
     /// # Errors
     /// The first mistake in it, with its line.
     pub fn open(name: &str, text: &str, board: Board, lang: Lang) -> Result<Machine, Both> {
-        let plant = read(text, board).map_err(|mistakes| match mistakes.first() {
-            Some(mistake) => both(|lang| mistake.text(name, lang)),
-            None => both(words::no_machine),
-        })?;
+        let plant = plant(name, text, board)?;
         let hands = hands(&plant);
         let [_, analogue, _] = plant.uses();
         let moving = Moving::new(plant, |plant| Run::new(plant, SEED).by_hand());
@@ -225,6 +222,17 @@ impl Machine {
     pub fn reset(&mut self) {
         self.moving.with_dependent_mut(|_, run| run.reset());
     }
+}
+
+/// The plant of this file, for this board where it names none.
+///
+/// # Errors
+/// The first mistake in it, with its line.
+pub fn plant(name: &str, text: &str, board: Board) -> Result<Plant, Both> {
+    read(text, board).map_err(|mistakes| match mistakes.first() {
+        Some(mistake) => both(|lang| mistake.text(name, lang)),
+        None => both(words::no_machine),
+    })
 }
 
 fn hands(plant: &Plant) -> Vec<Hand> {

@@ -57,7 +57,10 @@ export function exercises(root) {
   return scenarios.map((file) => {
     const name = file.replace(/\.toml$/, "");
     const model = files.find((one) => one !== file && one.startsWith(`${name}.`));
-    return { name, language: model.split(".").pop(), scenario: readFileSync(join(folder, file), "utf8") };
+    const scenario = readFileSync(join(folder, file), "utf8");
+    const [, plant] = /^plant = "([^"]+)"/m.exec(scenario) ?? [];
+    const machine = plant && { plant: { name: plant.split("/").pop(), text: readFileSync(join(folder, plant), "utf8") } };
+    return { name, language: model.split(".").pop(), scenario, ...machine };
   });
 }
 

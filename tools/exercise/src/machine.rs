@@ -2,10 +2,13 @@
 //!
 //! Owns how the two are tied together. Must not know what either does.
 
+use crate::scenario::words;
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::{Engine, Refusal};
-use unoclp_plant::{Broken, Missed, Outputs, Plant, Run, Verdict};
+use unoclp_plant::{Broken, Missed, Outputs, Plant, Run, Unit, Verdict};
+use unoclp_program::diagnosis;
+use unoclp_words::Lang;
 
 /// Why a program has not controlled a plant to the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,13 +21,30 @@ pub enum Ended {
     Broken(String),
 }
 
+impl Ended {
+    /// It in a line.
+    pub fn text(&self, lang: Lang) -> String {
+        let fault = |refusal: &Refusal| match refusal.fault() {
+            Some(fault) => {
+                let number = words::fault(lang, fault.cause.number());
+                format!("{number}: {}", diagnosis::cause(fault.cause, lang))
+            }
+            None => refusal.to_string(),
+        };
+        match self {
+            Ended::Refused(refusal) => fault(refusal),
+            Ended::Stopped(at, refusal) => {
+                words::stopped_in(lang, Unit::Ms.shown(*at as i64), fault(refusal))
+            }
+            Ended::Broken(why) => why.clone(),
+        }
+    }
+}
+
+/// English, for developers.
 impl fmt::Display for Ended {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Ended::Refused(refusal) => write!(f, "{refusal}"),
-            Ended::Stopped(at, refusal) => write!(f, "{refusal}, at {at} ms"),
-            Ended::Broken(why) => f.write_str(why),
-        }
+        f.write_str(&self.text(Lang::En))
     }
 }
 
@@ -53,6 +73,27 @@ pub enum First {
     Broken(Broken),
     /// A goal.
     Missed(Missed),
+}
+
+impl First {
+    /// It in a line: when, and which.
+    pub fn text(&self, plant: &Plant, lang: Lang) -> String {
+        let seconds = |at: u64| Unit::Ms.shown(at as i64);
+        match self {
+            First::Broken(Broken { rule, at, .. }) => {
+                let never = plant.nevers.get(*rule);
+                let text = never.map_or("", |never| never.text.text(lang));
+                words::rule_broken(lang, seconds(*at), text)
+            }
+            First::Missed(Missed {
+                goal, at, since, ..
+            }) => {
+                let goal = plant.goals.get(*goal);
+                let text = goal.map_or("", |goal| goal.text.text(lang));
+                words::goal_missed(lang, seconds(*at), text, seconds(*since))
+            }
+        }
+    }
 }
 
 /// What goes wrong first with a plant that a program controls, which runs no further; nothing, where all is well to the

@@ -12,6 +12,8 @@ import { Signal } from "./signal";
 const STEP = 250;
 /** A board that has not been read for so long, ms, was away: the machine stood. */
 const AWAY = 1000;
+/** A board that refuses so often one after the other refuses always; while it takes a program it may do so once. */
+const REFUSALS = 10;
 /** Readings of which the interval is the mean. */
 const READINGS = 8;
 
@@ -28,6 +30,7 @@ export class DeskMachine implements Machines {
   private last: number | null = null;
   private readonly ordered = new Set<number>();
   private refused: Both | null = null;
+  private refusals = 0;
 
   constructor(
     private readonly board: DeskBoard,
@@ -67,6 +70,7 @@ export class DeskMachine implements Machines {
     }
     this.inputs = inputs;
     this.last = null;
+    this.refusals = 0;
   }
 
   /** Lets go of the board's inputs. */
@@ -107,10 +111,11 @@ export class DeskMachine implements Machines {
     this.ordered.add(number);
     try {
       await this.board.order({ do: "force", output: false, number, to });
+      this.refusals = 0;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       // A board that is away is told of elsewhere, and its machine waits.
-      if (this.board.seen.value) this.fail(error.both);
+      if (this.board.seen.value && ++this.refusals >= REFUSALS) this.fail(error.both);
     } finally {
       this.ordered.delete(number);
     }

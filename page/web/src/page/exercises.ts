@@ -7,6 +7,7 @@ import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
 import { byId, h } from "./dom";
 import { keep, kept } from "./kept";
+import type { MachineArea } from "./machine";
 import { announce, note } from "./notes";
 import { Verdict } from "./verdict";
 
@@ -16,6 +17,8 @@ interface File {
   /** The end of the name of its model solution, which says in which language it is best begun. */
   readonly language: string;
   readonly scenario: string;
+  /** Its machine, by the name of the file. */
+  readonly plant?: Text;
 }
 
 /** An exercise, and how far the student has come. */
@@ -37,6 +40,8 @@ interface Progress {
 export class Exercises {
   private all: readonly Exercise[] = [];
   private at = 0;
+  /** Whether the machine beside the board is that of an exercise. */
+  private hasOpened = false;
 
   constructor(
     private readonly root: HTMLElement,
@@ -45,6 +50,7 @@ export class Exercises {
     private readonly open: (text: Text) => void,
     /** Makes the buttons of these inputs normally closed, and no others. */
     private readonly closed: (inputs: readonly number[]) => void,
+    private readonly machine: MachineArea,
   ) {
     speak.follow(() => {
       if (!this.root.hidden) this.show();
@@ -110,7 +116,18 @@ export class Exercises {
   /** Shows the exercise that is chosen, and makes the buttons as it says. */
   private chosen(): void {
     this.show();
-    this.closed(this.all[this.at]?.sheet.normallyClosed ?? []);
+    const exercise = this.all[this.at];
+    this.closed(exercise?.sheet.normallyClosed ?? []);
+    const machine = exercise && this.machineOf(exercise);
+    if (machine) void this.machine.open(machine);
+    else if (this.hasOpened) void this.machine.close();
+    this.hasOpened = machine !== null && machine !== undefined;
+  }
+
+  /** The machine of an exercise; of a teacher's own, the one that has been opened. */
+  private machineOf({ plant, sheet }: Exercise): Text | null {
+    const opened = this.machine.opened;
+    return plant ?? (opened && opened.name === sheet.plant ? opened : null);
   }
 
   private show(): void {
@@ -159,7 +176,9 @@ export class Exercises {
   }
 
   private async check(exercise: Exercise): Promise<void> {
-    const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name);
+    const machine = this.machineOf(exercise);
+    if (exercise.sheet.plant && !machine) note(say("noMachineFile", { name: exercise.sheet.plant }));
+    const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name, machine);
     if (!passed || exercise.passed) return;
     exercise.passed = true;
     this.keep();

@@ -6,6 +6,7 @@ import type { ProgramDocument } from "./document";
 import { byId } from "./dom";
 import { Exercises } from "./exercises";
 import { Lessons } from "./lessons";
+import type { MachineArea } from "./machine";
 
 export class Learning {
   private readonly lessons: Lessons;
@@ -17,9 +18,10 @@ export class Learning {
     open: (text: Text) => void,
     /** Makes the buttons of these inputs normally closed, and no others. */
     private readonly closed: (inputs: readonly number[]) => void,
+    machine: MachineArea,
   ) {
     this.lessons = new Lessons(byId("lesson"), tools, program, open);
-    this.exercises = new Exercises(byId("exercise"), tools, program, open, closed);
+    this.exercises = new Exercises(byId("exercise"), tools, program, open, closed, machine);
   }
 
   /** Opens a file of a teacher as an exercise. */

@@ -78,6 +78,11 @@ export class MachineArea {
     }
   }
 
+  /** The file of the one that is open. */
+  get opened(): MachineFile | null {
+    return this.file;
+  }
+
   private show(facts: MachineFacts): void {
     this.facts = facts;
     this.title.textContent = told(facts.title);

@@ -66,7 +66,7 @@ async function load(): Promise<void> {
     if (isNothing || (before.text === work.text && before.drawing === (work.drawing ?? null))) return;
     note(say(back ? "restored" : "replaced"), { text: say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
-  const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs)));
+  const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
   const take = async (file: File): Promise<void> => {
     const text = await read(file);
     if (!text) return;

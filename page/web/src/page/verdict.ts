@@ -1,6 +1,6 @@
 // What came of a check: the cases, and of the first that was not passed the timing diagram.
 
-import type { Outcome } from "../tools/answers";
+import type { Outcome, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
 import { say, told } from "../words/words";
@@ -16,14 +16,14 @@ export class Verdict {
   constructor(private readonly tools: RemoteTools) {}
 
   /** Runs a program through the cases of a scenario file, and shows what came of it. Tells whether it passed. */
-  async check(program: ProgramDocument, scenario: string, title: string): Promise<boolean> {
+  async check(program: ProgramDocument, scenario: string, title: string, machine: Text | null = null): Promise<boolean> {
     // What is not a program yet passes nothing, whatever the last one did.
     if (program.lacks.value > 0) {
       note(whyNot(program));
       return false;
     }
     try {
-      this.came = await this.tools.ask("exercise", { ...program.text.value, scenario, title });
+      this.came = await this.tools.ask("exercise", { ...program.text.value, scenario, title, plant: machine?.name, plantText: machine?.text });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       this.came = error;
@@ -49,7 +49,9 @@ export class Verdict {
     const shown = this.came.failing?.shown;
     // Drawn by our own Rust, which escapes every text in it.
     if (shown) diagram.innerHTML = told(shown.svg);
-    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), diagram);
+    const { machine } = this.came;
+    const fared = machine && h("p", { class: machine.passed ? "good" : "bad", id: "machine-verdict" }, `${machine.passed ? "✓" : "✗"} ${say("theMachine")}${machine.why ? `: ${told(machine.why)}` : ""}`);
+    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), ...(fared ? [fared] : []), diagram);
   }
 
   private passed(): boolean {
@@ -60,7 +62,8 @@ export class Verdict {
     if (!this.came) return "";
     if (this.came instanceof Refusal) return told(this.came.both);
     if (this.came.passed) return say("passed");
-    const { failing, cases } = this.came;
+    const { failing, cases, machine } = this.came;
+    if (!failing && machine?.why) return say("failedMachine", { why: told(machine.why) });
     if (failing && !failing.shown) return say("failedHidden", { title: told(cases[failing.case]?.[0].title ?? { en: "", pt: "" }) });
     const unmet = failing?.shown?.unmet;
     if (unmet) return say("failedAt", { time: unmet.from, place: unmet.place, came: unmet.came, expected: unmet.expected });

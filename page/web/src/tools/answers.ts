@@ -125,6 +125,8 @@ export interface Case {
 
 /** What an exercise says of itself. */
 export interface Sheet {
+  /** The name of its machine's file. */
+  readonly plant: string | null;
   readonly title: Both;
   readonly task: Both | null;
   readonly hints: readonly Both[];
@@ -143,6 +145,8 @@ export interface Outcome {
   readonly cases: readonly (readonly [Case, boolean])[];
   /** The first that was not passed; of a hidden one nothing is shown. */
   readonly failing: { readonly case: number; readonly shown: Shown | null } | null;
+  /** How the machine fared, where the exercise has one: what went wrong first. */
+  readonly machine: { readonly passed: boolean; readonly why: Both | null } | null;
 }
 
 /** What is shown of a case that was not passed. */
@@ -375,7 +379,7 @@ export interface Asks {
   /** The ladder on pages of paper. */
   pages: { ask: Text & { letter: boolean; width: number; speak: Speak }; answer: readonly string[] };
   sheet: { ask: { scenario: string; title: string }; answer: Sheet };
-  exercise: { ask: Text & { scenario: string; title: string }; answer: Outcome };
+  exercise: { ask: Text & { scenario: string; title: string; plant?: string | undefined; plantText?: string | undefined }; answer: Outcome };
   card: { ask: { program: string; state: boolean }; answer: CardImage };
   /** A file of a card, from the blocks that are not empty. */
   read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };

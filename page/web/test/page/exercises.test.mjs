@@ -64,6 +64,30 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   await page.context().close();
 });
 
+test("an exercise with a machine has two verdicts, and its machine stands beside the board", async () => {
+  const page = await lab.still();
+  await page.click("#exercises");
+  await page.selectOption("#exercise-list", { index: 27 });
+  await page.locator("#machine").waitFor();
+  const check = async (/** @type {string} */ name) => {
+    await type(page, program(name), name.split("/").at(-1) ?? "");
+    await page.click("#exercise-check");
+  };
+  await check("28-reverse-stop.il");
+  await page.locator("#verdict.good").waitFor();
+  await page.locator("#machine-verdict.good").waitFor();
+  await check("../plants/wrong/belts-stop.st");
+  await page.locator("#machine-verdict.bad", { hasText: "at 47 s a goal was missed" }).waitFor();
+  await page.locator("#verdict.bad").waitFor();
+  await page.selectOption("#speak", "pt");
+  await page.locator("#machine-verdict.bad", { hasText: "uma meta não foi atingida" }).waitFor();
+  assert.deepEqual(await findings(page), []);
+  // One without a machine takes it away again.
+  await page.selectOption("#exercise-list", { index: 0 });
+  await page.locator("#machine").waitFor({ state: "hidden" });
+  await page.context().close();
+});
+
 test("on a phone the timing diagram scrolls and stays readable, and axe-core finds nothing", async () => {
   const page = await lab.still({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.tap("#exercises");

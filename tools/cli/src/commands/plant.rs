@@ -10,7 +10,7 @@ use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use unoclp_cli::{film, messages};
 use unoclp_core::Board;
-use unoclp_exercise::machine::{Ended, First, control, first_wrong};
+use unoclp_exercise::machine::{First, control, first_wrong};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::{Picture, Plant, Run, Unit, Verdict, picture};
 use unoclp_program::shown;
@@ -214,7 +214,7 @@ pub fn drive(
     let verdict = match verdict {
         Ok(verdict) => verdict,
         Err(ended) => {
-            println!("{}", told(&ended));
+            println!("{}", ended.text(messages::spoken()));
             return Ok(false);
         }
     };
@@ -231,7 +231,7 @@ pub fn drive(
                 pictures.push(picture(run, messages::spoken()));
             }
         });
-        again.map_err(|ended| anyhow!(told(&ended)))?;
+        again.map_err(|ended| anyhow!(ended.text(messages::spoken())))?;
         let strip = Picture::strip(&pictures);
         write(svg, strip.into_bytes(), Kind::Drawing, &inputs, over)?;
         println!("{}", messages::drawn(shown(svg)));
@@ -262,24 +262,11 @@ fn broken_at(verdict: &Verdict, until: u64) -> Vec<u64> {
 /// Which rules broke, and which goals were met.
 fn say_verdict(plant: &Plant, verdict: &Verdict) {
     let lang = messages::spoken();
-    let seconds = |at: u64| Unit::Ms.shown(at as i64);
     println!("{}", plant.title.text(lang));
-    for broken in &verdict.broken {
-        if let Some(never) = plant.nevers.get(broken.rule) {
-            println!(
-                "  {}",
-                messages::rule_broken(seconds(broken.at), never.text.text(lang))
-            );
-        }
-    }
-    for missed in &verdict.missed {
-        if let Some(goal) = plant.goals.get(missed.goal) {
-            let since = seconds(missed.since);
-            println!(
-                "  {}",
-                messages::goal_missed(seconds(missed.at), goal.text.text(lang), since)
-            );
-        }
+    let broken = verdict.broken.iter().copied().map(First::Broken);
+    let missed = verdict.missed.iter().copied().map(First::Missed);
+    for wrong in broken.chain(missed) {
+        println!("  {}", wrong.text(plant, lang));
     }
     let kept = plant.nevers.len() - verdict.broken.len().min(plant.nevers.len());
     let met = plant.goals.len() - verdict.missed.len().min(plant.goals.len());
@@ -299,40 +286,9 @@ fn say_verdict(plant: &Plant, verdict: &Verdict) {
 
 /// What went wrong first with a machine that this program controls; nothing, where all is well.
 pub(super) fn what_first(plant: &Plant, program: &[u8], board: Board) -> Option<String> {
-    let engine = &mut HostEngine::new(board);
-    let first = match first_wrong(plant, plant.seed, program, engine) {
-        Ok(first) => first?,
-        Err(ended) => return Some(told(&ended)),
-    };
     let lang = messages::spoken();
-    let seconds = |at: u64| Unit::Ms.shown(at as i64);
-    match first {
-        First::Broken(broken) => {
-            let never = plant.nevers.get(broken.rule)?;
-            Some(messages::rule_broken(
-                seconds(broken.at),
-                never.text.text(lang),
-            ))
-        }
-        First::Missed(missed) => {
-            let goal = plant.goals.get(missed.goal)?;
-            let (at, since) = (seconds(missed.at), seconds(missed.since));
-            Some(messages::goal_missed(at, goal.text.text(lang), since))
-        }
-    }
-}
-
-/// Why a program has not controlled the machine to the end.
-fn told(ended: &Ended) -> String {
-    let fault = |refusal: &unoclp_host_sim::engine::Refusal| match refusal.fault() {
-        Some(fault) => messages::fault(fault.cause),
-        None => refusal.to_string(),
-    };
-    match ended {
-        Ended::Refused(refusal) => fault(refusal),
-        Ended::Stopped(at, refusal) => {
-            messages::stopped_in(Unit::Ms.shown(*at as i64), fault(refusal))
-        }
-        Ended::Broken(why) => why.clone(),
+    match first_wrong(plant, plant.seed, program, &mut HostEngine::new(board)) {
+        Ok(first) => Some(first?.text(plant, lang)),
+        Err(ended) => Some(ended.text(lang)),
     }
 }

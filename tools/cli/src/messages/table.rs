@@ -494,18 +494,11 @@ unoclp_words::messages! {
         "this unoclp is built without moving pictures"
         "este unoclp foi compilado sem imagens animadas";
     a_film() "a moving picture (GIF)" "uma imagem animada (GIF)";
-    rule_broken(at, text) "at {at} a rule broke: {text}" "em {at} uma regra foi violada: {text}";
-    goal_missed(at, text, since)
-        "at {at} a goal was missed: {text} (since {since})"
-        "em {at} uma meta não foi atingida: {text} (desde {since})";
     rules_kept(kept, rules, met, goals)
         "rules kept: {kept} of {rules}; goals met: {met} of {goals}"
         "regras cumpridas: {kept} de {rules}; metas atingidas: {met} de {goals}";
     machine_passed() "the machine does as it should: PASS" "a máquina faz o que deve: PASSOU";
     machine_failed() "the machine does not do as it should: FAIL" "a máquina não faz o que deve: FALHOU";
-    stopped_in(at, fault)
-        "at {at} the program ended: {fault}"
-        "em {at} o programa parou: {fault}";
     svg_is_a_ladder()
         "--svg draws a ladder diagram; leave out --as, or --svg"
         "--svg desenha um diagrama ladder; tire --as ou --svg";

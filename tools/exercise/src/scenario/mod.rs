@@ -20,7 +20,7 @@ mod report;
 mod shown;
 mod timeline;
 mod within;
-mod words;
+pub(crate) mod words;
 mod wrong;
 
 pub use alike::Given;

@@ -125,6 +125,13 @@ unoclp_words::messages! {
     broken_at(at, reason) "at {at} ms: {reason}" "em {at} ms: {reason}";
     fault(number) "fault {number}" "falha {number}";
     fault_in_line(number, line) "fault {number}, line {line}" "falha {number}, linha {line}";
+    rule_broken(at, text) "at {at} a rule broke: {text}" "em {at} uma regra foi violada: {text}";
+    goal_missed(at, text, since)
+        "at {at} a goal was missed: {text} (since {since})"
+        "em {at} uma meta não foi atingida: {text} (desde {since})";
+    stopped_in(at, fault)
+        "at {at} the program ended: {fault}"
+        "em {at} o programa parou: {fault}";
 }
 
 #[cfg(test)]
