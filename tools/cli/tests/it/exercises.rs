@@ -251,3 +251,33 @@ fn the_pages_show_an_exercise_that_works() {
     assert_eq!(code, 0, "{out}{err}");
     assert_eq!(outcome(&["sim", "--scenario", &exercise]).0, 0);
 }
+
+/// Where a fault is to be found, an answer is a text whose lines are tries; where a program is to be written again, its
+/// language counts.
+#[test]
+fn grade_reads_answers_and_asks_for_a_language() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/exercises");
+    let of = |name: &str| root.join(name).to_str().unwrap().to_owned();
+    let folder = empty_folder("exercise-find");
+    let found = put(&folder, "found.txt", "ol stuck\nk1 welded\n");
+    let not = put(&folder, "not.txt", "ol stuck\n");
+    let (code, out, _) = outcome(&["grade", &of("find/01-motor.toml"), &found, &not]);
+    assert_eq!(code, 1);
+    let line = |text: &str, name: &str| {
+        let line = text.lines().find(|line| line.contains(name)).unwrap();
+        line.split_whitespace()
+            .skip(1)
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert_eq!(line(&out, "found.txt"), "2 passed");
+    assert_eq!(line(&out, "not.txt"), "1 not found in 1 tries");
+
+    let again = of("write/01-into-text.toml");
+    let model = of("write/01-into-text.st");
+    assert_eq!(outcome(&["grade", &again, &model]).0, 0);
+    let ladder = put(&folder, "ladder.il", "LD I1\nST Q1\n");
+    let (code, out, _) = outcome(&["grade", &again, &ladder]);
+    assert_eq!(code, 1);
+    assert!(out.contains("asks for a program in `st`"), "{out}");
+}
