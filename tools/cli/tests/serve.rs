@@ -92,6 +92,16 @@ fn site(name: &str, lines: &str) -> String {
     file
 }
 
+/// What is answered at this path.
+fn http(address: &str, path: &str) -> String {
+    let mut stream = TcpStream::connect(address).unwrap();
+    let head = format!("Host: {address}\r\nConnection: close\r\n");
+    write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer
+}
+
 /// STOP by command (docs/modbus.md).
 fn stop() -> Request {
     Request::write_word(1, 400, 2)
@@ -270,10 +280,7 @@ fn what_a_board_was_is_kept_and_printed() {
         fake.path()
     );
     let file = site("kept", &lines);
-    for end in ["db", "db-wal", "db-shm"] {
-        // That of the last time, if there was one.
-        let _ = std::fs::remove_file(file.replace("toml", end));
-    }
+    forget(&file);
     let _server = Server::of(&mut unoclp_site(&file));
     let printed = |point: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
@@ -318,19 +325,157 @@ fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
     broker.publish("unoclp/one/Q2/set", b"true", &[]);
     let refused = listener.next_at("$refused").text();
     assert_eq!(refused, r#"{"point":"Q2","why":"not allowed"}"#);
-    let metrics = {
-        let mut stream = TcpStream::connect(&server.address).unwrap();
-        let head = format!("Host: {}\r\nConnection: close\r\n", server.address);
-        write!(stream, "GET /metrics HTTP/1.1\r\n{head}\r\n").unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer
-    };
+    let metrics = http(&server.address, "/metrics");
     assert!(metrics.contains("unoclp_mqtt_connected 1\n"), "{metrics}");
     let url = format!("mqtt://127.0.0.1:{}", broker.port);
     while server.line() != format!("{url}: connected") {}
     broker.kill();
     while !server.line().starts_with(&format!("{url}: away: ")) {}
+}
+
+/// The signal that stops a service.
+fn terminate(server: &Server) {
+    let pid = server.child.id().to_string();
+    let sent = Command::new("kill").args(["-TERM", &pid]).status();
+    assert!(sent.unwrap().success());
+}
+
+/// The files that a site keeps are those of the last time, if there was one.
+fn forget(file: &str) {
+    for end in ["journal", "journal-wal", "db", "db-wal", "db-shm"] {
+        let _ = std::fs::remove_file(file.replace("toml", end));
+    }
+}
+
+#[test]
+fn a_gateway_that_is_asked_to_end_says_goodbye_and_keeps_what_it_has_read() {
+    let broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let lines = format!(
+        "[history]\nstore = \"ends.db\"\n[journal]\nevery = \"1m\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let file = site("ends", &lines);
+    forget(&file);
+    let listener = Listener::new(&broker, "unoclp/$status");
+    let mut server = Server::of(&mut unoclp_site(&file));
+    assert_eq!(listener.next().text(), "online");
+    // What is read first is committed at once, what comes after it not within a minute.
+    while !http(&server.address, "/metrics").contains("unoclp_history_waiting 0\n") {}
+    while http(&server.address, "/metrics").contains("unoclp_history_rows_total 0\n") {}
+    fake.board().outputs = 4;
+    while !http(&server.address, "/metrics")
+        .contains("unoclp_point{board=\"one\",point=\"Q3\"} 1\n")
+    {}
+    terminate(&server);
+    assert_eq!(listener.next().text(), "offline");
+    assert!(server.child.wait().unwrap().success());
+    while server.line() != "ended" {}
+    let printed = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+        .args(["site", "history", &file, "one.Q3"])
+        .output()
+        .unwrap();
+    let printed = String::from_utf8(printed.stdout).unwrap();
+    assert!(
+        printed.ends_with(",0,0,0\n") || printed.ends_with(",1,1,1\n"),
+        "{printed}"
+    );
+    assert_eq!(printed.matches(",1,1,1\n").count(), 1, "{printed}");
+}
+
+#[test]
+fn a_gateway_that_is_killed_again_and_again_loses_no_committed_sample() {
+    let mut broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let lines = format!(
+        "[history]\nstore = \"killed.db\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"10ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let file = site("killed", &lines);
+    forget(&file);
+    broker.kill();
+    let mut least = 0;
+    for kill in 0..5_u16 {
+        let server = Server::of(&mut unoclp_site(&file));
+        let mut committed = 0;
+        while committed < 20 {
+            fake.board().outputs ^= 7;
+            let metrics = http(&server.address, "/metrics");
+            let line = metrics
+                .lines()
+                .find_map(|line| line.strip_prefix("unoclp_journal_samples_total "));
+            committed = line.map_or(0, |count| count.parse::<u64>().unwrap());
+        }
+        least += committed;
+        // Dropping it kills it (SIGKILL), while it goes on.
+        drop(server);
+        assert!(fake.board().outputs < 8, "kill {kill}");
+    }
+    // All of that is told in order once the broker is there, and the history has the same.
+    broker.begin();
+    let listener = Listener::new(&broker, "unoclp/one/+");
+    let server = Server::of(&mut unoclp_site(&file));
+    let mut numbers = Vec::new();
+    while numbers.last() < Some(&least) {
+        let heard = listener.next();
+        let text = heard.text();
+        let number = text
+            .rsplit_once("\"n\":")
+            .map(|(_, number)| number.trim_end_matches('}'));
+        if !heard.retained
+            && let Some(number) = number
+        {
+            numbers.push(number.parse::<u64>().unwrap());
+        }
+    }
+    let first = numbers[0];
+    assert!(
+        numbers
+            .iter()
+            .copied()
+            .eq(first..first + numbers.len() as u64),
+        "{numbers:?}"
+    );
+    terminate(&server);
+    drop(listener);
+    let mut server = server;
+    assert!(server.child.wait().unwrap().success());
+    let mut rows = 0;
+    for point in 1..=4 {
+        let printed = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+            .args(["site", "history", &file, &format!("one.Q{point}")])
+            .output()
+            .unwrap();
+        let printed = String::from_utf8(printed.stdout).unwrap();
+        rows += printed.lines().skip(1).count() as u64;
+        // A change is another value than before, but where the gateway began anew.
+        let values: Vec<&str> = printed
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split(',').nth(3))
+            .collect();
+        let same = values.windows(2).filter(|pair| pair[0] == pair[1]).count();
+        assert!(same <= 6, "{same} of {}", values.len());
+    }
+    assert!(rows > 20, "{rows}");
+}
+
+#[test]
+fn two_gateways_of_one_site_do_not_run_at_once() {
+    let lines = "[history]\nstore = \"twice.db\"\n[[line]]\nport = \"/dev/none\"\n[[line.board]]\nname = \"one\"\n";
+    let file = site("twice", lines);
+    let _first = Server::of(&mut unoclp_site(&file));
+    let second = unoclp_site(&file).output().unwrap();
+    assert_eq!(second.status.code(), Some(2));
+    let said = String::from_utf8(second.stderr).unwrap();
+    assert!(
+        said.contains("twice.journal: another `unoclp serve` uses this journal"),
+        "{said}"
+    );
 }
 
 #[test]

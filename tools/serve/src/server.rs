@@ -84,11 +84,16 @@ impl Server {
         self.address.ip().is_loopback()
     }
 
-    /// Serves the page, and shares the boards if there are some, for ever.
+    /// Serves the page, and shares the boards if there are some, until `end` comes. Then all connections are cut.
     ///
     /// # Errors
     /// Where the system takes the address away.
-    pub fn run(self, pages: Pages, sharing: Option<Sharing>) -> io::Result<()> {
+    pub fn run(
+        self,
+        pages: Pages,
+        sharing: Option<Sharing>,
+        end: impl Future<Output = ()>,
+    ) -> io::Result<()> {
         let is_local = self.is_local();
         let Wired {
             boards,
@@ -137,12 +142,18 @@ impl Server {
                 tokio::spawn(orders::attend(orders, units.clone()));
             }
             let pages = take_connections(self.listener, shared);
-            match modbus {
-                Some(modbus) => {
-                    let units = modbus::serve(modbus, units);
-                    tokio::try_join!(pages, units).map(drop)
+            let served = async {
+                match modbus {
+                    Some(modbus) => {
+                        let units = modbus::serve(modbus, units);
+                        tokio::try_join!(pages, units).map(drop)
+                    }
+                    None => pages.await,
                 }
-                None => pages.await,
+            };
+            tokio::select! {
+                served = served => served,
+                () = end => Ok(()),
             }
         })
     }

@@ -2,13 +2,13 @@
 
 use crate::files::Files;
 use crate::grants::grants;
+use crate::kept::{history, journal};
 use crate::keys::{At, Keys, Notes};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
-use crate::site::{History, Http, Modbus, Site};
+use crate::site::{Http, Modbus, Site};
 use std::net::{Ipv4Addr, SocketAddr};
-use std::time::Duration;
 use toml::de::DeTable;
 
 /// Reads the text of a site file.
@@ -24,7 +24,7 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
         }
         return Err(notes.mistakes());
     }
-    let known = ["http", "line", "modbus", "mqtt", "history"];
+    let known = ["http", "line", "modbus", "mqtt", "history", "journal"];
     let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
     let site = site(&keys, files);
     let mistakes = notes.mistakes();
@@ -40,35 +40,15 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
     let lines = lines(keys, files);
     let modbus = modbus(keys, &lines, &http);
     let mqtt = mqtt(keys, &lines);
+    let history = history(keys);
     Site {
         http: Http { listen: http.value },
         lines,
         modbus,
         mqtt,
-        history: history(keys),
+        journal: journal(keys, history.as_ref()),
+        history,
     }
-}
-
-/// How long every change is kept, unless the file says otherwise.
-const KEEP: Duration = Duration::from_secs(400 * 86_400);
-
-fn history(keys: &Keys<'_>) -> Option<History> {
-    let example = "{ store = \"history.db\" }";
-    let history = keys.table("history", example, &["store", "keep"])?;
-    let keep = history.time("keep", "\"400d\"", ["1h", "36500d"]);
-    let At { value, place } = history.needed("store", "\"history.db\"")?;
-    if value.is_empty() || value.contains("://") {
-        let wrong = Wrong::Choice {
-            key: "store",
-            given: format!("{value:?}"),
-            known: "\"history.db\"".to_owned(),
-        };
-        keys.notes.wrong(&place, wrong);
-    }
-    Some(History {
-        store: value,
-        keep: keep.map_or(KEEP, |keep| keep.value),
-    })
 }
 
 /// Where the page is served; 127.0.0.1:8420, unless the file says otherwise.

@@ -72,6 +72,21 @@ unoclp_words::messages! {
     ca_without_tls()
         "a broker at mqtt:// shows no certificate; write mqtts://, or remove `ca`"
         "um broker em mqtt:// não apresenta certificado; escreva mqtts://, ou tire `ca`";
+    no_database(given)
+        "{given} is no database; write \"history.db\" for a file, or \"postgres://gateway@db.example/plant\""
+        "{given} não é um banco de dados; escreva \"history.db\" para um arquivo, ou \"postgres://gateway@db.example/plant\"";
+    database_secret()
+        "the database's address has more than user, host, port and name, and addresses are printed; write \"postgres://gateway@db.example/plant\", and `password` below it"
+        "o endereço do banco tem mais que usuário, computador, porta e nome, e endereços são exibidos; escreva \"postgres://gateway@db.example/plant\", e `password` abaixo dele";
+    of_server(key)
+        "a history in a file has no `{key}`; remove it"
+        "um histórico em arquivo não tem `{key}`; tire essa chave";
+    one_file(file)
+        "history and journal are both in {file}; give each its own file"
+        "o histórico e o diário estão os dois em {file}; dê a cada um o seu arquivo";
+    no_size(given)
+        "{given} is no size from 1MB to 1000GB; write \"256MB\" or \"4GB\""
+        "{given} não é um tamanho de 1MB a 1000GB; escreva \"256MB\" ou \"4GB\"";
     no_user()
         "MQTT takes no password without a user; write `user` too"
         "o MQTT não aceita senha sem usuário; escreva também `user`";
@@ -120,6 +135,12 @@ unoclp_words::messages! {
     history(store, keep)
         "history: {store}, every change for {keep}, then minutes and hours"
         "histórico: {store}, cada mudança por {keep}, depois minutos e horas";
+    history_open()
+        "  not encrypted: whoever is on the way there reads it, the password too"
+        "  sem criptografia: quem estiver no caminho lê tudo, também a senha";
+    journal(every, bound)
+        "journal: on disk every {every}, at most {bound}"
+        "diário: no disco a cada {every}, no máximo {bound}";
     modbus_reads(address)
         "Modbus TCP: {address}, reading only"
         "Modbus TCP: {address}, só leitura";

@@ -2,6 +2,7 @@
 
 use crate::common::pages;
 use crate::simulated::{Simulated, kept};
+use std::future::pending;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::thread;
@@ -59,7 +60,7 @@ impl Site {
             keep,
             tell,
         };
-        thread::spawn(move || server.run(pages, Some(sharing)).unwrap());
+        thread::spawn(move || server.run(pages, Some(sharing), pending()).unwrap());
         let site = Site {
             boards,
             page,
