@@ -1,11 +1,14 @@
 //! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
+use crate::archive::Archive;
 use crate::broker;
 use crate::ended;
+use crate::identity;
 use crate::kept::Kept;
 use crate::messages;
 use crate::metrics::metrics;
 use crate::port::{Found, Place, Port, find};
+use crate::stores;
 use anyhow::{Context, anyhow};
 use rust_embed::RustEmbed;
 use std::borrow::Cow;
@@ -19,8 +22,8 @@ use unoclp_journal::Sample;
 use unoclp_modbus::client::Request;
 use unoclp_report::Reporter;
 use unoclp_serve::{
-    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Remote, Server, SharedBoard,
-    Sharing, Tell, Tokens, Watched,
+    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Past, Remote, Server,
+    SharedBoard, Sharing, Tell, Tokens, Watched,
 };
 use unoclp_site::{Site, Way};
 
@@ -71,6 +74,7 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                 modbus: None,
                 orders: None,
                 metrics: None,
+                past: None,
                 keep: None,
                 tell: None,
             })
@@ -99,7 +103,9 @@ fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
 pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
     let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
     let listen = site.http.listen;
+    let tls = identity::tls(file, site)?;
     let server = Server::bind(listen).map_err(|error| wrong(listen, error))?;
+    let scheme = if tls.is_some() { "https" } else { "http" };
     let modbus = site.modbus.as_ref().map(|modbus| {
         let bound = Modbus::bind(modbus.listen, modbus.write.clone());
         bound.map_err(|error| wrong(modbus.listen, error))
@@ -112,9 +118,15 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     let (reporter, ordered) = broker.transpose()?.unzip();
     let metrics = metrics(kept.clone(), reporter.clone());
     let keep = keep(kept.as_deref(), reporter.clone());
-    let page = format!("http://{}/", server.address());
+    // It ends here, behind the server: the client of a database must not end while a server runs on the same thread.
+    let past = archive(file, site)?;
+    let page = format!("{scheme}://{}/", server.address());
     println!("{page}{}", if server.is_local() { "#board" } else { "" });
+    if let Some(tls) = &tls {
+        println!("{}", messages::fingerprint(tls.fingerprint()));
+    }
     let tokens = tokens(&server, &page)?;
+    let server = server.encrypted(tls);
     for board in site.boards().skip(1) {
         println!("{}", messages::page_of_board(&board.name));
     }
@@ -141,17 +153,27 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
         modbus,
         orders: ordered,
         metrics: Some(metrics),
+        past: past.clone(),
         keep: Some(keep),
         tell: Some(tell),
     };
     let ended = server.run(pages, Some(sharing), ended::asked());
     ended::at_once();
+    drop(past);
     // The last of it tells the broker goodbye, and what has come is on disk.
     if let Some(kept) = kept {
         kept.end();
     }
     println!("{}", messages::ended());
     ended.map_err(|error| wrong(listen, error))
+}
+
+/// The history of a site, for who asks over HTTP.
+fn archive(file: &Path, site: &Site) -> anyhow::Result<Option<Arc<dyn Past>>> {
+    let history = site.history.as_ref();
+    let database = history.map(|history| stores::database(file, &history.store));
+    let archive = database.transpose()?.map(Archive::new);
+    Ok(archive.map(|archive| Arc::new(archive) as Arc<dyn Past>))
 }
 
 /// Puts what has changed into the journal, and tells it to the broker.

@@ -4,6 +4,9 @@
 #[path = "../../report/tests/it/broker.rs"]
 #[allow(dead_code, reason = "each test uses its part")]
 mod broker;
+#[path = "../../history/tests/it/server.rs"]
+#[allow(dead_code, reason = "each test uses its part")]
+mod database;
 #[path = "it/pty.rs"]
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
@@ -33,7 +36,8 @@ impl Server {
         let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut says = BufReader::new(child.stdout.take().unwrap()).lines();
         let first = says.next().unwrap().unwrap();
-        let (address, fragment) = first["http://".len()..].split_once('/').unwrap();
+        let (_, address) = first.split_once("://").unwrap();
+        let (address, fragment) = address.split_once('/').unwrap();
         assert!(["", "#board"].contains(&fragment), "{first}");
         Server {
             child,
@@ -281,7 +285,7 @@ fn what_a_board_was_is_kept_and_printed() {
     );
     let file = site("kept", &lines);
     forget(&file);
-    let _server = Server::of(&mut unoclp_site(&file));
+    let server = Server::of(&mut unoclp_site(&file));
     let printed = |point: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
         let output = command
@@ -303,6 +307,13 @@ fn what_a_board_was_is_kept_and_printed() {
         1
     );
     assert!(printed("one.Q1").ends_with(",0,0,0\n"));
+    // The same over HTTP.
+    let csv = http(
+        &server.address,
+        "/api/history.csv?board=one&point=Q3&last=1h",
+    );
+    let (_, csv) = csv.split_once("\r\n\r\n").unwrap();
+    assert_eq!(csv, printed("one.Q3"));
 }
 
 #[test]
@@ -462,6 +473,164 @@ fn a_gateway_that_is_killed_again_and_again_loses_no_committed_sample() {
         assert!(same <= 6, "{same} of {}", values.len());
     }
     assert!(rows > 20, "{rows}");
+}
+
+#[test]
+fn a_history_moves_to_a_database_and_goes_on_there() {
+    let database = database::Server::new();
+    database.psql("postgres", "CREATE DATABASE plant");
+    let fake = Fake::new(Board::default());
+    let of = |store: &str| {
+        let lines = format!(
+            "[history]\nstore = \"{store}\"\n[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+            fake.path()
+        );
+        site("moves", &lines)
+    };
+    let old = of("moves.db");
+    forget(&old);
+    let mut server = Server::of(&mut unoclp_site(&old));
+    let has_rows = |server: &Server| {
+        let metrics = http(&server.address, "/metrics");
+        let is_there = |line: &str| metrics.lines().any(|of| of == line);
+        !is_there("unoclp_history_rows_total 0") && is_there("unoclp_history_waiting 0")
+    };
+    while !has_rows(&server) {}
+    let moving = |file: &str| {
+        let from = old.replace("toml", "db");
+        let output = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+            .args(["site", "move", file, &from])
+            .env("LC_ALL", "C")
+            .output()
+            .unwrap();
+        let said = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(said).unwrap())
+    };
+    let (code, said) = moving(&old);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("is in no database; write it under [history]"),
+        "{said}"
+    );
+    let new = of(&format!(
+        "postgres://unoclp@127.0.0.1:{}/plant",
+        database.port
+    ));
+    // Not while a gateway runs.
+    let (code, said) = moving(&new);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("another `unoclp serve` uses this journal"),
+        "{said}"
+    );
+    terminate(&server);
+    assert!(server.child.wait().unwrap().success());
+    let (code, said) = moving(&new);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(
+        said.contains("/plant too; start unoclp serve again"),
+        "{said}"
+    );
+    let count = || {
+        database.psql(
+            "plant",
+            "SELECT count(*), count(DISTINCT (point, at, seq)) FROM unoclp.sample",
+        )
+    };
+    let moved = count();
+    let (code, said) = moving(&new);
+    assert_eq!((code, count()), (Some(2), moved.clone()));
+    assert!(said.contains("has samples of one."), "{said}");
+    let mut server = Server::of(&mut unoclp_site(&new));
+    while !has_rows(&server) {}
+    let csv = http(&server.address, "/api/history.csv?board=one&point=Q3");
+    assert!(
+        csv.contains("time,least,most,last\r\n") || csv.contains("time,least,most,last\n"),
+        "{csv}"
+    );
+    terminate(&server);
+    assert!(server.child.wait().unwrap().success());
+    assert_ne!(count(), moved);
+}
+
+#[test]
+fn an_encrypted_page_is_known_by_its_certificate_which_stays() {
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let lines = "[[line]]\nport = \"/dev/none\"\n[[line.board]]\nname = \"one\"\n";
+    let of = |tls: &str| {
+        let file = site("encrypted", lines);
+        let text = std::fs::read_to_string(&file).unwrap();
+        std::fs::write(
+            &file,
+            text.replace("[modbus]", &format!("tls = {tls}\n[modbus]")),
+        )
+        .unwrap();
+        file
+    };
+    for end in ["cert.pem", "key.pem"] {
+        let _ = std::fs::remove_file(format!("{folder}/encrypted.{end}"));
+    }
+    let curl = |server: &Server, more: &[&str], path: &str| {
+        let url = format!("https://{}{path}", server.address);
+        let output = Command::new("curl")
+            .args([
+                "--silent",
+                "--cacert",
+                &format!("{folder}/encrypted.cert.pem"),
+            ])
+            .args(more)
+            .arg(url)
+            .output()
+            .expect("`cargo xtask setup` brings curl");
+        (
+            output.status.success(),
+            String::from_utf8_lossy(&output.stdout).into_owned(),
+        )
+    };
+    let mut server = Server::of(&mut unoclp_site(&of("\"self-signed\"")));
+    let sum = server.line();
+    assert!(sum.starts_with("certificate: SHA-256 "), "{sum}");
+    let (is_trusted, page) = curl(&server, &[], "/");
+    assert!(is_trusted && page.contains("<html"), "{page}");
+    let origin = |scheme: &str| format!("Origin: {scheme}://{}", server.address);
+    let status = ["--write-out", "%{http_code}", "--output", "/dev/null"];
+    for (scheme, code) in [("https", "200"), ("http", "403")] {
+        let header = origin(scheme);
+        let more = [&status[..], &["--header", &header]].concat();
+        assert_eq!(curl(&server, &more, "/health").1, code, "{scheme}");
+    }
+    // What is not encrypted gets no answer, and holds up nobody.
+    let mut plain = TcpStream::connect(&server.address).unwrap();
+    plain
+        .write_all(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+        .unwrap();
+    let mut answer = Vec::new();
+    let _ = plain.read_to_end(&mut answer);
+    assert!(!answer.starts_with(b"HTTP"), "{answer:?}");
+    drop(server);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let key = std::fs::metadata(format!("{folder}/encrypted.key.pem")).unwrap();
+        assert_eq!(key.permissions().mode() & 0o777, 0o600);
+    }
+    // The same after a restart, by its files too.
+    let files = "{ cert = \"encrypted.cert.pem\", key = \"encrypted.key.pem\" }";
+    for tls in ["\"self-signed\"", files] {
+        let mut again = Server::of(&mut unoclp_site(&of(tls)));
+        assert_eq!(again.line(), sum);
+    }
+    let refused = unoclp_site(&of(
+        "{ cert = \"encrypted.key.pem\", key = \"encrypted.key.pem\" }",
+    ))
+    .output();
+    let refused = refused.unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        said.contains("encrypted.key.pem holds no certificate in PEM"),
+        "{said}"
+    );
 }
 
 #[test]

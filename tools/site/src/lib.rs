@@ -36,4 +36,6 @@ pub use mistake::{Mistake, Wrong};
 pub use plan::plan;
 pub use points::{Kind, Place, Point, Points};
 pub use read::read;
-pub use site::{Board, Grant, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way};
+pub use site::{
+    Board, Encryption, Grant, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way,
+};

@@ -2,7 +2,7 @@
 
 use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::site::{Board, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
+use crate::site::{Board, Encryption, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
 use crate::size;
 use crate::words;
 use unoclp_modbus::map::Parity;
@@ -12,8 +12,10 @@ use unoclp_program::Lang;
 pub fn plan(site: &Site, lang: Lang) -> String {
     let listen = site.http.listen;
     let mut lines = vec![match listen.ip().is_loopback() {
-        true => words::page_here(lang, listen),
-        false => words::page_open(lang, listen),
+        true if site.http.tls == Encryption::None => words::page_here(lang, listen),
+        true => words::page_here_tls(lang, listen),
+        false if site.http.tls == Encryption::None => words::page_open(lang, listen),
+        false => words::page_open_tls(lang, listen),
     }];
     for line in &site.lines {
         lines.push(way(line, lang));

@@ -28,8 +28,26 @@ pub struct Site {
 /// Where the page is served.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Http {
-    /// The address; beyond this PC only where the file says that nothing is encrypted.
+    /// The address; beyond this PC only where the file says how it is encrypted, or that it is not.
     pub listen: SocketAddr,
+    /// Whether connections are encrypted.
+    pub tls: Encryption,
+}
+
+/// With which certificate the page is served.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Encryption {
+    /// With none: nothing is encrypted.
+    None,
+    /// With one that the gateway makes itself, and keeps beside the site file.
+    SelfSigned,
+    /// With that of these files in PEM, as the site file names them.
+    Files {
+        /// The certificate.
+        cert: String,
+        /// Its key.
+        key: String,
+    },
 }
 
 /// A line, and the boards at it.

@@ -31,8 +31,8 @@ unoclp_words::messages! {
         "{given} is no time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
         "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
     open(listen)
-        "{listen} is open to the network, and what goes over it is not encrypted; write `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
-        "{listen} fica aberto para a rede, e o que passa por ela não é criptografado; escreva `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
+        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt what goes over it, `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
+        "{listen} fica aberto para a rede; escreva `tls = \"self-signed\"` para criptografar o que passa por ela, `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
     no_line()
         "there is no line; write [[line]] with its port, and [[line.board]] for each board at it"
         "não há nenhuma linha; escreva [[line]] com a porta dela, e [[line.board]] para cada placa nela";
@@ -115,6 +115,12 @@ unoclp_words::messages! {
     page_here(address)
         "page: http://{address}/, for this PC alone"
         "página: http://{address}/, só para este PC";
+    page_here_tls(address)
+        "page: https://{address}/, for this PC alone"
+        "página: https://{address}/, só para este PC";
+    page_open_tls(address)
+        "page: https://{address}/, open to the network, encrypted; a token watches, another controls"
+        "página: https://{address}/, aberta para a rede, com criptografia; um token observa, outro controla";
     page_open(address)
         "page: http://{address}/, open to the network, not encrypted; a token watches, another controls"
         "página: http://{address}/, aberta para a rede, sem criptografia; um token observa, outro controla";

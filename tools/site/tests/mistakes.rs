@@ -144,11 +144,6 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`parity` cannot be mark; give \"none\"",
         ),
         (
-            with("[http]\nlisten = \"127.0.0.1:8420\"\ntls = \"self-signed\"\n"),
-            7,
-            "`tls` cannot be self-signed; give \"none\"",
-        ),
-        (
             with("[http]\nlisten = \"localhost\"\n"),
             6,
             "localhost is no address with a port",
@@ -161,7 +156,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"0.0.0.0:8420\"\n"),
             6,
-            "is not encrypted; write `tls = \"none\"`",
+            "0.0.0.0:8420 is open to the network; write `tls = \"self-signed\"`",
         ),
         (String::new(), 1, "there is no line; write [[line]]"),
         (
@@ -269,6 +264,21 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             with("[history]\nstore = \"h.db\"\n[journal]\nstore = \"h.db\"\n"),
             8,
             "history and journal are both in h.db; give each its own file",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = \"some\"\n"),
+            7,
+            "`tls` cannot be some; give \"self-signed\", { cert = \"cert.pem\", key = \"key.pem\" }, \"none\"",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = { cert = \"c.pem\" }\n"),
+            7,
+            "`key` is missing; write `key = \"key.pem\"`",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = 5\n"),
+            7,
+            "`tls` takes another kind",
         ),
         (
             with("[journal]\nevery = \"2m\"\n"),

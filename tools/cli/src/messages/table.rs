@@ -326,6 +326,18 @@ unoclp_words::messages! {
     journal_held(file)
         "{file}: another `unoclp serve` uses this journal; end it first"
         "{file}: outro `unoclp serve` usa este diário; encerre-o primeiro";
+    fingerprint(sum)
+        "certificate: SHA-256 {sum}"
+        "certificado: SHA-256 {sum}";
+    cert_none(file)
+        "{file} holds no certificate in PEM; check `cert` under [http]"
+        "{file} não contém nenhum certificado em PEM; confira `cert` em [http]";
+    key_none(file)
+        "{file} holds no key in PEM; check `key` under [http]"
+        "{file} não contém nenhuma chave em PEM; confira `key` em [http]";
+    cert_refused(certificate, key, why)
+        "{certificate} cannot be used with {key}: {why}; check that they belong together"
+        "não foi possível usar {certificate} com {key}: {why}; confira se são do mesmo par";
     ended() "ended" "encerrado";
     nothing_to_move()
         "the history of this site is in no database; write it under [history] first, as `store = \"postgres://gateway@db.example/plant\"`"

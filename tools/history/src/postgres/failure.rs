@@ -8,9 +8,9 @@ use unoclp_journal::Failure;
 /// Why a statement was not carried out.
 pub(crate) fn failure(error: Error) -> Failure {
     if let Some(told) = error.as_db_error() {
-        return match told.code() {
-            &SqlState::DISK_FULL => Failure::Full,
-            &SqlState::READ_ONLY_SQL_TRANSACTION => Failure::ReadOnly,
+        return match *told.code() {
+            SqlState::DISK_FULL => Failure::Full,
+            SqlState::READ_ONLY_SQL_TRANSACTION => Failure::ReadOnly,
             _ => Failure::Other(told.message().to_owned()),
         };
     }

@@ -111,6 +111,7 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
         modbus: None,
         orders: None,
         metrics: None,
+        past: None,
         keep: None,
         tell: None,
     });
