@@ -57,24 +57,53 @@ fn give_away(folder: &Path) {
         .status();
 }
 
+/// The files of a new server. To make them takes seconds, so it is done once, and they are copied.
+fn files() -> PathBuf {
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("postgres");
+    if made.is_dir() {
+        return made;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    give_away(folder.path());
+    let data = folder.path().join("data");
+    let initialised = command("initdb")
+        .args([
+            "--no-sync",
+            "--auth=trust",
+            "--username=unoclp",
+            "--no-locale",
+        ])
+        .args(["--encoding=UTF8", "-D"])
+        .arg(&data)
+        .stdout(Stdio::null())
+        .current_dir("/")
+        .status()
+        .unwrap();
+    assert!(initialised.success());
+    let own = made.with_extension(format!(
+        "{}.{:?}",
+        std::process::id(),
+        thread::current().id()
+    ));
+    copy(&data, &own);
+    // Where another test has made them meanwhile, its files are as good.
+    if std::fs::rename(&own, &made).is_err() {
+        std::fs::remove_dir_all(&own).unwrap();
+    }
+    made
+}
+
+/// Copies a folder with all that its files are.
+fn copy(from: &Path, to: &Path) {
+    let copied = Command::new("cp").arg("-a").arg(from).arg(to).status();
+    assert!(copied.unwrap().success());
+}
+
 impl Server {
     pub fn new() -> Server {
         let folder = tempfile::tempdir().unwrap();
         give_away(folder.path());
-        let made = command("initdb")
-            .args([
-                "--no-sync",
-                "--auth=trust",
-                "--username=unoclp",
-                "--no-locale",
-            ])
-            .args(["--encoding=UTF8", "-D"])
-            .arg(folder.path().join("data"))
-            .stdout(Stdio::null())
-            .current_dir("/")
-            .status()
-            .unwrap();
-        assert!(made.success());
+        copy(&files(), &folder.path().join("data"));
         let free = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = free.local_addr().unwrap().port();
         drop(free);
