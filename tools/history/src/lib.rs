@@ -11,6 +11,7 @@
 
 #![forbid(unsafe_code)]
 
+mod address;
 mod csv;
 mod database;
 mod keeper;
@@ -21,8 +22,9 @@ mod sqlite;
 mod store;
 mod thinned;
 
+pub use address::{Address, Trust};
 pub use csv::csv;
-pub use database::{Address, Database, Trust};
+pub use database::Database;
 pub use keeper::{Keeper, State};
 pub use moved::{Moved, NotMoved, move_all};
 pub use postgres::Postgres;

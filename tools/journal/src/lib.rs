@@ -16,9 +16,11 @@ mod failure;
 mod file;
 mod journal;
 mod readers;
+mod shared;
 mod writer;
 
 pub use entry::{Entry, Sample};
 pub use failure::Failure;
 pub use file::{File, Place};
-pub use journal::{Journal, Policy, Reader, State, Tell};
+pub use journal::{Journal, Reader};
+pub use shared::{Policy, State, Tell};

@@ -2,7 +2,7 @@
 
 use crate::entry::Sample;
 use crate::file::File;
-use crate::journal::{Policy, Shared, Tell, lock, places};
+use crate::shared::{Policy, Shared, Tell, lock, places};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::sync::{Arc, Mutex};
@@ -131,7 +131,7 @@ impl Writer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::journal::State;
+    use crate::shared::State;
 
     fn sample(number: usize) -> Sample {
         Sample {

@@ -9,7 +9,7 @@ mod rows;
 mod thin;
 mod tls;
 
-use crate::database::Address;
+use crate::address::Address;
 use crate::query::{Query, Row};
 use crate::store::Store;
 use ::postgres::{Client, Config, NoTls, Transaction};

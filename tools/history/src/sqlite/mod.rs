@@ -92,11 +92,11 @@ impl Store for Sqlite {
     }
 
     fn rows(&mut self, query: &Query) -> Result<Vec<Row>, Failure> {
-        rows::rows(self, query)
+        rows::rows(&self.file, query)
     }
 
     fn thin(&mut self, now: i64, keep: i64) -> Result<bool, Failure> {
-        thin::thin(self, now, keep)
+        thin::thin(&mut self.file, now, keep)
     }
 }
 

@@ -1,13 +1,12 @@
 //! Puts one row in place of many that are old.
 
-use super::Sqlite;
 use crate::query::Row;
 use crate::thinned::{AT_ONCE, HOUR, MINUTE, Part, before, whole};
-use rusqlite::{Transaction, params};
+use rusqlite::{Connection, Transaction, params};
 use unoclp_journal::Failure;
 
-pub(super) fn thin(store: &mut Sqlite, now: i64, keep: i64) -> Result<bool, Failure> {
-    let all = store.file.transaction()?;
+pub(super) fn thin(file: &mut Connection, now: i64, keep: i64) -> Result<bool, Failure> {
+    let all = file.transaction()?;
     let (samples_before, minutes_before) = before(now, keep);
     let more = of_samples(&all, samples_before)? | of_minutes(&all, minutes_before)?;
     all.commit()?;

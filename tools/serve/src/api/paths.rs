@@ -1,14 +1,15 @@
 //! What is asked over HTTP, and the page that describes it.
 
 use super::answers::{BoardNow, Health, PastOf, PastRow, PointOf, Wrong};
+use super::gate::Api;
 use super::past::{Asked, No};
-use super::{Api, CSV, JSON};
+use super::text::{CSV, text, wrong};
 use axum::Router;
 use axum::body::Body;
 use axum::extract::rejection::QueryRejection;
 use axum::extract::{Query, State};
-use axum::http::header::{CONTENT_DISPOSITION, CONTENT_TYPE};
-use axum::http::{HeaderMap, HeaderValue, Response, StatusCode};
+use axum::http::header::CONTENT_DISPOSITION;
+use axum::http::{HeaderMap, HeaderValue, Response};
 use axum::routing::get;
 use unoclp_history::{Row, csv};
 use utoipa::OpenApi;
@@ -121,7 +122,7 @@ async fn history_csv(
                 last: row.last,
             };
             let rows: Vec<Row> = rows.iter().map(row).collect();
-            let mut response = super::text(CSV, csv(&rows));
+            let mut response = text(CSV, csv(&rows));
             let plain = |ch: char| match ch.is_ascii_alphanumeric() || "-_.".contains(ch) {
                 true => ch,
                 false => '_',
@@ -139,19 +140,4 @@ async fn history_csv(
 async fn past(api: &Api, asked: Result<Query<Asked>, QueryRejection>) -> Result<PastOf, No> {
     let Query(asked) = asked.map_err(|_| No::Point)?;
     api.archive.rows(asked).await
-}
-
-/// Why there is no answer.
-pub(super) fn wrong(no: No) -> Response<Body> {
-    let why = Wrong { why: no.word() };
-    let text = serde_json::to_string(&why).unwrap_or_default();
-    let mut response = Response::new(text.into());
-    *response.status_mut() = match no {
-        No::Time | No::Number => StatusCode::BAD_REQUEST,
-        No::History | No::Point => StatusCode::NOT_FOUND,
-        No::Busy | No::Failing => StatusCode::SERVICE_UNAVAILABLE,
-    };
-    let kind = HeaderValue::from_static(JSON);
-    response.headers_mut().insert(CONTENT_TYPE, kind);
-    response
 }
