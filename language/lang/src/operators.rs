@@ -2,6 +2,7 @@
 
 use crate::Dialect;
 use crate::words::operator;
+use std::sync::LazyLock;
 use unoclp_core::isa::{Class, Kind, Opcode};
 
 /// What an instruction does.
@@ -239,7 +240,7 @@ pub fn is_operator(word: &str) -> bool {
 
 /// What the instruction table itself says by this word.
 fn of_table(word: &str) -> Option<Op> {
-    let opcode = own_words().find(|&opcode| operator(opcode) == word)?;
+    let (_, opcode) = *OWN_WORDS.iter().find(|own| own.0 == word)?;
     let kind = opcode.row().kind;
     Some(if opcode.class() == Class::Comparison {
         Op::Compare(opcode)
@@ -263,7 +264,7 @@ fn of_table(word: &str) -> Option<Op> {
 }
 
 /// The instructions that have a word of their own. What the others do, operators of several instructions say.
-fn own_words() -> impl Iterator<Item = Opcode> {
+static OWN_WORDS: LazyLock<Vec<(&str, Opcode)>> = LazyLock::new(|| {
     let own = [
         Class::Comparison,
         Class::Timer,
@@ -273,9 +274,10 @@ fn own_words() -> impl Iterator<Item = Opcode> {
         Class::Part,
     ];
     let all = Opcode::ALL.iter().copied();
-    let own = move |opcode: &Opcode| own.contains(&opcode.class()) || *opcode == Opcode::StoreTable;
-    all.filter(move |opcode| own(opcode) && !operator(*opcode).is_empty())
-}
+    let own = all.filter(|opcode| own.contains(&opcode.class()) || *opcode == Opcode::StoreTable);
+    let words = own.map(|opcode| (operator(opcode), opcode));
+    words.filter(|(word, _)| !word.is_empty()).collect()
+});
 
 fn spelling(op: Op, negated: bool, conditional: bool, dialect: Option<Dialect>) -> Spelling {
     Spelling {
@@ -299,9 +301,9 @@ const SPELLINGS: &[&str] = &[
 /// The spelling that is one slip of the hand away: a letter wrong, missing or too many.
 pub(crate) fn nearest(word: &str) -> Option<&'static str> {
     // EU, ED and IF are one slip away from too much.
-    let short = |opcode: &Opcode| matches!(opcode.class(), Class::Logic | Class::If | Class::Part);
-    let more = own_words().filter(|opcode| !short(opcode));
-    let mut spellings = SPELLINGS.iter().copied().chain(more.map(operator));
+    let short = |opcode: Opcode| matches!(opcode.class(), Class::Logic | Class::If | Class::Part);
+    let more = OWN_WORDS.iter().filter(|own| !short(own.1));
+    let mut spellings = SPELLINGS.iter().copied().chain(more.map(|own| own.0));
     spellings.find(|known| one_slip(known.as_bytes(), word.as_bytes()))
 }
 

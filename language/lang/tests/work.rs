@@ -50,11 +50,11 @@ fn nested_parentheses_take_at_most_64_mb() {
     }
 }
 
-/// From 128 KB to 1 MB: eightfold text takes hardly more than eightfold work. Where a list has been given more room
+/// From 64 KB to 512 KB: eightfold text takes hardly more than eightfold work. Where a list has been given more room
 /// once more than its length asks for, the last doubling shows the same.
 fn grows_as_the_text(shapes: &[(&str, Shape)], compiler: Compiler) {
     for (shape, text) in shapes {
-        let pieces = 1_000 * (128 << 10) / text(1_000).len();
+        let pieces = 1_000 * (64 << 10) / text(1_000).len();
         let works = [1, 4, 8].map(|times| work(&text(times * pieces), compiler));
         for (what, [few, half, many]) in [
             ("allocations", works.map(|work| work.allocations)),

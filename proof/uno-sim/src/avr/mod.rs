@@ -5,11 +5,13 @@
 
 mod memory;
 pub mod reg;
+mod wait;
 mod wires;
 
 use crate::Error;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
+pub use wait::Leave;
 pub use wires::{Interrupt, Irq};
 
 /// Clock of the UNO, Hz.

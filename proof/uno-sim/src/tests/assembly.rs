@@ -92,6 +92,14 @@ pub const fn sbic(io: u16, bit: u16) -> u16 {
     0x9900 | io << 3 | bit
 }
 
+pub const fn andi(r: u16, k: u16) -> u16 {
+    0x7000 | (k & 0xF0) << 4 | (r - 16) << 4 | k & 0x0F
+}
+
+pub const fn cpi(r: u16, k: u16) -> u16 {
+    0x3000 | (k & 0xF0) << 4 | (r - 16) << 4 | k & 0x0F
+}
+
 pub const fn inc(r: u16) -> u16 {
     0x9403 | r << 4
 }

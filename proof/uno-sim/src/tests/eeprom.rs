@@ -264,3 +264,61 @@ fn the_wear_of_each_byte_is_counted() {
     assert_eq!((wear.len(), wear[5], wear[0x3FF]), (0x400, 3, 1));
     assert_eq!(wear.iter().sum::<u32>(), 4);
 }
+
+/// Time goes through a loop that only waits at once; a board that is asked for each instruction goes round by round. Both
+/// are alike at every moment, with an interrupt that comes meanwhile.
+#[test]
+fn a_loop_that_only_waits_takes_its_cycles() {
+    let loops: [&[u16]; 5] = [
+        &[HERE],
+        &WAIT,
+        &[input(20, EECR), andi(20, 1 << EEPE), brne(-3)],
+        &[input(20, EECR), andi(20, 1 << EEPE), cpi(20, 0), brne(-4)],
+        &[input(20, EECR), NOP, andi(20, 1 << EEPE), brne(-4)],
+    ];
+    for wait in loops {
+        for late in 0..6 {
+            let mut main = vec![
+                ldi(16, 1),
+                sts(16),
+                TIMSK1,
+                sts(16),
+                TCCR1B,
+                ldi(26, 0),
+                ldi(27, 2),
+                SEI,
+            ];
+            main.extend(select(7, 1));
+            main.extend(START);
+            main.extend(vec![NOP; late]);
+            main.extend(wait);
+            main.push(HERE);
+            let words = with_interrupts(&main, &[(TIMER1_OVF, &[st_x(16), RETI])]);
+            let (mut quick, mut slow) = (board(&words), board(&words));
+            quick.write_ram(0x200, &[0; 8]).expect("RAM");
+            slow.write_ram(0x200, &[0; 8]).expect("RAM");
+            let counted = |uno: &Uno| uno.read_ram(0x200, 8).expect("RAM").to_vec();
+            for cycles in [100, 1, 2, 3, 7, 4_000, 30_000, 20_000, 20_000, 70_000] {
+                quick.run_cycles(cycles).expect("it runs");
+                while slow.cycles() < quick.cycles() {
+                    slow.step().expect("it runs");
+                }
+                let case = format!("{wait:x?}, {late} cycles late, at {}", quick.cycles());
+                assert_eq!(
+                    (quick.cycles(), quick.pc()),
+                    (slow.cycles(), slow.pc()),
+                    "{case}"
+                );
+                assert_eq!(quick.eeprom_writes(), slow.eeprom_writes(), "{case}");
+                assert_eq!(
+                    working_register(&quick, 20),
+                    working_register(&slow, 20),
+                    "{case}"
+                );
+                assert_eq!(counted(&quick), counted(&slow), "{case}");
+            }
+            assert_eq!(quick.eeprom_writes().len(), 1);
+            assert_eq!(counted(&quick), [1, 1, 0, 0, 0, 0, 0, 0], "two overflows");
+        }
+    }
+}

@@ -5,7 +5,7 @@ mod inside;
 mod power;
 mod serial;
 
-use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, reg};
+use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, Leave, reg};
 use crate::inputs::{FIRST_D, INPUTS_D, PINS_C};
 use crate::pins::{Edge, Levels, PinRegisters};
 use crate::program::Program;
@@ -102,6 +102,7 @@ impl Uno {
     /// Where the program has come to an end of its own, now or before; never [`Halt::Timeout`].
     pub fn step(&mut self) -> Result<(), Halt> {
         self.check_halt()?;
+        self.wired.leave = Leave::default();
         self.advance();
         self.check_halt()
     }
@@ -113,6 +114,7 @@ impl Uno {
     pub fn run_cycles(&mut self, cycles: u64) -> Result<(), Halt> {
         self.check_halt()?;
         let end = self.cycles().saturating_add(cycles);
+        self.wired.leave = Leave { end, stop: None };
         while self.cycles() < end && self.advance() {}
         self.check_halt()
     }
@@ -133,6 +135,10 @@ impl Uno {
     pub fn run_until(&mut self, pc: u32, max_cycles: u64) -> Result<(), Halt> {
         self.check_halt()?;
         let end = self.cycles().saturating_add(max_cycles);
+        self.wired.leave = Leave {
+            end,
+            stop: Some(pc),
+        };
         while self.advance() {
             if self.avr.pc() == pc {
                 return Ok(());
@@ -222,6 +228,8 @@ impl Uno {
         // A write to the EEPROM goes on though the program does not; the power may go with it.
         let writes = self.wired.eeprom.is_busy();
         if waits && (self.avr.interrupts_on() || watchdog_on || writes) {
+            let leave = self.wired.chips_leave();
+            self.avr.pass_standing(leave);
             return;
         }
         if self.wired.power_cut {

@@ -10,6 +10,8 @@ use std::ptr::NonNull;
 /// Cycles for which the CPU stands after EERE has been set (datasheet, section 8.6.3), and after EEPE.
 const READ_HOLD: u64 = 4;
 const WRITE_HOLD: u64 = 2;
+/// EEPE: a write is going on.
+const BUSY: u8 = 1;
 
 /// Takes the registers over from simavr.
 ///
@@ -51,7 +53,12 @@ unsafe extern "C" fn read_control(
 ) -> u8 {
     // SAFETY: `wiring` is what `connect` registered, and nobody else holds a reference to it during a step.
     let wiring = unsafe { &*wiring.cast::<Wiring>() };
-    wiring.eeprom.control(wiring.cycles())
+    let control = wiring.eeprom.control(wiring.cycles());
+    if wiring.eeprom.is_busy() {
+        // SAFETY: the chip is the one that is stepping.
+        unsafe { Avr::pass_waiting(wiring.avr, reg::EECR, BUSY, wiring.chips_leave()) };
+    }
+    control
 }
 
 /// The program writes to EECR.

@@ -8,7 +8,7 @@ mod eeprom;
 mod serial;
 
 use crate::adc::Adc;
-use crate::avr::{Avr, Interrupt, Irq, reg};
+use crate::avr::{Avr, Interrupt, Irq, Leave, reg};
 use crate::eeprom::Eeprom;
 use crate::inputs::Inputs;
 use crate::uart::{Flaw, Uart};
@@ -30,6 +30,8 @@ pub(crate) struct Wiring {
     conversion: Interrupt,
     /// Cycles up to the last reset.
     pub cycles_before: u64,
+    /// How far the chip is let run, in cycles since the board was made.
+    pub leave: Leave,
     pub eeprom: Eeprom,
     /// The power has gone at a write to the EEPROM.
     pub power_cut: bool,
@@ -60,6 +62,7 @@ impl Wired {
             serial: serial::Interrupts::of(avr)?,
             conversion: avr.interrupt(adc::INTERRUPT)?,
             cycles_before: 0,
+            leave: Leave::default(),
             eeprom: Eeprom::new(),
             power_cut: false,
             slot,
@@ -137,6 +140,14 @@ impl Wiring {
     pub fn cycles(&self) -> u64 {
         // SAFETY: the chip is alive.
         self.cycles_before + unsafe { Avr::cycle_of(self.avr) }
+    }
+
+    /// How far the chip is let run, in its own cycles: since the last reset.
+    pub fn chips_leave(&self) -> Leave {
+        Leave {
+            end: self.leave.end.saturating_sub(self.cycles_before),
+            ..self.leave
+        }
     }
 
     /// The power goes, and comes back: what that does to EEPROM and card. A card that was pulled out stays so.

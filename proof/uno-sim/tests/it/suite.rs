@@ -7,18 +7,19 @@ use unoclp_boot::{Image, Model};
 use unoclp_core::{Board, Fault, Loader, Millis};
 use unoclp_exercise::scenario::{Scenario, check};
 use unoclp_host_sim::engine::{Engine, Refusal};
+use unoclp_testing::cases;
 use unoclp_uno_sim::avr8js::Avr8js;
 use unoclp_uno_sim::engine::{Clock, FirmwareEngine, Simulated};
 use unoclp_uno_sim::{Program, Slot, Uno, firmware_file, nano_file, unshortened_file};
 
-/// All cases of the scenario files in these folders, each with its file.
+/// All cases of the scenario files in these folders, each with its file; in a quick run one of each few.
 fn scenarios(folders: &[&str]) -> impl Iterator<Item = (PathBuf, Scenario)> {
-    common::scenarios(folders).into_iter().flat_map(|path| {
+    cases(common::scenarios(folders).into_iter().flat_map(|path| {
         let all = Scenario::load_all(&path, unoclp_core::Board::UNO)
             .unwrap_or_else(|error| panic!("{error}"));
         all.into_iter()
             .map(move |scenario| (path.clone(), scenario))
-    })
+    }))
 }
 
 fn run_all<S: Simulated>(firmware: Program, clock: Clock, folders: &[&str], longest: Millis) {
