@@ -16,6 +16,7 @@ pub mod flash;
 pub mod fuzz;
 pub mod lab;
 pub mod link;
+mod long;
 pub mod modules;
 pub mod mulcheck;
 pub mod node;

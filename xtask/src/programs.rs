@@ -15,12 +15,15 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
+use crate::long;
 use crate::shell::{self, cargo};
 
 /// The variable that names the firmware to the tests.
 pub const FIRMWARE: &str = "UNOCLP_FIRMWARE";
 /// How long each test took in the last run.
 const TIMES: &str = "target/test-times";
+/// How long one takes that is not among the long ones.
+const GUESS: Duration = Duration::from_secs(1);
 
 /// A program with the tests of one part of a package.
 struct Program {
@@ -130,8 +133,12 @@ impl Programs {
         for program in &self.0 {
             tests.extend(program.tests()?);
         }
+        for long in long::all() {
+            let known = tests.iter().any(|test| test.full_name().ends_with(long));
+            ensure!(known, "xtask/src/long.rs names {long}, which is no test");
+        }
         tests.retain(|test| wanted(&test.full_name()));
-        // Taken from the end: the longest first, and before them those that nobody has timed.
+        // Taken from the end: the longest first.
         tests.sort_by_key(|test| times.of(&test.full_name()));
         let queue = Mutex::new(tests);
         let next = || queue.lock().ok()?.pop();
@@ -262,8 +269,11 @@ impl Times {
         Times(text.lines().filter_map(line).collect())
     }
 
+    /// That of a test that nobody has timed is guessed.
     fn of(&self, name: &str) -> Duration {
-        self.0.get(name).copied().unwrap_or(Duration::MAX)
+        let is_long = || long::all().any(|long| name.ends_with(long));
+        let guess = || if is_long() { Duration::MAX } else { GUESS };
+        self.0.get(name).copied().unwrap_or_else(guess)
     }
 
     fn store(mut self, outcomes: &[Outcome]) -> Result<()> {

@@ -10,7 +10,7 @@ use crate::count::{self, Count};
 use crate::programs::{self, Round, Tally};
 use crate::shell::{self, cargo, say};
 use crate::steps::{Steps, both};
-use crate::{firmware, lab, node, setup, tested};
+use crate::{firmware, lab, long, node, setup, tested};
 
 /// What runs on a PC.
 const HOST: [&str; 3] = ["--workspace", "--exclude", "unoclp-firmware"];
@@ -18,20 +18,6 @@ const DENY: [&str; 3] = ["--", "-D", "warnings"];
 /// Percent of the rounds of random tests that a quick run makes. Of all cases it takes one of eleven: no
 /// number of kinds is a multiple of that, so each kind has its turn.
 const QUICK: u32 = 9;
-/// What a quick run leaves out: each takes ten seconds or more, and none is made of rounds or cases.
-const SLOW: [&str; 10] = [
-    "boot_loaders::the_firmware_goes_through_each_boot_loader_and_runs_a_program",
-    "boot_loaders::the_firmware_goes_through_a_pseudo_terminal",
-    "suite::programs_and_timers_on_the_running_clock",
-    "suite::every_scenario_in_lockstep_on_a_nano",
-    "suite::every_scenario_in_lockstep_before_the_firmware_is_shortened",
-    "start_up::a_dead_card_is_given_up_within_2_s",
-    "modbus_line::settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones",
-    "retentive::a_marker_that_always_changes_does_not_wear_the_eeprom_out",
-    "state::a_still_board_saves_each_minute",
-    "state_power::a_power_cut_in_a_save_damages_nothing",
-];
-
 /// What needs a firmware that was built here.
 const BUILT: [&str; 4] = [
     "xtask tested the_pinned_tools_have_built_what_the_suite_runs_on",
@@ -89,8 +75,8 @@ pub fn run(args: &TestArgs) -> Result<()> {
             || steps.take("compiling the tests", programs::compile),
             || build_firmware().and_then(|()| build_lab(&steps)),
         )?;
-        say(&format!("quick: without {}", SLOW.join(", ")));
-        let is_quick = |name: &str| !SLOW.iter().any(|slow| name.ends_with(slow));
+        say(&format!("quick: without {}", long::WHOLE.join(", ")));
+        let is_quick = |name: &str| !long::WHOLE.iter().any(|long| name.ends_with(long));
         round.percent = QUICK;
         let tally = steps.take("tests", || {
             programs.run(&round, |name| is_quick(name) && is_wanted(name))
@@ -135,8 +121,9 @@ fn test_page(steps: &Steps, xtask: &Path) -> Result<Count> {
     let mut count =
         steps.count_aside("tests of the page in Chromium", &mut page, count::by_node)?;
     let mut serve = cargo();
-    serve.args(["test", "-p", "unoclp-cli", "--features", "page"]);
-    serve.args(["--test", "serve"]);
+    // With the features that the other tests have been compiled with: hardly anything is compiled again.
+    serve.arg("test").args(HOST).args(["--test", "serve"]);
+    serve.args(["--features", "xtask/avr-tools,unoclp-cli/page"]);
     let inside = "tests of the page inside unoclp";
     count += steps.count_aside(inside, &mut serve, count::by_cargo)?;
     Ok(count)

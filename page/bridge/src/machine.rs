@@ -50,6 +50,8 @@ pub struct Known {
     rules: Vec<Both>,
     /// The inputs that it switches, the analogue inputs that it sets, the outputs that drive it.
     uses: [Vec<u8>; 3],
+    /// Whether it is driven by PWM.
+    dims: bool,
 }
 
 /// What a person there can change of a part.
@@ -148,6 +150,7 @@ impl Machine {
             faults: faults.collect(),
             rules: rules.map(Both::from).collect(),
             uses: plant.uses(),
+            dims: plant.dims(),
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! - [`scenario`]: the one test format of the project, and the check that every engine passes
 //! - [`diagram`]: a run of a scenario as a picture: what was pressed, expected and came
+//! - [`find`]: a fault of a machine that is to be found
 //! - [`machine`]: a plant controlled by a program
 //! - [`mutants`]: wrong programs made of a right one
 //! - [`wave`]: the trace of a run for a wave viewer
@@ -13,6 +14,7 @@
 #![forbid(unsafe_code)]
 
 pub mod diagram;
+pub mod find;
 pub mod live;
 pub mod machine;
 pub mod mutants;

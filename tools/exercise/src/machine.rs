@@ -5,7 +5,7 @@
 use std::fmt;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::{Engine, Refusal};
-use unoclp_plant::{Outputs, Plant, Run, Verdict};
+use unoclp_plant::{Broken, Missed, Outputs, Plant, Run, Verdict};
 
 /// Why a program has not controlled a plant to the end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,15 +39,55 @@ pub fn control<E: Engine>(
     engine: &mut E,
     mut watch: impl FnMut(&Run<'_>),
 ) -> Result<Verdict, Ended> {
+    let run = Run::new(plant, seed);
+    controlled(run, program, engine, |run| {
+        watch(run);
+        true
+    })
+}
+
+/// What goes wrong first with a machine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum First {
+    /// A rule.
+    Broken(Broken),
+    /// A goal.
+    Missed(Missed),
+}
+
+/// What goes wrong first with a plant that a program controls, which runs no further; nothing, where all is well to the
+/// end of its script.
+///
+/// # Errors
+/// [`Ended`], where the program does not come so far.
+pub fn first_wrong<E: Engine>(
+    plant: &Plant,
+    seed: u64,
+    program: &[u8],
+    engine: &mut E,
+) -> Result<Option<First>, Ended> {
+    let run = Run::new(plant, seed);
+    let verdict = controlled(run, program, engine, |run| run.verdict().is_passed())?;
+    let broken = verdict.broken.into_iter().next().map(First::Broken);
+    let missed = verdict.missed.into_iter().next().map(First::Missed);
+    Ok(broken.or(missed))
+}
+
+/// Lets a program control a plant until its script ends, or `goes_on` says that it shall not.
+fn controlled<E: Engine>(
+    mut run: Run<'_>,
+    program: &[u8],
+    engine: &mut E,
+    mut goes_on: impl FnMut(&Run<'_>) -> bool,
+) -> Result<Verdict, Ended> {
+    let plant = run.plant();
     let broken = |error: E::Error| Ended::Broken(error.to_string());
     engine
         .load(program)
         .map_err(broken)?
         .map_err(Ended::Refused)?;
-    let mut run = Run::new(plant, seed);
-    watch(&run);
     let mut outputs = Outputs::default();
-    while run.now() < plant.until {
+    while goes_on(&run) && run.now() < plant.until {
         let now = run.now();
         let scanned = engine.scan(run.inputs(), now as Millis).map_err(broken)?;
         outputs.points = scanned.map_err(|refusal| Ended::Stopped(now, refusal))?;
@@ -58,7 +98,6 @@ pub fn control<E: Engine>(
             }
         }
         run.step(&outputs);
-        watch(&run);
     }
     Ok(run.verdict().clone())
 }

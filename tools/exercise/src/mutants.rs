@@ -2,9 +2,13 @@
 //!
 //! Owns which mistakes those are. Must not know who finds them.
 
+use crate::machine::first_wrong;
+use crate::scenario::{Exercise, ProgramFile, passes};
 use std::collections::BTreeSet;
 use unoclp_core::Board;
+use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::to_il;
+use unoclp_plant::Plant;
 use unoclp_program::Written;
 
 /// A mistake that students make.
@@ -37,6 +41,62 @@ pub struct Mutant {
     pub is: String,
     /// Its numeric code.
     pub code: Vec<u8>,
+}
+
+impl Mutant {
+    /// The two lines with single spaces.
+    pub fn lines(&self) -> [String; 2] {
+        let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        [plain(&self.was), plain(&self.is)]
+    }
+}
+
+/// What an exercise makes of wrong programs.
+#[derive(Debug)]
+pub struct Passing {
+    /// How many wrong programs there are, without those that are written down as right.
+    pub of: usize,
+    /// How many pass the cases, and the machine alone catches.
+    pub machine_alone: usize,
+    /// Those that pass.
+    pub pass: Vec<Mutant>,
+}
+
+/// The wrong programs made of this one that an exercise and its machine let pass.
+pub fn passing(
+    exercise: &Exercise,
+    plant: Option<&Plant>,
+    program: &[u8],
+    board: Board,
+) -> Passing {
+    let mut all = mutants(program, board);
+    all.retain(|mutant| {
+        let lines = mutant.lines();
+        let same = exercise.equivalent.iter();
+        !same
+            .into_iter()
+            .any(|one| [&one.was, &one.is] == lines.each_ref())
+    });
+    let of = all.len();
+    all.retain(|mutant| {
+        let program = ProgramFile {
+            name: "mutant".to_owned(),
+            bytes: mutant.code.clone(),
+        };
+        passes(exercise, &program, &mut HostEngine::new(board))
+    });
+    let by_cases = all.len();
+    all.retain(|mutant| {
+        plant.is_none_or(|plant| {
+            let engine = &mut HostEngine::new(board);
+            first_wrong(plant, plant.seed, &mutant.code, engine) == Ok(None)
+        })
+    });
+    Passing {
+        of,
+        machine_alone: by_cases - all.len(),
+        pass: all,
+    }
 }
 
 /// More wrong programs are not made of one.

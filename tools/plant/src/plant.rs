@@ -147,6 +147,12 @@ impl Plant {
         uses.map(|numbers| numbers.into_iter().collect())
     }
 
+    /// Whether the share of a time for which an output is on drives it: PWM.
+    pub fn dims(&self) -> bool {
+        let mut given = self.parts.iter().flat_map(|part| &part.given);
+        given.any(|given| matches!(given, Given::Signal(signal) if matches!(signal.source, Source::Pwm(_))))
+    }
+
     /// The number of the part of this name.
     pub fn part(&self, name: &str) -> Option<usize> {
         let same = |part: &Part| part.name.eq_ignore_ascii_case(name);

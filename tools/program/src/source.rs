@@ -5,6 +5,7 @@
 
 use crate::Size;
 use crate::seal::{Seal, sealed};
+use crate::written_in::WrittenIn;
 use std::collections::BTreeMap;
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::{Board, Fault, Program};
@@ -63,6 +64,19 @@ pub enum Language {
 }
 
 impl Language {
+    /// The same by its name alone.
+    pub fn written_in(&self) -> WrittenIn {
+        match self {
+            Language::Numeric => WrittenIn::Numeric,
+            Language::Il { .. } => WrittenIn::Il,
+            Language::Typed { language, .. } => match language {
+                TextLanguage::Il => WrittenIn::Il,
+                other => WrittenIn::Typed(*other),
+            },
+            Language::Xml { .. } => WrittenIn::Xml,
+        }
+    }
+
     /// What is worth a second look; nothing of numeric code.
     pub fn warnings(&self) -> Option<&Told> {
         match self {

@@ -8,6 +8,7 @@ import { Died, NeedsMore, Refusal, Tools } from "../tools/tools";
 import { NoLine } from "../line/none";
 import { both } from "../words/words";
 import { type Clock, Conversation, WALL } from "./conversation";
+import { DeskMachine } from "./deskmachine";
 import { type Machines, OwnMachine, WorkerMachine } from "./machines";
 import { OwnTime } from "./owntime";
 import { Signal } from "./signal";
@@ -49,6 +50,10 @@ export class Bench {
   private readonly own = new OwnTime();
   private readonly ofWorker: Machines;
   private readonly ofCore = new OwnMachine(() => this.tools);
+  readonly ofDesk = new DeskMachine(this, () => this.tools, async () => {
+    await this.grow();
+    return this.tools;
+  });
   /** What the simulated board has. */
   private readonly uno: BoardFacts;
   private whenLost = (): void => undefined;
@@ -73,9 +78,9 @@ export class Bench {
     return { simulated: this.simulated, desk: WALL, core: this.own }[this.where.value];
   }
 
-  /** Who moves a machine beside the board at hand; null: beside a real one nobody does. */
-  get machines(): Machines | null {
-    return { simulated: this.ofWorker, desk: null, core: this.ofCore }[this.where.value];
+  /** Who moves a machine beside the board at hand. */
+  get machines(): Machines {
+    return { simulated: this.ofWorker, desk: this.ofDesk, core: this.ofCore }[this.where.value];
   }
 
   /** Speaks to a board. */

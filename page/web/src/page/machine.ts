@@ -7,6 +7,7 @@ import { say, speak, told } from "../words/words";
 import type { Bench, Where } from "./bench";
 import { h } from "./dom";
 import { icon } from "./icons";
+import type { Machines } from "./machines";
 import { announce, note } from "./notes";
 
 /** A machine as a file. */
@@ -19,6 +20,7 @@ export class MachineArea {
   readonly root = h("section", { class: "card machine", id: "machine", hidden: true, "aria-labelledby": "machine-title" });
   private readonly title = h("span", { id: "machine-title" });
   private readonly about = h("p", { class: "note" });
+  private readonly age = h("p", { class: "note", id: "machine-age", hidden: true });
   private readonly picture = h("div", { class: "machine-picture", id: "machine-picture" });
   private readonly inside = this.picture.attachShadow({ mode: "open" });
   private readonly below = h("div", { class: "row machine-hands" });
@@ -27,6 +29,7 @@ export class MachineArea {
   private file: MachineFile | null = null;
   private facts: MachineFacts | null = null;
   private beside: Where = "simulated";
+  private mover: Machines | null = null;
   private broken = 0;
   private looking = false;
   /** What shows a hand as it stands, in the order of the hands. */
@@ -39,10 +42,14 @@ export class MachineArea {
   ) {
     const reset = h("button", { type: "button", class: "small", id: "machine-reset", click: () => void this.reset() }, icon("reset"), h("span", { "data-say": "machineReset" }));
     const close = h("button", { type: "button", class: "small quiet", id: "machine-close", "data-say-label": "machineClose", click: () => void this.close() }, "×");
-    this.root.append(h("h3", {}, this.title, close), this.about, this.picture, this.below, h("div", { class: "row" }, reset), this.verdict,
+    this.root.append(h("h3", {}, this.title, close), this.about, this.age, this.picture, this.below, h("div", { class: "row" }, reset), this.verdict,
       h("details", {}, h("summary", { "data-say": "machineFaults" }), this.faults));
     speak.follow(() => {
       if (this.file) void this.open(this.file, true);
+    });
+    bench.ofDesk.interval.follow((ms) => {
+      this.age.hidden = ms === null;
+      if (ms !== null) this.age.textContent = say("machineAge", { ms });
     });
     // Beside another board it begins anew.
     bench.joined.add((where) => {
@@ -54,9 +61,10 @@ export class MachineArea {
   async open(file: MachineFile, keep = false): Promise<void> {
     const { machines } = this.bench;
     this.beside = this.bench.where.value;
-    if (!machines) {
-      note(say("machineDesk"));
-      return this.forget();
+    if (this.mover !== machines) {
+      // The one before stands.
+      await this.mover?.ask("machineClose", {}).catch(() => null);
+      this.mover = machines;
     }
     try {
       const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id });
@@ -65,6 +73,8 @@ export class MachineArea {
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       note(told(error.both));
+      // One that was there before this file stays where it was; beside a board on the desk its inputs have been let go.
+      if (this.file?.text === file.text || this.beside === "desk") this.forget();
     }
   }
 
@@ -108,7 +118,7 @@ export class MachineArea {
   }
 
   private forget(): void {
-    this.file = this.facts = null;
+    this.file = this.facts = this.mover = null;
     this.root.hidden = true;
     this.wired(null);
   }
@@ -214,10 +224,10 @@ export class MachineArea {
   }
 
   private async ask<K extends "machineLook" | "machineHand" | "machineFault" | "machineReset" | "machineClose">(
-    what: K, request: Parameters<NonNullable<Bench["machines"]>["ask"]>[1],
+    what: K, request: Parameters<Machines["ask"]>[1],
   ): Promise<MachineLook | null> {
     try {
-      return ((await this.bench.machines?.ask(what, request as never)) ?? null) as MachineLook | null;
+      return ((await this.mover?.ask(what, request as never)) ?? null) as MachineLook | null;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       note(told(error.both));

@@ -1,5 +1,5 @@
 // How the page asks the machine beside its board: the simulated UNO's lives in the worker of that, this computer's with the
-// program that it runs.
+// program that it runs, and that of a board on the desk (`deskmachine.ts`) with the page's tools.
 
 import type { ForMachine, OfMachine } from "../board/messages";
 import type { Asks } from "../tools/answers";
@@ -7,7 +7,7 @@ import type { Modules } from "../tools/modules";
 import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
 
-type MachineAsk = Extract<keyof Asks, `machine${string}`>;
+export type MachineAsk = Extract<keyof Asks, `machine${string}`>;
 
 /** Who answers for a machine. */
 export interface Machines {

@@ -12,6 +12,7 @@ import { Desk } from "./desk";
 import { ProgramDocument, type Work, lastText } from "./document";
 import { byId, h } from "./dom";
 import { Editor } from "./editor";
+import { greet, isFirstVisit } from "./firstvisit";
 import { ForBoard } from "./forboard";
 import { download, isMachine, isScenario, read, takeDrops } from "./files";
 import { later } from "./later";
@@ -37,7 +38,9 @@ async function load(): Promise<void> {
   const modules = new Modules();
   const module = await modules.first();
   const remote = new RemoteTools(new Worker("tools.js", { type: "module" }), modules, module);
+  const isFirst = isFirstVisit();
   const program = new ProgramDocument(remote);
+  const first = program.text.value;
   const board = new Worker("board.js", { type: "module" });
   const tools = await Tools.of(module);
   const bench = new Bench(tools, modules, board, (both) => note(told(both)));
@@ -97,9 +100,10 @@ async function load(): Promise<void> {
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
   const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null));
-  const panel = new Panel(byId("board"), bench, slot, startControl(bench, program, forBoard, tabs, () => view.goDraw()), new Desk(bench, modules).control, machine.root);
+  const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
+  const panel = new Panel(byId("board"), bench, slot, start.control, new Desk(bench, modules).control, machine.root);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
-  const loadExamples = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, machine });
+  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, machine });
   takeDrops(byId("drop"), (file) => void take(file));
   document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 
@@ -119,8 +123,9 @@ async function load(): Promise<void> {
   performance.mark("ready");
   setTimeout(() => {
     editor.furnish();
-    loadExamples();
+    const machines = loadMenus();
     panel.furnish();
+    if (isFirst) void greet({ bench, machine, machines, isUntouched: () => program.text.value === first, put, run: start.run });
   });
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     await navigator.serviceWorker.register("sw.js").catch(() => undefined);

@@ -11,7 +11,7 @@ import { note } from "./notes";
 import { whyNot } from "./problems";
 import type { Tabs } from "./tabs";
 
-export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): HTMLElement {
+export function startControl(bench: Bench, program: ProgramDocument, forBoard: ForBoard, tabs: Tabs, goDraw: () => void): { control: HTMLElement; run: () => Promise<void> } {
   const button = h("button", { type: "button", class: "primary", id: "run" }, icon("play"));
   const word = h("span");
   button.append(word);
@@ -73,5 +73,5 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     show();
   });
   for (const signal of [bench.identity, bench.on, bench.seen, program.text, program.board, speak]) (signal as typeof bench.identity).follow(show);
-  return h("div", { class: "row" }, button, bar, about);
+  return { control: h("div", { class: "row" }, button, bar, about), run };
 }

@@ -10,7 +10,8 @@ import { h } from "./dom";
 import { download, pick } from "./files";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
-import type { MachineArea, MachineFile } from "./machine";
+import { type ListedMachine, listedMachines } from "./listed";
+import type { MachineArea } from "./machine";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
@@ -40,19 +41,13 @@ interface Example {
   readonly text: string;
 }
 
-interface ListedMachine extends MachineFile {
-  readonly title: { readonly en: string; readonly pt: string };
-  readonly about: { readonly en: string; readonly pt: string };
-  readonly solution: Text;
-}
-
 async function start({ machine, open }: Parts, listed: ListedMachine): Promise<void> {
   await machine.open(listed);
   note(told(listed.title), { text: say("machineSolve"), take: () => open(listed.solution) });
 }
 
-/** Puts the bar together; what it gives loads the examples, which nobody sees before the menu is opened. */
-export function toolbar(root: HTMLElement, parts: Parts): () => void {
+/** Puts the bar together; what it gives loads what its menus list, which nobody sees before they are opened. */
+export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly ListedMachine[]> {
   const { program, open } = parts;
   let examples: readonly Example[] = [];
   let machines: readonly ListedMachine[] = [];
@@ -81,9 +76,11 @@ export function toolbar(root: HTMLElement, parts: Parts): () => void {
     void fetch("examples.json").then(async (answer) => {
       examples = (await answer.json()) as Example[];
     });
-    void fetch("machines.json").then(async (answer) => {
-      machines = (await answer.json()) as ListedMachine[];
+    const listed = listedMachines();
+    void listed.then((all) => {
+      machines = all;
     });
+    return listed;
   };
 }
 

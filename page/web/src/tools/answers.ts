@@ -350,6 +350,8 @@ export interface MachineFacts {
   readonly rules: readonly Both[];
   /** Inputs, analogue inputs and outputs that it is wired to. */
   readonly uses: readonly [readonly number[], readonly number[], readonly number[]];
+  /** Whether it is driven by PWM. */
+  readonly dims: boolean;
 }
 
 /** What has changed of a machine. */

@@ -88,8 +88,9 @@ export class Lab {
     const usual = /** @type {const} */ ({ viewport: { width: 1440, height: 900 }, locale: "en-US", serviceWorkers: "block" });
     const context = await this.browser.newContext({ ...usual, ...options });
     const origin = new URL(address).origin;
-    const localStorage = Object.entries(kept).map(([name, value]) => ({ name, value }));
-    if (localStorage.length > 0) await context.setStorageState({ cookies: [], origins: [{ origin, localStorage }] });
+    // Somebody has been here: a first visit begins otherwise.
+    const localStorage = Object.entries({ greeted: "yes", ...kept }).map(([name, value]) => ({ name, value }));
+    await context.setStorageState({ cookies: [], origins: [{ origin, localStorage }] });
     const page = await context.newPage();
     page.setDefaultTimeout(PATIENCE);
     page.on("pageerror", (error) => this.errors.push(String(error.stack)));

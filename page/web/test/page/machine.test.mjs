@@ -7,7 +7,8 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Lab, choose, clean, keptText, pictures, run, state } from "./harness.mjs";
+import { Lab, choose, clean, keptText, pictures, run, state, still } from "./harness.mjs";
+import { plugIn } from "./plugged.mjs";
 
 const plants = fileURLToPath(new URL("../../../../programs/plants", import.meta.url));
 /** @type {Lab} */
@@ -22,9 +23,14 @@ after(() => lab.end());
 
 /** Opens a machine of the menu. @param {Page} page @param {RegExp} name */
 async function open(page, name) {
+  await pick(page, name);
+  await page.locator("#machine").waitFor();
+}
+
+/** The same, where it may be refused. @param {Page} page @param {RegExp} name */
+async function pick(page, name) {
   await page.click("#menu-machines");
   await page.locator("#menu-machines + div button", { hasText: name }).click();
-  await page.locator("#machine").waitFor();
 }
 
 /** Presses a symbol of the machine for as long as `act` takes. @param {Page} page @param {string} part @param {() => Promise<unknown>} act */
@@ -43,6 +49,21 @@ const program = (page, file) => choose(page, file.split("/").at(-1) ?? "", readF
 
 /** Waits until the machine's contact shows this at the board. @param {Page} page @param {string} part @param {boolean} is */
 const pressed = (page, part, is) => page.locator(`#machine-picture [data-part="${part}"][aria-pressed="${is}"]`).waitFor();
+
+test("the first visit shows a machine that moves, its program running", async () => {
+  for (const [width, height] of /** @type {const} */ ([[1366, 768], [390, 844]])) {
+    const page = await lab.other({ viewport: { width, height } }, { greeted: "" });
+    await page.locator("#machine").waitFor();
+    await state(page, "RUN");
+    await page.locator('#machine-rules li[data-state="met"]').first().waitFor();
+    await page.screenshot({ path: join(pictures, `first-${width}.png`) });
+    // Whoever comes back finds what they left.
+    await page.reload();
+    await page.locator("#run:enabled").waitFor();
+    assert.ok(await page.locator("#machine").isHidden());
+    await page.context().close();
+  }
+});
 
 for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"], ["this computer", "pc"]])) {
   test(`a program controls a machine, and a wrong one breaks it, on ${where}`, async () => {
@@ -73,6 +94,35 @@ for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"]
     await page.context().close();
   });
 }
+
+test("a board on the desk controls a machine: its outputs are read, its inputs forced", async () => {
+  const page = await lab.open();
+  await page.context().addInitScript(plugIn);
+  await page.reload();
+  await page.locator("#run:enabled").waitFor();
+  await still(page);
+  await page.click("#connect");
+  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  await open(page, /both directions/);
+  await page.locator("#notes button", { hasText: "See a program" }).click();
+  await page.locator("#problem-count.good").waitFor();
+  await run(page);
+  await page.locator("#machine-age", { hasText: /every \d+ ms/ }).waitFor();
+  await hold(page, "forward", () => page.locator('[data-output="1"][data-on="true"]').waitFor());
+  await hold(page, "back", () => page.locator('[data-output="2"][data-on="true"]').waitFor());
+  assert.equal(await page.locator('#machine-rules li[data-state="broken"]').count(), 0);
+  // Closed, it lets go of the inputs.
+  await page.locator(".place.is-forced [data-input]").first().waitFor({ state: "attached" });
+  await page.click("#machine-close");
+  await page.locator(".place.is-forced [data-input]").first().waitFor({ state: "detached" });
+  // What a page cannot give to a board is said, and what is there stays.
+  const text = await keptText(page);
+  await pick(page, /oven/);
+  await page.locator("#notes", { hasText: "analogue inputs or PWM" }).waitFor();
+  assert.ok(await page.locator("#machine").isHidden());
+  assert.equal(await keptText(page), text);
+  await page.context().close();
+});
 
 test("a machine is worked by the keyboard, speaks both languages, and fails by hand", async () => {
   const page = await lab.open();

@@ -14,6 +14,7 @@ mod kept;
 mod languages;
 mod live;
 mod lockstep;
+mod machines;
 mod modbus;
 mod modbus_boundaries;
 mod modbus_data;

@@ -1,16 +1,15 @@
 //! `unoclp mutants`: which mistakes an exercise lets pass.
 
 use super::open::unreadable;
-use super::plant::{first_wrong, machine};
+use super::plant::machine;
 use super::wording::Wording;
 use crate::outcome::Outcome;
 use anstream::println;
 use anyhow::{anyhow, bail};
 use std::path::Path;
 use unoclp_cli::messages;
-use unoclp_exercise::mutants::{Slip, mutants};
-use unoclp_exercise::scenario::{Exercise, ProgramFile, grade};
-use unoclp_host_sim::engine::HostEngine;
+use unoclp_exercise::mutants::{Slip, passing};
+use unoclp_exercise::scenario::{Exercise, ProgramFile};
 use unoclp_program::{harmless, shown};
 
 /// Makes wrong programs of the model solution, and says which of them the exercise lets pass.
@@ -33,27 +32,13 @@ pub fn find_mutants(path: &Path, wording: &Wording) -> Outcome {
     let Ok(source) = written.check(None) else {
         bail!(messages::model_faulty(shown(file)));
     };
-    let all = mutants(&source.code, board);
-    let mut passed = 0;
-    for mutant in &all {
-        let program = ProgramFile {
-            name: "mutant".to_owned(),
-            bytes: mutant.code.clone(),
-        };
-        let graded = grade(&exercise, &program, &mut HostEngine::new(board));
-        let is_caught = !graded.is_passed()
-            || plant
-                .as_ref()
-                .is_some_and(|plant| first_wrong(plant, &mutant.code, board).is_some());
-        if is_caught {
-            continue;
-        }
-        passed += 1;
-        let plain = |text: &str| harmless(&text.split_whitespace().collect::<Vec<_>>().join(" "));
-        let (was, is) = (plain(&mutant.was), plain(&mutant.is));
+    let found = passing(&exercise, plant.as_ref(), &source.code, board);
+    for mutant in &found.pass {
+        let [was, is] = mutant.lines().map(|line| harmless(&line));
         println!("{}: {was} → {is}", slip(mutant.slip));
     }
-    println!("{}", messages::mutants_passed(passed, all.len()));
+    let passed = found.pass.len();
+    println!("{}", messages::mutants_passed(passed, found.of));
     Ok(passed == 0)
 }
 

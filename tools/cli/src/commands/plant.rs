@@ -10,7 +10,7 @@ use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use unoclp_cli::{film, messages};
 use unoclp_core::Board;
-use unoclp_exercise::machine::{Ended, control};
+use unoclp_exercise::machine::{Ended, First, control, first_wrong};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::{Picture, Plant, Run, Unit, Verdict, picture};
 use unoclp_program::shown;
@@ -298,29 +298,28 @@ fn say_verdict(plant: &Plant, verdict: &Verdict) {
 }
 
 /// What went wrong first with a machine that this program controls; nothing, where all is well.
-pub(super) fn first_wrong(plant: &Plant, program: &[u8], board: Board) -> Option<String> {
+pub(super) fn what_first(plant: &Plant, program: &[u8], board: Board) -> Option<String> {
     let engine = &mut HostEngine::new(board);
-    let verdict = match control(plant, plant.seed, program, engine, |_| ()) {
-        Ok(verdict) => verdict,
+    let first = match first_wrong(plant, plant.seed, program, engine) {
+        Ok(first) => first?,
         Err(ended) => return Some(told(&ended)),
     };
     let lang = messages::spoken();
     let seconds = |at: u64| Unit::Ms.shown(at as i64);
-    let broken = verdict.broken.iter().filter_map(|broken| {
-        let never = plant.nevers.get(broken.rule)?;
-        let text = messages::rule_broken(seconds(broken.at), never.text.text(lang));
-        Some((broken.at, text))
-    });
-    let missed = verdict.missed.iter().filter_map(|missed| {
-        let goal = plant.goals.get(missed.goal)?;
-        let (at, since) = (seconds(missed.at), seconds(missed.since));
-        Some((
-            missed.at,
-            messages::goal_missed(at, goal.text.text(lang), since),
-        ))
-    });
-    let first = broken.chain(missed).min_by_key(|(at, _)| *at);
-    first.map(|(_, text)| text)
+    match first {
+        First::Broken(broken) => {
+            let never = plant.nevers.get(broken.rule)?;
+            Some(messages::rule_broken(
+                seconds(broken.at),
+                never.text.text(lang),
+            ))
+        }
+        First::Missed(missed) => {
+            let goal = plant.goals.get(missed.goal)?;
+            let (at, since) = (seconds(missed.at), seconds(missed.since));
+            Some(messages::goal_missed(at, goal.text.text(lang), since))
+        }
+    }
 }
 
 /// Why a program has not controlled the machine to the end.

@@ -88,6 +88,14 @@ unoclp_words::messages! {
     grade_file() "file" "arquivo";
     grade_cases() "cases" "casos";
     grade_machine() "machine" "máquina";
+    grade_tries() "tries" "tentativas";
+    other_language(language)
+        "the exercise asks for a program in `{language}`"
+        "o exercício pede um programa em `{language}`";
+    names_no_fault()
+        "the file names no fault; write a part and its fault in a line"
+        "o arquivo não indica falha; escreva em uma linha uma peça e a sua falha";
+    fault_not_found(tries) "not found in {tries} tries" "não encontrada em {tries} tentativas";
     grade_failing() "first failing case" "primeiro caso que falha";
     passed() "passed" "passou";
     not_compiled() "no program that runs" "não é um programa que rode";

@@ -5,7 +5,8 @@
 
 use super::keys::{CaseKeys, FaultKeys, FileKeys, Slip, slip};
 use super::timeline::{Rhythm, known_fault};
-use super::{Both, Goal, Place, ProgramFile, Scenario, Wrong};
+use super::{Both, Equivalent, Given, Goal, Place, ProgramFile, Scenario, Wrong};
+use crate::find::Hidden;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -27,10 +28,16 @@ pub struct Exercise {
     pub names: BTreeMap<String, Both>,
     /// The inputs, from 1, whose buttons are normally closed: they open as somebody presses them.
     pub normally_closed: Vec<u8>,
+    /// The changes of that program that make no wrong one.
+    pub equivalent: Vec<Equivalent>,
     /// The file of a program that passes, where one is named.
     pub program: Option<PathBuf>,
     /// The file of the machine that a program controls, where one is named.
     pub plant: Option<PathBuf>,
+    /// The program that is to be written in another language, where one is given.
+    pub given: Option<Given>,
+    /// The fault that is to be found, where that is the task.
+    pub find: Option<Hidden>,
     cases: Vec<Case>,
 }
 
@@ -45,7 +52,7 @@ pub struct Case {
 }
 
 impl Exercise {
-    /// The cases, at least one.
+    /// The cases, at least one but where a fault is to be found.
     pub fn cases(&self) -> &[Case] {
         &self.cases
     }
@@ -99,9 +106,18 @@ impl Exercise {
         });
         let names = keys.names.iter();
         let program = keys.program.as_ref();
+        let given = Given::of_keys(keys, board)?;
+        if let (Some(find), None) = (&keys.find, &keys.plant) {
+            return Err(slip(Some(find.span()), Wrong::FindWithout));
+        }
         Ok(Exercise {
             name: name.to_owned(),
-            cases: cases(keys, about.as_ref().unwrap_or(&title), board)?,
+            cases: cases(
+                keys,
+                about.as_ref().unwrap_or(&title),
+                board,
+                given.as_ref(),
+            )?,
             title,
             task: keys.task.clone(),
             hints: keys.hints.clone(),
@@ -109,15 +125,27 @@ impl Exercise {
                 .map(|(point, name)| (point.get_ref().clone(), name.clone()))
                 .collect(),
             normally_closed: closed.collect::<Result<_, _>>()?,
+            equivalent: keys.equivalent.clone(),
             program: program.map(|file| folder.join(file.get_ref())),
+            given,
+            find: keys.find.as_ref().map(|find| find.get_ref().clone()),
             plant: keys.plant.as_ref().map(|file| folder.join(file.get_ref())),
         })
     }
 }
 
 /// The cases of a file; one of steps alone is a single one, which is about this.
-fn cases(keys: &FileKeys, about: &Both, board: Board) -> Result<Vec<Case>, Slip> {
-    let rhythm = Rhythm::of(keys, board)?;
+fn cases(
+    keys: &FileKeys,
+    about: &Both,
+    board: Board,
+    given: Option<&Given>,
+) -> Result<Vec<Case>, Slip> {
+    let rhythm = Rhythm::of(keys, board, given)?;
+    let is_empty = keys.case.is_empty() && keys.step.is_empty() && keys.fault.is_none();
+    if keys.find.is_some() && is_empty {
+        return Ok(Vec::new());
+    }
     if let Some(first) = keys.case.first() {
         let has_steps = !keys.step.is_empty() || keys.until.is_some() || keys.stops.is_some();
         if has_steps || keys.fault.is_some() {

@@ -35,6 +35,12 @@ impl Grade {
     }
 }
 
+/// Whether a program passes every case. It is run up to the first that it does not pass.
+pub fn passes<E: Engine>(exercise: &Exercise, program: &ProgramFile, engine: &mut E) -> bool {
+    let mut all = exercise.scenarios(program).into_iter();
+    all.all(|scenario| check(&scenario, engine).passed())
+}
+
 /// Runs a program through every case, whether or not it passes those before.
 pub fn grade<E: Engine>(exercise: &Exercise, program: &ProgramFile, engine: &mut E) -> Grade {
     let mut grade = Grade {

@@ -2,7 +2,8 @@
 //!
 //! Owns the names of the keys. Must not know which values are right: what reads them does.
 
-use super::{Both, LoadError, Wrong};
+use super::{Both, Equivalent, LoadError, Wrong};
+use crate::find::Hidden;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -56,9 +57,14 @@ pub(super) struct FileKeys {
     pub(super) names: BTreeMap<Spanned<String>, Both>,
     #[serde(default)]
     pub(super) normally_closed: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub(super) equivalent: Vec<Equivalent>,
     pub(super) program: Option<Spanned<String>>,
     pub(super) plant: Option<Spanned<String>>,
     pub(super) text: Option<Spanned<TextKey>>,
+    pub(super) given: Option<Spanned<String>>,
+    pub(super) answer_in: Option<Spanned<String>>,
+    pub(super) find: Option<Spanned<Hidden>>,
     pub(super) start_ms: Option<Spanned<Millis>>,
     pub(super) scan_ms: Option<Spanned<Millis>>,
     pub(super) within_ms: Option<Spanned<Millis>>,

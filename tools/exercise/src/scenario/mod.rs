@@ -5,8 +5,10 @@
 //! [`check`] runs it on any [`Engine`] and gives a [`Report`]. Because the same files run on every engine, adding a case
 //! is adding a file. A file as a whole is an [`Exercise`]; [`grade`] says how a program does in all of its cases.
 
+mod alike;
 mod both;
 mod check;
+mod equivalent;
 mod exercise;
 mod file;
 mod grade;
@@ -21,10 +23,12 @@ mod within;
 mod words;
 mod wrong;
 
+pub use alike::Given;
 pub use both::Both;
 pub use check::check;
+pub use equivalent::Equivalent;
 pub use exercise::{Case, Exercise};
-pub use grade::{Failing, Grade, grade};
+pub use grade::{Failing, Grade, grade, passes};
 pub use place::Place;
 pub use plan::{Course, Plan};
 pub use program::{LONGEST, ProgramFile, Unreadable};
@@ -111,6 +115,16 @@ enum Setting {
 }
 
 impl Step {
+    /// One in which nothing happens.
+    fn at(at: Millis) -> Step {
+        Step {
+            at,
+            restart: false,
+            set: Vec::new(),
+            expect: Vec::new(),
+        }
+    }
+
     /// Whether the step needs a board that stands still between its scans: it looks into memory, sets
     /// it, or reads a voltage.
     fn holds_still(&self) -> bool {

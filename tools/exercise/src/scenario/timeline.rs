@@ -3,7 +3,7 @@
 //! Owns which steps, settings and expectations are right. Must not know files, nor what a run is for.
 
 use super::keys::{FileKeys, Slip, StepKeys, StopKeys, slip};
-use super::{MOST_SCANS, Place, Setting, Step, Stop, Timeline, Wrong, within};
+use super::{Given, MOST_SCANS, Place, Setting, Step, Stop, Timeline, Wrong, within};
 use std::num::NonZeroU32;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
@@ -28,7 +28,7 @@ pub(super) fn known_fault(
 
 /// How the scans of a file's runs follow each other.
 #[derive(Clone, Copy)]
-pub(super) struct Rhythm {
+pub(super) struct Rhythm<'k> {
     /// Reading of the millisecond clock at the first scan.
     start: Millis,
     /// ms from scan to scan.
@@ -37,11 +37,17 @@ pub(super) struct Rhythm {
     within: Millis,
     /// The board whose points its steps name.
     board: Board,
+    /// The program that a run is to be like.
+    given: Option<&'k Given>,
 }
 
-impl Rhythm {
-    /// That of a file.
-    pub(super) fn of(keys: &FileKeys, board: Board) -> Result<Rhythm, Slip> {
+impl<'k> Rhythm<'k> {
+    /// That of a file; its runs are to be like this program, where there is one.
+    pub(super) fn of(
+        keys: &FileKeys,
+        board: Board,
+        given: Option<&'k Given>,
+    ) -> Result<Rhythm<'k>, Slip> {
         let period = match &keys.scan_ms {
             None => NonZeroU32::MIN,
             Some(ms) => NonZeroU32::new(*ms.get_ref())
@@ -59,6 +65,7 @@ impl Rhythm {
             period,
             within,
             board,
+            given,
         })
     }
 
@@ -74,8 +81,16 @@ impl Rhythm {
             period,
             within,
             board,
+            given,
         } = self;
-        let steps = within::allow(steps(step, period, board)?, within);
+        let mut steps = steps(step, period, board)?;
+        if let Some(given) = given {
+            let last = steps.last().map(|step| step.at);
+            let until = until.map(|until| *until.get_ref()).or(last).unwrap_or(0);
+            let until = until.min(MOST_SCANS as Millis);
+            steps = given.expect(steps, (start, period.get(), until), board);
+        }
+        let steps = within::allow(steps, within);
         let last = steps.last().map(|step| step.at);
         let stop = match stops {
             Some(stop) => Some(self::stop(stop, until.is_some(), last, period)?),

@@ -45,12 +45,7 @@ struct Run {
 
 impl Run {
     fn at(&mut self, at: Millis) -> &mut Step {
-        self.steps.entry(at).or_insert_with(|| Step {
-            at,
-            restart: false,
-            set: Vec::new(),
-            expect: Vec::new(),
-        })
+        self.steps.entry(at).or_insert_with(|| Step::at(at))
     }
 
     fn expect(&mut self, at: Millis, place: Place, expected: Option<i32>, within: Millis) {

@@ -37,6 +37,18 @@ unoclp_words::messages! {
     no_program()
         "it names no program; give a file: `sim FILE --scenario S.toml`"
         "ele não indica um programa; indique um arquivo: `sim ARQUIVO --scenario S.toml`";
+    given_alone()
+        "`given` and `answer_in` belong together: a program, and the language to write it in"
+        "`given` e `answer_in` andam juntos: um programa, e a linguagem em que escrevê-lo";
+    no_language()
+        "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""
+        "`answer_in` não indica uma linguagem; escreva \"il\", \"st\", \"scl\", \"iscl\" ou \"lce\"";
+    faulty_given()
+        "the program in `given` has errors; `unoclp check` shows them"
+        "o programa em `given` tem erros; `unoclp check` os mostra";
+    find_without()
+        "[find] hides a fault in a machine; name one with `plant`"
+        "[find] esconde uma falha em uma máquina; indique uma com `plant`";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
         "`program` e `text` dão cada um um programa; deixe só um dos dois";

@@ -47,6 +47,14 @@ pub enum Wrong {
     },
     /// It names no program.
     NoProgram,
+    /// It gives a program to write again and no language, or the other way round.
+    GivenAlone,
+    /// It asks for a language that is none.
+    NoLanguage,
+    /// The program that it gives has errors.
+    FaultyGiven,
+    /// It hides a fault in no machine.
+    FindWithout,
     /// It gives two programs.
     TwoPrograms,
     /// The text of its program is too long.

@@ -9,7 +9,7 @@ use unoclp_host_sim::engine::HostEngine;
 use unoclp_program::{Lang, Written};
 
 /// The files of a folder below `programs` that end so, in order.
-fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {
+pub(crate) fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../programs")
         .join(folder);
@@ -20,25 +20,29 @@ fn files(folder: &str, ends: &[&str]) -> Vec<PathBuf> {
     files
 }
 
-/// All exercises, with the stems of their files.
-fn exercises() -> Vec<(String, Exercise)> {
+/// All exercises that cases judge, with the stems of their files: those of the list, and those that give a program to be
+/// written again.
+pub(crate) fn exercises() -> Vec<(String, Exercise)> {
+    of_folders(&["exercises", "exercises/write"])
+}
+
+/// The exercises of these folders.
+pub(crate) fn of_folders(folders: &[&str]) -> Vec<(String, Exercise)> {
     let load = |path: PathBuf| {
         let exercise = Exercise::load(&path, unoclp_core::Board::UNO)
             .unwrap_or_else(|error| panic!("{error}"));
         (stem(&path), exercise)
     };
-    files("exercises", &["toml"])
-        .into_iter()
-        .map(load)
-        .collect()
+    let all = folders.iter().flat_map(|folder| files(folder, &["toml"]));
+    all.map(load).collect()
 }
 
-fn stem(path: &Path) -> String {
+pub(crate) fn stem(path: &Path) -> String {
     path.file_stem().unwrap().to_str().unwrap().to_owned()
 }
 
 /// The program of a text about which its compiler has nothing to say.
-fn program(path: &Path) -> ProgramFile {
+pub(crate) fn program(path: &Path) -> ProgramFile {
     let name = path.display().to_string();
     let source = Written::new(
         name.clone(),
@@ -59,7 +63,7 @@ fn program(path: &Path) -> ProgramFile {
 #[test]
 fn each_exercise_says_what_to_do_in_both_languages() {
     let all = exercises();
-    assert!(all.len() > 20, "{}", all.len());
+    assert_eq!(all.len(), 45);
     for (name, exercise) in all {
         let titles = exercise.cases().iter().map(|case| &case.title);
         let task = exercise.task.iter();
@@ -130,27 +134,41 @@ fn each_model_solution_passes() {
     }
 }
 
-/// A wrong solution says in its first line which case catches it: `(* Caught by: Stop wins *)`.
+/// The wrong solutions of an exercise.
+pub(crate) fn wrong(name: &str) -> Vec<PathBuf> {
+    let folders = ["exercises/wrong", "exercises/write/wrong"];
+    let all = folders
+        .iter()
+        .flat_map(|folder| files(folder, &["il", "st"]));
+    all.filter(|file| stem(file).starts_with(name)).collect()
+}
+
+/// What a wrong solution says in its first line: `(* Caught by: Stop wins *)` names a case, `(* Breaks: … *)` a rule or a
+/// goal of the machine.
+pub(crate) fn says(file: &Path, key: &str) -> Option<String> {
+    let text = fs::read_to_string(file).unwrap();
+    let rest = text.strip_prefix(&format!("(* {key}: "))?;
+    Some(rest.split_once(" *)").unwrap().0.to_owned())
+}
+
 #[test]
 fn each_typical_mistake_is_caught_by_its_case() {
-    let wrong = files("exercises/wrong", &["il", "st"]);
     for (name, exercise) in exercises() {
-        let own = wrong.iter().filter(|file| stem(file).starts_with(&name));
-        let mut count = 0;
-        for file in own {
-            count += 1;
-            let text = fs::read_to_string(file).unwrap();
-            let by = text.strip_prefix("(* Caught by: ").unwrap();
-            let by = by.split_once(" *)").unwrap().0;
+        let own = wrong(&name);
+        for file in &own {
             let grade = grade(
                 &exercise,
                 &program(file),
                 &mut HostEngine::new(unoclp_core::Board::UNO),
             );
+            let Some(by) = says(file, "Caught by") else {
+                assert!(grade.is_passed(), "{file:?}: a case catches it already");
+                continue;
+            };
             let failing = grade.failing.unwrap_or_else(|| panic!("{file:?} passes"));
             let title = exercise.cases()[failing.case].title.text(Lang::En);
             assert_eq!(title, by, "{}", failing.report);
         }
-        assert!(count > 0, "{name} has no wrong solution");
+        assert!(!own.is_empty(), "{name} has no wrong solution");
     }
 }

@@ -3,6 +3,7 @@
 mod exercises;
 mod languages;
 mod live;
+mod machines;
 mod plants;
 mod scenario_check;
 mod scenario_format;

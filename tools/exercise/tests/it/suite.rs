@@ -11,7 +11,8 @@ use unoclp_host_sim::engine::HostEngine;
 fn scenarios(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{folder:?}: {error}"));
     let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
-    paths.retain(|path| !path.ends_with("programs/plants"));
+    let machines = ["programs/plants", "programs/exercises/machines"];
+    paths.retain(|path| !machines.iter().any(|folder| path.ends_with(folder)));
     paths.sort();
     let is_scenario = |path: &PathBuf| path.extension().is_some_and(|end| end == "toml");
     let files = paths.iter().flat_map(|path| match path.is_dir() {

@@ -2,6 +2,7 @@
 //!
 //! - `files`: which programs those are
 //! - `row`: what came of one
+//! - `shared`: many at a time
 //! - `table`, `sheet`, `page`: the rows for a terminal, for a spreadsheet, and with diagrams for a browser
 //!
 //! Whatever is wrong with a program is a row. Only what is wrong with the arguments ends the command.
@@ -9,6 +10,7 @@
 mod files;
 mod page;
 mod row;
+mod shared;
 mod sheet;
 mod table;
 
@@ -72,7 +74,8 @@ pub fn grade(class: &Class) -> Outcome {
     };
     let unreadable = found.unreadable.into_iter();
     let unreadable = unreadable.map(|(path, why)| Row::unreadable(&path, why));
-    let rows: Vec<Row> = found.programs.iter().map(row).chain(unreadable).collect();
+    let mut rows = shared::map(&found.programs, row);
+    rows.extend(unreadable);
     match class.csv {
         true => print!("{}", sheet::csv(&rows, &exercise)?),
         false => println!("{}", table::table(&rows, &exercise)),

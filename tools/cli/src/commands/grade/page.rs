@@ -46,7 +46,7 @@ fn table(rows: &[Row], exercise: &Exercise) -> Markup {
             thead {
                 tr {
                     th { (messages::grade_file()) }
-                    th { (messages::grade_cases()) }
+                    th { (if exercise.find.is_some() { messages::grade_tries() } else { messages::grade_cases() }) }
                     @if exercise.plant.is_some() { th { (messages::grade_machine()) } }
                     th { (messages::grade_failing()) }
                 }
@@ -55,7 +55,10 @@ fn table(rows: &[Row], exercise: &Exercise) -> Markup {
                 @for (index, row) in rows.iter().enumerate() {
                     tr {
                         td { (row.file) }
-                        td { (row.passed) "/" (exercise.cases().len()) }
+                        @match row.tries {
+                            Some(tries) => td { (tries) },
+                            None => td { (row.passed) "/" (exercise.cases().len()) },
+                        }
                         @if exercise.plant.is_some() {
                             @match &row.machine {
                                 None => td.yes { (messages::passed()) },

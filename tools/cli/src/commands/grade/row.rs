@@ -1,10 +1,11 @@
 //! What came of a program.
 
-use super::super::plant::first_wrong;
+use super::super::plant::what_first;
 use annotate_snippets::Renderer;
 use std::path::Path;
 use unoclp_cli::messages;
 use unoclp_exercise::diagram;
+use unoclp_exercise::find::{Answer, Hidden};
 use unoclp_exercise::scenario::{Exercise, Failing, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_lang::{self as lang, Lines, Severity, Told};
@@ -22,6 +23,8 @@ pub struct Row {
     pub fail: Option<Fail>,
     /// What went wrong first with the machine, where the exercise has one; nothing, where all was well.
     pub machine: Option<String>,
+    /// How many faults an answer names, where one is to be found.
+    pub tries: Option<u32>,
 }
 
 /// Why a program did not pass.
@@ -67,24 +70,51 @@ impl Row {
     /// That of a program, which is compiled and run through all cases.
     pub fn of(written: Written, exercise: &Exercise, plant: Option<&Plant>) -> Row {
         let board = written.board;
+        if let Some(hidden) = &exercise.find {
+            return Row::of_answer(&written, hidden);
+        }
         let source = match written.check(None) {
             Ok(source) => source,
             Err(refused) => return Row::of_refused(refused),
         };
+        if let Some(given) = &exercise.given
+            && given.answer_in != source.language.written_in()
+        {
+            let why = messages::other_language(given.answer_in.name());
+            return Row::refused(source.name, why, String::new());
+        }
         let program = ProgramFile {
             name: source.name.clone(),
             bytes: source.code.clone(),
         };
         let grade = grade(exercise, &program, &mut HostEngine::new(board));
         Row {
-            machine: plant.and_then(|plant| first_wrong(plant, &program.bytes, board)),
+            machine: plant.and_then(|plant| what_first(plant, &program.bytes, board)),
             passed: grade.count(),
+            tries: None,
             fail: grade.failing.map(|failing| Fail {
                 case: failing.scenario.about(messages::spoken()).to_owned(),
                 why: why(&failing.report.verdict, &source),
                 shown: Shown::Run(Box::new(failing)),
             }),
             file: source.name,
+        }
+    }
+
+    /// That of an answer: which part of the machine fails, and how.
+    fn of_answer(written: &Written, hidden: &Hidden) -> Row {
+        let answer = Answer::of(&String::from_utf8_lossy(&written.bytes), hidden);
+        let machine = match answer {
+            Answer { is_found: true, .. } => None,
+            Answer { tries: 0, .. } => Some(messages::names_no_fault()),
+            Answer { tries, .. } => Some(messages::fault_not_found(tries)),
+        };
+        Row {
+            file: written.name.clone(),
+            passed: 0,
+            fail: None,
+            machine,
+            tries: Some(answer.tries),
         }
     }
 
@@ -124,6 +154,7 @@ impl Row {
         Row {
             file,
             passed: 0,
+            tries: None,
             machine: Some(messages::not_compiled()),
             fail: Some(Fail {
                 case: messages::not_compiled(),

@@ -30,7 +30,7 @@ pub fn csv(rows: &[Row], exercise: &Exercise) -> anyhow::Result<String> {
             cell(&row.file),
             cell(&exercise.name),
             if row.is_passed() { "yes" } else { "no" }.to_owned(),
-            passed,
+            row.tries.map_or(passed, |tries| tries.to_string()),
             of,
             cell(row.fail.as_ref().map_or("", |fail| fail.case.as_str())),
             cell(row.machine.as_deref().unwrap_or_default()),

@@ -13,7 +13,10 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     let count = exercise.cases().len();
     let mut lines = vec![[
         messages::grade_file(),
-        messages::grade_cases(),
+        match exercise.find {
+            Some(_) => messages::grade_tries(),
+            None => messages::grade_cases(),
+        },
         messages::grade_machine(),
         messages::grade_failing(),
     ]];
@@ -35,7 +38,10 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
             .map_or_else(messages::passed, harmless);
         [
             row.file.clone(),
-            format!("{}/{count}", row.passed),
+            match row.tries {
+                Some(tries) => tries.to_string(),
+                None => format!("{}/{count}", row.passed),
+            },
             machine,
             why,
         ]
@@ -47,11 +53,16 @@ pub fn table(rows: &[Row], exercise: &Exercise) -> String {
     let (files, cases, machines) = (width(0), width(1), width(2));
     let mut text = String::new();
     for [file, passed, machine, why] in &lines {
-        text += &format!("{file:files$}  {passed:cases$}  ");
+        text += &format!("{file:files$}  {passed:cases$}");
         if exercise.plant.is_some() {
-            text += &format!("{machine:machines$}  ");
+            text += &format!("  {machine:machines$}");
         }
-        text += &format!("{why}\n");
+        // Where a fault is to be found, there is no case.
+        if exercise.find.is_none() {
+            text += &format!("  {why}");
+        }
+        text.truncate(text.trim_end().len());
+        text += "\n";
     }
     let title = exercise.title.text(messages::spoken());
     let passed = rows.iter().filter(|row| row.is_passed()).count();

@@ -1,0 +1,124 @@
+// A machine of this page beside a board on the desk: the board's outputs are read, its inputs are forced, by as much time as
+// passes from one reading to the next. It knows nothing of how a machine is drawn.
+
+import type { Asks, Both, MachineFacts, Order, Seen } from "../tools/answers";
+import { NeedsMore, Refusal, type Tools } from "../tools/tools";
+import { both } from "../words/words";
+import type { MachineAsk, Machines } from "./machines";
+import { forcedTo } from "./points";
+import { Signal } from "./signal";
+
+/** As long as one step of Rust may be, ms. */
+const STEP = 250;
+/** A board that has not been read for so long, ms, was away: the machine stood. */
+const AWAY = 1000;
+/** Readings of which the interval is the mean. */
+const READINGS = 8;
+
+/** What a board on the desk is asked for. */
+export interface DeskBoard {
+  readonly seen: Signal<Seen | null>;
+  order(order: Order): Promise<unknown>;
+}
+
+export class DeskMachine implements Machines {
+  /** How long it takes from one reading to the next, ms. */
+  readonly interval = new Signal<number | null>(null);
+  private inputs: readonly number[] = [];
+  private last: number | null = null;
+  private readonly ordered = new Set<number>();
+  private refused: Both | null = null;
+
+  constructor(
+    private readonly board: DeskBoard,
+    private readonly tools: () => Tools,
+    /** Tools that know machines. */
+    private readonly whole: () => Promise<Tools>,
+  ) {
+    board.seen.follow((seen) => this.step(seen));
+  }
+
+  async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+    const { refused } = this;
+    if (refused) {
+      this.refused = null;
+      this.tools().ask("machineClose", {});
+      throw new Refusal(refused);
+    }
+    const answer = await this.told(what, request);
+    if (what === "machine") this.wire(answer as MachineFacts);
+    if (what === "machineClose") this.leave();
+    return answer;
+  }
+
+  private async told<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
+    try {
+      return this.tools().ask(what, request);
+    } catch (error) {
+      if (!(error instanceof NeedsMore)) throw error;
+      return (await this.whole()).ask(what, request);
+    }
+  }
+
+  private wire({ uses: [inputs, analogue], dims }: MachineFacts): void {
+    if (analogue.length > 0 || dims) {
+      this.tools().ask("machineClose", {});
+      throw new Refusal(both("machineDesk"));
+    }
+    this.inputs = inputs;
+    this.last = null;
+  }
+
+  /** Lets go of the board's inputs. */
+  private leave(): void {
+    const { seen } = this.board;
+    for (const number of this.inputs) {
+      if (seen.value && forcedTo(seen.value, `I${number}`) !== null) void this.force(number, null);
+    }
+    this.inputs = [];
+    this.interval.value = null;
+  }
+
+  private step(seen: Seen | null): void {
+    if (!seen || this.inputs.length === 0) {
+      this.last = null;
+      return;
+    }
+    const passed = this.last === null ? 0 : seen.at - this.last;
+    this.last = seen.at;
+    if (passed > 0) this.interval.value = Math.round(((this.interval.value ?? passed) * (READINGS - 1) + passed) / READINGS);
+    const levels = seen.outputs.reduce((all, number) => all | (1 << (number - 1)), 0);
+    let closed: readonly number[] = [];
+    try {
+      for (let left = passed > AWAY ? 0 : passed, first = true; first || left > 0; left -= STEP, first = false) {
+        closed = this.tools().ask("machineStep", { levels, shares: [], ms: Math.round(Math.min(left, STEP)) }).inputs;
+      }
+    } catch (error) {
+      this.fail(error instanceof Refusal ? error.both : both("machineDied"));
+      return;
+    }
+    for (const number of this.inputs) {
+      const is = closed.includes(number);
+      if (forcedTo(seen, `I${number}`) !== is && !this.ordered.has(number)) void this.force(number, is);
+    }
+  }
+
+  private async force(number: number, to: boolean | null): Promise<void> {
+    this.ordered.add(number);
+    try {
+      await this.board.order({ do: "force", output: false, number, to });
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      // A board that is away is told of elsewhere, and its machine waits.
+      if (this.board.seen.value) this.fail(error.both);
+    } finally {
+      this.ordered.delete(number);
+    }
+  }
+
+  private fail(why: Both): void {
+    this.inputs = [];
+    this.interval.value = null;
+    this.refused = why;
+  }
+}
