@@ -195,8 +195,7 @@ impl Allotter<'_> {
             let of = |part: u32| flat.cells.get((cell + part) as usize);
             let kept = of(0).is_some_and(|held| held.retain);
             let block = called.block;
-            let single = !matches!(block, Standard::Sr | Standard::Rs);
-            if called.count > 1 && single {
+            if called.count > 1 && block.has_one_call() {
                 let (name, at) = self.place(cell);
                 let name = name.split('.').next().unwrap_or_default().to_owned();
                 self.found

@@ -8,12 +8,18 @@ use super::pen::Acc;
 use super::seats::Seat;
 use crate::typed::Expr;
 use unoclp_core::isa::Opcode;
+use unoclp_point::Address;
 
 fn xor(seat: Seat, negated: bool) -> Option<(Opcode, u8)> {
     match seat {
         Seat::At(point) => Some((point.xor(negated)?, point.number())),
         Seat::Timer(_) | Seat::Elapsed(_) => None,
     }
+}
+
+/// Whether one instruction joins it with acc.
+fn is_xor_point(part: &Bit) -> bool {
+    matches!(part, Bit::Contact(seat, ..) if xor(*seat, false).is_some())
 }
 
 impl Coder<'_, '_> {
@@ -28,15 +34,33 @@ impl Coder<'_, '_> {
         if let Acc::Bit(held) = self.pen.acc
             && begins(&mut bit, held)
         {
-            match bit {
-                Bit::And(parts) => parts.iter().skip(1).for_each(|part| self.series(part)),
-                Bit::Or(parts) => self.parallel(&parts[1..]),
-                _ => {}
-            }
+            self.go_on(&bit);
             return;
         }
         self.pen.fresh();
         self.start(&bit);
+        // Nothing but a coil changes one of these.
+        if let Bit::Contact(seat, false, _) = bit
+            && let Seat::At(Address::Input(_) | Address::Output(_) | Address::Marker(_)) = seat
+        {
+            self.pen.acc = Acc::Bit(seat);
+        }
+    }
+
+    /// What follows the contact that logic begins with, which acc is.
+    fn go_on(&mut self, bit: &Bit) {
+        let (Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _)) = bit else {
+            return;
+        };
+        let Some((first, others)) = parts.split_first() else {
+            return;
+        };
+        self.go_on(first);
+        match bit {
+            Bit::Or(_) => self.parallel(others),
+            Bit::Xor(_, turned) => self.exclusively(others.iter(), *turned),
+            _ => others.iter().for_each(|part| self.series(part)),
+        }
     }
 
     fn changes(&mut self) {
@@ -74,19 +98,18 @@ impl Coder<'_, '_> {
         }
     }
 
-    fn start_xor(&mut self, parts: &[Bit], mut turned: bool) {
-        let plain = |part: &Bit| match part {
-            Bit::Contact(seat, ..) => xor(*seat, false).is_some(),
-            _ => false,
-        };
-        let first = parts.iter().position(|part| !plain(part)).unwrap_or(0);
+    fn start_xor(&mut self, parts: &[Bit], turned: bool) {
+        let first = parts.iter().position(|part| !is_xor_point(part));
+        let first = first.unwrap_or(0);
         self.start(&parts[first]);
-        for (at, part) in parts.iter().enumerate() {
-            if at == first {
-                continue;
-            }
+        let others = parts.iter().enumerate().filter(|(at, _)| *at != first);
+        self.exclusively(others.map(|(_, part)| part), turned);
+    }
+
+    fn exclusively<'b>(&mut self, parts: impl Iterator<Item = &'b Bit>, mut turned: bool) {
+        for part in parts {
             match part {
-                Bit::Contact(seat, negated, cell) if plain(part) => {
+                Bit::Contact(seat, negated, cell) if is_xor_point(part) => {
                     let negated = *negated != std::mem::take(&mut turned);
                     if let Some((opcode, number)) = xor(*seat, negated) {
                         self.pen.numbered(opcode, number, Some(*cell));

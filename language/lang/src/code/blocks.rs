@@ -5,12 +5,15 @@
 use super::coder::Coder;
 use super::fails::may_fail;
 use super::flat::{Does, Step, constant, place, read};
-use super::flat::{both, not};
+use super::flat::{both, each, not};
+use super::logic::begins;
 use super::pen::Acc;
+use super::prepare::MOST_DEEP;
 use super::ranges::bounds;
 use super::seats::Seat;
 use super::traces::Shows;
-use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Value};
+use super::uses::EDGE_MEMORY;
+use crate::typed::{Base, Binary, Expr, ExprKind, Standard, Store, Unary, Value};
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
@@ -44,6 +47,10 @@ impl Coder<'_, '_> {
                 let on = both(Binary::Or, set, held);
                 self.result(cell + 2, &both(Binary::And, not(reset), on));
             }
+            Standard::RTrig | Standard::FTrig if self.is_called_again(cell) => {
+                let clock = input(self, 0);
+                self.edge_again(block, cell, clock);
+            }
             Standard::RTrig | Standard::FTrig => {
                 let clock = input(self, 0);
                 self.bit(&clock, false);
@@ -54,7 +61,10 @@ impl Coder<'_, '_> {
                 self.pen.acc = Acc::Other;
                 self.shows(Shows::Power { inverted: false });
                 if let Some(seat) = self.seats.of.get(&(cell + 1)).copied() {
-                    self.drive_any(seat, cell + 1);
+                    match self.takes(next, cell + 1, seat) {
+                        true => self.pen.acc = Acc::Bit(seat),
+                        false => self.drive_any(seat, cell + 1),
+                    }
                 }
             }
             Standard::Ton | Standard::Tof | Standard::Tp => {
@@ -109,6 +119,72 @@ impl Coder<'_, '_> {
             }
         }
         false
+    }
+
+    fn is_called_again(&self, cell: u32) -> bool {
+        let called = self.uses.blocks.get(&cell);
+        called.is_some_and(|called| called.count > 1)
+    }
+
+    /// One of the calls of an edge: it has changed since the call before, wherever that was.
+    fn edge_again(&mut self, block: Standard, cell: u32, clock: Expr) {
+        let at = self.pen.at;
+        let own = cell..cell + block.cells();
+        let now = match &clock.kind {
+            ExprKind::Read(place) if !own.contains(&place.offset) || place.offset == cell => clock,
+            ExprKind::Constant(_) => clock,
+            _ => self.keep(clock),
+        };
+        let before = read(cell + EDGE_MEMORY, Base::Bool, at);
+        let changed = match block {
+            Standard::RTrig => both(Binary::And, now.clone(), not(before)),
+            _ => both(Binary::And, not(now.clone()), before),
+        };
+        self.result(cell + 1, &changed);
+        self.shows(Shows::Power { inverted: false });
+        self.result(cell + EDGE_MEMORY, &now);
+    }
+
+    /// The input that a block looks at before anything else; its preset is a constant.
+    fn begins_with<'i>(&self, block: Standard, inputs: &'i [(u32, Expr)]) -> Option<&'i Expr> {
+        let given = |part: u32| inputs.iter().find(|(at, _)| *at == part);
+        let preset = block.part("PT").or_else(|| block.part("PV"));
+        let is_known = match preset {
+            Some((part, _)) => {
+                given(part).is_some_and(|(_, value)| matches!(value.kind, ExprKind::Constant(_)))
+            }
+            None => block.is_edge(),
+        };
+        given(0).filter(|_| is_known).map(|(_, value)| value)
+    }
+
+    /// Whether a step begins with a bit that nothing else reads or shows, so that it takes it from acc.
+    fn takes(&self, step: Option<&Step>, cell: u32, seat: Seat) -> bool {
+        let value = match step.map(|step| &step.does) {
+            Some(Does::Assign(to, value, _)) if to.indices.is_empty() => value,
+            Some(Does::If(value, then, otherwise)) if !then.is_empty() && otherwise.is_empty() => {
+                value
+            }
+            Some(Does::Standard(block, cell, inputs)) => match self.begins_with(*block, inputs) {
+                Some(value) if !self.is_called_again(*cell) => value,
+                _ => return false,
+            },
+            _ => return false,
+        };
+        let mut is_plain = value.base == Base::Bool && self.nest(value) < MOST_DEEP;
+        each(value, &mut |part| {
+            is_plain &= match &part.kind {
+                ExprKind::Read(place) => place.indices.is_empty() && part.base == Base::Bool,
+                ExprKind::Unary(Unary::Not, _) => true,
+                ExprKind::Binary(op, ..) => {
+                    matches!(op, Binary::And | Binary::Or | Binary::Xor) && part.base == Base::Bool
+                }
+                _ => false,
+            };
+        });
+        let reads = self.uses.get(cell).map_or(0, |of| of.reads);
+        let is_own = reads == 1 && !self.named.contains_key(&cell);
+        is_plain && is_own && begins(&mut self.logic(value, false), seat)
     }
 
     /// An input that the call does not give: what it holds.

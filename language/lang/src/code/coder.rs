@@ -8,6 +8,7 @@ use super::seats::{Seat, Seats};
 use super::traces::Noted;
 use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span};
+use std::collections::HashMap;
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Value as Taken};
 use unoclp_point::Address;
@@ -26,6 +27,8 @@ pub(super) struct Coder<'a, 'f> {
     /// Whether the step at hand is a statement of the text, whose line shows what it does.
     pub shown: bool,
     pub noted: Vec<Noted>,
+    /// The cells that are shown by their names.
+    pub named: HashMap<u32, (String, Span)>,
 }
 
 impl Coder<'_, '_> {

@@ -10,8 +10,8 @@ use super::seats::Seat;
 use crate::diagnostics::{Code, Found, Lines, Span};
 use crate::emit::{CodeLine, letters};
 use crate::origin::Origin;
-use crate::typed::{Cell, Tree};
-use std::collections::HashMap;
+use crate::typed::Tree;
+use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::{self, JUMP_BUDGET, Opcode, Operand, Value};
 use unoclp_core::{Board, Instruction, TimerBlock};
 use unoclp_point::Address;
@@ -22,10 +22,15 @@ impl Coder<'_, '_> {
         let mut own: Vec<(Seat, i32, u32)> = Vec::new();
         let mut kept = Vec::new();
         let names = super::allotter::named(tree);
+        let points: HashSet<u32> = tree.points.iter().map(|(cell, _)| *cell).collect();
         for (number, cell) in (0..).zip(&tree.cells) {
             let value = super::operand::bits(&cell.initial, cell.base);
             let seat = self.seats.of.get(&number).copied();
-            let Some(seat) = seat.filter(|_| value != 0 && self.is_first(number, cell)) else {
+            let seat = seat.filter(|_| {
+                let is_seen = points.contains(&number) || self.is_used(number);
+                value != 0 && is_seen
+            });
+            let Some(seat) = seat.filter(|seat| is_settable(*seat)) else {
                 continue;
             };
             match cell.retain {
@@ -65,22 +70,8 @@ impl Coder<'_, '_> {
         self.pen.holds = None;
     }
 
-    /// Whether the board does not have the first value by itself.
-    fn is_first(&self, number: u32, cell: &Cell) -> bool {
-        let used = self.uses.get(number).is_some() || self.uses.row_of(number).is_some();
-        let member = self.seats.of.get(&number);
-        let settable = matches!(
-            member,
-            Some(
-                Seat::At(Address::Register(_))
-                    | Seat::At(Address::Marker(_))
-                    | Seat::At(Address::Output(_))
-                    | Seat::At(Address::Pwm(_))
-                    | Seat::At(Address::Count(_))
-            )
-        );
-        let _ = cell;
-        used && settable
+    fn is_used(&self, cell: u32) -> bool {
+        self.uses.get(cell).is_some() || self.uses.row_of(cell).is_some()
     }
 
     /// What is written next comes from the declaration of the first of these.
@@ -114,6 +105,20 @@ impl Coder<'_, '_> {
             self.store(cell);
         }
     }
+}
+
+/// Whether a program can give it a first value.
+fn is_settable(seat: Seat) -> bool {
+    matches!(
+        seat,
+        Seat::At(
+            Address::Register(_)
+                | Address::Marker(_)
+                | Address::Output(_)
+                | Address::Pwm(_)
+                | Address::Count(_)
+        )
+    )
 }
 
 /// What stands at its end: the lines, where each comes from, and each timer's number.

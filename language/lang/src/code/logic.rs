@@ -71,18 +71,23 @@ pub(super) fn is_block(part: &Bit) -> bool {
     matches!(part, Bit::Or(_) | Bit::Xor(..) | Bit::Is(false))
 }
 
-/// Whether this logic begins with a contact of that bit, brought to its front.
+/// Whether this logic begins with a contact of that bit, brought to its front and to that of the parts there.
 pub(super) fn begins(bit: &mut Bit, held: Seat) -> bool {
-    let is = |part: &Bit| matches!(part, Bit::Contact(seat, false, _) if *seat == held);
     match bit {
-        Bit::And(parts) | Bit::Or(parts) => match parts.iter().position(is) {
-            Some(at) => {
-                parts.swap(0, at);
-                true
+        Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => {
+            let is = |part: &Bit| matches!(part, Bit::Contact(seat, false, _) if *seat == held);
+            let at = parts.iter().position(is);
+            let within = || parts.iter_mut().position(|part| begins(part, held));
+            match at.or_else(within) {
+                Some(at) => {
+                    parts.swap(0, at);
+                    true
+                }
+                None => false,
             }
-            None => false,
-        },
-        other => is(other),
+        }
+        Bit::Contact(seat, negated, _) => *seat == held && !*negated,
+        Bit::Is(_) | Bit::Test(..) => false,
     }
 }
 

@@ -158,6 +158,7 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
         unused: None,
         shown: false,
         noted: Vec::new(),
+        named: allotter::named(tree),
     };
     coder.first_values(tree);
     coder.steps(&flat.body);

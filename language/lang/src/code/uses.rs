@@ -9,6 +9,8 @@ use std::ops::Range;
 
 /// Of more cells than this none has a place, so that no more are looked at.
 const MOST_CELLS: u32 = 300;
+/// Where an edge remembers, among its cells.
+pub(super) const EDGE_MEMORY: u32 = 2;
 /// More loops than this have no labels.
 const MOST_LOOPS: usize = 64;
 
@@ -55,6 +57,7 @@ impl Uses {
     pub(super) fn of(flat: &Flat) -> Uses {
         let mut uses = Uses::default();
         uses.steps(&flat.body);
+        uses.edges();
         uses.join_rows();
         uses.stretch();
         uses
@@ -80,6 +83,18 @@ impl Uses {
                 self.steps(inner);
             }
             self.deep -= 1;
+        }
+    }
+
+    /// A code of the board remembers for itself; an edge that is called again has a memory for all its calls.
+    fn edges(&mut self) {
+        let again = self.blocks.iter();
+        let again = again.filter(|(_, called)| called.block.is_edge() && called.count > 1);
+        let memories: Vec<u32> = again.map(|(cell, _)| cell + EDGE_MEMORY).collect();
+        for cell in memories {
+            let of = self.touch(cell);
+            of.reads += 1;
+            of.stores += 1;
         }
     }
 

@@ -165,7 +165,8 @@ impl Lower<'_, '_> {
                     .names
                     .get(&var.name.text)
                     .copied();
-                self.assign(acc, place.unwrap_or(Place::Unknown), name);
+                let width = self.names.width_of(instance, &var.name.text);
+                self.assign(acc, place.unwrap_or(Place::Unknown), width, name);
             }
             return self.call_inputs(unit, instance, &params, 1, name);
         }

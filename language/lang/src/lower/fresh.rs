@@ -3,8 +3,8 @@
 use super::Lower;
 use crate::ast::{Section, Stmt, Unit, UnitKind, Var};
 use crate::diagnostics::Span;
-use crate::names::Place;
 use crate::names::declare::is_new;
+use crate::names::{Place, kept, narrow_type};
 use crate::operators::Op;
 use crate::tree::{Bit, Num, Number};
 use std::collections::HashSet;
@@ -26,7 +26,10 @@ impl Lower<'_, '_> {
             let given = var.section == Section::Input && given.contains(&var.name.text);
             is_new(var, unit.kind) && !given && !stored.contains(var.name.text.as_str())
         };
-        let value = |var: &Var| var.init.first().and_then(|init| init.value.number());
+        let value = |var: &Var| {
+            let number = var.init.first().and_then(|init| init.value.number())?;
+            Some(kept(narrow_type(&var.ty.text), number))
+        };
         let vars = unit.vars.iter().filter(renewed);
         let mut names: Vec<(&str, i32, Span)> = vars
             .map(|var| (&*var.name.text, value(var).unwrap_or(0), var.name.span))

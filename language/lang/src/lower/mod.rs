@@ -3,7 +3,7 @@
 //! `values` tells what operands are worth; `bits`, `defer`, `stack` and `branches` have what works on the accumulator,
 //! `stores` what writes, `jumps` and `carry` labels and the accumulator over them; `calls` leads to `timers`,
 //! `counters`, `blocks` and `units`, the text's own functions: what is new at each call is in `fresh`, what is
-//! called more than once in `again`. `keep` says when an expression is written out.
+//! called more than once in `again`. `keep` says when an expression is written out, `widths` what a number keeps.
 
 mod again;
 mod bits;
@@ -29,6 +29,7 @@ mod stores;
 mod timers;
 mod units;
 mod values;
+mod widths;
 
 use crate::ast::{Instr, Stmt, Unit, UnitKind};
 use crate::diagnostics::{Code, Found, Span};

@@ -33,6 +33,8 @@ impl Lower<'_, '_> {
         if wrong {
             place = Place::Unknown;
         }
+        let width = self.names.width(&param.value, self.instance());
+        self.names.lend_width(instance, var, width);
         let names = &mut self.names.instances[instance].names;
         names.insert(var.name.text.clone(), place);
     }

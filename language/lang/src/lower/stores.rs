@@ -7,6 +7,7 @@ use crate::names::Place;
 use crate::operators::Op;
 use crate::rung::Written;
 use crate::tree::{Bit, Num, Number};
+use crate::typed::Base;
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
 use unoclp_point::Address;
@@ -60,7 +61,8 @@ impl Lower<'_, '_> {
                         | Num::At(Address::Inputs(_))
                 ) =>
             {
-                self.store_number(acc, num, negated, operand, span)
+                let width = self.names.width(operand, self.instance());
+                self.store_number(acc, (num, width), negated, operand, span)
             }
             Place::Unknown => acc,
             _ => {
@@ -113,7 +115,7 @@ impl Lower<'_, '_> {
     fn store_number(
         &mut self,
         acc: Acc,
-        num: Num,
+        (num, width): (Num, Option<Base>),
         negated: bool,
         operand: &Operand,
         span: Span,
@@ -125,9 +127,16 @@ impl Lower<'_, '_> {
         let Some(mut number) = self.as_number(acc, ACCUMULATOR, span) else {
             return Acc::Unknown;
         };
+        if let (Some(base), Some(constant), false) = (width, number.constant(), negated) {
+            let name = self.spelled(operand);
+            let to = (base, name.as_str());
+            let constant = self.names.cut(to, constant, operand.span, self.found);
+            number = Number::Leaf(Num::Const(constant), operand.span);
+        }
         self.freeze(span);
         self.rungs.fresh(span);
         self.rungs.number(&number);
+        let whole = number.clone();
         // What takes one code to load again is loaded again: it outlives what others do with the value.
         if !matches!(
             number,
@@ -140,12 +149,16 @@ impl Lower<'_, '_> {
             self.rungs
                 .write(Written::Value(Opcode::XorWord, ones), span);
         }
+        let cut = self.narrow(&whole, negated, width, operand.span);
         let written = self.stored_in(num);
         self.rungs.write(written, operand.span);
         if negated && number == Number::Live {
             let ones = unoclp_core::isa::Value::Constant(-1);
             self.rungs
                 .write(Written::Value(Opcode::XorWord, ones), span);
+            if cut {
+                self.narrow(&Number::Live, false, width, operand.span);
+            }
         }
         // The register may be what the expression reads.
         match (&number, num) {

@@ -6,6 +6,7 @@ use crate::diagnostics::{Code, Span};
 use crate::names::{Instance, Place};
 use crate::rung::{Rungs, Written};
 use crate::tree::{Bit, Num, Number};
+use crate::typed::Base;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Target;
 use unoclp_core::isa::Opcode;
@@ -101,6 +102,9 @@ impl Lower<'_, '_> {
                 self.names.temps.named_register(),
             ))),
         };
+        let ty = unit.result.as_ref().map_or("", |ty| ty.text.as_str());
+        self.names
+            .note_width(Some(instance), &name.text, (ty, place), true);
         self.names.instances[instance]
             .names
             .insert(name.text.clone(), place);
@@ -186,7 +190,9 @@ impl Lower<'_, '_> {
             {
                 acc = Acc::Bit(expr);
             }
-            self.assign(acc, place.unwrap_or(Place::Unknown), param.value.span);
+            let width = self.names.width_of(instance, input);
+            let place = place.unwrap_or(Place::Unknown);
+            self.assign(acc, place, width, param.value.span);
         }
         self.unbound(unit, instance, &given, span);
         self.freeze(span);
@@ -230,7 +236,7 @@ impl Lower<'_, '_> {
     }
 
     /// Stores a value in a variable of a unit.
-    pub(super) fn assign(&mut self, acc: Acc, place: Place, span: Span) {
+    pub(super) fn assign(&mut self, acc: Acc, place: Place, to: Option<Base>, span: Span) {
         match place {
             Place::Bit(Bit::At(Address::Marker(n))) => {
                 if let Some(expr) = self.as_bit(acc, "VAR_INPUT", span) {
@@ -240,6 +246,7 @@ impl Lower<'_, '_> {
             }
             Place::Number(Num::At(Address::Register(n))) => {
                 if let Some(number) = self.as_number(acc, "VAR_INPUT", span) {
+                    let number = self.narrowed(number, to, span);
                     self.freeze(span);
                     self.rungs.fresh(span);
                     self.rungs.number(&number);

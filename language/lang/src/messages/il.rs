@@ -278,6 +278,11 @@ macro_rules! il_rows {
         "declare it in VAR_GLOBAL … END_VAR, before PROGRAM, where it may also have an address"
         "nenhum VAR_GLOBAL deste texto declara `{0}`, por isso ela ganhou um lugar próprio"
         "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM, onde também pode ter um endereço";
+    69 Narrowed Warning
+        "{0} does not fit `{1}`, which is {2}: it keeps {3}"
+        "declare `{1}` as DINT, or store a number that {2} holds"
+        "{0} não cabe em `{1}`, que é {2}: ela fica com {3}"
+        "declare `{1}` como DINT ou armazene um número que {2} comporte";
     71 DoesNotFit Error
         "from here on the program does not fit the board"
         "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"

@@ -34,6 +34,8 @@ impl Names<'_> {
             // An address that is declared, such as %TM1, means the same in the whole file.
             let direct = read(&var.name.text, self.dialect.maker()).is_some();
             let shared = matches!(var.section, Section::Global | Section::External);
+            let owner = (!direct && !shared).then_some(instance);
+            self.note_width(owner, &name, (&var.ty.text, place), var.at.is_none());
             let names = match direct || shared {
                 true => &mut self.global,
                 false => &mut self.instances[instance].names,

@@ -1,8 +1,9 @@
 //! First values: each is given to what can take it, or told; none is dropped.
 
 use super::meaning::{Initial, Names, Place};
+use super::widths::narrow_type;
 use crate::ast::{Init, Var};
-use crate::diagnostics::{Code, Found};
+use crate::diagnostics::{Code, Found, Span};
 use crate::literal;
 use crate::tree::{Bit, Num};
 use unoclp_point::Address;
@@ -41,7 +42,10 @@ impl Names<'_> {
                     return;
                 }
                 None => Err(CONSTANT),
-                Some(value) => self.begin(place, var, init, value),
+                Some(value) => {
+                    let value = self.begun(place, var, value, span, found);
+                    self.begin(place, var, init, value)
+                }
             };
             if let Err(why) = why {
                 let name = self.written(var.name.span);
@@ -49,6 +53,17 @@ impl Names<'_> {
                 let words = [name.into(), value.into(), why.into()];
                 found.tell(Code::BadInitial, init.value.span, words);
             }
+        }
+    }
+
+    /// What a number begins with, in the bits of its type.
+    fn begun(&self, place: Place, var: &Var, value: i32, span: Span, found: &mut Found) -> i32 {
+        let name = self.written(var.name.span);
+        match (place, narrow_type(&var.ty.text)) {
+            (Place::Number(Num::At(Address::Register(_))), Some(base)) => {
+                self.cut((base, &name), value, span, found)
+            }
+            _ => value,
         }
     }
 

@@ -7,6 +7,7 @@ use crate::diagnostics::Span;
 use crate::points::Spellings;
 use crate::temps::Temps;
 use crate::tree::{Bit, Num};
+use crate::typed::Base;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::isa::Opcode;
 use unoclp_core::{Board, Number};
@@ -109,6 +110,7 @@ pub(crate) struct Names<'t> {
     /// How each point of the board is written where it is first named.
     pub(super) points: Spellings,
     pub(super) near: Near,
+    pub(super) widths: Widths,
 }
 
 /// What a text keeps.
@@ -120,6 +122,15 @@ pub(crate) struct Retained {
     pub initials: Vec<Initial>,
     /// The register that is not 0 where something has been kept, and where it is first needed.
     pub begun: Option<(u8, Span)>,
+}
+
+/// The types of names that are narrower than the board's numbers.
+#[derive(Debug, Default)]
+pub(crate) struct Widths {
+    /// By the instance that has the name, or none, and the name.
+    pub(super) of: HashMap<(Option<usize>, String), Base>,
+    /// By the register that is the name's alone, so that nothing else is ever stored in it.
+    pub(super) registers: HashMap<u8, Base>,
 }
 
 /// A block and one of its inputs.

@@ -8,6 +8,7 @@ pub(crate) mod near;
 mod points;
 mod retain;
 mod shared;
+mod widths;
 
 use crate::Dialect;
 use crate::ast::{Operand, OperandKind, Param, Section, Stmt, Unit, UnitKind};
@@ -22,8 +23,9 @@ use unoclp_core::Board;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
 use unoclp_point::{Address, Kind as Point, read};
 
-use meaning::Retained;
 pub(crate) use meaning::{Initial, Instance, Names, Place};
+use meaning::{Retained, Widths};
+pub(crate) use widths::{kept, narrow_type};
 
 const LAST_REGISTER: u32 = REGISTERS as u32;
 
@@ -49,6 +51,7 @@ impl<'t> Names<'t> {
             counters_used: 0,
             inputs_read: 0,
             points: Spellings::default(),
+            widths: Widths::default(),
             near: near::Near::default(),
         };
         for (index, unit) in units.iter().enumerate() {

@@ -35,6 +35,7 @@ impl Names<'_> {
             );
             found.tell(Code::Structure, span, ["VAR_IN_OUT".into(), why.into()]);
         }
+        self.lend_width(instance, var, None);
         let names = &mut self.instances[instance].names;
         let twice = names.insert(var.name.text.clone(), Place::Unknown);
         if twice.is_some() {

@@ -216,7 +216,7 @@ impl Body {
 pub(super) struct File {
     /// It is written in Instruction List.
     pub is_list: bool,
-    /// Each integer is a DINT, whatever its declaration says: Instruction List without types.
+    /// Integers go into each other, each cut to what it is stored in: Instruction List without types.
     pub is_wide: bool,
     pub types: Vec<TypeDecl>,
     pub globals: Vec<Vars>,

@@ -89,6 +89,12 @@ impl Lexer<'_, '_> {
                 }
                 b'%' => {
                     self.scan.at += 1;
+                    // `% IX1`, as some books space it.
+                    let blanks = self.scan.rest().bytes().take_while(|b| b" \t".contains(b));
+                    let blanks = blanks.count();
+                    if self.list && self.scan.peek(blanks).is_ascii_alphabetic() {
+                        self.scan.at += blanks;
+                    }
                     if self.scan.peek(0).is_ascii_alphabetic() {
                         self.scan.address();
                         return self.token(Kind::Address, start);

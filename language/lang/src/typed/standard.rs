@@ -154,6 +154,16 @@ impl Standard {
         named.next().map(|(at, part)| (at, *part))
     }
 
+    /// Whether it is an edge.
+    pub const fn is_edge(self) -> bool {
+        matches!(self, Standard::RTrig | Standard::FTrig)
+    }
+
+    /// Whether an instance may be called at one place alone: the board's timers and counters look at their inputs there.
+    pub const fn has_one_call(self) -> bool {
+        !matches!(self, Standard::Sr | Standard::Rs) && !self.is_edge()
+    }
+
     /// Whether it is one of the board's timers.
     pub const fn is_timer(self) -> bool {
         matches!(self, Standard::Tp | Standard::Ton | Standard::Tof)

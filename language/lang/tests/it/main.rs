@@ -25,4 +25,5 @@ mod typed_pages;
 mod typed_random;
 mod typed_slips;
 mod typed_tree;
+mod widths;
 mod words;

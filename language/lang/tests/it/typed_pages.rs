@@ -13,7 +13,7 @@ const PAGES: [(TextLanguage, &str, usize); 5] = [
     (TextLanguage::St, "types", 8),
     (TextLanguage::Iscl, "interscl", 3),
     (TextLanguage::Lce, "lce", 4),
-    (TextLanguage::Il, "instruction-list", 3),
+    (TextLanguage::Il, "instruction-list", 4),
 ];
 
 fn read(page: &str) -> String {

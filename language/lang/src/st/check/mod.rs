@@ -68,6 +68,7 @@ pub(super) fn check(text: &str, file: &File, board: Board, found: &mut Found) ->
     }
     let mut builder = Builder::new(text, Letters::Alike, board, found);
     builder.is_list = file.is_list;
+    builder.is_wide = file.is_wide;
     let mut checker = Checker::new(builder, file);
     checker.declare_all();
     checker.bodies();

@@ -12,7 +12,8 @@ impl Checker<'_, '_, '_> {
     pub(super) fn type_named(&mut self, name: &Name) -> Option<TypeId> {
         let key = self.builder.key(&name.text);
         if let Some(base) = Base::named(&key) {
-            let base = match self.file.is_wide && base.is_int() {
+            // An UDINT is compared with its sign there.
+            let base = match self.file.is_wide && base == Base::Udint {
                 true => Base::Dint,
                 false => base,
             };

@@ -50,6 +50,7 @@ impl Checker<'_, '_, '_> {
         for vars in then {
             self.section(vars);
         }
+        self.declare_blocks();
         for at in 0..file.units.len() {
             if self.units[at].1 == State::Not {
                 self.declare_unit(at);

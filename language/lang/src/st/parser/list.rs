@@ -3,7 +3,7 @@
 //! An operand is what Structured Text has for one, so that names, members, subscripts and literals are read in one
 //! place.
 
-use super::super::ast::{Arg, Instruction, Line, Name};
+use super::super::ast::{Arg, Instruction, Line, Name, Section, Vars};
 use super::super::token::Kind;
 use super::super::words::Keyword;
 use super::{Parsed, Parser, Told};
@@ -11,8 +11,21 @@ use crate::diagnostics::{Code, Span};
 use crate::operators::{self, Op};
 
 impl Parser<'_, '_> {
-    /// Lines up to the end of the unit.
-    pub(super) fn lines(&mut self) -> Vec<Line> {
+    /// Lines up to the end of the unit. Declarations may stand between them.
+    pub(super) fn list_body(&mut self, vars: &mut Vec<Vars>, globals: &mut Vec<Vars>) -> Vec<Line> {
+        let mut lines = self.lines();
+        while self.keyword().is_section() {
+            let section = self.section();
+            match section.section {
+                Section::Global => globals.push(section),
+                _ => vars.push(section),
+            }
+            lines.append(&mut self.lines());
+        }
+        lines
+    }
+
+    fn lines(&mut self) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut open = 0_u32;
         loop {
@@ -20,14 +33,8 @@ impl Parser<'_, '_> {
             let keyword = self.keyword();
             let labelled = self.ahead(1).kind == Kind::Colon;
             let ends = keyword.ends_unit() || keyword.begins_unit() || keyword == Keyword::EndVar;
-            if self.is(Kind::End) || ends && !labelled {
+            if self.is(Kind::End) || (ends || keyword.is_section()) && !labelled {
                 return lines;
-            }
-            if keyword.is_section() {
-                let start = self.token().span;
-                // It tells, and passes over the declarations.
-                let _ = self.late_section(start);
-                continue;
             }
             let before = self.at;
             match self.line(&mut open) {
@@ -60,12 +67,9 @@ impl Parser<'_, '_> {
                 Ok(Some(Line::Close(token.span)))
             }
             // The number of a line, as listings have it.
-            Kind::Number if self.on_new_line() => {
+            Kind::Number if self.on_new_line() || self.at == 0 => {
                 self.next();
-                match self.on_new_line() {
-                    true => Err(self.unexpected(token.span)),
-                    false => Ok(None),
-                }
+                Ok(None)
             }
             Kind::Word if self.ahead(1).kind == Kind::Colon => {
                 let label = self.named(token.span);
@@ -83,7 +87,7 @@ impl Parser<'_, '_> {
                 self.tell(Code::StructuredText, span, [written.into()]);
                 Err(Told)
             }
-            Kind::Word | Kind::And => self.instruction(open).map(Some),
+            Kind::Word | Kind::And | Kind::Equal => self.instruction(open).map(Some),
             _ => Err(self.unexpected(token.span)),
         }
     }
@@ -120,7 +124,8 @@ impl Parser<'_, '_> {
             let negates = n.kind == Kind::Word
                 && self.slice(n.span).eq_ignore_ascii_case("N")
                 && !self.on_new_line()
-                && !matches!(self.ahead(1).kind, Kind::Close | Kind::Dot);
+                && !matches!(self.ahead(1).kind, Kind::Close | Kind::Dot)
+                && !(self.declares_n && self.ends_line());
             if negates {
                 self.next();
             }
@@ -152,9 +157,16 @@ impl Parser<'_, '_> {
         Ok(Line::Does(Box::new(made)))
     }
 
-    /// The operator that comes next; `&N` is one.
+    /// The operator that comes next; `&N` is one, and so is `=`.
     fn operator(&mut self) -> Name {
         let token = self.next();
+        if token.kind == Kind::Equal {
+            // As the S7-200 writes it.
+            return Name {
+                text: "ST".to_owned(),
+                span: token.span,
+            };
+        }
         if token.kind != Kind::And {
             return self.named(token.span);
         }
@@ -179,6 +191,16 @@ impl Parser<'_, '_> {
         matches!(token.kind, Kind::End | Kind::Close | Kind::Semicolon)
             || self.on_new_line()
             || follows()
+    }
+
+    /// Whether the word that comes is the last of its line.
+    fn ends_line(&self) -> bool {
+        let (word, next) = (self.token().span, self.ahead(1));
+        let between = Span {
+            start: word.end,
+            end: next.span.start,
+        };
+        next.kind == Kind::End || self.slice(between).contains('\n')
     }
 
     fn list_operand(&mut self) -> Parsed<Arg> {

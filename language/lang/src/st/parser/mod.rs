@@ -63,6 +63,8 @@ struct Parser<'t, 'f> {
     at: usize,
     /// Units do what Instruction List says.
     list: bool,
+    /// A variable is called N, as the modifier of Instruction List is.
+    declares_n: bool,
     /// How many parentheses and statements are open.
     open: u32,
     /// What ends the statements that are open.
@@ -106,6 +108,12 @@ impl<'t, 'f> Parser<'t, 'f> {
             _ => Keyword::None,
         };
         let keywords = tokens.iter().map(keyword).collect();
+        let declares_n = tokens.windows(2).any(|two| {
+            let name = text.get(two[0].span.range()).unwrap_or_default();
+            let next = text.get(two[1].span.range()).unwrap_or_default();
+            let declares = matches!(two[1].kind, Kind::Colon | Kind::Comma);
+            name.eq_ignore_ascii_case("N") && (declares || next.eq_ignore_ascii_case("AT"))
+        });
         // A comment that swallows the rest is the one mistake.
         let dead = found.place_of(Code::StCommentOpen).is_some();
         Parser {
@@ -114,6 +122,7 @@ impl<'t, 'f> Parser<'t, 'f> {
             keywords,
             at: 0,
             list: dialect == Dialect::Il,
+            declares_n,
             open: 0,
             closers: Vec::new(),
             dead,

@@ -282,7 +282,7 @@ impl Parser<'_, '_> {
             }
         }
         let body = match self.list {
-            true => Body::List(self.lines()),
+            true => Body::List(self.list_body(&mut vars, &mut file.globals)),
             false => Body::Statements(self.statements()),
         };
         UnitDecl {

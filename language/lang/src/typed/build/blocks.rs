@@ -1,6 +1,6 @@
 //! Calls of instances: blocks of the text and of the norm.
 //!
-//! Owns that an instance of a timer, a counter or an edge has one call, not in a loop.
+//! Owns that an instance of a timer or a counter has one call, not in a loop; an edge may have several.
 
 use super::arguments::{Argument, Params};
 use super::builder::{BlockCall, Builder, Instance};
@@ -99,10 +99,12 @@ impl Builder<'_, '_> {
             self.tell(Code::StCalledInLoop, target.at, words);
         }
         let key = self.instance(&target);
+        let once = block.has_one_call();
         if timed && let Some(draft) = self.here() {
             draft.timed = true;
+            draft.once |= once;
         }
-        if timed && self.called.insert(key, at).is_some() {
+        if once && self.called.insert(key, at).is_some() {
             let words = [written.into(), block.name().into()];
             self.tell(Code::StCalledTwice, target.at, words);
         }

@@ -28,6 +28,8 @@ pub(crate) struct Draft {
     pub gives: bool,
     /// It calls a timer, a counter or an edge.
     pub timed: bool,
+    /// Something in it has one call in a program.
+    pub once: bool,
     /// A declaration in it is wrong, so that not all of its names are known.
     pub incomplete: bool,
     /// The type of a block's instances.
@@ -59,6 +61,8 @@ pub(crate) struct Builder<'t, 'f> {
     pub divides_by_zero: bool,
     /// The text is in Instruction List.
     pub is_list: bool,
+    /// Integers go into each other, each cut to what it is stored in.
+    pub is_wide: bool,
     pub(super) globals: HashMap<String, Named>,
     pub(super) drafts: Vec<Draft>,
     pub(super) current: Option<usize>,
@@ -97,6 +101,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             letters,
             divides_by_zero: false,
             is_list: false,
+            is_wide: false,
             globals: HashMap::new(),
             drafts: Vec::new(),
             current: None,
@@ -199,6 +204,7 @@ impl<'t, 'f> Builder<'t, 'f> {
             closed: kind != UnitKind::Block,
             gives: false,
             timed: false,
+            once: false,
             incomplete: false,
             block,
             constants: Vec::new(),

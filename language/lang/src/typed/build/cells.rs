@@ -13,7 +13,8 @@ impl Builder<'_, '_> {
             self.fill(ty, initial, &mut cells);
         }
         for cell in &mut cells {
-            cell.retain = traits.retain;
+            // A block says of its own variables what is kept.
+            cell.retain |= traits.retain;
         }
         cells
     }

@@ -53,6 +53,18 @@ fn whole_within(expr: &Expr, base: Base) -> bool {
     }
 }
 
+/// Whether an integer of the board loses a part of its value in this type.
+fn is_cut(expr: &Expr, to: Base) -> bool {
+    let is_small = |base: Base| base.is_int() && base.bits() <= 32;
+    match &expr.kind {
+        ExprKind::Constant(value) if expr.base == Base::AnyInt => {
+            let range = to.range().filter(|_| is_small(to));
+            range.is_some_and(|(low, high)| !(low..=high).contains(&value.int()))
+        }
+        _ => is_small(expr.base) && is_small(to) && !expr.base.widens_to(to),
+    }
+}
+
 impl Builder<'_, '_> {
     /// A number of the text, whose type what it meets decides.
     pub fn whole(&mut self, number: i128, at: Span) -> Expr {
@@ -177,6 +189,9 @@ impl Builder<'_, '_> {
             }
             self.told_mismatch(&expr, ty);
             return self.wrong(expr.at);
+        }
+        if self.is_wide && is_cut(&expr, to) {
+            return self.converted(expr, Convert::Wrap, ty);
         }
         if let ExprKind::Constant(value) = &expr.kind {
             return self.coerce_constant(value.clone(), expr, to, ty);

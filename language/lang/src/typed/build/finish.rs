@@ -32,7 +32,7 @@ impl Builder<'_, '_> {
         (!self.found.has_errors()).then_some(self.tree)
     }
 
-    /// An instance that has timers within has one call, not in a loop, as its timers have.
+    /// An instance that has timers or counters within has one call, not in a loop, as these have; edges are in no loop.
     fn refuse_second_calls(&mut self) {
         if self.found.has_errors() {
             return;
@@ -41,15 +41,14 @@ impl Builder<'_, '_> {
         loop {
             let mut more = false;
             for call in &self.calls {
-                let within = self
-                    .drafts
-                    .get(call.unit as usize)
-                    .is_some_and(|draft| draft.timed);
-                let caller = call.from.and_then(|unit| self.drafts.get_mut(unit));
-                if let Some(caller) = caller.filter(|caller| within && !caller.timed) {
-                    caller.timed = true;
-                    more = true;
-                }
+                let within = self.drafts.get(call.unit as usize);
+                let (timed, once) = within.map_or((false, false), |of| (of.timed, of.once));
+                let Some(caller) = call.from.and_then(|unit| self.drafts.get_mut(unit)) else {
+                    continue;
+                };
+                more |= timed && !caller.timed || once && !caller.once;
+                caller.timed |= timed;
+                caller.once |= once;
             }
             if !more {
                 break;
@@ -70,7 +69,7 @@ impl Builder<'_, '_> {
             let (first, words) = (seen.insert(call.instance), words());
             if call.in_loop {
                 self.found.tell(Code::StCalledInLoop, call.at, words);
-            } else if !first {
+            } else if !first && draft.once {
                 self.found.tell(Code::StCalledTwice, call.at, words);
             }
         }

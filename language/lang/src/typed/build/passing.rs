@@ -8,7 +8,7 @@ use super::coerce::conversion;
 use super::named::{Param, Section};
 use super::places::Target;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Call, Convert, ExprKind, Input, Output, Place, Stmt};
+use crate::typed::{Base, Call, Convert, ExprKind, Input, Output, Place, Stmt};
 use std::collections::HashSet;
 
 impl Builder<'_, '_> {
@@ -175,6 +175,11 @@ impl Builder<'_, '_> {
         true
     }
 
+    fn goes_into(&self, from: Base, to: Base) -> bool {
+        let is_small = |base: Base| base.is_int() && base.bits() <= 32;
+        from.widens_to(to) || self.is_wide && is_small(from) && is_small(to)
+    }
+
     /// What comes out, into a variable.
     fn take(
         &mut self,
@@ -217,7 +222,7 @@ impl Builder<'_, '_> {
             return right;
         }
         let value = match (self.tree.types.base(param.ty), self.tree.types.base(to.ty)) {
-            (Some(from), Some(base)) if from.widens_to(base) && !self.is_enum(to.ty) => {
+            (Some(from), Some(base)) if self.goes_into(from, base) && !self.is_enum(to.ty) => {
                 let how = conversion(from, base).unwrap_or(Convert::Keep);
                 Some((from, how, self.store_of(to.ty)))
             }

@@ -6,12 +6,13 @@
 //! - `accumulator`: what the accumulator holds, and what is put aside of it
 //! - `flow`: jumps, labels, IF; what the accumulator is needed for behind a line
 //! - `operators`: what each line does
-//! - `calls`: functions, blocks, timers, counters, edges
+//! - `calls`: functions, blocks, timers, counters, edges; `undeclared`: timers and counters by the board's names
 
 mod accumulator;
 mod calls;
 mod flow;
 mod operators;
+mod undeclared;
 mod walk;
 
 use super::super::ast::Line;

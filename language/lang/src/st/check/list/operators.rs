@@ -1,6 +1,6 @@
 //! What each line does with the accumulator.
 
-use super::super::super::ast::{Arg, Instruction, Line, NodeKind};
+use super::super::super::ast::{Arg, Instruction, Line, Node, NodeKind};
 use super::walk::{Acc, Frame, Walk};
 use super::{MOST_FRAMES, is_load};
 use crate::diagnostics::{Code, Span};
@@ -112,6 +112,10 @@ impl Walk<'_, '_, '_, '_> {
         let Some(arg) = one.operands.first() else {
             return;
         };
+        if self.output_of(&arg.node).is_some() {
+            let expr = self.value(&arg.node, None);
+            return self.loaded(expr, one);
+        }
         if let NodeKind::Path(path) = &arg.node.kind {
             let target = self.c.target(path);
             let whole = |target: &Target| !self.c.builder.tree.types.is_scalar(target.ty);
@@ -130,6 +134,37 @@ impl Walk<'_, '_, '_, '_> {
         }
         let expr = self.c.expr(&arg.node, None);
         self.loaded(expr, one);
+    }
+
+    /// The output that a block of the norm stands for where a value is needed: `LD T1` loads its Q.
+    fn output_of(&self, node: &Node) -> Option<&'static str> {
+        let NodeKind::Path(path) = &node.kind else {
+            return None;
+        };
+        let variable = match self.c.builder.find(&path.name.text) {
+            Some(Named::Variable(variable)) if path.parts.is_empty() => variable,
+            _ => return None,
+        };
+        match self.c.builder.tree.types.kind(variable.ty) {
+            Kind::Standard(block) => {
+                let outputs = ["Q", "QU", "Q1"];
+                outputs.into_iter().find(|name| block.part(name).is_some())
+            }
+            _ => None,
+        }
+    }
+
+    /// What an operand is worth.
+    fn value(&mut self, node: &Node, hint: Option<TypeId>) -> Expr {
+        match (self.output_of(node), &node.kind) {
+            (Some(output), NodeKind::Path(path)) => {
+                let block = self.c.target(path);
+                let output =
+                    block.and_then(|block| self.c.builder.member(block, output, node.span));
+                self.c.builder.read(output, node.span)
+            }
+            _ => self.c.expr(node, hint),
+        }
     }
 
     fn loaded(&mut self, expr: Expr, one: &Instruction) {
@@ -179,7 +214,10 @@ impl Walk<'_, '_, '_, '_> {
         if one.spelling.is_some_and(|spelling| spelling.negated) {
             value = self.c.builder.not(value, one.span);
         }
-        let reads = stays && self.links > 0 && !one.spelling.is_some_and(|s| s.negated);
+        // What has just been stored in a bit is there for the next store.
+        let is_read = |acc: &Acc| matches!(acc, Acc::Value(expr) if expr.base == Base::Bool && matches!(expr.kind, ExprKind::Read(_)));
+        let costs = self.links > 0 || is_read(&self.acc);
+        let reads = stays && costs && !one.spelling.is_some_and(|s| s.negated);
         let again = reads.then(|| target.clone());
         let Some(statement) = self.c.builder.assign(target, value, one.span) else {
             return;
@@ -282,7 +320,7 @@ impl Walk<'_, '_, '_, '_> {
         let spelling = one.spelling;
         let negated = spelling.is_some_and(|spelling| spelling.negated);
         let edge = spelling.is_some_and(|spelling| spelling.edge.is_some());
-        let mut expr = self.c.expr(&arg.node, Some(with));
+        let mut expr = self.value(&arg.node, Some(with));
         if edge {
             expr = self.edge(expr, one.span);
         }

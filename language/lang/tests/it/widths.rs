@@ -1,0 +1,57 @@
+//! No text changes its meaning by an operator that makes it one with types.
+
+use crate::common::{LARGE, Random, large, plc, program};
+use unoclp_core::Image;
+use unoclp_lang::has_types;
+use unoclp_testing::rounds;
+
+const TYPES: [&str; 6] = ["SINT", "INT", "DINT", "USINT", "UINT", "INT"];
+/// Where a text leaves its variables at last.
+const FIRST: usize = 40;
+
+/// Declarations, and lines that compute with variables of one type.
+fn text(random: &mut Random) -> (String, String) {
+    let ty = random.pick(&TYPES);
+    let names = ["a", "b", "c", "d"];
+    let declarations = format!("VAR a, b, c : {ty}; d : {ty} := 100; spare : {ty}; END_VAR\n");
+    let mut lines = String::new();
+    for _ in 0..random.below(12) + 1 {
+        lines += &format!("LD {}\n", random.pick(&names));
+        for _ in 0..random.below(4) {
+            let operator = random.pick(&["ADD", "SUB", "MUL", "DIV", "MOD"]);
+            let operand = match random.percent(50) {
+                true => random.pick(&names).to_owned(),
+                false => (random.below(127) + 1).to_string(),
+            };
+            lines += &format!("{operator} {operand}\n");
+        }
+        for _ in 0..random.below(2) + 1 {
+            lines += &format!("ST {}\n", random.pick(&names));
+        }
+    }
+    for (name, register) in names.iter().zip(FIRST..) {
+        lines += &format!("LD {name}\nST D{register}\n");
+    }
+    (declarations, lines)
+}
+
+fn registers(text: &str) -> Vec<i32> {
+    let compiled = program(text, &large());
+    let mut memory = vec![0; 8000];
+    let mut plc = plc(&compiled.file().unwrap(), &mut memory, LARGE);
+    for scan in 0..5 {
+        plc.scan(Image(0), scan).unwrap();
+    }
+    plc.registers()[FIRST - 1..FIRST + 3].to_vec()
+}
+
+#[test]
+fn no_operator_changes_what_a_text_does() {
+    for seed in 0..rounds(300) {
+        let (declarations, lines) = text(&mut Random(seed.into()));
+        let plain = format!("{declarations}{lines}");
+        let typed = format!("{declarations}LD a\nMAX b\nST spare\n{lines}");
+        assert!(!has_types(&plain) && has_types(&typed));
+        assert_eq!(registers(&plain), registers(&typed), "{typed}");
+    }
+}
