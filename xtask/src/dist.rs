@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
 //! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
-//! as a folder.
+//! as a folder. On Debian it is a package too, with a service.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::fs::{self, File};
@@ -15,7 +15,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use crate::notice::Parts;
 use crate::shell::{self, cargo, root, say};
-use crate::{lab, node};
+use crate::{deb, lab, node};
 
 /// Where all of it lies.
 const FOLDER: &str = "target/dist";
@@ -52,6 +52,7 @@ pub fn run() -> Result<()> {
 
     let papers = papers()?;
     let for_this_machine = folder.join(format!("unoclp-{OS}-{ARCH}.zip"));
+    let for_debian = papers.clone();
     let mut entries = papers.clone();
     entries.push(entry(name, &program, true)?);
     write(&for_this_machine, entries)?;
@@ -59,7 +60,18 @@ pub fn run() -> Result<()> {
     lay_out(&folder.join("page"), &page)?;
     let for_a_server = folder.join("unoclp-page.zip");
     write(&for_a_server, page)?;
-    for file in [program, for_this_machine, for_a_server] {
+    let mut made = vec![program.clone(), for_this_machine, for_a_server];
+    match deb::can_be_made() {
+        true => {
+            let papers: Vec<_> = for_debian
+                .into_iter()
+                .map(|of| (of.name, of.bytes))
+                .collect();
+            made.push(deb::make(&program, &papers, &folder)?);
+        }
+        false => say("no Debian package: dpkg-deb makes it, and is not here"),
+    }
+    for file in made {
         let size = fs::metadata(&file).map_or(0, |file| file.len());
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         say(&format!("{FOLDER}/{name}: {} KB", size.div_ceil(1000)));

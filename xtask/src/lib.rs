@@ -8,6 +8,7 @@ pub mod bench;
 pub mod budget;
 pub mod card;
 pub mod count;
+pub mod deb;
 pub mod demo;
 pub mod dist;
 pub mod firmware;

@@ -110,6 +110,11 @@ const TESTS: &[Need] = &[
         // Its `--version` says that it has failed.
         output(Command::new("sh").args(["-c", "command -v mosquitto_sub"])).is_some()
     }),
+    need("curl", "asking an encrypted page", |_| exists("curl")),
+    need("postgresql", "keeping a history in a database", |_| {
+        // No path leads to its programs.
+        Path::new("/usr/lib/postgresql").is_dir() && exists("psql")
+    }),
     need(
         "python3-venv",
         "asking the Modbus server by pymodbus",

@@ -7,17 +7,23 @@ use crate::site_file::beside;
 use anyhow::anyhow;
 use std::path::Path;
 use std::sync::Arc;
+use unoclp_journal::Journal;
 use unoclp_modbus::Exception;
 use unoclp_program::shown;
 use unoclp_report::{Carry, Command, Refusal, Reporter, Tell, Trouble, Unready};
-use unoclp_serve::{Change, Order, Ordered, Orders};
+use unoclp_serve::{Order, Ordered, Orders};
 use unoclp_site::{Broker, Mqtt, Site};
 
 /// Begins to report a site. What the broker brings comes out at the other end.
 ///
 /// # Errors
 /// Where the certificate of the site file cannot be used, or the system refuses.
-pub fn begin(file: &Path, site: &Site, mqtt: &Mqtt) -> anyhow::Result<(Arc<Reporter>, Ordered)> {
+pub fn begin(
+    file: &Path,
+    site: &Site,
+    mqtt: &Mqtt,
+    journal: &Journal,
+) -> anyhow::Result<(Arc<Reporter>, Ordered)> {
     let ca = mqtt.ca.as_ref().map(|name| beside(file, name));
     let pem = ca.as_ref().map(|ca| {
         let wrong = |why| anyhow!(messages::cannot_read(shown(ca), messages::io(&why)));
@@ -29,6 +35,7 @@ pub fn begin(file: &Path, site: &Site, mqtt: &Mqtt) -> anyhow::Result<(Arc<Repor
         site,
         mqtt,
         pem.as_deref(),
+        journal,
         carry(orders),
         tell(mqtt.broker.clone()),
     );
@@ -38,22 +45,6 @@ pub fn begin(file: &Path, site: &Site, mqtt: &Mqtt) -> anyhow::Result<(Arc<Repor
         (Unready::System(why), _) => anyhow!(messages::io(&why)),
     })?;
     Ok((Arc::new(reporter), ordered))
-}
-
-/// A change as it is reported.
-pub fn change(change: Change) -> unoclp_report::Change {
-    let Change {
-        board,
-        point,
-        at,
-        value,
-    } = change;
-    unoclp_report::Change {
-        board,
-        point,
-        at,
-        value,
-    }
 }
 
 fn carry(orders: Orders) -> Carry {

@@ -4,7 +4,8 @@
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
 //! - `broker`: what a broker is told of a site, with the same feature
-//! - `shared`: the page and the boards for browsers, with the feature `page`; [`site_file`]: which boards
+//! - `shared`: the page and the boards for browsers, with the feature `page`, until `ended` says so; [`site_file`]: which boards
+//! - `kept`: the journal and the history of a site; `archive`: the history for who asks over HTTP; `identity`: with which certificate; [`stores`]: where they are
 //! - [`film`]: a run of a machine as a moving picture
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
@@ -12,10 +13,18 @@
 //!
 //! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
+#[cfg(feature = "page")]
+mod archive;
 pub mod ascii;
 #[cfg(feature = "page")]
 mod broker;
+#[cfg(feature = "page")]
+mod ended;
 pub mod film;
+#[cfg(feature = "page")]
+mod identity;
+#[cfg(feature = "page")]
+mod kept;
 mod lamps;
 pub mod messages;
 #[cfg(feature = "page")]
@@ -27,4 +36,5 @@ pub mod screen;
 #[cfg(feature = "page")]
 pub mod shared;
 pub mod site_file;
+pub mod stores;
 mod variables;

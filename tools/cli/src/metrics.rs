@@ -1,16 +1,21 @@
-//! What Prometheus is told of the history and of the broker. Its words are English everywhere, as those of the other metrics.
+//! What Prometheus is told of journal, history and broker. Its words are English everywhere, as those of the other metrics.
 
+use crate::kept::Kept;
 use std::sync::Arc;
 use unoclp_history::Keeper;
 use unoclp_report::Reporter;
 use unoclp_serve::{Metric, Metrics};
 
 /// How it stands with what there is of them, in numbers.
-pub(crate) fn metrics(keeper: Option<Arc<Keeper>>, reporter: Option<Arc<Reporter>>) -> Metrics {
+pub(crate) fn metrics(kept: Option<Arc<Kept>>, reporter: Option<Arc<Reporter>>) -> Metrics {
     Arc::new(move || {
-        let history = keeper.iter().flat_map(|keeper| of_history(keeper));
+        let journal = kept.iter().flat_map(|kept| of_journal(kept));
+        let history = kept
+            .iter()
+            .filter_map(|kept| Some(of_history(kept, kept.keeper.as_ref()?)))
+            .flatten();
         let broker = reporter.iter().flat_map(|reporter| of_broker(reporter));
-        history.chain(broker).collect()
+        journal.chain(history).chain(broker).collect()
     })
 }
 
@@ -47,26 +52,63 @@ fn of_broker(reporter: &Reporter) -> Vec<Metric> {
     ]
 }
 
-fn of_history(keeper: &Keeper) -> Vec<Metric> {
+fn of_journal(kept: &Kept) -> Vec<Metric> {
+    let state = kept.journal.state();
+    vec![
+        number(
+            "journal_samples_total",
+            "Samples committed to the journal",
+            true,
+            state.committed,
+        ),
+        number(
+            "journal_dropped_total",
+            "Samples given up before the journal had them",
+            true,
+            state.dropped,
+        ),
+        number(
+            "journal_waiting",
+            "Samples in memory that wait for the journal",
+            false,
+            state.waiting as u64,
+        ),
+        number(
+            "journal_bytes",
+            "Bytes of the journal that hold something",
+            false,
+            state.used,
+        ),
+        number(
+            "journal_failing",
+            "Whether the journal takes nothing at present",
+            false,
+            state.failure.is_some().into(),
+        ),
+    ]
+}
+
+fn of_history(kept: &Kept, keeper: &Keeper) -> Vec<Metric> {
     let state = keeper.state();
+    let reader = kept.history();
     vec![
         number(
             "history_rows_total",
             "Rows written to the history",
             true,
-            state.written,
+            state.taken,
         ),
         number(
             "history_dropped_total",
             "Rows given up, since the history took nothing for too long",
             true,
-            state.dropped,
+            reader.dropped(),
         ),
         number(
             "history_waiting",
-            "Rows that wait for the history",
+            "Rows in the journal that wait for the history",
             false,
-            state.waiting as u64,
+            reader.last().saturating_sub(reader.place()),
         ),
         number(
             "history_failing",

@@ -1,10 +1,14 @@
 //! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
+use crate::archive::Archive;
 use crate::broker;
+use crate::ended;
+use crate::identity;
+use crate::kept::Kept;
 use crate::messages;
 use crate::metrics::metrics;
 use crate::port::{Found, Place, Port, find};
-use crate::site_file;
+use crate::stores;
 use anyhow::{Context, anyhow};
 use rust_embed::RustEmbed;
 use std::borrow::Cow;
@@ -14,15 +18,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use unoclp_client::{Failure, Patience};
-use unoclp_history::{Keeper, Sample, Store};
+use unoclp_journal::Sample;
 use unoclp_modbus::client::Request;
-use unoclp_program::shown;
 use unoclp_report::Reporter;
 use unoclp_serve::{
-    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Remote, Server, SharedBoard,
-    Sharing, Tell, Tokens, Watched,
+    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Past, Remote, Server,
+    SharedBoard, Sharing, Tell, Tokens, Watched,
 };
-use unoclp_site::{History, Site, Way};
+use unoclp_site::{Site, Way};
 
 /// What `cargo xtask lab --build` has built.
 #[derive(RustEmbed)]
@@ -34,7 +37,7 @@ pub fn page(path: &str) -> Option<Cow<'static, [u8]>> {
     Files::get(path).map(|file| file.data)
 }
 
-/// Serves the page at this address, and shares the board at this place, until the program ends. Says where.
+/// Serves the page at this address, and shares the board at this place, until somebody ends it. Says where.
 ///
 /// # Errors
 /// Where the address cannot be served from.
@@ -71,12 +74,13 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                 modbus: None,
                 orders: None,
                 metrics: None,
+                past: None,
                 keep: None,
                 tell: None,
             })
         }
     };
-    server.run(pages, sharing).map_err(wrong)
+    server.run(pages, sharing, ended::asked()).map_err(wrong)
 }
 
 /// The tokens of a server that is open to the network, and says where they lead; none for this PC alone.
@@ -92,31 +96,37 @@ fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
     Ok(Some(tokens))
 }
 
-/// Serves the page, and shares the boards of this site, until the program ends. Says where, and what becomes of the boards.
+/// Serves the page, and shares the boards of this site, until somebody ends it. Says where, and what becomes of the boards.
 ///
 /// # Errors
 /// Where an address cannot be served from.
 pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
     let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
     let listen = site.http.listen;
+    let tls = identity::tls(file, site)?;
     let server = Server::bind(listen).map_err(|error| wrong(listen, error))?;
+    let scheme = if tls.is_some() { "https" } else { "http" };
     let modbus = site.modbus.as_ref().map(|modbus| {
         let bound = Modbus::bind(modbus.listen, modbus.write.clone());
         bound.map_err(|error| wrong(modbus.listen, error))
     });
     let modbus = modbus.transpose()?;
-    let keeper = site.history.as_ref().map(|history| keeper(file, history));
-    let keeper = keeper.transpose()?.map(Arc::new);
-    let broker = site
-        .mqtt
-        .as_ref()
-        .map(|mqtt| broker::begin(file, site, mqtt));
+    let kept = site.has_journal().then(|| Kept::begin(file, site));
+    let kept = kept.transpose()?.map(Arc::new);
+    let broker = site.mqtt.as_ref().zip(kept.as_ref());
+    let broker = broker.map(|(mqtt, kept)| broker::begin(file, site, mqtt, &kept.journal));
     let (reporter, ordered) = broker.transpose()?.unzip();
-    let metrics = metrics(keeper.clone(), reporter.clone());
-    let keep = keep(keeper, reporter.clone());
-    let page = format!("http://{}/", server.address());
+    let metrics = metrics(kept.clone(), reporter.clone());
+    let keep = keep(kept.as_deref(), reporter.clone());
+    // It ends here, behind the server: the client of a database must not end while a server runs on the same thread.
+    let past = archive(file, site)?;
+    let page = format!("{scheme}://{}/", server.address());
     println!("{page}{}", if server.is_local() { "#board" } else { "" });
+    if let Some(tls) = &tls {
+        println!("{}", messages::fingerprint(tls.fingerprint()));
+    }
     let tokens = tokens(&server, &page)?;
+    let server = server.encrypted(tls);
     for board in site.boards().skip(1) {
         println!("{}", messages::page_of_board(&board.name));
     }
@@ -143,42 +153,45 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
         modbus,
         orders: ordered,
         metrics: Some(metrics),
+        past: past.clone(),
         keep: Some(keep),
         tell: Some(tell),
     };
-    server
-        .run(pages, Some(sharing))
-        .map_err(|error| wrong(listen, error))
+    let ended = server.run(pages, Some(sharing), ended::asked());
+    ended::at_once();
+    drop(past);
+    // The last of it tells the broker goodbye, and what has come is on disk.
+    if let Some(kept) = kept {
+        kept.end();
+    }
+    println!("{}", messages::ended());
+    ended.map_err(|error| wrong(listen, error))
 }
 
-/// Opens the history of a site, and begins to write into it.
-fn keeper(site: &Path, history: &History) -> anyhow::Result<Keeper> {
-    let file = site_file::beside(site, &history.store);
-    let store = Store::open(&file).map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
-    Ok(Keeper::begin(
-        store,
-        history.keep,
-        move |failure| match failure {
-            Some(why) => println!("{}", messages::store_failure(&file, why)),
-            None => println!("{}", messages::history_again(shown(&file))),
-        },
-    ))
+/// The history of a site, for who asks over HTTP.
+fn archive(file: &Path, site: &Site) -> anyhow::Result<Option<Arc<dyn Past>>> {
+    let history = site.history.as_ref();
+    let database = history.map(|history| stores::database(file, &history.store));
+    let archive = database.transpose()?.map(Archive::new);
+    Ok(archive.map(|archive| Arc::new(archive) as Arc<dyn Past>))
 }
 
-/// Writes what has changed, and tells it to the broker.
-fn keep(keeper: Option<Arc<Keeper>>, reporter: Option<Arc<Reporter>>) -> Keep {
-    let sample = |change: &Change| Sample {
-        board: change.board.clone(),
-        point: change.point.clone(),
+/// Puts what has changed into the journal, and tells it to the broker.
+fn keep(kept: Option<&Kept>, reporter: Option<Arc<Reporter>>) -> Keep {
+    let journal = kept.map(|kept| kept.journal.clone());
+    let sample = |change: Change| Sample {
+        board: change.board,
+        point: change.point,
         at: change.at,
         value: change.value,
     };
     Arc::new(move |changes: Vec<Change>| {
-        if let Some(keeper) = &keeper {
-            keeper.keep(changes.iter().map(sample).collect());
+        let samples: Vec<Sample> = changes.into_iter().map(sample).collect();
+        if let Some(journal) = &journal {
+            journal.put(samples.clone());
         }
         if let Some(reporter) = &reporter {
-            reporter.changed(changes.into_iter().map(broker::change).collect());
+            reporter.changed(samples);
         }
     })
 }

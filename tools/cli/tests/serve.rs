@@ -4,6 +4,9 @@
 #[path = "../../report/tests/it/broker.rs"]
 #[allow(dead_code, reason = "each test uses its part")]
 mod broker;
+#[path = "../../history/tests/it/server.rs"]
+#[allow(dead_code, reason = "each test uses its part")]
+mod database;
 #[path = "it/pty.rs"]
 #[allow(unused_imports, reason = "each test uses its part")]
 mod pty;
@@ -33,7 +36,8 @@ impl Server {
         let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut says = BufReader::new(child.stdout.take().unwrap()).lines();
         let first = says.next().unwrap().unwrap();
-        let (address, fragment) = first["http://".len()..].split_once('/').unwrap();
+        let (_, address) = first.split_once("://").unwrap();
+        let (address, fragment) = address.split_once('/').unwrap();
         assert!(["", "#board"].contains(&fragment), "{first}");
         Server {
             child,
@@ -90,6 +94,16 @@ fn site(name: &str, lines: &str) -> String {
         format!("[http]\nlisten = \"127.0.0.1:0\"\n[modbus]\nlisten = \"127.0.0.1:0\"\n{lines}");
     std::fs::write(&file, text).unwrap();
     file
+}
+
+/// What is answered at this path.
+fn http(address: &str, path: &str) -> String {
+    let mut stream = TcpStream::connect(address).unwrap();
+    let head = format!("Host: {address}\r\nConnection: close\r\n");
+    write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer
 }
 
 /// STOP by command (docs/modbus.md).
@@ -270,11 +284,8 @@ fn what_a_board_was_is_kept_and_printed() {
         fake.path()
     );
     let file = site("kept", &lines);
-    for end in ["db", "db-wal", "db-shm"] {
-        // That of the last time, if there was one.
-        let _ = std::fs::remove_file(file.replace("toml", end));
-    }
-    let _server = Server::of(&mut unoclp_site(&file));
+    forget(&file);
+    let server = Server::of(&mut unoclp_site(&file));
     let printed = |point: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
         let output = command
@@ -296,6 +307,13 @@ fn what_a_board_was_is_kept_and_printed() {
         1
     );
     assert!(printed("one.Q1").ends_with(",0,0,0\n"));
+    // The same over HTTP.
+    let csv = http(
+        &server.address,
+        "/api/history.csv?board=one&point=Q3&last=1h",
+    );
+    let (_, csv) = csv.split_once("\r\n\r\n").unwrap();
+    assert_eq!(csv, printed("one.Q3"));
 }
 
 #[test]
@@ -318,19 +336,315 @@ fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
     broker.publish("unoclp/one/Q2/set", b"true", &[]);
     let refused = listener.next_at("$refused").text();
     assert_eq!(refused, r#"{"point":"Q2","why":"not allowed"}"#);
-    let metrics = {
-        let mut stream = TcpStream::connect(&server.address).unwrap();
-        let head = format!("Host: {}\r\nConnection: close\r\n", server.address);
-        write!(stream, "GET /metrics HTTP/1.1\r\n{head}\r\n").unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer
-    };
+    let metrics = http(&server.address, "/metrics");
     assert!(metrics.contains("unoclp_mqtt_connected 1\n"), "{metrics}");
     let url = format!("mqtt://127.0.0.1:{}", broker.port);
     while server.line() != format!("{url}: connected") {}
     broker.kill();
     while !server.line().starts_with(&format!("{url}: away: ")) {}
+}
+
+/// The signal that stops a service.
+fn terminate(server: &Server) {
+    let pid = server.child.id().to_string();
+    let sent = Command::new("kill").args(["-TERM", &pid]).status();
+    assert!(sent.unwrap().success());
+}
+
+/// The files that a site keeps are those of the last time, if there was one.
+fn forget(file: &str) {
+    for end in ["journal", "journal-wal", "db", "db-wal", "db-shm"] {
+        let _ = std::fs::remove_file(file.replace("toml", end));
+    }
+}
+
+#[test]
+fn a_gateway_that_is_asked_to_end_says_goodbye_and_keeps_what_it_has_read() {
+    let broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let lines = format!(
+        "[history]\nstore = \"ends.db\"\n[journal]\nevery = \"1m\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let file = site("ends", &lines);
+    forget(&file);
+    let listener = Listener::new(&broker, "unoclp/$status");
+    let mut server = Server::of(&mut unoclp_site(&file));
+    assert_eq!(listener.next().text(), "online");
+    // What is read first is committed at once, what comes after it not within a minute.
+    while !http(&server.address, "/metrics").contains("unoclp_history_waiting 0\n") {}
+    while http(&server.address, "/metrics").contains("unoclp_history_rows_total 0\n") {}
+    fake.board().outputs = 4;
+    while !http(&server.address, "/metrics")
+        .contains("unoclp_point{board=\"one\",point=\"Q3\"} 1\n")
+    {}
+    terminate(&server);
+    assert_eq!(listener.next().text(), "offline");
+    assert!(server.child.wait().unwrap().success());
+    while server.line() != "ended" {}
+    let printed = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+        .args(["site", "history", &file, "one.Q3"])
+        .output()
+        .unwrap();
+    let printed = String::from_utf8(printed.stdout).unwrap();
+    assert!(
+        printed.ends_with(",0,0,0\n") || printed.ends_with(",1,1,1\n"),
+        "{printed}"
+    );
+    assert_eq!(printed.matches(",1,1,1\n").count(), 1, "{printed}");
+}
+
+#[test]
+fn a_gateway_that_is_killed_again_and_again_loses_no_committed_sample() {
+    let mut broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let lines = format!(
+        "[history]\nstore = \"killed.db\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"10ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let file = site("killed", &lines);
+    forget(&file);
+    broker.kill();
+    let mut least = 0;
+    for kill in 0..5_u16 {
+        let server = Server::of(&mut unoclp_site(&file));
+        let mut committed = 0;
+        while committed < 20 {
+            fake.board().outputs ^= 7;
+            let metrics = http(&server.address, "/metrics");
+            let line = metrics
+                .lines()
+                .find_map(|line| line.strip_prefix("unoclp_journal_samples_total "));
+            committed = line.map_or(0, |count| count.parse::<u64>().unwrap());
+        }
+        least += committed;
+        // Dropping it kills it (SIGKILL), while it goes on.
+        drop(server);
+        assert!(fake.board().outputs < 8, "kill {kill}");
+    }
+    // All of that is told in order once the broker is there, and the history has the same.
+    broker.begin();
+    let listener = Listener::new(&broker, "unoclp/one/+");
+    let server = Server::of(&mut unoclp_site(&file));
+    let mut numbers = Vec::new();
+    while numbers.last() < Some(&least) {
+        let heard = listener.next();
+        let text = heard.text();
+        let number = text
+            .rsplit_once("\"n\":")
+            .map(|(_, number)| number.trim_end_matches('}'));
+        if !heard.retained
+            && let Some(number) = number
+        {
+            numbers.push(number.parse::<u64>().unwrap());
+        }
+    }
+    let first = numbers[0];
+    assert!(
+        numbers
+            .iter()
+            .copied()
+            .eq(first..first + numbers.len() as u64),
+        "{numbers:?}"
+    );
+    terminate(&server);
+    drop(listener);
+    let mut server = server;
+    assert!(server.child.wait().unwrap().success());
+    let mut rows = 0;
+    for point in 1..=4 {
+        let printed = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+            .args(["site", "history", &file, &format!("one.Q{point}")])
+            .output()
+            .unwrap();
+        let printed = String::from_utf8(printed.stdout).unwrap();
+        rows += printed.lines().skip(1).count() as u64;
+        // A change is another value than before, but where the gateway began anew.
+        let values: Vec<&str> = printed
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split(',').nth(3))
+            .collect();
+        let same = values.windows(2).filter(|pair| pair[0] == pair[1]).count();
+        assert!(same <= 6, "{same} of {}", values.len());
+    }
+    assert!(rows > 20, "{rows}");
+}
+
+#[test]
+fn a_history_moves_to_a_database_and_goes_on_there() {
+    let database = database::Server::new();
+    database.psql("postgres", "CREATE DATABASE plant");
+    let fake = Fake::new(Board::default());
+    let of = |store: &str| {
+        let lines = format!(
+            "[history]\nstore = \"{store}\"\n[[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+            fake.path()
+        );
+        site("moves", &lines)
+    };
+    let old = of("moves.db");
+    forget(&old);
+    let mut server = Server::of(&mut unoclp_site(&old));
+    let has_rows = |server: &Server| {
+        let metrics = http(&server.address, "/metrics");
+        let is_there = |line: &str| metrics.lines().any(|of| of == line);
+        !is_there("unoclp_history_rows_total 0") && is_there("unoclp_history_waiting 0")
+    };
+    while !has_rows(&server) {}
+    let moving = |file: &str| {
+        let from = old.replace("toml", "db");
+        let output = Command::new(env!("CARGO_BIN_EXE_unoclp"))
+            .args(["site", "move", file, &from])
+            .env("LC_ALL", "C")
+            .output()
+            .unwrap();
+        let said = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(said).unwrap())
+    };
+    let (code, said) = moving(&old);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("is in no database; write it under [history]"),
+        "{said}"
+    );
+    let new = of(&format!(
+        "postgres://unoclp@127.0.0.1:{}/plant",
+        database.port
+    ));
+    // Not while a gateway runs.
+    let (code, said) = moving(&new);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("another `unoclp serve` uses this journal"),
+        "{said}"
+    );
+    terminate(&server);
+    assert!(server.child.wait().unwrap().success());
+    let (code, said) = moving(&new);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(
+        said.contains("/plant too; start unoclp serve again"),
+        "{said}"
+    );
+    let count = || {
+        database.psql(
+            "plant",
+            "SELECT count(*), count(DISTINCT (point, at, seq)) FROM unoclp.sample",
+        )
+    };
+    let moved = count();
+    let (code, said) = moving(&new);
+    assert_eq!((code, count()), (Some(2), moved.clone()));
+    assert!(said.contains("has samples of one."), "{said}");
+    let mut server = Server::of(&mut unoclp_site(&new));
+    while !has_rows(&server) {}
+    let csv = http(&server.address, "/api/history.csv?board=one&point=Q3");
+    assert!(
+        csv.contains("time,least,most,last\r\n") || csv.contains("time,least,most,last\n"),
+        "{csv}"
+    );
+    terminate(&server);
+    assert!(server.child.wait().unwrap().success());
+    assert_ne!(count(), moved);
+}
+
+#[test]
+fn an_encrypted_page_is_known_by_its_certificate_which_stays() {
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let lines = "[[line]]\nport = \"/dev/none\"\n[[line.board]]\nname = \"one\"\n";
+    let of = |tls: &str| {
+        let file = site("encrypted", lines);
+        let text = std::fs::read_to_string(&file).unwrap();
+        std::fs::write(
+            &file,
+            text.replace("[modbus]", &format!("tls = {tls}\n[modbus]")),
+        )
+        .unwrap();
+        file
+    };
+    for end in ["cert.pem", "key.pem"] {
+        let _ = std::fs::remove_file(format!("{folder}/encrypted.{end}"));
+    }
+    let curl = |server: &Server, more: &[&str], path: &str| {
+        let url = format!("https://{}{path}", server.address);
+        let output = Command::new("curl")
+            .args([
+                "--silent",
+                "--cacert",
+                &format!("{folder}/encrypted.cert.pem"),
+            ])
+            .args(more)
+            .arg(url)
+            .output()
+            .expect("`cargo xtask setup` brings curl");
+        (
+            output.status.success(),
+            String::from_utf8_lossy(&output.stdout).into_owned(),
+        )
+    };
+    let mut server = Server::of(&mut unoclp_site(&of("\"self-signed\"")));
+    let sum = server.line();
+    assert!(sum.starts_with("certificate: SHA-256 "), "{sum}");
+    let (is_trusted, page) = curl(&server, &[], "/");
+    assert!(is_trusted && page.contains("<html"), "{page}");
+    let origin = |scheme: &str| format!("Origin: {scheme}://{}", server.address);
+    let status = ["--write-out", "%{http_code}", "--output", "/dev/null"];
+    for (scheme, code) in [("https", "200"), ("http", "403")] {
+        let header = origin(scheme);
+        let more = [&status[..], &["--header", &header]].concat();
+        assert_eq!(curl(&server, &more, "/health").1, code, "{scheme}");
+    }
+    // What is not encrypted gets no answer, and holds up nobody.
+    let mut plain = TcpStream::connect(&server.address).unwrap();
+    plain
+        .write_all(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+        .unwrap();
+    let mut answer = Vec::new();
+    let _ = plain.read_to_end(&mut answer);
+    assert!(!answer.starts_with(b"HTTP"), "{answer:?}");
+    drop(server);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let key = std::fs::metadata(format!("{folder}/encrypted.key.pem")).unwrap();
+        assert_eq!(key.permissions().mode() & 0o777, 0o600);
+    }
+    // The same after a restart, by its files too.
+    let files = "{ cert = \"encrypted.cert.pem\", key = \"encrypted.key.pem\" }";
+    for tls in ["\"self-signed\"", files] {
+        let mut again = Server::of(&mut unoclp_site(&of(tls)));
+        assert_eq!(again.line(), sum);
+    }
+    let refused = unoclp_site(&of(
+        "{ cert = \"encrypted.key.pem\", key = \"encrypted.key.pem\" }",
+    ))
+    .output();
+    let refused = refused.unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        said.contains("encrypted.key.pem holds no certificate in PEM"),
+        "{said}"
+    );
+}
+
+#[test]
+fn two_gateways_of_one_site_do_not_run_at_once() {
+    let lines = "[history]\nstore = \"twice.db\"\n[[line]]\nport = \"/dev/none\"\n[[line.board]]\nname = \"one\"\n";
+    let file = site("twice", lines);
+    let _first = Server::of(&mut unoclp_site(&file));
+    let second = unoclp_site(&file).output().unwrap();
+    assert_eq!(second.status.code(), Some(2));
+    let said = String::from_utf8(second.stderr).unwrap();
+    assert!(
+        said.contains("twice.journal: another `unoclp serve` uses this journal"),
+        "{said}"
+    );
 }
 
 #[test]

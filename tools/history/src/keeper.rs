@@ -1,170 +1,192 @@
-//! A thread that writes samples, and what waits where the file takes nothing.
+//! A thread that takes from the journal what the history does not have yet.
 
-use crate::sample::Sample;
-use crate::store::{Failure, Store};
-use std::collections::VecDeque;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
-use std::sync::{Arc, Mutex, PoisonError};
+use crate::store::Store;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use unoclp_journal::{Entry, Failure, Reader};
 
-/// Samples that wait for the file; of more, the oldest go.
-const WAITING: usize = 200_000;
-/// Batches that wait for the thread.
-const BATCHES: usize = 4_096;
-/// How long what has come waits for more, to be written together; and how often a file that takes nothing is tried again.
-const TOGETHER: Duration = Duration::from_secs(1);
-/// Samples that are written together at most.
+/// Entries that are taken together at most.
 const AT_ONCE: usize = 10_000;
-/// How often what is old is thinned.
+/// From one taking to the next at least: what comes meanwhile is taken together.
+const TOGETHER: Duration = Duration::from_millis(200);
+/// A history that takes nothing is tried again after this, then after twice as long, and so on, up to
+const SOON: Duration = Duration::from_millis(500);
+/// this.
+const LATE: Duration = Duration::from_secs(30);
+/// How often what is old is thinned, and how soon again where there was more.
 const THINNED: Duration = Duration::from_secs(60);
+const MORE: Duration = Duration::from_secs(1);
 
 /// How it stands with the history.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct State {
-    /// Samples written.
-    pub written: u64,
-    /// Samples that were given up, since the file took nothing for too long.
-    pub dropped: u64,
-    /// Samples that wait.
-    pub waiting: usize,
-    /// Why the file takes nothing at present.
-    pub failure: Option<String>,
+    /// Entries taken since the beginning.
+    pub taken: u64,
+    /// Why it takes nothing at present.
+    pub failure: Option<Failure>,
 }
 
-/// The way to the thread. It ends, with all written that can be, when the last of these is dropped.
+/// How a history is opened.
+pub type Open = Box<dyn Fn() -> Result<Box<dyn Store>, Failure> + Send>;
+/// Hears when the history takes nothing, and why; and when it does again.
+pub type Tell = Box<dyn Fn(Option<&Failure>) + Send>;
+
+/// The way to the thread. It ends once its journal has ended and all is taken that can be.
 #[derive(Debug)]
 pub struct Keeper {
-    samples: Option<SyncSender<Vec<Sample>>>,
     state: Arc<Mutex<State>>,
-    thread: Option<JoinHandle<()>>,
+    thread: Mutex<Option<JoinHandle<()>>>,
 }
 
 impl Keeper {
-    /// Begins to write into this file, and to thin what is older than `keep`. `tell` hears when the file takes nothing, and
-    /// when it does again.
+    /// Begins to take what this reader has, and to thin what is older than `keep`. The history is this one, or else is opened
+    /// as soon as it can be.
+    ///
+    /// # Errors
+    /// Where the system refuses a thread.
     pub fn begin(
-        store: Store,
+        store: Option<Box<dyn Store>>,
+        open: Open,
+        reader: Reader,
         keep: Duration,
-        tell: impl Fn(Option<&Failure>) + Send + 'static,
-    ) -> Keeper {
-        let (samples, came) = mpsc::sync_channel(BATCHES);
+        tell: Tell,
+    ) -> std::io::Result<Keeper> {
         let state = Arc::new(Mutex::new(State::default()));
-        let writer = Writer {
+        let mut taker = Taker {
             store,
-            keep: i64::try_from(keep.as_millis()).unwrap_or(i64::MAX / 8),
-            waiting: VecDeque::new(),
+            open,
+            at: None,
+            reader,
+            keep: i64::try_from(keep.as_millis()).unwrap_or(i64::MAX),
+            thin: Instant::now(),
             state: state.clone(),
-            tell: Box::new(tell),
+            tell,
         };
-        let thread = thread::spawn(move || writer.run(&came));
-        Keeper {
-            samples: Some(samples),
+        let thread = thread::Builder::new().name("history".to_owned());
+        let thread = thread.spawn(move || taker.run())?;
+        Ok(Keeper {
             state,
-            thread: Some(thread),
-        }
-    }
-
-    /// These are to be written. Where too many wait for the thread they are given up, and counted.
-    pub fn keep(&self, samples: Vec<Sample>) {
-        let count = samples.len() as u64;
-        let taken = self.samples.as_ref().map(|to| to.try_send(samples));
-        if !matches!(taken, Some(Ok(()))) {
-            lock(&self.state).dropped += count;
-        }
+            thread: Mutex::new(Some(thread)),
+        })
     }
 
     /// How it stands.
     pub fn state(&self) -> State {
         lock(&self.state).clone()
     }
-}
 
-impl Drop for Keeper {
-    fn drop(&mut self) {
-        self.samples = None;
-        if let Some(thread) = self.thread.take() {
+    /// Waits for the end, which comes after that of the journal.
+    pub fn end(&self) {
+        if let Some(thread) = lock(&self.thread).take() {
             // One that has failed has said so.
             let _ = thread.join();
         }
     }
 }
 
-/// Hears when the file takes nothing, and why; and when it does again.
-type Tell = Box<dyn Fn(Option<&Failure>) + Send>;
-
-struct Writer {
-    store: Store,
+struct Taker {
+    store: Option<Box<dyn Store>>,
+    open: Open,
+    /// The number of the last entry that the history has; none as long as it was not asked.
+    at: Option<u64>,
+    reader: Reader,
     keep: i64,
-    waiting: VecDeque<Sample>,
+    /// When what is old is thinned next.
+    thin: Instant,
     state: Arc<Mutex<State>>,
     tell: Tell,
 }
 
-impl Writer {
-    fn run(mut self, came: &Receiver<Vec<Sample>>) {
-        let mut thin = Instant::now();
-        while self.gather(came) {
-            self.write();
-            if thin <= Instant::now() {
-                let more = self.store.thin(now(), self.keep).unwrap_or(false);
-                thin = Instant::now() + if more { TOGETHER } else { THINNED };
-            }
-        }
-        self.write();
-    }
-
-    /// Takes what comes until it is time to write; false at the end.
-    fn gather(&mut self, came: &Receiver<Vec<Sample>>) -> bool {
-        let until = Instant::now() + TOGETHER;
+impl Taker {
+    fn run(&mut self) {
+        let mut wait = SOON;
         loop {
-            match came.recv_timeout(until.saturating_duration_since(Instant::now())) {
-                Ok(samples) => self.wait(samples),
-                Err(RecvTimeoutError::Timeout) => return true,
-                Err(RecvTimeoutError::Disconnected) => return false,
-            }
-            if self.waiting.len() >= AT_ONCE {
-                return true;
-            }
-        }
-    }
-
-    fn wait(&mut self, samples: Vec<Sample>) {
-        self.waiting.extend(samples);
-        let over = self.waiting.len().saturating_sub(WAITING);
-        self.waiting.drain(..over);
-        let mut state = lock(&self.state);
-        state.dropped += over as u64;
-        state.waiting = self.waiting.len();
-    }
-
-    fn write(&mut self) {
-        while !self.waiting.is_empty() {
-            let count = self.waiting.len().min(AT_ONCE);
-            let batch = &self.waiting.make_contiguous()[..count];
-            let written = self.store.append(batch);
-            let mut state = lock(&self.state);
-            let failed = state.failure.is_some();
-            match written {
-                Ok(()) => {
-                    self.waiting.drain(..count);
-                    state.written += count as u64;
-                    state.failure = None;
-                    state.waiting = self.waiting.len();
-                    if failed {
-                        (self.tell)(None);
+            let is_over = self.reader.is_over();
+            let done = self.round();
+            match done {
+                Ok(more) => {
+                    wait = SOON;
+                    if is_over && !more {
+                        return;
                     }
                 }
                 Err(why) => {
-                    state.failure = Some(format!("{why:?}"));
-                    if !failed {
-                        (self.tell)(Some(&why));
+                    self.failed(why);
+                    if is_over {
+                        return;
                     }
-                    return;
+                    // A new connection knows what the last one has taken.
+                    (self.store, self.at) = (None, None);
+                    self.reader.pause(wait);
+                    wait = (wait * 2).min(LATE);
                 }
             }
         }
     }
+
+    /// Takes what there is, and thins; says whether there is more at once.
+    fn round(&mut self) -> Result<bool, Failure> {
+        let store = match &mut self.store {
+            Some(store) => store,
+            none => none.insert((self.open)()?),
+        };
+        let at = match self.at {
+            Some(at) => at,
+            None => begin(&mut **store, &self.reader)?,
+        };
+        self.at = Some(at);
+        let more = match self.reader.wait(at, MORE) {
+            false => false,
+            true => {
+                let entries = self.reader.read(at, AT_ONCE)?;
+                store.take(self.reader.source(), &entries)?;
+                self.took(at, &entries);
+                entries.len() == AT_ONCE
+            }
+        };
+        lock(&self.state)
+            .failure
+            .take()
+            .inspect(|_| (self.tell)(None));
+        if self.thin <= Instant::now()
+            && let Some(store) = &mut self.store
+        {
+            let is_more = store.thin(now(), self.keep)?;
+            self.thin = Instant::now() + if is_more { MORE } else { THINNED };
+        }
+        if !more {
+            self.reader.pause(TOGETHER);
+        }
+        Ok(more)
+    }
+
+    fn took(&mut self, at: u64, entries: &[Entry]) {
+        // Where those that were there are gone, the bound has dropped them.
+        let last = entries
+            .last()
+            .map_or(self.reader.last(), |last| last.number);
+        self.at = Some(last.max(at));
+        self.reader.take(last);
+        lock(&self.state).taken += entries.len() as u64;
+    }
+
+    fn failed(&self, why: Failure) {
+        let before = lock(&self.state).failure.replace(why.clone());
+        if before.is_none() {
+            (self.tell)(Some(&why));
+        }
+    }
+}
+
+/// The number of the last entry that the history has. A journal that is older than that goes on behind it.
+fn begin(store: &mut dyn Store, reader: &Reader) -> Result<u64, Failure> {
+    let taken = store.taken(reader.source())?.unwrap_or(0);
+    if taken > reader.last() {
+        reader.skip_to(taken)?;
+    }
+    reader.take(taken);
+    Ok(taken)
 }
 
 /// ms since 1970, by the clock of the PC.
@@ -175,81 +197,6 @@ fn now() -> i64 {
     })
 }
 
-fn lock(state: &Mutex<State>) -> std::sync::MutexGuard<'_, State> {
-    state.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::query::Query;
-    use rusqlite::Connection;
-
-    fn sample(number: u32) -> Sample {
-        Sample {
-            board: "b".into(),
-            point: "count".into(),
-            at: number.into(),
-            value: Some(number.into()),
-        }
-    }
-
-    fn numbers(path: &std::path::Path) -> Vec<u32> {
-        let query = Query {
-            board: "b".into(),
-            point: "count".into(),
-            from: 0,
-            to: i64::MAX,
-            step: 0,
-            most: usize::MAX,
-        };
-        let rows = Store::read(path).unwrap().rows(&query).unwrap();
-        rows.iter().map(|row| row.last.unwrap() as u32).collect()
-    }
-
-    #[test]
-    fn what_the_file_does_not_take_waits_and_is_written_in_order_once() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("h.db");
-        let store = Store::open(&path).unwrap();
-        store.file.busy_timeout(Duration::ZERO).unwrap();
-        let (tell, told) = mpsc::channel();
-        // It is thinned in another test.
-        let keeper = Keeper::begin(store, Duration::from_secs(1 << 40), move |failure| {
-            // After the end of the test nobody listens.
-            let _ = tell.send(failure.map(|why| format!("{why:?}")));
-        });
-        let other = Connection::open(&path).unwrap();
-        other.execute_batch("BEGIN IMMEDIATE").unwrap();
-        for number in 0..100 {
-            keeper.keep(vec![sample(number)]);
-        }
-        let failure = told.recv().unwrap();
-        assert!(failure.is_some_and(|why| why.contains("locked")));
-        assert_eq!(keeper.state().written, 0);
-        keeper.keep((100..200).map(sample).collect());
-        other.execute_batch("ROLLBACK").unwrap();
-        assert_eq!(told.recv().unwrap(), None);
-        keeper.keep((200..300).map(sample).collect());
-        drop(keeper);
-        assert_eq!(numbers(&path), (0..300).collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn what_waits_is_bounded_and_the_oldest_goes() {
-        let folder = tempfile::tempdir().unwrap();
-        let state = Arc::new(Mutex::new(State::default()));
-        let mut writer = Writer {
-            store: Store::open(&folder.path().join("h.db")).unwrap(),
-            keep: 1,
-            waiting: VecDeque::new(),
-            state: state.clone(),
-            tell: Box::new(|_| ()),
-        };
-        writer.wait((0..WAITING as u32).map(sample).collect());
-        writer.wait((0..7).map(sample).collect());
-        assert_eq!(writer.waiting.len(), WAITING);
-        assert_eq!(writer.waiting.front().unwrap().at, 7);
-        assert_eq!(lock(&state).dropped, 7);
-    }
+fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
+    of.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,7 +1,4 @@
-//! What is asked of the file, and what it gives.
-
-use crate::store::{Failure, Store};
-use rusqlite::{OptionalExtension, params};
+//! What is asked of a history, and what it gives.
 
 /// What a point was, over a time.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,114 +60,41 @@ fn with(one: Option<f64>, other: Option<f64>, choose: fn(f64, f64) -> f64) -> Op
     }
 }
 
-impl Store {
-    /// The rows of a query, in the order of time. The first one begins at `from` with what the point was by then, if that is
-    /// known. A step in which nothing has changed has no row.
-    ///
-    /// # Errors
-    /// [`Failure`].
-    pub fn rows(&self, query: &Query) -> Result<Vec<Row>, Failure> {
-        let Some(point) = self.id(&query.board, &query.point)? else {
-            return Ok(Vec::new());
-        };
-        let mut rows: Vec<Row> = Vec::new();
-        if let Some(value) = self.before(point, query.from)? {
-            rows.push(Row::of(query.from, value));
-        }
-        let mut found = self.file.prepare_cached(
-            "SELECT at, least, most, last, 0 AS seq FROM thinned WHERE point = ?1 AND at >= ?2 AND at < ?3
-             UNION ALL SELECT at, value, value, value, seq FROM sample WHERE point = ?1 AND at >= ?2 AND at < ?3
-             ORDER BY at, seq",
-        )?;
-        let found = found.query_map(params![point, query.from, query.to], |row| {
-            Ok(Row {
-                at: row.get(0)?,
-                least: row.get(1)?,
-                most: row.get(2)?,
-                last: row.get(3)?,
-            })
-        })?;
-        for row in found {
-            let row = row?;
-            let at = match query.step {
-                ..=0 => row.at,
-                step => query.from + (row.at - query.from).div_euclid(step) * step,
-            };
-            let is_full = rows.len() == query.most;
-            match rows
-                .last_mut()
-                .filter(|last| query.step > 0 && last.at == at)
-            {
-                Some(last) => last.extend(&row),
-                None if is_full => break,
-                None => rows.push(row.beginning(at)),
-            }
-        }
-        Ok(rows)
-    }
-
-    fn id(&self, board: &str, point: &str) -> Result<Option<i64>, Failure> {
-        let mut id = self
-            .file
-            .prepare_cached("SELECT id FROM point WHERE board = ? AND name = ?")?;
-        Ok(id.query_row([board, point], |row| row.get(0)).optional()?)
-    }
-
-    /// What a point was just before this moment; none where that is not known.
-    fn before(&self, point: i64, at: i64) -> Result<Option<Option<f64>>, Failure> {
-        let mut last = self.file.prepare_cached(
-            "SELECT last FROM (
-                SELECT * FROM (SELECT at, last, 0 AS seq FROM thinned WHERE point = ?1 AND at < ?2 ORDER BY at DESC LIMIT 1)
-                UNION ALL
-                SELECT * FROM (SELECT at, value, seq FROM sample WHERE point = ?1 AND at < ?2 ORDER BY at DESC, seq DESC LIMIT 1)
-             ) ORDER BY at DESC, seq DESC LIMIT 1",
-        )?;
-        let last = last.query_row([point, at], |row| row.get(0));
-        Ok(last.optional()?)
-    }
+/// The answer to a query, as what is found comes.
+#[derive(Debug)]
+pub(crate) struct Answer<'q> {
+    query: &'q Query,
+    rows: Vec<Row>,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sample::Sample;
+impl<'q> Answer<'q> {
+    /// Begins with what the point was before, if that is known.
+    pub fn new(query: &'q Query, before: Option<Option<f64>>) -> Answer<'q> {
+        let first = before.map(|value| Row::of(query.from, value));
+        Answer {
+            query,
+            rows: first.into_iter().collect(),
+        }
+    }
 
-    #[test]
-    fn where_the_disk_is_full_nothing_is_written_by_half() {
-        let folder = tempfile::tempdir().unwrap();
-        let mut store = Store::open(&folder.path().join("h.db")).unwrap();
-        let sample = |at| Sample {
-            board: "b".into(),
-            point: "p".into(),
-            at,
-            value: Some(1.0),
+    /// Takes in what was found next; false if no more is wanted.
+    pub fn take(&mut self, row: Row) -> bool {
+        let at = match self.query.step {
+            ..=0 => row.at,
+            step => self.query.from + (row.at - self.query.from).div_euclid(step) * step,
         };
-        store.append(&[sample(0)]).unwrap();
-        let pages: i64 = store
-            .file
-            .pragma_query_value(None, "page_count", |row| row.get(0))
-            .unwrap();
-        let limit = |store: &Store, pages: i64| {
-            let set = format!("max_page_count({pages})");
-            store
-                .file
-                .query_row(&format!("PRAGMA {set}"), [], |_| Ok(()))
-                .unwrap();
-        };
-        limit(&store, pages);
-        let many: Vec<Sample> = (1..10_000).map(sample).collect();
-        assert!(matches!(store.append(&many), Err(Failure::Full)));
-        let query = Query {
-            board: "b".into(),
-            point: "p".into(),
-            from: 0,
-            to: 20_000,
-            step: 0,
-            most: usize::MAX,
-        };
-        assert_eq!(store.rows(&query).unwrap().len(), 1);
-        limit(&store, 10 * pages + 1_000);
-        store.append(&many).unwrap();
-        assert_eq!(store.rows(&query).unwrap().len(), 10_000);
+        let is_full = self.rows.len() >= self.query.most;
+        let last = self.rows.last_mut();
+        match last.filter(|last| self.query.step > 0 && last.at == at) {
+            Some(last) => last.extend(&row),
+            None if is_full => return false,
+            None => self.rows.push(row.beginning(at)),
+        }
+        true
+    }
+
+    /// All rows.
+    pub fn rows(self) -> Vec<Row> {
+        self.rows
     }
 }

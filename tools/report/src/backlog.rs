@@ -1,4 +1,4 @@
-//! What waits for a broker, in order; of too much, the oldest goes, and is counted.
+//! What waits in memory, in order; of too much, the oldest goes, and is counted.
 
 use std::collections::VecDeque;
 
@@ -36,16 +36,6 @@ impl<T> Backlog<T> {
         self.waiting.pop_front()
     }
 
-    /// These wait again, before all others, where there is room.
-    pub fn put_back(&mut self, items: Vec<T>) {
-        for item in items.into_iter().rev() {
-            match self.waiting.len() < self.most {
-                true => self.waiting.push_front(item),
-                false => self.dropped += 1,
-            }
-        }
-    }
-
     /// One that will not be sent is given up.
     pub fn give_up(&mut self) {
         self.dropped += 1;
@@ -71,9 +61,7 @@ mod tests {
         let mut backlog = Backlog::new(3);
         (0..5).for_each(|number| backlog.push(number));
         assert_eq!((backlog.len(), backlog.dropped()), (3, 2));
-        assert_eq!(backlog.pop(), Some(2));
-        // Of those that come back, the oldest has no room.
-        backlog.put_back(vec![1, 2]);
+        backlog.give_up();
         assert_eq!((backlog.len(), backlog.dropped()), (3, 3));
         let all: Vec<_> = std::iter::from_fn(|| backlog.pop()).collect();
         assert_eq!(all, [2, 3, 4]);

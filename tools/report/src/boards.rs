@@ -124,8 +124,6 @@ impl Board {
 #[derive(Clone, Debug)]
 pub(crate) struct Boards {
     pub all: Vec<Board>,
-    /// The number of the next sample.
-    next: u64,
 }
 
 impl Boards {
@@ -134,7 +132,6 @@ impl Boards {
         let board = |of: &unoclp_site::Board| Board::new(&of.name, &of.points);
         Boards {
             all: site.boards().map(board).collect(),
-            next: 0,
         }
     }
 
@@ -148,12 +145,10 @@ impl Boards {
         self.all.iter_mut().find(|board| board.name == name)
     }
 
-    /// Takes changes. Gives each board that has some.
-    pub fn take(&mut self, changes: &[Change]) -> Vec<News> {
+    /// Takes changes, each with its number. Gives each board that has some.
+    pub fn take<'c>(&mut self, changes: impl Iterator<Item = (&'c Change, u64)>) -> Vec<News> {
         let mut of_boards: Vec<(&str, Vec<(&Change, u64)>)> = Vec::new();
-        for change in changes {
-            let number = self.next;
-            self.next += 1;
+        for (change, number) in changes {
             match of_boards.iter_mut().find(|(name, _)| *name == change.board) {
                 Some((_, of)) => of.push((change, number)),
                 None => of_boards.push((&change.board, vec![(change, number)])),

@@ -1,7 +1,8 @@
 //! A connection to a broker, which comes back by itself.
 //!
-//! Each connection is a clean session: what a broker has not confirmed is said again by our own backlog, in order.
+//! Each connection is a clean session: what a broker has not confirmed is said again from the journal, in order.
 
+use crate::change::Change;
 use crate::command::{Command, Refusal};
 use crate::session::{Message, Now, Out, Session};
 use crate::shared::{Carry, Shared, Trouble};
@@ -14,8 +15,10 @@ use std::future::{Future, pending};
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use tokio::sync::Notify;
 use tokio::sync::mpsc::{Receiver, UnboundedReceiver, UnboundedSender, channel};
 use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
+use unoclp_journal::Reader;
 
 /// Messages that a broker has not confirmed, at most.
 const UNSURE: usize = 64;
@@ -29,10 +32,12 @@ const LATE: Duration = Duration::from_secs(30);
 const PATIENCE: Duration = Duration::from_secs(10);
 const FAREWELL: Duration = Duration::from_secs(2);
 const TICK: Duration = Duration::from_millis(500);
+/// Entries of the journal that are read at a time.
+const ENTRIES: usize = 256;
 
 /// What comes from the gateway.
 pub(crate) enum Input {
-    Changed(Arc<[crate::Change]>),
+    Changed(Arc<[Change]>),
     Presence(String, bool),
     Stop,
 }
@@ -50,6 +55,9 @@ pub(crate) struct Link {
     pub outcome: UnboundedSender<Outcome>,
     pub carry: Carry,
     pub shared: Arc<Shared>,
+    /// The journal, and who says that there is more in it.
+    pub reader: Reader,
+    pub more: Arc<Notify>,
     pub begin: Instant,
 }
 
@@ -126,7 +134,7 @@ impl Link {
             Some(Input::Presence(board, up)) => self.session.presence(&board, up, now),
             Some(Input::Stop) | None => return true,
         }
-        self.shared.stand(self.session.stand());
+        self.shared.dropped(self.session.dropped());
         false
     }
 
@@ -146,13 +154,19 @@ impl Link {
         // Whether the polling has ended: it must not be asked again.
         let mut is_over = false;
         loop {
+            self.read();
             if is_connected && let Some(end) = self.send(&client, unsure) {
                 return match end {
-                    End::Leave if !is_over => leave(&client, polling, unsure).await,
+                    End::Leave if !is_over => {
+                        leave(&client, polling, unsure, |told| self.is_told(told)).await
+                    }
                     other => other,
                 };
             }
-            self.shared.stand(self.session.stand());
+            self.shared.dropped(self.session.dropped());
+            if let Some(number) = self.session.told().filter(|_| unsure.is_empty()) {
+                self.reader.take(number.min(self.reader.last()));
+            }
             tokio::select! {
                 // It ends with the connection, after what has come is taken.
                 () = &mut polling, if !is_over => is_over = true,
@@ -179,7 +193,8 @@ impl Link {
                         for message in self.session.farewell(now) {
                             publish(&client, message, unsure);
                         }
-                        return match leave(&client, polling, unsure).await {
+                        let end = leave(&client, polling, unsure, |told| self.is_told(told)).await;
+                        return match end {
                             End::Leave => End::Stop,
                             other => other,
                         };
@@ -191,9 +206,10 @@ impl Link {
                     self.session.done(&command, outcome, now);
                 }
                 has_it = oldest(unsure) => match has_it {
-                    true => drop(unsure.pop_front()),
+                    true => self.is_told(unsure.pop_front()),
                     false => return End::Lost(Trouble::Closed),
                 },
+                () = self.more.notified() => {}
                 _ = ticks.tick() => {
                     let now = self.now();
                     self.session.tick(now);
@@ -202,6 +218,33 @@ impl Link {
                     }
                 }
             }
+        }
+    }
+
+    /// Reads on in the journal, as far as the session wants.
+    fn read(&mut self) {
+        while let Some(after) = self.session.wants() {
+            let now = self.now();
+            let last = self.reader.last();
+            let entries = match last > after {
+                true => self.reader.read(after, ENTRIES),
+                false => Ok(Vec::new()),
+            };
+            // Who writes the journal says what is wrong with it.
+            let Ok(entries) = entries else {
+                return;
+            };
+            self.session.read(&entries, last.max(after), now);
+            if entries.is_empty() {
+                return;
+            }
+        }
+    }
+
+    /// The broker has this.
+    fn is_told(&self, unsure: Option<Unsure>) {
+        if let Some(number) = unsure.and_then(|(message, _)| message.number) {
+            self.reader.take(number);
         }
     }
 
@@ -236,10 +279,11 @@ async fn leave(
     client: &AsyncClient,
     polling: Pin<&mut impl Future<Output = ()>>,
     unsure: &mut VecDeque<Unsure>,
+    is_told: impl Fn(Option<Unsure>),
 ) -> End {
     let all = async {
         while !unsure.is_empty() && oldest(unsure).await {
-            unsure.pop_front();
+            is_told(unsure.pop_front());
         }
         // A broker that is gone needs no goodbye.
         let _ = client.try_disconnect();

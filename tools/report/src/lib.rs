@@ -7,8 +7,10 @@
 //! - `plain`: a topic a point, commands, and what Home Assistant finds
 //! - `sparkplug`: the same as an edge node of Sparkplug B
 //! - `command`: a value that somebody has sent, and why it is refused
-//! - `backlog`: what waits for a broker that is away
+//! - `backlog`: what a board was while nobody could hear of it
 //! - `connection`: the connection itself, which comes back by itself; `tls`: whom it trusts
+//!
+//! What waits for a broker that is away stands in the journal, a restart of the gateway long too.
 //!
 //! Owns topics, payloads and their order. Must not know how a board is read or written, nor what else is served.
 
@@ -26,7 +28,6 @@ mod shared;
 mod sparkplug;
 mod tls;
 
-pub use change::Change;
 pub use command::{Command, Refusal};
 pub use reporter::Reporter;
 pub use shared::{Carry, State, Tell, Trouble, Unready};

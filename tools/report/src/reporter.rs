@@ -13,22 +13,37 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
+use tokio::sync::Notify;
 use tokio::sync::mpsc::{Sender, channel, unbounded_channel};
+use unoclp_journal::{Journal, Reader};
 use unoclp_site::{Mqtt, Site};
 
 /// What waits for the thread: readings of boards. Of more, the newest go, and are counted.
 const READINGS: usize = 4_096;
 
+/// Who reads the journal: what is told by topics,
+const PLAIN: &str = "mqtt";
+/// and over Sparkplug B.
+const SPARKPLUG: &str = "sparkplug";
+
 /// The way to the thread. With the last of it the broker is told goodbye.
 pub struct Reporter {
     inputs: Vec<Sender<Input>>,
     shared: Vec<Arc<Shared>>,
+    readers: Vec<Reader>,
     dropped: AtomicU64,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Reporter {
-    /// Begins to report this site, and to take commands. `ca` is what the file of the certificate holds.
+    /// Who reads the journal for this.
+    pub fn readers(mqtt: &Mqtt) -> Vec<&'static str> {
+        let sparkplug = mqtt.sparkplug.as_ref().map(|_| SPARKPLUG);
+        [PLAIN].into_iter().chain(sparkplug).collect()
+    }
+
+    /// Begins to report this site, and to take commands. What is told is read from this journal, which has
+    /// [`readers`](Self::readers). `ca` is what the file of the certificate holds.
     ///
     /// # Errors
     /// [`Unready`].
@@ -36,16 +51,23 @@ impl Reporter {
         site: &Site,
         mqtt: &Mqtt,
         ca: Option<&[u8]>,
+        journal: &Journal,
         carry: Carry,
         tell: Tell,
     ) -> Result<Reporter, Unready> {
-        let mut sessions: Vec<Box<dyn Session>> = vec![Box::new(Plain::new(site, mqtt))];
+        let mut sessions: Vec<(Box<dyn Session>, Reader)> = Vec::new();
+        let reader = journal.reader(PLAIN);
+        sessions.push((Box::new(Plain::new(site, mqtt, reader.place())), reader));
         if let Some(of) = &mqtt.sparkplug {
-            sessions.push(Box::new(Node::new(site, mqtt, of, first_birth())));
+            let reader = journal.reader(SPARKPLUG);
+            let past = (reader.place(), reader.last());
+            let node = Node::new(site, mqtt, of, first_birth(), past);
+            sessions.push((Box::new(node), reader));
         }
         let begin = Instant::now();
         let (mut inputs, mut all_shared, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for session in sessions {
+        let mut readers = Vec::new();
+        for (session, reader) in sessions {
             let (send, receive) = channel(READINGS);
             let (outcome, outcomes) = unbounded_channel();
             // Only one of the connections tells.
@@ -59,8 +81,11 @@ impl Reporter {
                 outcome,
                 carry: carry.clone(),
                 shared: shared.clone(),
+                reader: reader.clone(),
+                more: listening(&reader),
                 begin,
             });
+            readers.push(reader);
             inputs.push(send);
             all_shared.push(shared);
         }
@@ -84,12 +109,13 @@ impl Reporter {
         Ok(Reporter {
             inputs,
             shared: all_shared,
+            readers,
             dropped: AtomicU64::new(0),
             thread: Some(thread.map_err(Unready::System)?),
         })
     }
 
-    /// Points of boards have changed.
+    /// Points of boards have changed; they are put into the journal too.
     pub fn changed(&self, changes: Vec<Change>) {
         let changes: Arc<[Change]> = changes.into();
         for input in &self.inputs {
@@ -115,11 +141,11 @@ impl Reporter {
             dropped: self.dropped.load(Ordering::Relaxed),
             ..State::default()
         };
-        for shared in &self.shared {
-            let (is_connected, stand) = shared.now();
+        for (shared, reader) in self.shared.iter().zip(&self.readers) {
+            let (is_connected, dropped) = shared.now();
             state.connected += u64::from(is_connected);
-            state.waiting += stand.waiting as u64;
-            state.dropped += stand.dropped;
+            state.waiting += reader.last().saturating_sub(reader.place());
+            state.dropped += dropped + reader.dropped();
         }
         state
     }
@@ -137,6 +163,14 @@ impl Drop for Reporter {
             let _ = thread.join();
         }
     }
+}
+
+/// Hears when there is more in a journal.
+fn listening(reader: &Reader) -> Arc<Notify> {
+    let more = Arc::new(Notify::new());
+    let heard = more.clone();
+    reader.listen(move || heard.notify_one());
+    more
 }
 
 fn options(mqtt: &Mqtt, ca: Option<&[u8]>) -> Result<MqttOptions, Unready> {

@@ -3,6 +3,7 @@
 use crate::change::Change;
 use crate::command::{Command, Refusal};
 use std::time::Duration;
+use unoclp_journal::Entry;
 
 /// A message for the broker.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,8 +14,8 @@ pub(crate) struct Message {
     pub retain: bool,
     /// The broker says that it has it (QoS 1); else it may be lost (QoS 0).
     pub sure: bool,
-    /// It is what a point was: until the broker has it, it is sent again.
-    pub sample: bool,
+    /// Once the broker has it, all entries of the journal up to this number are told; none: it tells of no entry.
+    pub number: Option<u64>,
 }
 
 /// What is to be done.
@@ -39,13 +40,6 @@ pub(crate) struct Now {
     pub since: Duration,
 }
 
-/// How much waits, and what was given up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Stand {
-    pub waiting: usize,
-    pub dropped: u64,
-}
-
 /// What is said and heard.
 pub(crate) trait Session: Send + Sync {
     /// What the broker says for us once the next connection is lost. A connection begins with it.
@@ -54,7 +48,13 @@ pub(crate) trait Session: Send + Sync {
     fn connected(&mut self, now: Now);
     /// The connection is gone. The broker has not said that it has these.
     fn lost(&mut self, unsure: Vec<Message>);
-    /// Points of boards have changed.
+    /// After which entry of the journal more are wanted now; none: no more are.
+    fn wants(&self) -> Option<u64>;
+    /// These are the next entries of the journal, of which `last` is the last one; none: there are no more for now.
+    fn read(&mut self, entries: &[Entry], last: u64, now: Now);
+    /// Up to which entry all is told, once the broker has all messages that are on their way; none where something waits.
+    fn told(&self) -> Option<u64>;
+    /// Points of boards have changed just now. They are in the journal too, or will be.
     fn changed(&mut self, changes: &[Change], now: Now);
     /// A board is there, or away.
     fn presence(&mut self, board: &str, up: bool, now: Now);
@@ -68,6 +68,6 @@ pub(crate) trait Session: Send + Sync {
     fn next(&mut self) -> Option<Out>;
     /// What is said before an end that is meant.
     fn farewell(&mut self, now: Now) -> Vec<Message>;
-    /// How it stands.
-    fn stand(&self) -> Stand;
+    /// Samples that were given up here.
+    fn dropped(&self) -> u64;
 }

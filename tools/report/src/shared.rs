@@ -1,7 +1,6 @@
 //! How it stands with a broker, and who hears of it.
 
 use crate::command::{Command, Refusal};
-use crate::session::Stand;
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -57,7 +56,8 @@ pub struct State {
 /// What a connection tells of itself.
 #[derive(Default)]
 pub(crate) struct Shared {
-    now: Mutex<(bool, Stand)>,
+    /// Whether there is a connection, and how many samples were given up.
+    now: Mutex<(bool, u64)>,
     tell: Option<Tell>,
     /// Whether the trouble has been told.
     told: Mutex<Option<bool>>,
@@ -71,8 +71,8 @@ impl Shared {
         }
     }
 
-    /// Whether there is a connection, and what waits for it.
-    pub fn now(&self) -> (bool, Stand) {
+    /// Whether there is a connection, and how many samples were given up.
+    pub fn now(&self) -> (bool, u64) {
         *lock(&self.now)
     }
 
@@ -83,8 +83,8 @@ impl Shared {
         }
     }
 
-    pub fn stand(&self, stand: Stand) {
-        lock(&self.now).1 = stand;
+    pub fn dropped(&self, dropped: u64) {
+        lock(&self.now).1 = dropped;
     }
 
     /// Tells it once, until the broker is there again.

@@ -7,18 +7,28 @@
 use axum::http::header::{HOST, ORIGIN};
 use axum::http::{HeaderMap, HeaderName};
 
-/// Whether a request with these headers may pass; `is_local` where only this PC is served.
-pub(crate) fn lets_in(headers: &HeaderMap, is_local: bool) -> bool {
+/// A way to the gateway.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Door {
+    /// Only this PC is served.
+    pub is_local: bool,
+    /// Connections are encrypted.
+    pub is_tls: bool,
+}
+
+/// Whether a request with these headers may pass.
+pub(crate) fn lets_in(headers: &HeaderMap, door: Door) -> bool {
     let Some(host) = one(headers, HOST) else {
         return false;
     };
-    if is_local && !is_this_pc(host) {
+    if door.is_local && !is_this_pc(host) {
         return false;
     }
+    let scheme = if door.is_tls { "https://" } else { "http://" };
     // Other programs than browsers send none.
     match headers.get_all(ORIGIN).iter().count() {
         0 => true,
-        1 => one(headers, ORIGIN).and_then(|origin| origin.strip_prefix("http://")) == Some(host),
+        1 => one(headers, ORIGIN).and_then(|origin| origin.strip_prefix(scheme)) == Some(host),
         _ => false,
     }
 }
@@ -103,7 +113,20 @@ mod tests {
                     headers.insert(name, HeaderValue::from_static(value));
                 }
             }
-            assert_eq!(lets_in(&headers, is_local), passes, "{host:?} {origin:?}");
+            let door = |is_tls| Door { is_local, is_tls };
+            assert_eq!(
+                lets_in(&headers, door(false)),
+                passes,
+                "{host:?} {origin:?}"
+            );
+            // An encrypted page is another one than the same without encryption.
+            let is_encrypted = lets_in(&headers, door(true));
+            assert_eq!(is_encrypted, passes && origin.is_none());
+            if let Some(origin) = origin {
+                let origin = origin.replace("http:", "https:");
+                headers.insert(ORIGIN, HeaderValue::from_str(&origin).unwrap());
+                assert_eq!(lets_in(&headers, door(true)), passes);
+            }
         }
     }
 
@@ -114,7 +137,11 @@ mod tests {
             headers.insert(HOST, HeaderValue::from_static("127.0.0.1"));
             headers.append(&name, HeaderValue::from_static("127.0.0.1"));
             headers.append(&name, HeaderValue::from_static("127.0.0.1"));
-            assert!(!lets_in(&headers, true), "{name}");
+            let door = Door {
+                is_local: true,
+                is_tls: false,
+            };
+            assert!(!lets_in(&headers, door), "{name}");
         }
     }
 }

@@ -12,7 +12,7 @@
 //! - [`Orders`]: values that others write by name
 //! - [`Sharing`]: what is shared
 //! - `api`: what other programs read over HTTP
-//! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose
+//! - [`Server`]: takes connections, each within limits; `slots`: how many, and whose; [`Tls`]: how they are encrypted
 //!
 //! Owns what comes over the network until it is an allowed request. Must not know serial ports, the command line, nor
 //! what a request asks of the board, beyond whether it only reads, stops, forces or uploads.
@@ -36,10 +36,11 @@ mod remote;
 mod server;
 mod sharing;
 mod slots;
+mod tls;
 mod tokens;
 mod turns;
 
-pub use api::{Metric, Metrics};
+pub use api::{Metric, Metrics, Past};
 pub use line::Line;
 pub use modbus::Modbus;
 pub use news::{News, Tell};
@@ -50,4 +51,5 @@ pub use poll::{Change, Keep, Watched};
 pub use remote::{Absent, Remote};
 pub use server::Server;
 pub use sharing::{SharedBoard, Sharing};
+pub use tls::{Identity, Tls, Unfit};
 pub use tokens::{Role, Tokens};

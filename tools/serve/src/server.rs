@@ -1,7 +1,7 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::api::Api;
-use crate::doors;
+use crate::api::{self, Api, Archive};
+use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
 use crate::news;
@@ -11,6 +11,7 @@ use crate::poll;
 use crate::release;
 use crate::sharing::{Sharing, Unit, Wired};
 use crate::slots::{Slot, Slots};
+use crate::tls::Tls;
 use crate::tokens::Visitor;
 use axum::body::Body;
 use axum::extract::{Path, State, WebSocketUpgrade};
@@ -26,7 +27,9 @@ use std::net::{IpAddr, SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
+use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpStream;
+use tokio::time::timeout;
 use tokio_io_timeout::TimeoutStream;
 use tower::ServiceExt;
 
@@ -42,13 +45,14 @@ const LONGEST_HEAD: usize = 16 << 10;
 pub struct Server {
     listener: TcpListener,
     address: SocketAddr,
+    tls: Option<Tls>,
 }
 
 /// What every request is answered from.
 #[derive(Clone)]
 struct Shared {
     pages: Pages,
-    is_local: bool,
+    door: Door,
     gateways: Arc<[Arc<Gateway>]>,
     api: Api,
     /// The number of the next visitor.
@@ -71,7 +75,17 @@ impl Server {
         let listener = TcpListener::bind(address)?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
-        Ok(Server { listener, address })
+        Ok(Server {
+            listener,
+            address,
+            tls: None,
+        })
+    }
+
+    /// The same, with encrypted connections alone.
+    #[must_use]
+    pub fn encrypted(self, tls: Option<Tls>) -> Server {
+        Server { tls, ..self }
     }
 
     /// Where it is.
@@ -84,30 +98,40 @@ impl Server {
         self.address.ip().is_loopback()
     }
 
-    /// Serves the page, and shares the boards if there are some, for ever.
+    /// Serves the page, and shares the boards if there are some, until `end` comes. Then all connections are cut.
     ///
     /// # Errors
     /// Where the system takes the address away.
-    pub fn run(self, pages: Pages, sharing: Option<Sharing>) -> io::Result<()> {
-        let is_local = self.is_local();
+    pub fn run(
+        self,
+        pages: Pages,
+        sharing: Option<Sharing>,
+        end: impl Future<Output = ()>,
+    ) -> io::Result<()> {
+        let door = Door {
+            is_local: self.is_local(),
+            is_tls: self.tls.is_some(),
+        };
         let Wired {
             boards,
             modbus,
             orders,
             metrics,
+            past,
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
         let gateways: Arc<[_]> = boards.iter().map(|board| board.gateway.clone()).collect();
         let api = Api {
             gateways: gateways.clone(),
-            is_local,
+            door,
             metrics,
+            archive: Archive::new(past),
         };
         let shared = Shared {
             pages,
             api,
-            is_local,
+            door,
             gateways,
             next: Arc::default(),
         };
@@ -136,28 +160,36 @@ impl Server {
             if let Some(orders) = orders {
                 tokio::spawn(orders::attend(orders, units.clone()));
             }
-            let pages = take_connections(self.listener, shared);
-            match modbus {
-                Some(modbus) => {
-                    let units = modbus::serve(modbus, units);
-                    tokio::try_join!(pages, units).map(drop)
+            let pages = take_connections(self.listener, self.tls, shared);
+            let served = async {
+                match modbus {
+                    Some(modbus) => {
+                        let units = modbus::serve(modbus, units);
+                        tokio::try_join!(pages, units).map(drop)
+                    }
+                    None => pages.await,
                 }
-                None => pages.await,
+            };
+            tokio::select! {
+                served = served => served,
+                () = end => Ok(()),
             }
         })
     }
 }
 
-async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<()> {
+async fn take_connections(
+    listener: TcpListener,
+    tls: Option<Tls>,
+    shared: Shared,
+) -> io::Result<()> {
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let routes = Router::new()
         .route("/line", get(first))
         .route("/line/{board}", get(named))
-        .route("/health", get(health))
-        .route("/metrics", get(metrics))
-        .route("/api/boards", get(boards))
         .fallback(get(file))
-        .with_state(shared);
+        .with_state(shared.clone())
+        .merge(api::routes(shared.api));
     let slots = Slots::new(CONNECTIONS, CONNECTIONS_EACH);
     loop {
         match listener.accept().await {
@@ -165,7 +197,7 @@ async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<(
                 let address = from.ip();
                 let slot = Arc::new(slots.take(address));
                 let connection = Connection { slot, address };
-                tokio::spawn(serve(stream, routes.clone(), connection));
+                tokio::spawn(serve(stream, tls.clone(), routes.clone(), connection));
             }
             // A visitor that is gone already, or too many open files: the next one may come.
             Err(_) => tokio::time::sleep(Duration::from_millis(10)).await,
@@ -174,45 +206,50 @@ async fn take_connections(listener: TcpListener, shared: Shared) -> io::Result<(
 }
 
 /// Serves a connection until it ends, is too slow, or another takes its place.
-async fn serve(stream: TcpStream, routes: Router, connection: Connection) {
+async fn serve(stream: TcpStream, tls: Option<Tls>, routes: Router, connection: Connection) {
     let slot = connection.slot.clone();
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(PROMPT));
+    let stream = Box::pin(stream);
+    let served = async {
+        match tls {
+            None => speak(stream, routes, connection).await,
+            Some(tls) => {
+                // Who does not agree on it in time is not served.
+                if let Ok(Ok(stream)) = timeout(PROMPT, tls.acceptor.accept(stream)).await {
+                    speak(stream, routes, connection).await;
+                }
+            }
+        }
+    };
+    tokio::select! {
+        () = served => {}
+        () = slot.is_given_up() => {}
+    }
+}
+
+/// Speaks HTTP.
+async fn speak<S>(stream: S, routes: Router, connection: Connection)
+where
+    S: AsyncRead + AsyncWrite + Unpin + Send + 'static,
+{
     let service = routes.map_request(move |mut request: Request<Incoming>| {
         connection.slot.is_used();
         request.extensions_mut().insert(connection.clone());
         request
     });
-    let mut stream = TimeoutStream::new(stream);
-    stream.set_write_timeout(Some(PROMPT));
     let served = hyper::server::conn::http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(PROMPT)
         .max_buf_size(LONGEST_HEAD)
-        .serve_connection(
-            TokioIo::new(Box::pin(stream)),
-            TowerToHyperService::new(service),
-        )
+        .serve_connection(TokioIo::new(stream), TowerToHyperService::new(service))
         .with_upgrades();
-    tokio::select! {
-        // How a connection has ended is nobody's concern.
-        _ = served => {}
-        () = slot.is_given_up() => {}
-    }
-}
-
-async fn health(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
-    shared.api.health(&headers)
-}
-
-async fn metrics(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
-    shared.api.metrics(&headers)
-}
-
-async fn boards(State(shared): State<Shared>, headers: HeaderMap) -> Response<Body> {
-    shared.api.boards(&headers)
+    // How a connection has ended is nobody's concern.
+    drop(served.await);
 }
 
 async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Response<Body> {
-    if !doors::lets_in(&headers, shared.is_local) {
+    if !doors::lets_in(&headers, shared.door) {
         return StatusCode::FORBIDDEN.into_response();
     }
     page::file(shared.pages, uri.path())
@@ -249,7 +286,7 @@ fn visit(
     upgrade: WebSocketUpgrade,
     gateway: Option<Arc<Gateway>>,
 ) -> Response<Body> {
-    if !doors::lets_in(headers, shared.is_local) {
+    if !doors::lets_in(headers, shared.door) {
         return StatusCode::FORBIDDEN.into_response();
     }
     let Some(gateway) = gateway else {

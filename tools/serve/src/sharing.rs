@@ -1,6 +1,6 @@
 //! What is shared, and how it is wired: boards with their names and units, tokens, and places for visitors.
 
-use crate::api::Metrics;
+use crate::api::{Metrics, Past};
 use crate::gateway::{Gateway, Places};
 use crate::line::Line;
 use crate::modbus::Modbus;
@@ -28,6 +28,8 @@ pub struct Sharing {
     pub orders: Option<Ordered>,
     /// The numbers of what stands behind, for `/metrics`.
     pub metrics: Option<Metrics>,
+    /// What points were, if that is kept.
+    pub past: Option<Arc<dyn Past>>,
     /// Who keeps what the points of boards that are watched were, if anybody does.
     pub keep: Option<Keep>,
     /// Who is told what becomes of them, if anybody is.
@@ -64,6 +66,7 @@ pub(crate) struct Wired {
     pub modbus: Option<Modbus>,
     pub orders: Option<Ordered>,
     pub metrics: Option<Metrics>,
+    pub past: Option<Arc<dyn Past>>,
     pub keep: Option<Keep>,
     pub tell: Option<Tell>,
 }
@@ -76,6 +79,7 @@ impl Sharing {
             modbus,
             orders,
             metrics,
+            past,
             keep,
             tell,
         } = self;
@@ -104,6 +108,7 @@ impl Sharing {
             modbus,
             orders,
             metrics,
+            past,
             keep,
             tell,
         }

@@ -86,6 +86,12 @@ impl<'a> Keys<'a> {
         self.table.get(key).map(Spanned::span)
     }
 
+    /// Whether a key is there and has a table.
+    pub fn is_table(&self, key: &str) -> bool {
+        let value = self.table.get(key);
+        value.is_some_and(|value| value.get_ref().as_table().is_some())
+    }
+
     /// The text of a key, if it is there.
     pub fn text(&self, key: &'static str, example: &'static str) -> Option<At<String>> {
         self.take(key, example, |value| value.as_str().map(str::to_owned))

@@ -11,9 +11,11 @@
 #![forbid(unsafe_code)]
 
 mod broker;
+mod database;
 mod duration;
 mod files;
 mod grants;
+mod kept;
 mod keys;
 mod lines;
 mod mistake;
@@ -22,14 +24,18 @@ mod plan;
 mod points;
 mod read;
 mod site;
+mod size;
 mod values;
 mod words;
 
 pub use broker::{Broker, Secret, Sparkplug};
+pub use database::Server;
 pub use duration::duration;
 pub use files::Files;
 pub use mistake::{Mistake, Wrong};
 pub use plan::plan;
 pub use points::{Kind, Place, Point, Points};
 pub use read::read;
-pub use site::{Board, Grant, History, Http, Line, Modbus, Mqtt, Site, Way};
+pub use site::{
+    Board, Encryption, Grant, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way,
+};

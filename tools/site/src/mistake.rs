@@ -136,6 +136,28 @@ pub enum Wrong {
     CaWithoutTls,
     /// A password without a user.
     NoUser,
+    /// No database.
+    NoDatabase {
+        /// What was given.
+        given: String,
+    },
+    /// A database's address has more in it than user, host, port and name.
+    DatabaseSecret,
+    /// A history in a file has a key of one in a database.
+    OfServer {
+        /// The key.
+        key: &'static str,
+    },
+    /// History and journal are in one file.
+    OneFile {
+        /// The file.
+        file: String,
+    },
+    /// No size.
+    NoSize {
+        /// What was given.
+        given: String,
+    },
     /// No name of a topic.
     NoTopic {
         /// The key.
@@ -219,6 +241,11 @@ impl Wrong {
             Wrong::NoBroker { given } => words::no_broker(lang, given),
             Wrong::BrokerSecret => words::broker_secret(lang),
             Wrong::CaWithoutTls => words::ca_without_tls(lang),
+            Wrong::NoDatabase { given } => words::no_database(lang, given),
+            Wrong::DatabaseSecret => words::database_secret(lang),
+            Wrong::OfServer { key } => words::of_server(lang, key),
+            Wrong::OneFile { file } => words::one_file(lang, file),
+            Wrong::NoSize { given } => words::no_size(lang, given),
             Wrong::NoUser => words::no_user(lang),
             Wrong::NoTopic { key, given } => words::no_topic(lang, key, given),
             Wrong::Unreadable { file, why } => words::unreadable(lang, file, why),

@@ -2,7 +2,8 @@
 
 use crate::broker::Sparkplug;
 use crate::duration::written;
-use crate::site::{Board, Grant, Line, Modbus, Mqtt, Site, Way};
+use crate::site::{Board, Encryption, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
+use crate::size;
 use crate::words;
 use unoclp_modbus::map::Parity;
 use unoclp_program::Lang;
@@ -11,8 +12,10 @@ use unoclp_program::Lang;
 pub fn plan(site: &Site, lang: Lang) -> String {
     let listen = site.http.listen;
     let mut lines = vec![match listen.ip().is_loopback() {
-        true => words::page_here(lang, listen),
-        false => words::page_open(lang, listen),
+        true if site.http.tls == Encryption::None => words::page_here(lang, listen),
+        true => words::page_here_tls(lang, listen),
+        false if site.http.tls == Encryption::None => words::page_open(lang, listen),
+        false => words::page_open_tls(lang, listen),
     }];
     for line in &site.lines {
         lines.push(way(line, lang));
@@ -22,6 +25,17 @@ pub fn plan(site: &Site, lang: Lang) -> String {
     }
     if let Some(of) = &site.history {
         lines.push(words::history(lang, &of.store, written(of.keep)));
+        if let Store::Server {
+            server, tls: false, ..
+        } = &of.store
+            && !server.is_here()
+        {
+            lines.push(words::history_open(lang));
+        }
+    }
+    if site.has_journal() {
+        let Journal { every, bound, .. } = &site.journal;
+        lines.push(words::journal(lang, written(*every), size::written(*bound)));
     }
     if let Some(of) = &site.modbus {
         lines.push(modbus(of, lang));

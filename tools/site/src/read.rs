@@ -2,13 +2,13 @@
 
 use crate::files::Files;
 use crate::grants::grants;
+use crate::kept::{history, journal};
 use crate::keys::{At, Keys, Notes};
 use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
-use crate::site::{History, Http, Modbus, Site};
+use crate::site::{Encryption, Http, Modbus, Site};
 use std::net::{Ipv4Addr, SocketAddr};
-use std::time::Duration;
 use toml::de::DeTable;
 
 /// Reads the text of a site file.
@@ -24,7 +24,7 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
         }
         return Err(notes.mistakes());
     }
-    let known = ["http", "line", "modbus", "mqtt", "history"];
+    let known = ["http", "line", "modbus", "mqtt", "history", "journal"];
     let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
     let site = site(&keys, files);
     let mistakes = notes.mistakes();
@@ -36,71 +36,72 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
 
 /// As much of it as is right.
 fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
-    let http = http(keys);
+    let (http, tls) = http(keys);
     let lines = lines(keys, files);
     let modbus = modbus(keys, &lines, &http);
     let mqtt = mqtt(keys, &lines);
+    let history = history(keys);
     Site {
-        http: Http { listen: http.value },
+        http: Http {
+            listen: http.value,
+            tls,
+        },
         lines,
         modbus,
         mqtt,
-        history: history(keys),
+        journal: journal(keys, history.as_ref()),
+        history,
     }
 }
 
-/// How long every change is kept, unless the file says otherwise.
-const KEEP: Duration = Duration::from_secs(400 * 86_400);
-
-fn history(keys: &Keys<'_>) -> Option<History> {
-    let example = "{ store = \"history.db\" }";
-    let history = keys.table("history", example, &["store", "keep"])?;
-    let keep = history.time("keep", "\"400d\"", ["1h", "36500d"]);
-    let At { value, place } = history.needed("store", "\"history.db\"")?;
-    if value.is_empty() || value.contains("://") {
-        let wrong = Wrong::Choice {
-            key: "store",
-            given: format!("{value:?}"),
-            known: "\"history.db\"".to_owned(),
-        };
-        keys.notes.wrong(&place, wrong);
-    }
-    Some(History {
-        store: value,
-        keep: keep.map_or(KEEP, |keep| keep.value),
-    })
-}
-
-/// Where the page is served; 127.0.0.1:8420, unless the file says otherwise.
-fn http(keys: &Keys<'_>) -> At<SocketAddr> {
+/// Where the page is served, and with which certificate; 127.0.0.1:8420 without any, unless the file says otherwise.
+fn http(keys: &Keys<'_>) -> (At<SocketAddr>, Encryption) {
     let usual = At {
         value: (Ipv4Addr::LOCALHOST, 8420).into(),
         place: 0..0,
     };
     let example = "{ listen = \"127.0.0.1:8420\" }";
     let Some(http) = keys.table("http", example, &["listen", "tls"]) else {
-        return usual;
+        return (usual, Encryption::None);
     };
-    let tls = http.text("tls", "\"none\"");
+    let tls = encryption(&http);
     let listen = http.address("listen", "\"127.0.0.1:8420\"");
-    if let Some(At { value, place }) = &tls
-        && value != "none"
-    {
-        let wrong = Wrong::Choice {
-            key: "tls",
-            given: value.clone(),
-            known: "\"none\"".to_owned(),
-        };
-        keys.notes.wrong(place, wrong);
-    }
     if let Some(At { value, place }) = &listen
         && !value.ip().is_loopback()
-        && tls.is_none()
+        && http.has("tls").is_none()
     {
         let listen = value.to_string();
         keys.notes.wrong(place, Wrong::Open { listen });
     }
-    listen.unwrap_or(usual)
+    (listen.unwrap_or(usual), tls.unwrap_or(Encryption::None))
+}
+
+const ENCRYPTIONS: &str = "\"self-signed\", { cert = \"cert.pem\", key = \"key.pem\" }, \"none\"";
+
+fn encryption(http: &Keys<'_>) -> Option<Encryption> {
+    if http.is_table("tls") {
+        let files = http.table("tls", "\"self-signed\"", &["cert", "key"])?;
+        let cert = files.needed("cert", "\"cert.pem\"");
+        let key = files.needed("key", "\"key.pem\"");
+        return Some(Encryption::Files {
+            cert: cert?.value,
+            key: key?.value,
+        });
+    }
+    let At { value, place } = http.text("tls", "\"self-signed\"")?;
+    match &*value {
+        "none" => Some(Encryption::None),
+        "self-signed" => Some(Encryption::SelfSigned),
+        _ => {
+            let wrong = Wrong::Choice {
+                key: "tls",
+                given: value,
+                known: ENCRYPTIONS.to_owned(),
+            };
+            http.notes.wrong(&place, wrong);
+            None
+        }
+    }
 }
 
 fn modbus(keys: &Keys<'_>, lines: &[crate::Line], http: &At<SocketAddr>) -> Option<Modbus> {

@@ -1,6 +1,7 @@
 //! What a site file says.
 
 use crate::broker::{Broker, Secret, Sparkplug};
+use crate::database::Server;
 use crate::points::{Kind, Place, Points};
 use std::net::SocketAddr;
 use std::time::Duration;
@@ -20,13 +21,33 @@ pub struct Site {
     pub mqtt: Option<Mqtt>,
     /// The history, if one is kept.
     pub history: Option<History>,
+    /// What was read of the boards, until history and broker have it.
+    pub journal: Journal,
 }
 
 /// Where the page is served.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Http {
-    /// The address; beyond this PC only where the file says that nothing is encrypted.
+    /// The address; beyond this PC only where the file says how it is encrypted, or that it is not.
     pub listen: SocketAddr,
+    /// Whether connections are encrypted.
+    pub tls: Encryption,
+}
+
+/// With which certificate the page is served.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Encryption {
+    /// With none: nothing is encrypted.
+    None,
+    /// With one that the gateway makes itself, and keeps beside the site file.
+    SelfSigned,
+    /// With that of these files in PEM, as the site file names them.
+    Files {
+        /// The certificate.
+        cert: String,
+        /// Its key.
+        key: String,
+    },
 }
 
 /// A line, and the boards at it.
@@ -84,13 +105,52 @@ pub struct Board {
     pub every: Duration,
 }
 
-/// What the points were, kept in a file.
+/// What the points were, kept.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct History {
-    /// The file, as the site file names it.
-    pub store: String,
+    /// Where.
+    pub store: Store,
     /// How long every change is kept.
     pub keep: Duration,
+}
+
+/// Where a history is kept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Store {
+    /// In a file of SQLite, as the site file names it.
+    File(String),
+    /// In a database of PostgreSQL.
+    Server {
+        /// Which.
+        server: Server,
+        /// The user's password.
+        password: Option<Secret>,
+        /// Whether the connection is encrypted.
+        tls: bool,
+        /// The file of the authority that has signed the server's certificate, in PEM; without it, those that the system
+        /// trusts.
+        ca: Option<String>,
+    },
+}
+
+impl std::fmt::Display for Store {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Store::File(file) => f.write_str(file),
+            Store::Server { server, .. } => server.fmt(f),
+        }
+    }
+}
+
+/// Where samples wait on disk, and how much of it they take.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Journal {
+    /// The file, as the site file names it; without it, beside the site file.
+    pub store: Option<String>,
+    /// From one commit to the next at least.
+    pub every: Duration,
+    /// How large it gets at most, bytes.
+    pub bound: u64,
 }
 
 /// What is reported over MQTT.
@@ -143,6 +203,11 @@ pub struct Grant {
 }
 
 impl Site {
+    /// Whether samples wait on disk: for a history, or a broker.
+    pub fn has_journal(&self) -> bool {
+        self.history.is_some() || self.mqtt.is_some()
+    }
+
     /// All boards, line by line.
     pub fn boards(&self) -> impl Iterator<Item = &Board> {
         self.lines.iter().flat_map(|line| &line.boards)

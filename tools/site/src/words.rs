@@ -31,8 +31,8 @@ unoclp_words::messages! {
         "{given} is no time from {from} to {to}; write \"100ms\", \"5s\", \"2m\", \"1h\" or \"400d\""
         "{given} não é um tempo de {from} a {to}; escreva \"100ms\", \"5s\", \"2m\", \"1h\" ou \"400d\"";
     open(listen)
-        "{listen} is open to the network, and what goes over it is not encrypted; write `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
-        "{listen} fica aberto para a rede, e o que passa por ela não é criptografado; escreva `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
+        "{listen} is open to the network; write `tls = \"self-signed\"` to encrypt what goes over it, `tls = \"none\"` if you trust that network, or listen at 127.0.0.1"
+        "{listen} fica aberto para a rede; escreva `tls = \"self-signed\"` para criptografar o que passa por ela, `tls = \"none\"` se confia nessa rede, ou use 127.0.0.1";
     no_line()
         "there is no line; write [[line]] with its port, and [[line.board]] for each board at it"
         "não há nenhuma linha; escreva [[line]] com a porta dela, e [[line.board]] para cada placa nela";
@@ -72,6 +72,21 @@ unoclp_words::messages! {
     ca_without_tls()
         "a broker at mqtt:// shows no certificate; write mqtts://, or remove `ca`"
         "um broker em mqtt:// não apresenta certificado; escreva mqtts://, ou tire `ca`";
+    no_database(given)
+        "{given} is no database; write \"history.db\" for a file, or \"postgres://gateway@db.example/plant\""
+        "{given} não é um banco de dados; escreva \"history.db\" para um arquivo, ou \"postgres://gateway@db.example/plant\"";
+    database_secret()
+        "the database's address has more than user, host, port and name, and addresses are printed; write \"postgres://gateway@db.example/plant\", and `password` below it"
+        "o endereço do banco tem mais que usuário, computador, porta e nome, e endereços são exibidos; escreva \"postgres://gateway@db.example/plant\", e `password` abaixo dele";
+    of_server(key)
+        "a history in a file has no `{key}`; remove it"
+        "um histórico em arquivo não tem `{key}`; tire essa chave";
+    one_file(file)
+        "history and journal are both in {file}; give each its own file"
+        "o histórico e o diário estão os dois em {file}; dê a cada um o seu arquivo";
+    no_size(given)
+        "{given} is no size from 1MB to 1000GB; write \"256MB\" or \"4GB\""
+        "{given} não é um tamanho de 1MB a 1000GB; escreva \"256MB\" ou \"4GB\"";
     no_user()
         "MQTT takes no password without a user; write `user` too"
         "o MQTT não aceita senha sem usuário; escreva também `user`";
@@ -100,6 +115,12 @@ unoclp_words::messages! {
     page_here(address)
         "page: http://{address}/, for this PC alone"
         "página: http://{address}/, só para este PC";
+    page_here_tls(address)
+        "page: https://{address}/, for this PC alone"
+        "página: https://{address}/, só para este PC";
+    page_open_tls(address)
+        "page: https://{address}/, open to the network, encrypted; a token watches, another controls"
+        "página: https://{address}/, aberta para a rede, com criptografia; um token observa, outro controla";
     page_open(address)
         "page: http://{address}/, open to the network, not encrypted; a token watches, another controls"
         "página: http://{address}/, aberta para a rede, sem criptografia; um token observa, outro controla";
@@ -120,6 +141,12 @@ unoclp_words::messages! {
     history(store, keep)
         "history: {store}, every change for {keep}, then minutes and hours"
         "histórico: {store}, cada mudança por {keep}, depois minutos e horas";
+    history_open()
+        "  not encrypted: whoever is on the way there reads it, the password too"
+        "  sem criptografia: quem estiver no caminho lê tudo, também a senha";
+    journal(every, bound)
+        "journal: on disk every {every}, at most {bound}"
+        "diário: no disco a cada {every}, no máximo {bound}";
     modbus_reads(address)
         "Modbus TCP: {address}, reading only"
         "Modbus TCP: {address}, só leitura";

@@ -38,7 +38,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqqt]\n"),
             5,
-            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`",
+            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`",
         ),
         (
             with("[mqtt]\n"),
@@ -144,11 +144,6 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             "`parity` cannot be mark; give \"none\"",
         ),
         (
-            with("[http]\nlisten = \"127.0.0.1:8420\"\ntls = \"self-signed\"\n"),
-            7,
-            "`tls` cannot be self-signed; give \"none\"",
-        ),
-        (
             with("[http]\nlisten = \"localhost\"\n"),
             6,
             "localhost is no address with a port",
@@ -161,7 +156,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"0.0.0.0:8420\"\n"),
             6,
-            "is not encrypted; write `tls = \"none\"`",
+            "0.0.0.0:8420 is open to the network; write `tls = \"self-signed\"`",
         ),
         (String::new(), 1, "there is no line; write [[line]]"),
         (
@@ -243,7 +238,57 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"postgres://x\"\n"),
             6,
-            "`store` cannot be \"postgres://x\"; give \"history.db\"",
+            "postgres://x is no database; write \"history.db\" for a file, or \"postgres://",
+        ),
+        (
+            with("[history]\nstore = \"postgres://me:secret@a/b\"\n"),
+            6,
+            "addresses are printed; write \"postgres://gateway@db.example/plant\", and `password`",
+        ),
+        (
+            with("[history]\nstore = \"\"\n"),
+            6,
+            "`store` cannot be \"\"; give \"history.db\"",
+        ),
+        (
+            with("[history]\nstore = \"h.db\"\npassword = \"x\"\n"),
+            7,
+            "a history in a file has no `password`; remove it",
+        ),
+        (
+            with("[history]\nstore = \"postgres://me@a/b\"\ntls = \"some\"\n"),
+            7,
+            "`tls` cannot be some; give \"none\"",
+        ),
+        (
+            with("[history]\nstore = \"h.db\"\n[journal]\nstore = \"h.db\"\n"),
+            8,
+            "history and journal are both in h.db; give each its own file",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = \"some\"\n"),
+            7,
+            "`tls` cannot be some; give \"self-signed\", { cert = \"cert.pem\", key = \"key.pem\" }, \"none\"",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = { cert = \"c.pem\" }\n"),
+            7,
+            "`key` is missing; write `key = \"key.pem\"`",
+        ),
+        (
+            with("[http]\nlisten = \"127.0.0.1:1\"\ntls = 5\n"),
+            7,
+            "`tls` takes another kind",
+        ),
+        (
+            with("[journal]\nevery = \"2m\"\n"),
+            6,
+            "2m is no time from 10ms to 1m",
+        ),
+        (
+            with("[journal]\nbound = \"10kB\"\n"),
+            6,
+            "10kB is no size from 1MB to 1000GB; write \"256MB\"",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
         (granted("y.valve"), 8, "there is no board y; there is x"),
@@ -293,7 +338,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 31;
+const KINDS: usize = 36;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
@@ -343,6 +388,7 @@ fn a_right_file_says_what_it_would_do() {
         "board y: address 1, unit 1, read every 500ms",
         "no program: points have their own names",
         "history: h.db, every change for 30d, then minutes and hours",
+        "journal: on disk every 200ms, at most 256MB",
         "Modbus TCP: 127.0.0.1:1502; whoever reaches it may write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");

@@ -69,6 +69,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Diz o que um gateway faria por ele, ou cada erro com a sua linha",
     ),
     (
+        "site move",
+        "Copia o histórico de um arquivo para o banco de dados que o arquivo de instalação indica; nada pode servir a instalação enquanto isso",
+    ),
+    (
         "site history",
         "Mostra o que um ponto foi, para uma planilha: valores separados por vírgula",
     ),
@@ -292,6 +296,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "Compartilha as placas deste arquivo de instalação, como ele diz",
     ),
     ("site check", "site", "O arquivo de instalação (.toml)"),
+    (
+        "site move",
+        "site",
+        "O arquivo de instalação (.toml), com o banco de dados em [history]",
+    ),
+    (
+        "site move",
+        "from",
+        "O arquivo em que o histórico estava até agora",
+    ),
     ("site history", "site", "O arquivo de instalação (.toml)"),
     ("site history", "point", "Placa e ponto: estufa.level"),
     (

@@ -5,9 +5,11 @@ use anyhow::anyhow;
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
-use unoclp_cli::{messages, site_file};
-use unoclp_history::{Query, Store, csv};
-use unoclp_site::{Site, duration, plan};
+use unoclp_cli::{messages, site_file, stores};
+use unoclp_history::{Database, Failure, NotMoved, Postgres, Query, Sqlite, csv};
+use unoclp_journal::File;
+use unoclp_program::shown;
+use unoclp_site::{Site, Store, duration, plan};
 
 /// What may be done with a site file.
 #[derive(Subcommand)]
@@ -17,6 +19,15 @@ pub enum OfSite {
         /// The site file (.toml)
         #[arg(value_name = "SITE.toml")]
         site: PathBuf,
+    },
+    /// Copy the history of a file into the database that the site file names; nothing may serve the site meanwhile
+    Move {
+        /// The site file (.toml), with the database under [history]
+        #[arg(value_name = "SITE.toml")]
+        site: PathBuf,
+        /// The file in which the history was until now
+        #[arg(value_name = "HISTORY.db")]
+        from: PathBuf,
     },
     /// Print what a point was, for a spreadsheet: comma-separated values
     History {
@@ -46,6 +57,7 @@ pub struct Asked {
 pub fn site(of: &OfSite) -> Outcome {
     match of {
         OfSite::Check { site } => check(site),
+        OfSite::Move { site, from } => move_history(site, from),
         OfSite::History { asked } => history(asked),
     }
 }
@@ -69,6 +81,43 @@ fn check(path: &Path) -> Outcome {
     Ok(site.is_some())
 }
 
+/// Copies a history from a file into a database.
+fn move_history(path: &Path, from: &Path) -> Outcome {
+    let Some(site) = open(path)? else {
+        return Ok(false);
+    };
+    let kept = site.history.as_ref().map(|history| &history.store);
+    let kept = kept.filter(|store| matches!(store, Store::Server { .. }));
+    let store = kept.ok_or_else(|| anyhow!(messages::nothing_to_move()))?;
+    let (file, database) = (shown(from), stores::name(path, store));
+    // Whoever serves the site has its journal.
+    let journal = stores::journal_file(path, &site);
+    let held = File::open(&journal);
+    let _held = held.map_err(|why| anyhow!(messages::journal_failure(&journal, &why)))?;
+    let from_wrong = |why: Failure| anyhow!(messages::store_failure(&file, &why));
+    let to_wrong = |why: Failure| anyhow!(messages::store_failure(&database, &why));
+    // One of an older version is brought to this one first.
+    std::fs::metadata(from)
+        .map_err(|why| anyhow!(messages::cannot_read(&file, messages::io(&why))))?;
+    let old = Sqlite::open(from).map_err(from_wrong)?;
+    let Database::Server(address) = stores::database(path, store)? else {
+        anyhow::bail!(messages::nothing_to_move());
+    };
+    let mut new = Postgres::open(&address).map_err(to_wrong)?;
+    let moved = unoclp_history::move_all(&old, &mut new).map_err(|why| match why {
+        NotMoved::Known(board, point) => {
+            anyhow!(messages::known_there(&database, format!("{board}.{point}")))
+        }
+        NotMoved::From(why) => from_wrong(why),
+        NotMoved::To(why) => to_wrong(why),
+    })?;
+    say!(
+        "{}",
+        messages::moved(&file, moved.points, moved.rows, &database)
+    );
+    Ok(true)
+}
+
 fn history(asked: &Asked) -> Outcome {
     let Some(site) = open(&asked.site)? else {
         return Ok(false);
@@ -80,11 +129,11 @@ fn history(asked: &Asked) -> Outcome {
     let time = |text: &str| duration(text).ok_or_else(|| anyhow!(messages::no_time(text)));
     let last = ms(time(&asked.last)?);
     let step = asked.step.as_deref().map(time).transpose()?;
-    let file = site_file::beside(&asked.site, &kept.store);
-    let store = Store::read(&file).map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
-    let points = store
-        .points()
-        .map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    let name = stores::name(&asked.site, &kept.store);
+    let wrong = |why: Failure| anyhow!(messages::store_failure(&name, &why));
+    let database = stores::database(&asked.site, &kept.store)?;
+    let mut store = database.read().map_err(wrong)?;
+    let points = store.points().map_err(wrong)?;
     if !points
         .iter()
         .any(|(of, name)| (&**of, &**name) == (board, point))
@@ -104,7 +153,7 @@ fn history(asked: &Asked) -> Outcome {
         step: step.map_or(0, ms),
         most: usize::MAX,
     });
-    let rows = rows.map_err(|why| anyhow!(messages::store_failure(&file, &why)))?;
+    let rows = rows.map_err(wrong)?;
     say!("{}", csv(&rows).trim_end());
     Ok(true)
 }

@@ -116,15 +116,30 @@ pub fn failure(failure: &Failure) -> String {
     }
 }
 
-/// Why the history in this file cannot be used.
-pub fn store_failure(file: &Path, failure: &unoclp_history::Failure) -> String {
-    use unoclp_history::Failure::{Foreign, Full, Other, ReadOnly, Version};
+/// Why the history in this file, or at this server, cannot be used.
+pub fn store_failure(store: &str, failure: &unoclp_history::Failure) -> String {
+    use unoclp_history::Failure::{Busy, Foreign, Full, Other, ReadOnly, Version};
+    match failure {
+        Foreign => history_foreign(store),
+        Version(version) => history_version(store, version),
+        Full => history_full(store),
+        ReadOnly => history_read_only(store),
+        Busy => history_fails(store, held()),
+        Other(why) if store.contains("://") => history_away(store, why),
+        Other(why) => history_fails(store, why),
+    }
+}
+
+/// Why the journal in this file cannot be used.
+pub fn journal_failure(file: &Path, failure: &unoclp_history::Failure) -> String {
+    use unoclp_history::Failure::{Busy, Foreign, Full, Other, ReadOnly, Version};
     let file = shown(file);
     match failure {
-        Foreign => history_foreign(file),
-        Version(version) => history_version(file, version),
-        Full => history_full(file),
+        Foreign => journal_foreign(file),
+        Version(version) => journal_version(file, version),
+        Full => journal_full(file),
         ReadOnly => history_read_only(file),
+        Busy => journal_held(file),
         Other(why) => history_fails(file, why),
     }
 }

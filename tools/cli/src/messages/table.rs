@@ -304,20 +304,58 @@ unoclp_words::messages! {
         "the history has no point {point}; it has {points}"
         "o histórico não tem o ponto {point}; ele tem {points}";
     history_foreign(file)
-        "{file} is no history of unoclp; it is left as it is. Name another file under `store`"
-        "{file} não é um histórico do unoclp; ficou como estava. Indique outro arquivo em `store`";
+        "{file} is no history of unoclp; it is left as it is. Name another one under `store`"
+        "{file} não é um histórico do unoclp; ficou como estava. Indique outro em `store`";
     history_version(file, version)
-        "{file} is a history of another version of unoclp (form {version}); it is left as it is. Take that version, or name another file under `store`"
-        "{file} é um histórico de outra versão do unoclp (forma {version}); ficou como estava. Use essa versão, ou indique outro arquivo em `store`";
+        "{file} is a history of another version of unoclp (form {version}); it is left as it is. Take that version, or name another one under `store`"
+        "{file} é um histórico de outra versão do unoclp (forma {version}); ficou como estava. Use essa versão, ou indique outro em `store`";
     history_full(file)
-        "{file} takes nothing: the disk is full. What comes waits in memory; make room"
-        "{file} não aceita nada: o disco está cheio. O que chega espera na memória; libere espaço";
+        "{file} takes nothing: the disk is full. What comes waits in the journal; make room"
+        "{file} não aceita nada: o disco está cheio. O que chega espera no diário; libere espaço";
     history_read_only(file)
         "{file} may only be read; let this user write it"
         "{file} só pode ser lido; deixe este usuário gravar nele";
     history_fails(file, why)
         "{file} cannot be used: {why}; check its folder, and whether another program has it"
         "não foi possível usar {file}: {why}; confira a pasta dele, e se outro programa o usa";
+    history_away(server, why)
+        "{server}: away: {why}. What comes waits in the journal"
+        "{server}: fora do ar: {why}. O que chega espera no diário";
+    held() "another program holds it" "outro programa o ocupa";
+    journal_foreign(file)
+        "{file} is no journal of unoclp; it is left as it is. Write [journal] with another `store`"
+        "{file} não é um diário do unoclp; ficou como estava. Escreva [journal] com outro `store`";
+    journal_version(file, version)
+        "{file} is a journal of another version of unoclp (form {version}); it is left as it is. Let that version end once history and broker have all of it, or write [journal] with another `store`"
+        "{file} é um diário de outra versão do unoclp (forma {version}); ficou como estava. Deixe essa versão terminar depois que o histórico e o broker tiverem tudo, ou escreva [journal] com outro `store`";
+    journal_full(file)
+        "{file} takes nothing: the disk is full. What comes waits in memory, and history and broker wait for it; make room"
+        "{file} não aceita nada: o disco está cheio. O que chega espera na memória, e o histórico e o broker esperam por isso; libere espaço";
+    journal_held(file)
+        "{file}: another `unoclp serve` uses this journal; end it first"
+        "{file}: outro `unoclp serve` usa este diário; encerre-o primeiro";
+    fingerprint(sum)
+        "certificate: SHA-256 {sum}"
+        "certificado: SHA-256 {sum}";
+    cert_none(file)
+        "{file} holds no certificate in PEM; check `cert` under [http]"
+        "{file} não contém nenhum certificado em PEM; confira `cert` em [http]";
+    key_none(file)
+        "{file} holds no key in PEM; check `key` under [http]"
+        "{file} não contém nenhuma chave em PEM; confira `key` em [http]";
+    cert_refused(certificate, key, why)
+        "{certificate} cannot be used with {key}: {why}; check that they belong together"
+        "não foi possível usar {certificate} com {key}: {why}; confira se são do mesmo par";
+    ended() "ended" "encerrado";
+    nothing_to_move()
+        "the history of this site is in no database; write it under [history] first, as `store = \"postgres://gateway@db.example/plant\"`"
+        "o histórico desta instalação não está em um banco de dados; escreva-o antes em [history], como `store = \"postgres://gateway@db.example/plant\"`";
+    known_there(database, point)
+        "{database} has samples of {point} already, so nothing has moved; take an empty database"
+        "{database} já tem amostras de {point}, por isso nada foi movido; use um banco vazio";
+    moved(file, points, rows, database)
+        "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
+        "{file}: {points} pontos com {rows} linhas estão também em {database}; inicie unoclp serve de novo";
     history_again(file) "{file}: written again" "{file}: gravado de novo";
     port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";

@@ -3,7 +3,7 @@
 use crate::common::{empty_folder, outcome, outcome_in};
 use std::fs;
 use std::time::{SystemTime, UNIX_EPOCH};
-use unoclp_history::{Sample, Store};
+use unoclp_history::{Sample, Sqlite};
 
 #[test]
 fn a_site_file_is_told_or_its_mistakes_are() {
@@ -99,7 +99,7 @@ fn the_history_of_a_point_is_printed_for_a_spreadsheet() {
         at: now - ago,
         value,
     };
-    let mut store = Store::open(&folder.join("history.db")).unwrap();
+    let mut store = Sqlite::open(&folder.join("history.db")).unwrap();
     let samples = [(7_200_000, Some(1.5)), (1_000, Some(-2.0)), (500, None)];
     store
         .append(&samples.map(|(ago, value)| sample(ago, value)))

@@ -10,15 +10,15 @@ mod json;
 mod tests;
 mod topics;
 
-use crate::backlog::{Backlog, MOST};
-use crate::boards::{Boards, News, Sample};
+use crate::boards::{Board, Boards, News, Sample};
 use crate::change::Change;
 use crate::command::{Command, Refusal, Rights, WAITING, value};
-use crate::session::{Message, Now, Out, Session, Stand};
+use crate::session::{Message, Now, Out, Session};
 use home::Home;
 use std::collections::VecDeque;
 use std::time::Duration;
 use topics::{Asked, Topics};
+use unoclp_journal::Entry;
 use unoclp_site::{Mqtt, Site};
 
 /// What is said of a gateway or a board that is there, or not.
@@ -26,6 +26,8 @@ const ONLINE: &str = "online";
 const OFFLINE: &str = "offline";
 /// What is to be said before any sample: of more, no further refusal is told.
 const URGENT: usize = 1_000;
+/// As long as so many samples wait here, none are read from the journal.
+const ENOUGH: usize = 64;
 
 /// The session of one gateway.
 #[derive(Debug)]
@@ -39,14 +41,19 @@ pub(crate) struct Plain {
     again: Duration,
     is_connected: bool,
     urgent: VecDeque<Out>,
-    samples: Backlog<Message>,
+    /// What points were, in order,
+    samples: VecDeque<Message>,
+    /// as far as this entry of the journal.
+    read: u64,
+    /// All values are to be told again, once all of the journal is told.
+    is_due: bool,
     /// Commands that boards have not answered yet.
     under_way: usize,
 }
 
 impl Plain {
-    /// That of this site.
-    pub fn new(site: &Site, mqtt: &Mqtt) -> Plain {
+    /// That of this site, of whose journal the broker has all up to `read`.
+    pub fn new(site: &Site, mqtt: &Mqtt, read: u64) -> Plain {
         Plain {
             boards: Boards::new(site),
             rights: Rights::new(site, mqtt),
@@ -56,7 +63,9 @@ impl Plain {
             again: mqtt.every,
             is_connected: false,
             urgent: VecDeque::new(),
-            samples: Backlog::new(MOST),
+            samples: VecDeque::new(),
+            read,
+            is_due: false,
             under_way: 0,
         }
     }
@@ -69,21 +78,22 @@ impl Plain {
                 payload: payload.into(),
                 retain,
                 sure: true,
-                sample: false,
+                number: None,
             }));
         }
     }
 
-    fn sample(&mut self, board: &str, point: &str, sample: Sample) {
+    /// What a point was; `number`: the entry that says so.
+    fn sample(&mut self, board: &str, point: &str, sample: Sample, number: Option<u64>) {
         let Some(of) = self.boards.of(board).and_then(|board| board.point(point)) else {
             return;
         };
-        self.samples.push(Message {
+        self.samples.push_back(Message {
             topic: self.topics.point(board, point),
             payload: json::sample(of, sample).into_bytes(),
             retain: true,
             sure: true,
-            sample: true,
+            number,
         });
     }
 
@@ -99,7 +109,7 @@ impl Plain {
             }
             self.tell_home(&name);
         }
-        self.tell_values();
+        self.is_due = true;
     }
 
     fn tell_values(&mut self) {
@@ -109,7 +119,7 @@ impl Plain {
             board.values.iter().map(of)
         });
         for (board, point, sample) in values.collect::<Vec<_>>() {
-            self.sample(&board, &point, sample);
+            self.sample(&board, &point, sample, None);
         }
     }
 
@@ -125,6 +135,41 @@ impl Plain {
         };
         if let Some((topic, payload)) = home.config(board, &self.rights, &self.topics) {
             self.say(topic, payload, true);
+        }
+    }
+
+    /// Tells what one reading of a board has changed.
+    fn read_one(&mut self, entries: &[Entry]) {
+        let last = entries.last().map(|last| last.number);
+        let changes = entries.iter().map(|entry| (&entry.sample, entry.number));
+        for news in self.boards.take(changes) {
+            let News {
+                board,
+                turn,
+                samples,
+            } = news;
+            for (point, sample) in samples {
+                // Of a name that does not hold any more nothing is told.
+                let points = self.boards.of(&board).map(Board::points);
+                let points = points.unwrap_or_default();
+                if points.is_empty() || points.iter().any(|of| of.name == point) {
+                    self.sample(&board, &point, sample, Some(sample.number));
+                }
+            }
+            for point in &turn.gone {
+                // What a broker keeps of a point that is no more would come back with each who asks.
+                let topic = self.topics.point(&board, point);
+                self.samples.push_back(Message {
+                    topic,
+                    payload: Vec::new(),
+                    retain: true,
+                    sure: true,
+                    number: last,
+                });
+            }
+            if turn.is_other {
+                self.tell_home(&board);
+            }
         }
     }
 
@@ -156,7 +201,7 @@ impl Session for Plain {
             payload: OFFLINE.into(),
             retain: true,
             sure: true,
-            sample: false,
+            number: None,
         }
     }
 
@@ -178,38 +223,37 @@ impl Session for Plain {
         let dropped = under_way.filter(|out| matches!(out, Out::Carry(_))).count();
         self.under_way = self.under_way.saturating_sub(dropped);
         self.urgent.clear();
-        let samples = unsure.into_iter().filter(|message| message.sample);
-        self.samples.put_back(samples.collect());
-    }
-
-    fn changed(&mut self, changes: &[Change], _: Now) {
-        for news in self.boards.take(changes) {
-            let News {
-                board,
-                turn,
-                samples,
-            } = news;
-            for (point, sample) in samples {
-                if !turn.gone.contains(&point) {
-                    self.sample(&board, &point, sample);
-                }
-            }
-            for point in &turn.gone {
-                // What a broker keeps of a point that is no more would come back with each who asks.
-                let topic = self.topics.point(&board, point);
-                self.samples.push(Message {
-                    topic,
-                    payload: Vec::new(),
-                    retain: true,
-                    sure: true,
-                    sample: true,
-                });
-            }
-            if turn.is_other {
-                self.tell_home(&board);
-            }
+        // What tells of no entry is said anew by the next connection.
+        let of_entry = |message: &Message| message.number.is_some();
+        self.samples.retain(of_entry);
+        for message in unsure.into_iter().filter(of_entry).rev() {
+            self.samples.push_front(message);
         }
     }
+
+    fn wants(&self) -> Option<u64> {
+        (self.is_connected && self.samples.len() < ENOUGH).then_some(self.read)
+    }
+
+    fn read(&mut self, entries: &[Entry], last: u64, _: Now) {
+        self.read = entries.last().map_or(last, |last| last.number);
+        if entries.is_empty() && std::mem::take(&mut self.is_due) {
+            self.tell_values();
+        }
+        // What one reading of a board has changed; so numbers of messages never fall.
+        let is_of_one = |one: &Entry, other: &Entry| {
+            (&one.sample.board, one.sample.at) == (&other.sample.board, other.sample.at)
+        };
+        for reading in entries.chunk_by(is_of_one) {
+            self.read_one(reading);
+        }
+    }
+
+    fn told(&self) -> Option<u64> {
+        self.samples.is_empty().then_some(self.read)
+    }
+
+    fn changed(&mut self, _: &[Change], _: Now) {}
 
     fn presence(&mut self, board: &str, up: bool, _: Now) {
         if let Some(of) = self.boards.of_mut(board) {
@@ -249,9 +293,7 @@ impl Session for Plain {
     fn tick(&mut self, now: Now) {
         if now.since >= self.again {
             self.again = now.since + self.every;
-            if self.is_connected {
-                self.tell_values();
-            }
+            self.is_due = self.is_connected;
         }
     }
 
@@ -260,17 +302,14 @@ impl Session for Plain {
             return None;
         }
         let urgent = self.urgent.pop_front();
-        urgent.or_else(|| self.samples.pop().map(Out::Publish))
+        urgent.or_else(|| self.samples.pop_front().map(Out::Publish))
     }
 
     fn farewell(&mut self, _: Now) -> Vec<Message> {
         vec![self.will()]
     }
 
-    fn stand(&self) -> Stand {
-        Stand {
-            waiting: self.samples.len(),
-            dropped: self.samples.dropped(),
-        }
+    fn dropped(&self) -> u64 {
+        0
     }
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::session::Now;
-use unoclp_site::{Files, read};
+use unoclp_site::Files;
 
 struct Folder;
 
@@ -14,8 +14,8 @@ fn session(more: &str) -> Plain {
     let text = format!(
         "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"x\"\n[mqtt]\nbroker = \"mqtt://localhost\"\n{more}"
     );
-    let site = read(&text, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}"));
-    Plain::new(&site, site.mqtt.as_ref().expect("there is one"))
+    let site = unoclp_site::read(&text, &Folder).unwrap_or_else(|wrong| panic!("{wrong:?}"));
+    Plain::new(&site, site.mqtt.as_ref().expect("there is one"), 0)
 }
 
 fn at(seconds: u64) -> Now {
@@ -25,12 +25,24 @@ fn at(seconds: u64) -> Now {
     }
 }
 
-fn change(point: &str, value: f64) -> Change {
-    Change {
-        board: "x".into(),
-        point: point.into(),
-        at: 5,
-        value: Some(value),
+/// Reads an entry of the journal, if one is wanted.
+fn read(session: &mut Plain, number: u64, point: &str, value: f64) {
+    if let Some(after) = session.wants() {
+        assert!(after < number);
+        let sample = Change {
+            board: "x".into(),
+            point: point.into(),
+            at: 5,
+            value: Some(value),
+        };
+        session.read(&[Entry { number, sample }], number, at(0));
+    }
+}
+
+/// Once there are no more.
+fn read_all(session: &mut Plain) {
+    if let Some(after) = session.wants() {
+        session.read(&[], after, at(0));
     }
 }
 
@@ -51,63 +63,73 @@ fn topics(out: &[Out]) -> Vec<&str> {
 fn all_values_are_told_again_at_an_interval_whatever_the_clock_of_the_pc_does() {
     let mut session = session("every = \"10s\"\n");
     session.connected(at(0));
-    session.changed(&[change("I1", 1.0)], at(0));
+    read(&mut session, 1, "I1", 1.0);
     assert_eq!(
         topics(&all(&mut session)),
         ["unoclp/$status", "unoclp/x/I1"]
     );
+    // What the connection begins with.
+    read_all(&mut session);
+    assert_eq!(topics(&all(&mut session)), ["unoclp/x/I1"]);
     session.tick(at(9));
+    read_all(&mut session);
     assert_eq!(all(&mut session), []);
     // An hour back by the clock of the PC.
     session.tick(Now {
         at: -3_600_000,
         ..at(10)
     });
+    read_all(&mut session);
     assert_eq!(topics(&all(&mut session)), ["unoclp/x/I1"]);
     session.tick(at(19));
+    read_all(&mut session);
     assert_eq!(all(&mut session), []);
 }
 
 #[test]
-fn while_a_broker_is_away_samples_wait_and_nothing_else() {
+fn while_a_broker_is_away_or_slow_the_journal_is_not_read_on() {
     let mut session = session("write = [\"x.Q1\"]\n");
-    for number in 0..MOST + 3 {
-        session.changed(&[change("A0", number as f64)], at(0));
-        session.presence("x", number % 2 == 0, at(0));
+    for number in 0..1_000_u32 {
+        session.presence("x", number.is_multiple_of(2), at(0));
     }
-    let stand = session.stand();
-    assert_eq!((stand.waiting, stand.dropped), (MOST, 3));
-    assert_eq!(session.next(), None);
+    assert_eq!((session.wants(), session.next()), (None, None));
     session.connected(at(1));
+    for number in 1..1_000_u32 {
+        read(&mut session, number.into(), "A0", number.into());
+    }
+    assert_eq!(session.wants(), None);
+    assert_eq!(session.told(), None);
+    // Each state once, and as many samples as are enough.
     let out = all(&mut session);
-    // Those that waited, the value that there is, and each board's state once.
-    assert_eq!(out.len(), 1 + 2 + MOST + 1 - 1);
-    assert_eq!(
-        session.stand().dropped,
-        4,
-        "the value that there is has no room"
-    );
+    assert_eq!(out.len(), 1 + 2 + ENOUGH);
+    assert_eq!(session.wants(), Some(ENOUGH as u64));
+    assert_eq!(session.told(), Some(ENOUGH as u64));
 }
 
 #[test]
 fn what_a_broker_has_not_confirmed_comes_again_before_all_others() {
     let mut session = session("");
     session.connected(at(0));
-    session.changed(&[change("A0", 1.0), change("A1", 2.0)], at(0));
+    read(&mut session, 1, "A0", 1.0);
+    read(&mut session, 2, "A1", 2.0);
+    read_all(&mut session);
     let unsure = all(&mut session).into_iter().filter_map(|out| match out {
         Out::Publish(message) => Some(message),
         _ => None,
     });
-    let unsure = unsure.collect();
+    let unsure: Vec<Message> = unsure.collect();
+    let numbers: Vec<_> = unsure.iter().map(|message| message.number).collect();
+    // The state, two samples, and all values once more.
+    assert_eq!(numbers, [None, Some(1), Some(2), None, None]);
     session.lost(unsure);
-    session.changed(&[change("A2", 3.0)], at(0));
+    assert_eq!(session.wants(), None);
     session.connected(at(1));
+    read(&mut session, 3, "A2", 3.0);
+    read_all(&mut session);
     let out = all(&mut session);
     let samples = ["unoclp/x/A0", "unoclp/x/A1", "unoclp/x/A2"];
-    assert_eq!(
-        topics(&out)[..4],
-        [&["unoclp/$status"], &samples[..]].concat()
-    );
+    let told = [&["unoclp/$status"], &samples[..], &samples[..]].concat();
+    assert_eq!(topics(&out), told);
 }
 
 #[test]

@@ -16,12 +16,13 @@ use crate::backlog::{Backlog, MOST};
 use crate::boards::{Boards, News};
 use crate::change::Change;
 use crate::command::{Command, Refusal, Rights, WAITING};
-use crate::session::{Message, Now, Out, Session, Stand};
+use crate::session::{Message, Now, Out, Session};
 use host::{Host, Turn};
 use payload::{Held, Metric, Payload, datatype, time};
 use prost::Message as _;
 use std::collections::{BTreeSet, VecDeque};
 use topics::{Came, Topics};
+use unoclp_journal::Entry;
 use unoclp_site::{Mqtt, Site, Sparkplug};
 
 /// The command that asks for all births again.
@@ -34,6 +35,19 @@ const BD_SEQ: &str = "bdSeq";
 struct Past {
     board: String,
     metrics: Vec<Metric>,
+}
+
+impl Past {
+    fn of(board: String, metrics: Vec<Metric>) -> Past {
+        let past = |metric| Metric {
+            is_historical: Some(true),
+            ..metric
+        };
+        Past {
+            board,
+            metrics: metrics.into_iter().map(past).collect(),
+        }
+    }
 }
 
 /// The session of one edge node.
@@ -53,13 +67,16 @@ pub(crate) struct Node {
     bd_seq: u8,
     out: VecDeque<Out>,
     past: Backlog<Past>,
+    /// Entries of the journal that nobody has heard of before this gateway began: after the first of these, up to the other.
+    unheard: Option<(u64, u64)>,
     /// Commands that boards have not answered yet.
     under_way: usize,
 }
 
 impl Node {
-    /// That of this site. Births are counted from `first` on: after a restart the death of the last one may still come.
-    pub fn new(site: &Site, mqtt: &Mqtt, of: &Sparkplug, first: u8) -> Node {
+    /// That of this site. Births are counted from `first` on: after a restart the death of the last one may still come. Of the
+    /// journal, nobody has heard what stands after the first of `unheard`, up to the other.
+    pub fn new(site: &Site, mqtt: &Mqtt, of: &Sparkplug, first: u8, unheard: (u64, u64)) -> Node {
         Node {
             boards: Boards::new(site),
             rights: Rights::new(site, mqtt),
@@ -72,6 +89,7 @@ impl Node {
             bd_seq: first,
             out: VecDeque::new(),
             past: Backlog::new(MOST),
+            unheard: Some(unheard).filter(|(after, last)| after < last),
             under_way: 0,
         }
     }
@@ -96,7 +114,7 @@ impl Node {
             payload: payload.encode_to_vec(),
             retain: false,
             sure: true,
-            sample: false,
+            number: None,
         }
     }
 
@@ -112,7 +130,7 @@ impl Node {
             payload: payload.encode_to_vec(),
             retain: false,
             sure: false,
-            sample: false,
+            number: None,
         }));
     }
 
@@ -259,8 +277,37 @@ impl Session for Node {
         self.out.clear();
     }
 
+    fn wants(&self) -> Option<u64> {
+        self.unheard.map(|(after, _)| after)
+    }
+
+    fn read(&mut self, entries: &[Entry], _: u64, now: Now) {
+        let Some((_, last)) = self.unheard.take() else {
+            return;
+        };
+        for Entry { sample, .. } in entries.iter().filter(|entry| entry.number <= last) {
+            let board = self.boards.of(&sample.board);
+            let Some(point) = board.and_then(|board| board.point(&sample.point)) else {
+                continue;
+            };
+            let metric = Metric::of(point, sample.value, sample.at);
+            self.past.push(Past::of(sample.board.clone(), vec![metric]));
+        }
+        let read = entries.last().map_or(last, |entry| entry.number);
+        self.unheard = Some((read, last)).filter(|(read, last)| read < last);
+        if self.is_born {
+            self.tell_past(now);
+        }
+    }
+
+    fn told(&self) -> Option<u64> {
+        let is_told = self.is_born && self.unheard.is_none() && self.past.len() == 0;
+        // Readings are told at once, so that all that the journal has is told.
+        (is_told && self.out.is_empty()).then_some(u64::MAX)
+    }
+
     fn changed(&mut self, changes: &[Change], now: Now) {
-        for news in self.boards.take(changes) {
+        for news in self.boards.take(changes.iter().map(|change| (change, 0))) {
             let News {
                 board,
                 turn,
@@ -288,12 +335,7 @@ impl Session for Node {
             if self.born.contains(&board) {
                 self.say(self.topics.device("DDATA", &board), metrics, now);
             } else {
-                let past = |metric| Metric {
-                    is_historical: Some(true),
-                    ..metric
-                };
-                let metrics = metrics.into_iter().map(past).collect();
-                self.past.push(Past { board, metrics });
+                self.past.push(Past::of(board, metrics));
             }
         }
     }
@@ -363,13 +405,12 @@ impl Session for Node {
     }
 
     fn farewell(&mut self, _: Now) -> Vec<Message> {
-        vec![self.death()]
+        // Who was not born does not die.
+        let death = self.is_born.then(|| self.death());
+        death.into_iter().collect()
     }
 
-    fn stand(&self) -> Stand {
-        Stand {
-            waiting: self.past.len(),
-            dropped: self.past.dropped(),
-        }
+    fn dropped(&self) -> u64 {
+        self.past.dropped()
     }
 }

@@ -36,24 +36,24 @@ fn a_point_is_told_as_it_changes_and_kept_by_the_broker() {
             (
                 "unoclp/tank/level",
                 1,
-                value(r#"{"v":21.1,"t":1700000000123,"q":"good","n":0}"#)
+                value(r#"{"v":21.1,"t":1700000000123,"q":"good","n":1}"#)
             ),
             (
                 "unoclp/tank/target",
                 1,
-                value(r#"{"v":7,"t":1700000000123,"q":"good","n":1}"#)
+                value(r#"{"v":7,"t":1700000000123,"q":"good","n":2}"#)
             ),
             (
                 "unoclp/tank/valve",
                 1,
-                value(r#"{"v":true,"t":1700000000123,"q":"good","n":2}"#)
+                value(r#"{"v":true,"t":1700000000123,"q":"good","n":3}"#)
             ),
         ]
     );
     reporting.change("tank", &[("level", None)], 1_700_000_000_200);
     assert_eq!(
         listener.next_at("/level").text(),
-        r#"{"v":null,"t":1700000000200,"q":"bad","n":3}"#
+        r#"{"v":null,"t":1700000000200,"q":"bad","n":4}"#
     );
     // Whoever comes later is told all of it.
     let later = Listener::new(&broker, "unoclp/#");
@@ -93,6 +93,43 @@ fn what_a_broker_that_is_killed_has_not_taken_comes_after_in_order() {
     let first = seen[0];
     assert!(first <= 200, "{first}");
     assert_eq!(seen, (first..400).collect::<Vec<_>>());
+    assert_eq!(reporting.reporter.state().dropped, 0);
+}
+
+#[test]
+fn what_waits_for_a_broker_outlasts_a_restart_of_the_gateway() {
+    let mut broker = Broker::new();
+    let of_site = site(&url(&broker), "");
+    let mut reporting = Reporting::new(&of_site, None, Ok(()));
+    let count = |reporting: &Reporting, from: i32| {
+        for number in from..from + 300 {
+            reporting.change("tank", &[("target", Some(number.into()))], number.into());
+        }
+    };
+    count(&reporting, 0);
+    while reporting.journal.state().committed < 300 {
+        std::thread::yield_now();
+    }
+    reporting.until(|state| state.connected == 1 && state.waiting == 0);
+    broker.kill();
+    // Each time with more that nobody has heard.
+    for from in [300, 600, 900] {
+        count(&reporting, from);
+        reporting = reporting.again(&of_site);
+    }
+    broker.begin();
+    let listener = Listener::new(&broker, "unoclp/tank/target");
+    let mut seen: Vec<(u64, u64)> = Vec::new();
+    while seen.last() != Some(&(1199, 1200)) {
+        let told: serde_json::Value = serde_json::from_str(&listener.next().text()).unwrap();
+        seen.push((told["v"].as_u64().unwrap(), told["n"].as_u64().unwrap()));
+    }
+    // Whoever listens late hears the last that was kept first; then all in order, each with its number.
+    let first = seen[0].0;
+    assert!((300..=1199).contains(&first), "{first}");
+    let all: Vec<(u64, u64)> = (first..1200).map(|number| (number, number + 1)).collect();
+    assert_eq!(seen, all);
+    reporting.until(|state| state.waiting == 0);
     assert_eq!(reporting.reporter.state().dropped, 0);
 }
 

@@ -2,7 +2,10 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
-use unoclp_report::{Carry, Change, Command, Refusal, Reporter, State, Tell};
+use std::time::Duration;
+use tempfile::TempDir;
+use unoclp_journal::{File, Journal, Policy, Sample};
+use unoclp_report::{Carry, Command, Refusal, Reporter, State, Tell};
 use unoclp_site::{Files, Site, read};
 
 struct Folder;
@@ -28,6 +31,8 @@ pub fn site(broker: &str, more: &str) -> Site {
 /// A reporter, and the commands that it has brought.
 pub struct Reporting {
     pub reporter: Reporter,
+    pub journal: Journal,
+    folder: Arc<TempDir>,
     pub commands: Receiver<Command>,
     pub told: Receiver<Option<String>>,
 }
@@ -35,25 +40,53 @@ pub struct Reporting {
 impl Reporting {
     /// Reports this site; each command is answered so.
     pub fn new(site: &Site, ca: Option<&[u8]>, outcome: Result<(), Refusal>) -> Reporting {
+        Reporting::of(Arc::new(tempfile::tempdir().unwrap()), site, ca, outcome)
+    }
+
+    /// The same after a restart of the gateway: what its journal has is there still.
+    pub fn again(self, site: &Site) -> Reporting {
+        let folder = self.folder.clone();
+        drop(self);
+        Reporting::of(folder, site, None, Ok(()))
+    }
+
+    fn of(
+        folder: Arc<TempDir>,
+        site: &Site,
+        ca: Option<&[u8]>,
+        outcome: Result<(), Refusal>,
+    ) -> Reporting {
         let (send, commands) = channel();
         let (tell, told) = channel();
         let mqtt = site.mqtt.as_ref().unwrap();
-        let begun = Reporter::begin(site, mqtt, ca, carry(send, outcome), telling(tell));
+        let policy = Policy {
+            every: Duration::ZERO,
+            bound: u64::MAX,
+        };
+        let file = File::open(&folder.path().join("j")).unwrap();
+        let readers = Reporter::readers(mqtt);
+        let journal = Journal::begin(file, policy, &readers, Box::new(|_| ())).unwrap();
+        let carry = carry(send, outcome);
+        let begun = Reporter::begin(site, mqtt, ca, &journal, carry, telling(tell));
         Reporting {
             reporter: begun.unwrap_or_else(|why| panic!("{why:?}")),
+            journal,
+            folder,
             commands,
             told,
         }
     }
 
     pub fn change(&self, board: &str, values: &[(&str, Option<f64>)], at: i64) {
-        let change = |(point, value): &(&str, Option<f64>)| Change {
+        let change = |(point, value): &(&str, Option<f64>)| Sample {
             board: board.into(),
             point: (*point).into(),
             at,
             value: *value,
         };
-        self.reporter.changed(values.iter().map(change).collect());
+        let changes: Vec<Sample> = values.iter().map(change).collect();
+        self.journal.put(changes.clone());
+        self.reporter.changed(changes);
     }
 
     /// Waits until it stands so.

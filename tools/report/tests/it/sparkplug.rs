@@ -198,6 +198,46 @@ fn a_node_waits_for_its_primary_host() {
 }
 
 #[test]
+fn what_a_host_has_not_heard_outlasts_a_restart_of_the_gateway() {
+    let broker = Broker::new();
+    let listener = Listener::new(&broker, "spBv1.0/lab/#");
+    let more = "sparkplug = { group = \"lab\", node = \"room\", host = \"scada\" }\n";
+    let of_site = site(&format!("mqtt://127.0.0.1:{}", broker.port), more);
+    let reporting = Reporting::new(&of_site, None, Ok(()));
+    reporting.until(|state| state.connected == 2);
+    reporting.change("tank", &[("target", Some(1.0))], 10);
+    reporting.change("tank", &[("target", Some(2.0))], 20);
+    // No host has come, and the gateway begins anew.
+    let reporting = reporting.again(&of_site);
+    reporting.until(|state| state.connected == 2);
+    reporting.change("tank", &[("target", Some(3.0))], 30);
+    let state = json!({ "online": true, "timestamp": 5 }).to_string();
+    broker.publish("spBv1.0/STATE/scada", state.as_bytes(), &["-r"]);
+    let heard: Vec<_> = (0..4).map(|_| listener.next()).collect();
+    let told = decoded(&heard);
+    assert_eq!(told[1]["metrics"]["target"][1], 3);
+    let past: Vec<_> = told[2..]
+        .iter()
+        .map(|told| &told["metrics"]["target"])
+        .collect();
+    let historical = |value: i32| json!(["INT32", value, true, false]);
+    assert_eq!(past, [&historical(1), &historical(2)]);
+    // Nothing of it comes again after the next restart.
+    reporting.until(|state| state.waiting == 0);
+    let reporting = reporting.again(&of_site);
+    reporting.change("tank", &[("target", Some(4.0))], 40);
+    let birth = loop {
+        let heard = listener.next();
+        assert!(!heard.topic.contains("DDATA"), "{heard:?}");
+        if heard.topic.contains("DBIRTH") {
+            break heard;
+        }
+    };
+    assert_eq!(decoded(&[birth])[0]["metrics"]["target"][1], 4);
+    drop(reporting);
+}
+
+#[test]
 fn a_host_sets_what_the_site_lets_it_set() {
     let broker = Broker::new();
     let listener = Listener::new(&broker, "spBv1.0/lab/#");

@@ -1,6 +1,7 @@
 //! A server on a free port of this PC, and what visits it.
 
 use std::borrow::Cow;
+use std::future::pending;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::{Arc, Mutex};
@@ -110,10 +111,11 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
         modbus: None,
         orders: None,
         metrics: None,
+        past: None,
         keep: None,
         tell: None,
     });
-    thread::spawn(move || server.run(pages, sharing).unwrap());
+    thread::spawn(move || server.run(pages, sharing, pending()).unwrap());
     address
 }
 

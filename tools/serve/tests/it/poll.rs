@@ -109,10 +109,10 @@ fn other_programs_read_boards_and_points() {
     );
     assert_eq!(body, r#"{"boards":2,"up":2}"#);
     let (_, body) = get("/api/boards");
-    let one = r#"{"name":"one","points":{"count":0.0,"level":0.0,"start":0.0},"up":true}"#;
+    let one = r#"{"name":"one","up":true,"points":{"count":0.0,"level":0.0,"start":0.0}}"#;
     assert_eq!(
         body,
-        format!(r#"[{one},{{"name":"two","points":{{}},"up":true}}]"#)
+        format!(r#"[{one},{{"name":"two","up":true,"points":{{}}}}]"#)
     );
     site.boards.board(3).inputs = 2;
     assert_eq!(next(&changes, "start"), Some(1.0));
@@ -135,7 +135,7 @@ fn other_programs_read_boards_and_points() {
     let (_, body) = get("/api/boards");
     assert!(
         body.contains(
-            r#""points":{"count":null,"level":null,"start":null},"up":false,"why":"unplugged""#
+            r#""up":false,"why":"unplugged","points":{"count":null,"level":null,"start":null}"#
         ),
         "{body}"
     );
@@ -150,11 +150,24 @@ fn in_a_network_other_programs_show_a_token() {
         answer.split(' ').nth(1).unwrap().to_owned()
     };
     let with = |token: &str| format!("Authorization: Bearer {token}\r\n");
-    for path in ["/health", "/metrics", "/api/boards"] {
+    for path in [
+        "/health",
+        "/metrics",
+        "/api/boards",
+        "/api/history?board=one&point=count",
+        "/api/history.csv?board=one&point=count",
+        "/api/openapi.json",
+    ] {
         assert_eq!(get(path, ""), "401", "{path}");
         assert_eq!(get(path, &with("x")), "401");
-        assert_eq!(get(path, &with(&tokens().watch)), "200");
-        assert_eq!(get(path, &with(&tokens().control)), "200");
+        // This site keeps no history.
+        let there = if path.contains("history") {
+            "404"
+        } else {
+            "200"
+        };
+        assert_eq!(get(path, &with(&tokens().watch)), there);
+        assert_eq!(get(path, &with(&tokens().control)), there);
         assert_eq!(get(path, "Origin: http://evil.example\r\n"), "403");
     }
     let alone = serve(None, None);

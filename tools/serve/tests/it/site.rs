@@ -2,14 +2,17 @@
 
 use crate::common::pages;
 use crate::simulated::{Simulated, kept};
+use std::future::pending;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
 use std::thread;
 use unoclp_client::diagnostics::Kept;
+use unoclp_history::{Failure, Query, Row};
 use unoclp_modbus::Table;
 use unoclp_modbus::map::Width;
 use unoclp_serve::{
-    Keep, Line, Metric, Metrics, Modbus, Orders, Server, SharedBoard, Sharing, Tell, Watched,
+    Keep, Line, Metric, Metrics, Modbus, Orders, Past, Server, SharedBoard, Sharing, Tell, Watched,
 };
 use unoclp_site::{Grant, Kind, Place};
 
@@ -56,10 +59,11 @@ impl Site {
             modbus: Some(bound),
             orders: Some(ordered),
             metrics: Some(numbers()),
+            past: Some(Arc::new(Seconds)),
             keep,
             tell,
         };
-        thread::spawn(move || server.run(pages, Some(sharing)).unwrap());
+        thread::spawn(move || server.run(pages, Some(sharing), pending()).unwrap());
         let site = Site {
             boards,
             page,
@@ -126,4 +130,35 @@ fn numbers() -> Metrics {
             value: 7,
         }]
     })
+}
+
+/// What was kept: a point that counts the seconds, from 1970 on; and one that nobody can read.
+struct Seconds;
+
+impl Past for Seconds {
+    fn points(&self) -> Result<Vec<(String, String)>, Failure> {
+        Ok(vec![
+            ("one".into(), "count".into()),
+            ("one".into(), "broken".into()),
+        ])
+    }
+
+    fn rows(&self, query: &Query) -> Result<Vec<Row>, Failure> {
+        if query.point == "broken" {
+            return Err(Failure::Busy);
+        }
+        let step = query.step.max(1_000);
+        let is_known = (&*query.board, &*query.point) == ("one", "count");
+        let first = query.from.max(0).div_euclid(step) * step;
+        let moments = (0..).map(|row| first + row * step);
+        let rows = moments.take_while(|at| is_known && *at < query.to.min(100_000));
+        let value = |at: i64| Some((at / 1_000) as f64);
+        let row = |at| Row {
+            at,
+            least: value(at),
+            most: value(at + step - 1_000),
+            last: value(at + step - 1_000).filter(|last| *last != 5.0),
+        };
+        Ok(rows.map(row).take(query.most).collect())
+    }
 }

@@ -3,7 +3,8 @@
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use unoclp_history::{Query, Sample, Store};
+use unoclp_history::{Query, Sqlite, Store};
+use unoclp_journal::{Entry, Sample};
 
 const FILE: &str = "UNOCLP_HISTORY_FILE";
 /// Samples of one commit.
@@ -11,22 +12,30 @@ const BATCH: i64 = 7;
 
 /// Counts on from what is there, for so many commits; says after each how far it is.
 fn count(path: &Path, commits: usize) {
-    let mut store = Store::open(path).unwrap();
+    let mut store = Sqlite::open(path).unwrap();
     let mut next = values(path).len() as i64;
+    assert_eq!(
+        store.taken("s"),
+        Ok(Some(next as u64).filter(|next| *next > 0))
+    );
     for _ in 0..commits {
-        let batch: Vec<Sample> = (next..next + BATCH).map(sample).collect();
-        store.append(&batch).unwrap();
+        // Some come once more.
+        let batch: Vec<Entry> = ((next - 3).max(0)..next + BATCH).map(entry).collect();
+        store.take("s", &batch).unwrap();
         next += BATCH;
         println!("committed {next}");
     }
 }
 
-fn sample(number: i64) -> Sample {
-    Sample {
-        board: "b".into(),
-        point: "count".into(),
-        at: number,
-        value: Some(number as f64),
+fn entry(number: i64) -> Entry {
+    Entry {
+        number: number as u64 + 1,
+        sample: Sample {
+            board: "b".into(),
+            point: "count".into(),
+            at: number,
+            value: Some(number as f64),
+        },
     }
 }
 
@@ -39,7 +48,7 @@ fn values(path: &Path) -> Vec<i64> {
         step: 0,
         most: usize::MAX,
     };
-    let rows = Store::read(path).unwrap().rows(&query).unwrap();
+    let rows = Sqlite::read(path).unwrap().rows(&query).unwrap();
     rows.iter().map(|row| row.last.unwrap() as i64).collect()
 }
 
@@ -61,10 +70,10 @@ fn a_writer_counts() {
 fn each_sample_that_was_committed_is_there_once_after_thirty_kills() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("h.db");
-    drop(Store::open(&file).unwrap());
+    drop(Sqlite::open(&file).unwrap());
     for kill in 0..30_usize {
         let mut writer = Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "a_writer_counts", "--nocapture"])
+            .args(["--exact", "kill::a_writer_counts", "--nocapture"])
             .env(FILE, &file)
             .stdout(Stdio::piped())
             .spawn()

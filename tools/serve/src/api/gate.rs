@@ -1,15 +1,17 @@
-//! What other programs read over HTTP: `/health`, `/metrics` for Prometheus, `/api/boards` as JSON.
-//!
-//! Owns these texts, and that whoever asks may watch. Must not know where a value comes from.
+//! Who is answered, and with what: boards, and the numbers for Prometheus.
 
-use crate::doors;
+use super::answers::{BoardNow, Health};
+use super::past::{Archive, No};
+use super::text::{JSON, text, wrong};
+
+use crate::doors::{self, Door};
 use crate::gateway::Gateway;
 use crate::tokens::Role;
 use axum::body::Body;
-use axum::http::header::{AUTHORIZATION, CACHE_CONTROL, CONTENT_TYPE, X_CONTENT_TYPE_OPTIONS};
-use axum::http::{HeaderMap, HeaderValue, Response, StatusCode};
+use axum::http::header::AUTHORIZATION;
+use axum::http::{HeaderMap, Response, StatusCode};
 use axum::response::IntoResponse;
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -33,35 +35,68 @@ pub type Metrics = Arc<dyn Fn() -> Vec<Metric> + Send + Sync>;
 #[derive(Clone)]
 pub(crate) struct Api {
     pub gateways: Arc<[Arc<Gateway>]>,
-    pub is_local: bool,
+    pub door: Door,
     pub metrics: Option<Metrics>,
+    pub archive: Archive,
 }
 
-const JSON: &str = "application/json";
 /// As Prometheus asks for it.
 const PROMETHEUS: &str = "text/plain; version=0.0.4; charset=utf-8";
 
 impl Api {
     /// Whether the boards are there: so many of all.
-    pub fn health(&self, headers: &HeaderMap) -> Response<Body> {
-        self.answer(headers, JSON, || {
-            let all = self.gateways.iter();
-            let up = all.filter(|gateway| gateway.line.presence().borrow().is_ok());
-            json!({ "boards": self.gateways.len(), "up": up.count() }).to_string()
-        })
+    pub(super) fn health(&self) -> Health {
+        let up = |gateway: &&Arc<Gateway>| gateway.line.presence().borrow().is_ok();
+        Health {
+            boards: self.gateways.len(),
+            up: self.gateways.iter().filter(up).count(),
+        }
     }
 
     /// Each board: whether it is there, and what its points are.
-    pub fn boards(&self, headers: &HeaderMap) -> Response<Body> {
-        self.answer(headers, JSON, || {
-            let boards: Vec<Value> = self.gateways.iter().map(|gateway| board(gateway)).collect();
-            Value::from(boards).to_string()
-        })
+    pub(super) fn boards(&self) -> Vec<BoardNow> {
+        self.gateways.iter().map(|gateway| board(gateway)).collect()
     }
 
     /// The same, and the numbers of the gateway, as Prometheus reads them.
-    pub fn metrics(&self, headers: &HeaderMap) -> Response<Body> {
-        self.answer(headers, PROMETHEUS, || self.text())
+    pub(super) fn metrics(&self, headers: &HeaderMap) -> Response<Body> {
+        match self.refused(headers) {
+            Some(refused) => refused,
+            None => text(PROMETHEUS, self.text()),
+        }
+    }
+
+    /// An answer for whoever may watch.
+    pub(super) async fn json<T: Serialize>(
+        &self,
+        headers: &HeaderMap,
+        answer: impl Future<Output = Result<T, No>>,
+    ) -> Response<Body> {
+        if let Some(refused) = self.refused(headers) {
+            return refused;
+        }
+        match answer.await {
+            Ok(answer) => match serde_json::to_string(&answer) {
+                Ok(answer) => text(JSON, answer),
+                Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+            },
+            Err(no) => wrong(no),
+        }
+    }
+
+    /// Why whoever sends these headers is told nothing.
+    pub(super) fn refused(&self, headers: &HeaderMap) -> Option<Response<Body>> {
+        let status = if !doors::lets_in(headers, self.door) {
+            StatusCode::FORBIDDEN
+        } else if let Some(first) = self.gateways.first() {
+            match role(headers, first) {
+                Some(_) => return None,
+                None => StatusCode::UNAUTHORIZED,
+            }
+        } else {
+            StatusCode::NOT_FOUND
+        };
+        Some(status.into_response())
     }
 
     fn text(&self) -> String {
@@ -98,34 +133,6 @@ impl Api {
         }
         text
     }
-
-    /// A text for whoever may watch.
-    fn answer(
-        &self,
-        headers: &HeaderMap,
-        kind: &'static str,
-        text: impl FnOnce() -> String,
-    ) -> Response<Body> {
-        if !doors::lets_in(headers, self.is_local) {
-            return StatusCode::FORBIDDEN.into_response();
-        }
-        let Some(first) = self.gateways.first() else {
-            return StatusCode::NOT_FOUND.into_response();
-        };
-        if role(headers, first).is_none() {
-            return StatusCode::UNAUTHORIZED.into_response();
-        }
-        let mut response = Response::new(text().into());
-        for (name, value) in [
-            (CONTENT_TYPE, kind),
-            (CACHE_CONTROL, "no-store"),
-            (X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        ] {
-            let value = HeaderValue::from_static(value);
-            response.headers_mut().insert(name, value);
-        }
-        response
-    }
 }
 
 /// What whoever sends these headers may do: `Authorization: Bearer TOKEN`, where a token is asked for.
@@ -137,18 +144,14 @@ fn role(headers: &HeaderMap, gateway: &Gateway) -> Option<Role> {
     gateway.role(token.unwrap_or_default())
 }
 
-fn board(gateway: &Gateway) -> Value {
+fn board(gateway: &Gateway) -> BoardNow {
     let presence = gateway.line.presence().borrow().clone();
-    let values = gateway.values();
-    let points = values
-        .iter()
-        .map(|(point, value)| (point.clone(), json!(value)));
-    let points: Map<String, Value> = points.collect();
-    let mut board = json!({ "name": gateway.name, "up": presence.is_ok(), "points": points });
-    if let Err(why) = presence {
-        board["why"] = why.into();
+    BoardNow {
+        name: gateway.name.clone(),
+        up: presence.is_ok(),
+        why: presence.err(),
+        points: gateway.values().clone(),
     }
-    board
 }
 
 fn head(text: &mut String, name: &str, help: &str, is_counter: bool) {

@@ -1,0 +1,84 @@
+//! A database of PostgreSQL.
+#![cfg(unix)]
+
+use crate::server::Server;
+use crate::store;
+use unoclp_history::{Failure, Moved, NotMoved, Postgres, Sqlite, Store, move_all};
+
+#[test]
+fn a_database_holds_what_a_file_holds() {
+    let server = Server::new();
+    let address = server.database("a");
+    let each = |check: &dyn Fn(&mut dyn Store)| {
+        server.psql("a", "DROP SCHEMA IF EXISTS unoclp CASCADE");
+        assert_eq!(Postgres::read(&address).err(), Some(Failure::Foreign));
+        check(&mut Postgres::open(&address).unwrap());
+        assert!(Postgres::read(&address).is_ok());
+    };
+    each(&store::a_clock_that_is_set_back_loses_nothing);
+    each(&|store| store::thinned(store, 1));
+    each(&store::changes_come_back_and_steps_of_them);
+    // What others read by SQL.
+    let sql = "SELECT board, name, extract(epoch FROM time), value FROM unoclp.value ORDER BY time LIMIT 1";
+    assert_eq!(server.psql("a", sql), "estufa|level|0.005000|1");
+    // Two gateways at once, each its own boards.
+    each(&store::each_entry_is_taken_once);
+    let [mut one, mut two] = [(); 2].map(|()| Postgres::open(&address).unwrap());
+    for number in 2..20 {
+        one.take("b", &[store::entry(number, 200, 1.0)]).unwrap();
+        two.take("z", &[store::entry(number, 300, 2.0)]).unwrap();
+    }
+    assert_eq!(
+        (one.taken("z"), two.taken("b")),
+        (Ok(Some(19)), Ok(Some(19)))
+    );
+    // Tables of something else, and of another version, are left as they are.
+    server.psql("a", "UPDATE unoclp.form SET version = 7");
+    let opened = Postgres::open(&address).err();
+    assert_eq!(opened, Some(Failure::Version(7)));
+    server.psql(
+        "a",
+        "UPDATE unoclp.form SET version = 1; ALTER TABLE unoclp.form RENAME TO mine",
+    );
+    assert_eq!(Postgres::open(&address).err(), Some(Failure::Foreign));
+    server.psql(
+        "a",
+        "ALTER TABLE unoclp.mine RENAME TO form; ALTER DATABASE a SET default_transaction_read_only = on",
+    );
+    let mut store = Postgres::open(&address).unwrap();
+    let entry = [store::entry(1, 1, 1.0)];
+    assert_eq!(store.take("s", &entry), Err(Failure::ReadOnly));
+}
+
+#[test]
+fn a_file_moves_into_a_database_all_or_nothing() {
+    let server = Server::new();
+    let folder = tempfile::tempdir().unwrap();
+    let mut file = Sqlite::open(&folder.path().join("h.db")).unwrap();
+    store::thinned(&mut file, 3);
+    let mut number = file.taken("test").unwrap().unwrap();
+    for value in 0..50 {
+        number += 1;
+        let at = 5_000_000_000 - value;
+        file.take("test", &[store::entry(number, at, value as f64)])
+            .unwrap();
+    }
+    let address = server.database("a");
+    let mut database = Postgres::open(&address).unwrap();
+    let all = store::query(-10_000_000, i64::MAX, 0);
+    let rows = file.rows(&all).unwrap();
+    let moved = move_all(&file, &mut database).unwrap();
+    let rows_moved = Moved {
+        points: 1,
+        rows: rows.len() as u64,
+    };
+    assert_eq!(moved, rows_moved);
+    assert_eq!(database.rows(&all).unwrap(), rows);
+    assert_eq!(database.taken("test"), Ok(Some(number)));
+    // Where such points are already, nothing is doubled.
+    let again = move_all(&file, &mut database);
+    assert!(
+        matches!(again, Err(NotMoved::Known(board, point)) if (&*board, &*point) == ("estufa", "level"))
+    );
+    assert_eq!(database.rows(&all).unwrap(), rows);
+}

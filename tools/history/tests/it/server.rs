@@ -1,0 +1,208 @@
+//! A PostgreSQL on a free port, which can be killed and begun again.
+
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+use unoclp_history::Address;
+
+/// No test waits for longer: what is not there by then does not come.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A server whose only user is `unoclp`, without a password.
+pub struct Server {
+    folder: tempfile::TempDir,
+    child: Option<Child>,
+    pub port: u16,
+}
+
+/// Where Debian keeps the programs of the server: no path leads there.
+fn program(name: &str) -> PathBuf {
+    let versions = std::fs::read_dir("/usr/lib/postgresql").into_iter();
+    let versions = versions.flatten().flatten();
+    let found = versions.map(|version| version.path().join("bin").join(name));
+    found.max().expect("`cargo xtask setup` brings postgresql")
+}
+
+/// The server lets no root begin it.
+fn command(name: &str) -> Command {
+    let is_root = std::fs::metadata("/proc/self").is_ok_and(|of| {
+        use std::os::unix::fs::MetadataExt;
+        of.uid() == 0
+    });
+    let program = program(name);
+    if !is_root {
+        return Command::new(program);
+    }
+    let mut command = Command::new("setpriv");
+    command
+        .args([
+            "--reuid",
+            "postgres",
+            "--regid",
+            "postgres",
+            "--clear-groups",
+        ])
+        .arg(program);
+    command
+}
+
+fn give_away(folder: &Path) {
+    // Where there is no such user, the folder is ours, and so is the server.
+    let _ = Command::new("chown")
+        .arg("postgres:postgres")
+        .arg(folder)
+        .stderr(Stdio::null())
+        .status();
+}
+
+/// The files of a new server. To make them takes seconds, so it is done once, and they are copied.
+fn files() -> PathBuf {
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("postgres");
+    if made.is_dir() {
+        return made;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    give_away(folder.path());
+    let data = folder.path().join("data");
+    let initialised = command("initdb")
+        .args([
+            "--no-sync",
+            "--auth=trust",
+            "--username=unoclp",
+            "--no-locale",
+        ])
+        .args(["--encoding=UTF8", "-D"])
+        .arg(&data)
+        .stdout(Stdio::null())
+        .current_dir("/")
+        .status()
+        .unwrap();
+    assert!(initialised.success());
+    let own = made.with_extension(format!(
+        "{}.{:?}",
+        std::process::id(),
+        thread::current().id()
+    ));
+    copy(&data, &own);
+    // Where another test has made them meanwhile, its files are as good.
+    if std::fs::rename(&own, &made).is_err() {
+        std::fs::remove_dir_all(&own).unwrap();
+    }
+    made
+}
+
+/// Copies a folder with all that its files are.
+fn copy(from: &Path, to: &Path) {
+    let copied = Command::new("cp").arg("-a").arg(from).arg(to).status();
+    assert!(copied.unwrap().success());
+}
+
+impl Server {
+    pub fn new() -> Server {
+        let folder = tempfile::tempdir().unwrap();
+        give_away(folder.path());
+        copy(&files(), &folder.path().join("data"));
+        let free = TcpListener::bind("127.0.0.1:0").unwrap();
+        let port = free.local_addr().unwrap().port();
+        drop(free);
+        let mut server = Server {
+            folder,
+            child: None,
+            port,
+        };
+        server.begin();
+        server
+    }
+
+    /// Begins it, at the same port each time.
+    pub fn begin(&mut self) {
+        let child = command("postgres")
+            .arg("-D")
+            .arg(self.folder.path().join("data"))
+            .args(["-p", &self.port.to_string(), "-k", ""])
+            .args(["-c", "listen_addresses=127.0.0.1", "-c", "fsync=off"])
+            .args(["-c", "shared_buffers=16MB", "-c", "max_connections=20"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .current_dir("/")
+            .spawn()
+            .unwrap();
+        self.child = Some(child);
+        let begun = Instant::now();
+        while !self.is_ready() {
+            let child = self.child.as_mut().unwrap();
+            assert_eq!(child.try_wait().unwrap(), None, "postgres has ended");
+            assert!(begun.elapsed() < PATIENCE, "postgres takes no connection");
+            thread::yield_now();
+        }
+    }
+
+    fn is_ready(&self) -> bool {
+        TcpStream::connect(("127.0.0.1", self.port)).is_ok()
+            && unoclp_history::Database::Server(self.address("postgres"))
+                .read()
+                .is_err_and(|why| why == unoclp_history::Failure::Foreign)
+    }
+
+    /// Kills it: nothing is written any more.
+    pub fn kill(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            child.kill().unwrap();
+            child.wait().unwrap();
+        }
+    }
+
+    /// Makes a database.
+    pub fn database(&self, name: &str) -> Address {
+        self.psql("postgres", &format!("CREATE DATABASE {name}"));
+        self.address(name)
+    }
+
+    pub fn address(&self, database: &str) -> Address {
+        Address {
+            host: "127.0.0.1".into(),
+            port: self.port,
+            user: "unoclp".into(),
+            database: database.into(),
+            password: None,
+            tls: None,
+        }
+    }
+
+    /// What its own client prints of a statement.
+    pub fn psql(&self, database: &str, sql: &str) -> String {
+        let output = Command::new("psql")
+            .args([
+                "-h",
+                "127.0.0.1",
+                "-p",
+                &self.port.to_string(),
+                "-U",
+                "unoclp",
+            ])
+            .args([
+                "-d",
+                database,
+                "-X",
+                "-q",
+                "-t",
+                "-A",
+                "-v",
+                "ON_ERROR_STOP=1",
+            ])
+            .args(["-c", sql])
+            .output()
+            .expect("`cargo xtask setup` brings psql");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        String::from_utf8(output.stdout).unwrap().trim().to_owned()
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
