@@ -74,8 +74,9 @@ pub fn soak() -> Result<Count> {
 /// Node, for files of tests.
 fn runner() -> Command {
     let mut node = Command::new("node");
-    // Two files at a time: the board of a page takes half a processor, and tests wait for what is seen, not for time.
-    node.args(["--test", "--test-concurrency=2", "--test-reporter=spec"]);
+    // A file at a time: the board of a page takes a processor, others run tests beside it, and a boot loader waits for a
+    // second of its own.
+    node.args(["--test", "--test-concurrency=1", "--test-reporter=spec"]);
     // What a failed test has left open ends with it, and no file takes more than 20 minutes.
     node.args(["--test-force-exit", "--test-timeout=1200000"]);
     node

@@ -74,7 +74,7 @@ export class DeskMachine implements Machines {
   }
 
   /** Lets go of the board's inputs. */
-  private leave(): void {
+  leave(): void {
     const { seen } = this.board;
     for (const number of this.inputs) {
       if (seen.value && forcedTo(seen.value, `I${number}`) !== null) void this.force(number, null);
@@ -101,6 +101,8 @@ export class DeskMachine implements Machines {
       this.fail(error instanceof Refusal ? error.both : both("machineDied"));
       return;
     }
+    // A board without a program that runs takes no forcing.
+    if (seen.state !== "RUN" && seen.state !== "STOP") return;
     for (const number of this.inputs) {
       const is = closed.includes(number);
       if (forcedTo(seen, `I${number}`) !== is && !this.ordered.has(number)) void this.force(number, is);

@@ -61,13 +61,12 @@ export class MachineArea {
   async open(file: MachineFile, keep = false): Promise<void> {
     const { machines } = this.bench;
     this.beside = this.bench.where.value;
-    if (this.mover !== machines) {
-      // The one before stands.
-      await this.mover?.ask("machineClose", {}).catch(() => null);
-      this.mover = machines;
-    }
     try {
       const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id });
+      const before = this.mover;
+      this.mover = machines;
+      // The one before stands.
+      if (before && before !== machines) before.leave();
       this.file = file;
       this.show(facts);
     } catch (error) {

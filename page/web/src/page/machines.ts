@@ -12,6 +12,8 @@ export type MachineAsk = Extract<keyof Asks, `machine${string}`>;
 /** Who answers for a machine. */
 export interface Machines {
   ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]>;
+  /** Another board is at hand, and the machine is moved elsewhere. */
+  leave(): void;
 }
 
 /** That of this computer: the tools that run the program have the machine too. */
@@ -21,6 +23,9 @@ export class OwnMachine implements Machines {
   async ask<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
     return this.tools().ask(what, request);
   }
+
+  /** The tools have but one: the next takes its place. */
+  leave(): void {}
 }
 
 /** What the board's worker needs to be. */
@@ -56,6 +61,10 @@ export class WorkerMachine implements Machines {
     if (answered.error) throw new Refusal(answered.error);
     if (answered.ok === undefined) throw new Refusal(both("machineDied"));
     return answered.ok as Asks[K]["answer"];
+  }
+
+  leave(): void {
+    void this.ask("machineClose", {}).catch(() => null);
   }
 
   private send(): Promise<void> {

@@ -125,7 +125,10 @@ export class Panel {
 
   /** A machine has buttons and knobs of its own: those of the board fold away. */
   fold(folds: boolean): void {
+    const had = this.root.classList.contains("has-machine");
     this.root.classList.toggle("has-machine", folds);
+    // The machine has left the contacts open. A board on the desk has buttons of its own.
+    if (had && !folds && this.bench.where.value !== "desk") this.buttons.tellAll();
   }
 
   /** Makes the buttons of these inputs normally closed, and no others. */

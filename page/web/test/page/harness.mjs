@@ -86,11 +86,7 @@ export class Lab {
   async other(options = {}, kept = {}, address = this.server.url) {
     // Without a network nobody is here, and to keep the page for that takes half a second.
     const usual = /** @type {const} */ ({ viewport: { width: 1440, height: 900 }, locale: "en-US", serviceWorkers: "block" });
-    const context = await this.browser.newContext({ ...usual, ...options });
-    const origin = new URL(address).origin;
-    // Somebody has been here: a first visit begins otherwise.
-    const localStorage = Object.entries({ greeted: "yes", ...kept }).map(([name, value]) => ({ name, value }));
-    await context.setStorageState({ cookies: [], origins: [{ origin, localStorage }] });
+    const context = await this.browser.newContext({ ...usual, storageState: been(address, kept), ...options });
     const page = await context.newPage();
     page.setDefaultTimeout(PATIENCE);
     page.on("pageerror", (error) => this.errors.push(String(error.stack)));
@@ -195,4 +191,11 @@ export async function state(page, name) {
 /** Waits until a lamp is lit or dark. @param {import("playwright-core").Page} page @param {number} output @param {boolean} on */
 export async function lamp(page, output, on) {
   await page.locator(`[data-output="${output}"][data-on="${on}"]`).waitFor();
+}
+
+/** The store of a browser whose user has been at this address before: a first visit begins otherwise. @param {string} address
+ * @param {Readonly<Record<string, string>>} kept what it has kept besides */
+export function been(address, kept = {}) {
+  const localStorage = Object.entries({ greeted: "yes", ...kept }).map(([name, value]) => ({ name, value }));
+  return { cookies: [], origins: [{ origin: new URL(address).origin, localStorage }] };
 }

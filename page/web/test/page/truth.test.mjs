@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, PATIENCE, choose, lamp, pictures, run, state, still, type } from "./harness.mjs";
+import { Lab, PATIENCE, been, choose, lamp, pictures, run, state, still, type } from "./harness.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -163,7 +163,7 @@ const BREAKS = `{
 
 /** A page whose tools break down over a word. @param {import("playwright-core").BrowserContextOptions} options */
 async function breaking(options = {}) {
-  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block", ...options });
+  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block", storageState: been(lab.server.url), ...options });
   await context.route("**/tools.js", async (route) => {
     const answer = await route.fetch();
     await route.fulfill({ response: answer, body: BREAKS + (await answer.text()) });
@@ -215,7 +215,7 @@ test("a drawing goes on behind a breakdown", async () => {
 });
 
 test("the conversation with the board outlives its tools too", async () => {
-  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block" });
+  const context = await lab.browser.newContext({ locale: "en-US", serviceWorkers: "block", storageState: been(lab.server.url) });
   await context.addInitScript(BREAKS);
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
@@ -257,7 +257,7 @@ test("a teacher's file of an exercise is opened as one, another check is named; 
   await choose(page, "teacher.toml", Buffer.from(toml));
   await page.locator("#exercise #exercise-check").waitFor();
   await page.locator("#notes", { hasText: "This file is an exercise" }).waitFor();
-  assert.equal(await page.locator("#exercise-list option").count(), 24);
+  assert.equal(await page.locator("#exercise-list option").count(), 44);
   await choose(page, "broken.toml", Buffer.from("until = [\n"));
   await page.locator("#notes", { hasText: /is no program; as an exercise it cannot be opened/ }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /mine/);
