@@ -12,7 +12,7 @@ import { Signal } from "./signal";
 const STEP = 250;
 /** A board that has not been read for so long, ms, was away: the machine stood. */
 const AWAY = 1000;
-/** A board that refuses so often one after the other refuses always; while it takes a program it may do so once. */
+/** A board that refuses so often one after the other refuses always. */
 const REFUSALS = 10;
 /** Readings of which the interval is the mean. */
 const READINGS = 8;
@@ -20,6 +20,8 @@ const READINGS = 8;
 /** What a board on the desk is asked for. */
 export interface DeskBoard {
   readonly seen: Signal<Seen | null>;
+  /** How far an upload is; null: there is none. */
+  readonly upload: { readonly value: unknown };
   order(order: Order): Promise<unknown>;
 }
 
@@ -101,8 +103,8 @@ export class DeskMachine implements Machines {
       this.fail(error instanceof Refusal ? error.both : both("machineDied"));
       return;
     }
-    // A board without a program that runs takes no forcing.
-    if (seen.state !== "RUN" && seen.state !== "STOP") return;
+    // A board without a program that runs takes no forcing, nor does one that is given a program.
+    if ((seen.state !== "RUN" && seen.state !== "STOP") || this.board.upload.value !== null) return;
     for (const number of this.inputs) {
       const is = closed.includes(number);
       if (forcedTo(seen, `I${number}`) !== is && !this.ordered.has(number)) void this.force(number, is);
