@@ -1,6 +1,7 @@
 // The worker of the page's board: the simulated UNO, and the machine that is wired to it. Both have one time.
 
 import { type Command, type Event, type Gives, type Machine, type Scope, serve } from "unoclp-uno";
+import { bitsOf } from "../tools/bits";
 import { Refusal, Tools } from "../tools/tools";
 import type { ForMachine, OfMachine } from "./messages";
 
@@ -19,7 +20,7 @@ class Wired implements Machine {
   step(levels: number, shares: readonly number[]): Gives {
     try {
       const { inputs, analogue } = this.rust.ask("machineStep", { levels, shares, ms: 1 });
-      this.last = { closed: bits(inputs), analogue };
+      this.last = { closed: bitsOf(inputs), analogue };
     } catch {
       // It stands still; who asks for it next is told.
       session.wire(null);
@@ -28,17 +29,13 @@ class Wired implements Machine {
   }
 }
 
-function bits(numbers: readonly number[]): number {
-  return numbers.reduce((all, number) => all | (1 << (number - 1)), 0);
-}
-
 async function answer(id: number, what: string, request: unknown): Promise<void> {
   const told = (answered: Omit<OfMachine, "kind" | "id">): void => scope.postMessage({ kind: "machine-answer", id, ...answered });
   try {
     if (!tools) return told({});
     const rust = await tools;
     const ok = rust.ask(what as "machine", request as never);
-    if (what === "machine") session.wire(new Wired(rust, bits(ok.uses[0])));
+    if (what === "machine") session.wire(new Wired(rust, bitsOf(ok.uses[0])));
     if (what === "machineClose") session.wire(null);
     told({ ok });
   } catch (error) {

@@ -2,7 +2,8 @@
 // passes from one reading to the next. It knows nothing of how a machine is drawn.
 
 import type { Asks, Both, MachineFacts, Order, Seen } from "../tools/answers";
-import { NeedsMore, Refusal, type Tools } from "../tools/tools";
+import { bitsOf } from "../tools/bits";
+import { Refusal, type Tools } from "../tools/tools";
 import { both } from "../words/words";
 import type { MachineAsk, Machines } from "./machines";
 import { forcedTo } from "./points";
@@ -50,19 +51,10 @@ export class DeskMachine implements Machines {
       this.tools().ask("machineClose", {});
       throw new Refusal(refused);
     }
-    const answer = await this.told(what, request);
+    const answer = (await this.whole()).ask(what, request);
     if (what === "machine") this.wire(answer as MachineFacts);
     if (what === "machineClose") this.leave();
     return answer;
-  }
-
-  private async told<K extends MachineAsk>(what: K, request: Asks[K]["ask"]): Promise<Asks[K]["answer"]> {
-    try {
-      return this.tools().ask(what, request);
-    } catch (error) {
-      if (!(error instanceof NeedsMore)) throw error;
-      return (await this.whole()).ask(what, request);
-    }
   }
 
   private wire({ uses: [inputs, analogue], dims }: MachineFacts): void {
@@ -93,7 +85,7 @@ export class DeskMachine implements Machines {
     const passed = this.last === null ? 0 : seen.at - this.last;
     this.last = seen.at;
     if (passed > 0) this.interval.value = Math.round(((this.interval.value ?? passed) * (READINGS - 1) + passed) / READINGS);
-    const levels = seen.outputs.reduce((all, number) => all | (1 << (number - 1)), 0);
+    const levels = bitsOf(seen.outputs);
     let closed: readonly number[] = [];
     try {
       for (let left = passed > AWAY ? 0 : passed, first = true; first || left > 0; left -= STEP, first = false) {

@@ -121,7 +121,7 @@ export class Exercises {
     const machine = exercise && this.machineOf(exercise);
     if (machine) void this.machine.open(machine);
     else if (this.hasOpened) void this.machine.close();
-    this.hasOpened = machine !== null && machine !== undefined;
+    this.hasOpened = Boolean(machine);
   }
 
   /** The machine of an exercise; of a teacher's own, the one that has been opened. */

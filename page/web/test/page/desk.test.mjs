@@ -4,8 +4,8 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { holding } from "./hands.mjs";
-import { Lab, run, still, type } from "./harness.mjs";
-import { plugIn } from "./plugged.mjs";
+import { Lab, run, type } from "./harness.mjs";
+import { connected } from "./plugged.mjs";
 
 /** @type {Lab} */
 let lab;
@@ -15,14 +15,7 @@ before(async () => {
 after(() => lab.end());
 
 test("a board at a port is found, takes a program, is live, and is lost", async () => {
-  const page = await lab.open();
-  await page.context().addInitScript(plugIn);
-  await page.reload();
-  await page.locator("#run:enabled").waitFor();
-  // The board at the port is another.
-  await still(page);
-  await page.click("#connect");
-  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  const page = await connected(lab);
   await run(page);
   // A button of the page forces the input of the board, and says so.
   await holding(page, 1, async () => {
@@ -40,14 +33,7 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
 });
 
 test("a program in a typed language goes to a board at a port without a reset, and the line stays open", async () => {
-  const page = await lab.open();
-  await page.context().addInitScript(plugIn);
-  await page.reload();
-  await page.locator("#run:enabled").waitFor();
-  await still(page);
-  await page.click("#connect");
-  const about = page.locator("#desk-about", { hasText: "Connected: unoclp UNO" });
-  await about.waitFor();
+  const page = await connected(lab);
   await type(page, "PROGRAM p\nVAR on AT %IX1 : BOOL; lamp AT %QX2 : BOOL; END_VAR\nlamp := on;\nEND_PROGRAM\n", "lamp.st");
   await page.locator(".ladder .element[data-point=Q2]").waitFor();
   // The name of the board would vanish with the conversation, and come back with the next.

@@ -7,8 +7,8 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { Lab, choose, clean, keptText, pictures, run, state, still } from "./harness.mjs";
-import { plugIn } from "./plugged.mjs";
+import { Lab, choose, clean, keptText, pictures, run, state } from "./harness.mjs";
+import { connected } from "./plugged.mjs";
 
 const plants = fileURLToPath(new URL("../../../../programs/plants", import.meta.url));
 /** @type {Lab} */
@@ -96,13 +96,7 @@ for (const [where, board] of /** @type {const} */ ([["the simulated UNO", "uno"]
 }
 
 test("a board on the desk controls a machine: its outputs are read, its inputs forced", async () => {
-  const page = await lab.open();
-  await page.context().addInitScript(plugIn);
-  await page.reload();
-  await page.locator("#run:enabled").waitFor();
-  await still(page);
-  await page.click("#connect");
-  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  const page = await connected(lab);
   await open(page, /both directions/);
   await page.locator("#notes button", { hasText: "See a program" }).click();
   await page.locator("#problem-count.good").waitFor();

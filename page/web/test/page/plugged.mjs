@@ -1,8 +1,22 @@
 // A port of this computer with a second simulated board behind it. The chooser and DTR of a real port are not proven by it.
 // @ts-check
 
+import { still } from "./harness.mjs";
+
+/** A page that is connected to the board at the port; its own one stands. @param {import("./harness.mjs").Lab} lab */
+export async function connected(lab) {
+  const page = await lab.open();
+  await page.context().addInitScript(plugIn);
+  await page.reload();
+  await page.locator("#run:enabled").waitFor();
+  await still(page);
+  await page.click("#connect");
+  await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
+  return page;
+}
+
 /** Runs in the page, before all else: a port with a board behind it. */
-export function plugIn() {
+function plugIn() {
   class Port extends EventTarget {
     worker = new Worker("board.js", { type: "module" });
     /** @type {ReadableStreamDefaultController<Uint8Array> | null} */
