@@ -13,8 +13,8 @@ import { Signal } from "./signal";
 const STEP = 250;
 /** A board that has not been read for so long, ms, was away: the machine stood. */
 const AWAY = 1000;
-/** A board that refuses so often one after the other refuses always. */
-const REFUSALS = 10;
+/** A board that has refused for so long, ms, refuses always. One that starts anew refuses for a moment. */
+const PATIENCE = 5000;
 /** Readings of which the interval is the mean. */
 const READINGS = 8;
 
@@ -33,7 +33,8 @@ export class DeskMachine implements Machines {
   private last: number | null = null;
   private readonly ordered = new Set<number>();
   private refused: Both | null = null;
-  private refusals = 0;
+  /** When the board began to refuse; null: it takes what it is told. */
+  private refusing: number | null = null;
 
   constructor(
     private readonly board: DeskBoard,
@@ -64,7 +65,7 @@ export class DeskMachine implements Machines {
     }
     this.inputs = inputs;
     this.last = null;
-    this.refusals = 0;
+    this.refusing = null;
   }
 
   /** Lets go of the board's inputs. */
@@ -107,11 +108,14 @@ export class DeskMachine implements Machines {
     this.ordered.add(number);
     try {
       await this.board.order({ do: "force", output: false, number, to });
-      this.refusals = 0;
+      this.refusing = null;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
+      const seen = this.board.seen.value;
       // A board that is away is told of elsewhere, and its machine waits.
-      if (this.board.seen.value && ++this.refusals >= REFUSALS) this.fail(error.both);
+      if (!seen) return;
+      this.refusing ??= seen.at;
+      if (seen.at - this.refusing >= PATIENCE) this.fail(error.both);
     } finally {
       this.ordered.delete(number);
     }
