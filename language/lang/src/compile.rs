@@ -1,6 +1,6 @@
 //! The way of a text in Instruction List to a checked program.
 
-use crate::code::compile_text;
+use crate::code::{compile_text, compile_tree};
 use crate::comments::Comments;
 use crate::diagnostics::{Found, Lines, Severity, Told};
 use crate::dialect::Dialect;
@@ -8,7 +8,7 @@ use crate::emit::{self, CodeLine};
 use crate::languages::TextLanguage;
 use crate::places::{self, Places};
 use crate::st::has_types;
-use crate::{lower, names, parser, whole};
+use crate::{il, lower, names, parser, whole};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Board;
 
@@ -88,6 +88,27 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
         lines,
         program,
         diagnostics,
+    }
+}
+
+/// The same of a text that [has no types](has_types), by way of the typed tree.
+#[doc(hidden)]
+pub fn compile_by_tree(text: &str, options: &Options) -> Compiled {
+    let mut found = Found::default();
+    let parsed = parser::parse(text, &mut found);
+    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
+    let readable = whole::is_readable(&mut found) && !parsed.wrong_declarations;
+    let board = options.board;
+    let tree = match readable {
+        true => il::tree(text, dialect, board, &parsed.units, &mut found),
+        false => None,
+    };
+    let made = compile_tree(text, tree, board, found);
+    Compiled {
+        dialect,
+        lines: made.lines,
+        program: made.program,
+        diagnostics: made.diagnostics,
     }
 }
 

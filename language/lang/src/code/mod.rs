@@ -113,6 +113,16 @@ impl CompiledText {
 pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
     let mut found = Found::default();
     let tree = languages::read(text, language, board, &mut found);
+    compile_tree(text, tree, board, found)
+}
+
+/// Compiles a tree for a board; none where something is wrong with the text, which has been told.
+pub(crate) fn compile_tree(
+    text: &str,
+    tree: Option<Tree>,
+    board: Board,
+    mut found: Found,
+) -> CompiledText {
     let mut made = CompiledText {
         tree: None,
         lines: Vec::new(),

@@ -1,7 +1,7 @@
 //! Declared variables, and the places that they get.
 
 use super::meaning::{Counter, DeclaredInput, Instance, Names, Place, Timer};
-use crate::ast::{Init, Section, UnitKind, Var};
+use crate::ast::{Init, Section, UnitKind, Var, Word};
 use crate::diagnostics::{Code, Found, Span};
 use crate::tree::{Bit, Num};
 use std::collections::HashMap;
@@ -45,6 +45,19 @@ impl Names<'_> {
                 found.tell(Code::NameTwice, var.name.span, [text.into()]);
             }
         }
+    }
+
+    /// The result of a function, which has its name.
+    pub(crate) fn result(&mut self, instance: usize, name: &Word, ty: &str, found: &mut Found) {
+        let place = match ty {
+            "BOOL" => Place::Bit(Bit::At(Address::Marker(self.temps.named_marker(false)))),
+            _ => Place::Number(Num::At(Address::Register(self.temps.named_register()))),
+        };
+        self.note_width(Some(instance), &name.text, (ty, place), true);
+        if let Some(instance) = self.instances.get_mut(instance) {
+            instance.names.insert(name.text.clone(), place);
+        }
+        self.told_none_left(name.span, found);
     }
 
     fn declared(&mut self, var: &Var, kind: UnitKind, instance: usize, found: &mut Found) -> Place {

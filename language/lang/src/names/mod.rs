@@ -220,6 +220,11 @@ impl<'t> Names<'t> {
         local || self.global.contains_key(name) || read(name, self.dialect.maker()).is_some()
     }
 
+    /// What a name of the whole file means.
+    pub(crate) fn shared(&self, name: &str) -> Option<Place> {
+        self.global.get(name).copied()
+    }
+
     /// What to do about a name that cannot be called.
     pub(crate) fn callable_help(&mut self, written: &str) -> Said {
         self.near.callable(written)

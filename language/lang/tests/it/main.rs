@@ -11,6 +11,7 @@ mod fuzzed;
 mod fuzzed_typed;
 mod grammars;
 mod limits;
+mod one_list;
 mod places;
 mod random_programs;
 mod random_typed;

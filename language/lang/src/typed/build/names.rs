@@ -99,6 +99,15 @@ impl<'t, 'f> Builder<'t, 'f> {
         own.or_else(|| self.globals.get(key))
     }
 
+    /// Whether something is declared by this name where the builder is.
+    pub fn is_taken(&self, name: &str) -> bool {
+        let key = self.key(name);
+        match self.current.and_then(|unit| self.drafts.get(unit)) {
+            Some(draft) => draft.names.contains_key(&key),
+            None => self.globals.contains_key(&key),
+        }
+    }
+
     /// The type of this name, which a variable may have too.
     pub fn find_type(&self, name: &str) -> Option<TypeId> {
         match self.globals.get(&*self.folded(name, &mut [0; 32])) {

@@ -168,7 +168,8 @@ impl Builder<'_, '_> {
         Some(Box::new((what.into(), help.into())))
     }
 
-    fn point_target(&mut self, point: Address, at: Span) -> Target {
+    /// A point of the board as a place.
+    pub fn point_target(&mut self, point: Address, at: Span) -> Target {
         let offset = self.point(point);
         Target {
             place: Place {

@@ -1,0 +1,184 @@
+//! What works on the accumulator: loads and operations with an operand.
+
+use super::operands::{ACCUMULATOR, OPERAND, constant};
+use super::walk::{Acc, Walk};
+use crate::ast::Instr;
+use crate::diagnostics::{Code, Span};
+use crate::operators::Op;
+use crate::typed::{Base, Binary, Expr};
+use crate::words::operator;
+use unoclp_core::isa::Opcode;
+
+/// The operand that stands for what was pushed.
+const POP: &str = "POP";
+
+/// What messages call an operation.
+pub(super) fn name(op: Op) -> &'static str {
+    match op {
+        Op::And => "AND",
+        Op::Or => "OR",
+        Op::Xor => "XOR",
+        Op::Number(opcode) | Op::Compare(opcode) | Op::Shift(opcode) | Op::Table(opcode) => {
+            operator(opcode)
+        }
+        _ => "",
+    }
+}
+
+impl Walk<'_, '_, '_> {
+    pub(super) fn load(&mut self, instr: &Instr) {
+        self.warn_unused();
+        self.unused = Some(instr.whole);
+        let inverted = std::mem::take(&mut self.inverts) != instr.negated;
+        self.links = 0;
+        let Some(operand) = instr.operands.first() else {
+            self.missing("LD", instr.span);
+            self.acc = Acc::Wrong;
+            return;
+        };
+        self.only(instr, 1);
+        let mut expr = self.value(operand);
+        if inverted {
+            expr = expr.map(|expr| self.inverted(expr, operand.span));
+        }
+        if instr.edge.is_some() {
+            let unused = self.unused;
+            expr = expr.and_then(|expr| {
+                let bit = self.as_bit(expr, ACCUMULATOR, instr.span)?;
+                self.edge_of(bit, instr)
+            });
+            self.unused = unused;
+        }
+        self.hold(expr);
+    }
+
+    /// The opposite: of a number, each bit's.
+    pub(super) fn inverted(&mut self, expr: Expr, span: Span) -> Expr {
+        if expr.base == Base::Bool {
+            return self.front.builder.not(expr, span);
+        }
+        if let Some(number @ 0..=1) = constant(&expr) {
+            return self.truth(number == 0, expr.at);
+        }
+        let ones = self.whole(-1, span);
+        self.bitwise(Binary::Xor, expr, ones, span)
+    }
+
+    pub(super) fn not(&mut self, instr: &Instr) {
+        let expr = self.take("NOT", instr.span);
+        let expr = expr.map(|expr| self.inverted(expr, instr.span));
+        self.hold(expr);
+    }
+
+    /// AND, OR, XOR, arithmetic and comparisons, at once or deferred.
+    pub(super) fn operate(&mut self, instr: &Instr, at: usize) {
+        if let Some(open) = instr.open {
+            return self.defer(instr, open, at);
+        }
+        let mut left = self.take(name(instr.op), instr.span);
+        let Some(operand) = instr.operands.first() else {
+            return self.missing(name(instr.op), instr.span);
+        };
+        let more = instr.op.takes_list() && !instr.negated;
+        self.only(instr, if more { usize::MAX } else { 1 });
+        if operand.name() == Some(POP) && matches!(instr.op, Op::Number(_) | Op::Compare(_)) {
+            return self.not_yet(instr.span);
+        }
+        if instr.edge.is_some() {
+            let bit = self.value(operand);
+            let bit = bit.and_then(|bit| self.as_bit(bit, ACCUMULATOR, instr.span));
+            let bit = bit.and_then(|bit| self.edge_of(bit, instr));
+            let made = self.both(left, bit, instr.op, false, instr.whole);
+            return self.linked(made);
+        }
+        let listed = if more { instr.operands.len() } else { 1 };
+        for (index, operand) in instr.operands.iter().take(listed).enumerate() {
+            let right = self.value(operand);
+            let span = if index == 0 {
+                instr.whole
+            } else {
+                operand.span
+            };
+            left = self.both(left, right, instr.op, instr.negated, span);
+        }
+        self.linked(left);
+    }
+
+    fn linked(&mut self, made: Option<Expr>) {
+        self.hold(made);
+        self.link();
+    }
+
+    fn both(
+        &mut self,
+        left: Option<Expr>,
+        right: Option<Expr>,
+        op: Op,
+        negated: bool,
+        span: Span,
+    ) -> Option<Expr> {
+        self.apply(op, negated, left?, right?, span)
+    }
+
+    /// The result of an operation on two values.
+    pub(super) fn apply(
+        &mut self,
+        op: Op,
+        negated: bool,
+        left: Expr,
+        right: Expr,
+        span: Span,
+    ) -> Option<Expr> {
+        let right = match negated {
+            true => self.inverted(right, span),
+            false => right,
+        };
+        let bits = left.base == Base::Bool || right.base == Base::Bool;
+        let on_bits = match op {
+            Op::Number(_) => false,
+            Op::Compare(opcode) => bits && matches!(opcode, Opcode::Equal | Opcode::NotEqual),
+            _ => bits,
+        };
+        if on_bits {
+            let left = self.as_bit(left, ACCUMULATOR, span);
+            let right = self.as_bit(right, OPERAND, span);
+            let (left, right) = (left?, right?);
+            let builder = &mut self.front.builder;
+            return Some(match op {
+                Op::And => builder.logic(Binary::And, left, right, span),
+                Op::Or => builder.logic(Binary::Or, left, right, span),
+                Op::Compare(Opcode::Equal) => {
+                    let other = builder.logic(Binary::Xor, left, right, span);
+                    builder.not(other, span)
+                }
+                _ => builder.logic(Binary::Xor, left, right, span),
+            });
+        }
+        let left = self.as_number(left, ACCUMULATOR, span);
+        let right = self.as_number(right, OPERAND, span);
+        self.computed(op, left?, right?, span)
+    }
+
+    /// EU, ED: the accumulator's own rise or fall.
+    pub(super) fn edge(&mut self, instr: &Instr, opcode: Opcode) {
+        let Some(bit) = self.take_bit(operator(opcode), instr.span) else {
+            return;
+        };
+        let changed = self.edge_of(bit, instr);
+        self.links = 0;
+        self.hold(changed);
+    }
+
+    /// The shift's number of bits; told where it is none.
+    pub(super) fn bits_of(&mut self, instr: &Instr) -> Option<u8> {
+        let operand = instr.operands.first()?;
+        let bits = operand.number().and_then(|n| u8::try_from(n).ok());
+        let bits = bits.filter(|&bits| bits <= 31);
+        if bits.is_none() {
+            let text = self.spelled(operand);
+            let range = ("a number from 0 to 31", "um número de 0 a 31");
+            self.tell(Code::BadValue, operand.span, [text.into(), range.into()]);
+        }
+        bits
+    }
+}

@@ -1,0 +1,348 @@
+//! Units and variables: what `names` makes of their declarations, and the same in the tree.
+
+use super::Front;
+use crate::ast::{Section as Part, Stmt, Unit, UnitKind as Kind, Var};
+use crate::diagnostics::{Code, Span};
+use crate::names::{Instance, Place};
+use crate::operators::Op;
+use crate::tree::{Bit, Num};
+use crate::typed::build::{Named, Section, Traits};
+use crate::typed::{Base, Kind as Type, Standard, TypeId, UnitKind};
+use unoclp_core::isa::Opcode;
+use unoclp_point::{Kind as Point, read};
+
+/// Blocks stand in one another no deeper.
+const MOST_WITHIN: usize = 16;
+/// More instances than this no board holds.
+const MOST_INSTANCES: usize = 4_000;
+
+impl Front<'_, '_> {
+    /// Gives all names their meaning.
+    pub(super) fn declare_all(&mut self) {
+        self.meanings();
+        for (index, unit) in self.units.iter().enumerate() {
+            let (name, at) = self.unit_name(index);
+            let kind = match unit.kind {
+                Kind::Program => UnitKind::Program,
+                Kind::Function => UnitKind::Function,
+                Kind::FunctionBlock => UnitKind::Block,
+            };
+            let number = self.builder.unit(&name, kind, at);
+            self.numbers.push(number);
+        }
+        for (index, unit) in self.units.iter().enumerate() {
+            for var in unit.vars.iter().filter(|var| var.section == Part::Global) {
+                let key = var.name.text.trim_start_matches('%');
+                if self.builder.find(key).is_none() {
+                    self.variable(var, index);
+                }
+            }
+        }
+        // What is only mentioned is declared where it is mentioned first.
+        for (index, unit) in self.units.iter().enumerate() {
+            for var in unit.vars.iter().filter(|var| var.section == Part::External) {
+                let key = var.name.text.trim_start_matches('%');
+                if self.builder.find(key).is_none() {
+                    self.variable(var, index);
+                }
+            }
+        }
+        for index in 0..self.units.len() {
+            self.unit(index);
+        }
+        self.undeclared_blocks();
+    }
+
+    /// The declarations as `names` has them, which tells what is wrong with them.
+    fn meanings(&mut self) {
+        for (index, unit) in self.units.iter().enumerate() {
+            if let (Kind::Function, Some(name)) = (unit.kind, &unit.name) {
+                self.functions.insert(name.text.clone(), index);
+            }
+        }
+        self.instances = vec![0; self.units.len()];
+        self.instance(0, Span::default());
+        for index in 1..self.units.len() {
+            let unit = &self.units[index];
+            let made = self.names.instances.iter();
+            let first = made.enumerate().find(|(_, one)| one.unit == index);
+            self.instances[index] = match first {
+                Some((instance, _)) => instance,
+                None => {
+                    // What nothing calls takes nothing of the board.
+                    let temps = self.names.temps;
+                    let instance = self.instance(index, unit.span);
+                    if unit.kind == Kind::FunctionBlock {
+                        self.names.temps = temps;
+                    }
+                    instance
+                }
+            };
+        }
+    }
+
+    /// A new instance of a unit; its declarations may make more.
+    fn instance(&mut self, unit: usize, span: Span) -> usize {
+        let instance = self.names.new_instance(unit, span);
+        let mut next = instance;
+        while let Some(Instance { unit, span, .. }) = self.names.instances.get(next) {
+            let (unit, span) = (*unit, *span);
+            let (in_itself, depth) = self.nesting(next);
+            if in_itself {
+                let (name, _) = self.unit_name(unit);
+                self.tell(Code::Recursive, span, [name.into()]);
+            } else if depth > MOST_WITHIN || self.names.instances.len() > MOST_INSTANCES {
+                self.tell(Code::CallsTooDeep, span, []);
+                self.names.instances.truncate(next + 1);
+            } else {
+                let Unit { vars, kind, .. } = &self.units[unit];
+                let found = &mut *self.builder.found;
+                self.names.declare(vars, *kind, next, found);
+                self.result(unit, next);
+            }
+            next += 1;
+        }
+        instance
+    }
+
+    /// The result of a function has the function's name.
+    fn result(&mut self, unit: usize, instance: usize) {
+        let unit = &self.units[unit];
+        let (Kind::Function, Some(name)) = (unit.kind, &unit.name) else {
+            return;
+        };
+        let ty = unit.result.as_ref().map_or("BOOL", |ty| ty.text.as_str());
+        let found = &mut *self.builder.found;
+        self.names.result(instance, name, ty, found);
+    }
+
+    /// Whether an instance stands in one of its own unit, and how deep it stands.
+    fn nesting(&self, instance: usize) -> (bool, usize) {
+        let instances = &self.names.instances;
+        let mut depth = 0;
+        let mut within = instances[instance].within;
+        while let Some(outer) = within {
+            if instances[outer].unit == instances[instance].unit {
+                return (true, depth);
+            }
+            depth += 1;
+            within = instances[outer].within;
+        }
+        (false, depth)
+    }
+
+    pub(super) fn unit_name(&self, unit: usize) -> (String, Span) {
+        let unit = &self.units[unit];
+        match &unit.name {
+            Some(name) => (self.names.written(name.span), name.span),
+            None => ("PROGRAM".to_owned(), unit.span),
+        }
+    }
+
+    /// The variables of a unit.
+    fn unit(&mut self, index: usize) {
+        if std::mem::replace(&mut self.declared[index], true) {
+            return;
+        }
+        let unit = &self.units[index];
+        let number = self.numbers[index];
+        let before = self.builder.inside();
+        self.builder.enter(number);
+        if let (Kind::Function, Some(name)) = (unit.kind, &unit.name) {
+            let result = unit.result.as_ref().map(|ty| ty.text.as_str());
+            let base = result.and_then(Base::named).unwrap_or(Base::Dint);
+            let base = if result.is_none() { Base::Bool } else { base };
+            self.builder.result(TypeId::of(base), name.span);
+            self.builder.gives();
+        }
+        let own = |var: &&Var| !matches!(var.section, Part::Global | Part::External);
+        for var in unit.vars.iter().filter(own) {
+            self.variable(var, index);
+        }
+        if unit.kind != Kind::Function {
+            self.edges(index);
+        }
+        self.builder.close(number);
+        self.builder.go(before);
+    }
+
+    /// What `names` makes of a variable.
+    fn meaning(&self, var: &Var, unit: usize) -> Option<Place> {
+        let name = var.name.text.trim_start_matches('%');
+        let instance = self.names.instances.get(self.instances[unit])?;
+        let local = instance.names.get(name);
+        local.copied().or_else(|| self.names.shared(name))
+    }
+
+    fn variable(&mut self, var: &Var, unit: usize) {
+        let written = self.names.written(var.name.span);
+        let name = written.trim_start_matches('%').to_owned();
+        let meaning = self.meaning(var, unit);
+        let point = match (&var.at, meaning) {
+            (None, _) => None,
+            (Some(_), Some(Place::Bit(Bit::At(point)) | Place::Number(Num::At(point)))) => {
+                Some(point)
+            }
+            // A timer or counter by another name, or what is wrong.
+            _ => return,
+        };
+        let base = Base::named(&var.ty.text);
+        let ty = match point {
+            Some(point) if point.is_bit() => Some(TypeId::BOOL),
+            Some(_) => {
+                let plain = |base: &Base| base.is_int() || base.is_bits() || *base == Base::Time;
+                Some(TypeId::of(base.filter(plain).unwrap_or(Base::Dint)))
+            }
+            None => base.map(TypeId::of).or_else(|| self.block(var, unit)),
+        };
+        let Some(ty) = ty else {
+            if !self.builder.found.has_errors() {
+                let words = [name.as_str().into(), "".into()];
+                self.tell(Code::StUnsupported, var.ty.span, words);
+            }
+            return self.builder.hide(&name);
+        };
+        let initial = self.initial(var, ty, point);
+        let traits = Traits {
+            initial,
+            retain: var.retain,
+            point,
+            ..Traits::default()
+        };
+        let section = match var.section {
+            Part::Local => Section::Var,
+            Part::Temp => Section::Temp,
+            Part::Input => Section::Input,
+            Part::Output => Section::Output,
+            Part::InOut => Section::InOut,
+            Part::Global | Part::External => Section::Global,
+        };
+        // Timers and counters by the board's names, and addresses, mean the same in the whole text.
+        let shared = read(&var.name.text, self.names.dialect.maker()).is_some();
+        let before = self.builder.inside();
+        if shared && self.builder.find(&name).is_none() || section == Section::Global {
+            self.builder.leave();
+        }
+        let taken = self.builder.is_taken(&name);
+        if taken
+            || self
+                .builder
+                .declare(&name, var.name.span, ty, section, traits)
+                .is_none()
+        {
+            self.builder.hide(&name);
+        }
+        self.builder.go(before);
+    }
+
+    /// The type of a block: of the norm, or of the text, which is declared first.
+    fn block(&mut self, var: &Var, unit: usize) -> Option<TypeId> {
+        let key = var.name.text.trim_start_matches('%');
+        if let Some(standard) = self.standard(&var.ty.text, key) {
+            return Some(self.type_of(standard));
+        }
+        let named = |unit: &Unit| {
+            let name = unit.name.as_ref().map(|name| name.text.as_str());
+            unit.kind == Kind::FunctionBlock && name == Some(var.ty.text.as_str())
+        };
+        let index = self.units.iter().rposition(named)?;
+        if index == unit || self.within > MOST_WITHIN {
+            return None;
+        }
+        self.within += 1;
+        self.unit(index);
+        self.within -= 1;
+        let draft = self.builder.draft(self.numbers[index])?;
+        draft.closed.then_some(draft.block)
+    }
+
+    pub(super) fn type_of(&mut self, standard: Standard) -> TypeId {
+        let types = &mut self.builder.tree.types;
+        types.add_kind(Type::Standard(standard), standard.cells())
+    }
+
+    /// The block of the norm that a timer or counter of this type and name is, by what the text does with it.
+    pub(super) fn standard(&self, ty: &str, name: &str) -> Option<Standard> {
+        let uses = self.used.get(name);
+        Some(match ty {
+            "TON" | "TOF" | "TP" | "TONR" | "TOR" => match (uses.timer, ty) {
+                (Some(Opcode::OnDelay), _) => Standard::Ton,
+                (Some(Opcode::OffDelay), _) => Standard::Tof,
+                (Some(Opcode::Pulse), _) => Standard::Tp,
+                (None, ty) => Standard::named(ty)?,
+                _ => return None,
+            },
+            "CTU" | "CTD" | "CTUD" => match (ty, uses.up, uses.down) {
+                ("CTUD", ..) | (_, true, true) => Standard::Ctud,
+                ("CTU", _, true) | (_, false, true) => match uses.reset {
+                    true => Standard::Ctud,
+                    false => Standard::Ctd,
+                },
+                ("CTD", false, false) => Standard::Ctd,
+                _ if uses.load => Standard::Ctud,
+                _ => Standard::Ctu,
+            },
+            "R_TRIG" => Standard::RTrig,
+            "F_TRIG" => Standard::FTrig,
+            "SR" | "RS" if !self.is_own_block(ty) => Standard::named(ty)?,
+            _ => return None,
+        })
+    }
+
+    fn is_own_block(&self, name: &str) -> bool {
+        matches!(self.builder.find(name), Some(Named::Type(_)))
+    }
+
+    /// Timers and counters that the text names and declares nowhere.
+    fn undeclared_blocks(&mut self) {
+        for name in self.used.names() {
+            let kind = read(&name, self.names.dialect.maker()).map(|written| written.kind);
+            let ty = match kind {
+                Some(Point::Timer) => "TON",
+                Some(Point::Counter) => "CTU",
+                _ => continue,
+            };
+            if self.builder.find(&name).is_some() {
+                continue;
+            }
+            let Some(standard) = self.standard(ty, &name) else {
+                continue;
+            };
+            let ty = self.type_of(standard);
+            let at = self.units.first().map_or(Span::default(), |unit| unit.span);
+            let traits = Traits::default();
+            self.builder
+                .declare(&name, at.empty(), ty, Section::Global, traits);
+        }
+    }
+
+    /// The instances that edges without one of their own need, before the unit's declarations are closed.
+    fn edges(&mut self, index: usize) {
+        let body = &self.units[index].body;
+        for stmt in body {
+            let Stmt::Instr(instr) = stmt else { continue };
+            let edge = match instr.op {
+                Op::Edge(edge) | Op::Differentiate(edge) => Some(edge),
+                _ => instr.edge,
+            };
+            let block = match edge {
+                None => continue,
+                Some(Opcode::FallingEdge) => Standard::FTrig,
+                Some(_) => Standard::RTrig,
+            };
+            let ty = self.type_of(block);
+            let traits = Traits {
+                unseen: true,
+                ..Traits::default()
+            };
+            let name = edge_name(instr.span);
+            self.builder
+                .declare(&name, instr.span, ty, Section::Var, traits);
+        }
+    }
+}
+
+/// The instance of the edge of this instruction.
+pub(super) fn edge_name(at: Span) -> String {
+    format!("#edge {}", at.start)
+}

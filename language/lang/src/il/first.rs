@@ -1,0 +1,89 @@
+//! What variables begin with. What cannot be given has been told by `names`.
+
+use super::Front;
+use crate::ast::{Init, Var};
+use crate::names::{kept, narrow_type};
+use crate::typed::build::Named;
+use crate::typed::{Base, Initial, Kind, Standard, TypeId, Value};
+use std::sync::Arc;
+use unoclp_point::Address;
+
+impl Front<'_, '_> {
+    /// With what a variable of this type begins; none of one that begins as its type does.
+    pub(super) fn initial(
+        &self,
+        var: &Var,
+        ty: TypeId,
+        point: Option<Address>,
+    ) -> Option<Arc<Initial>> {
+        if point.is_some_and(|point| !point.is_written()) {
+            return None;
+        }
+        match self.builder.tree.types.kind(ty) {
+            Kind::Standard(block) => {
+                let preset = if block.is_timer() { "PT" } else { "PV" };
+                let number = var.init.last()?.value.number()?;
+                let (offset, part) = block.part(preset)?;
+                let ty = TypeId::of(part.1);
+                let value = Arc::new(Initial::Value(Value::Int(number.into())));
+                Some(Arc::new(Initial::Members(vec![(offset, ty, value)])))
+            }
+            Kind::Block(unit) => {
+                let draft = self.builder.draft(*unit)?;
+                let member = |init: &Init| {
+                    let name = init.name.as_ref()?;
+                    let Some(Named::Variable(variable)) = draft.names.get(&name.text) else {
+                        return None;
+                    };
+                    let base = self.builder.tree.types.base(variable.ty)?;
+                    let value = scalar(base, init.value.number()?)?;
+                    Some((variable.offset, variable.ty, Arc::new(value)))
+                };
+                let members: Vec<_> = var.init.iter().filter_map(member).collect();
+                (!members.is_empty()).then(|| Arc::new(Initial::Members(members)))
+            }
+            _ => {
+                let base = self.builder.tree.types.base(ty)?;
+                let number = kept(narrow_type(&var.ty.text), var.init.last()?.value.number()?);
+                scalar(base, number).map(Arc::new)
+            }
+        }
+    }
+}
+
+fn scalar(base: Base, number: i32) -> Option<Initial> {
+    let value = match base {
+        Base::Bool => Value::truth(number != 0),
+        base => crate::typed::narrow(base, Value::Int(number.into())),
+    };
+    Some(Initial::Value(value))
+}
+
+/// The part of a block that a name of the text means, whoever's it is.
+pub(super) fn part(block: Standard, member: &str) -> Option<&'static str> {
+    use Standard::{Ctd, Ctu, Ctud, FTrig, RTrig, Rs, Sr, Tof, Ton, Tp};
+    Some(match (block, member) {
+        (Ton | Tof | Tp, "Q") => "Q",
+        (Ton | Tof | Tp, "ET" | "V") => "ET",
+        (Ton | Tof | Tp, "PT" | "P") => "PT",
+        (Ton | Tof | Tp, "IN") => "IN",
+        (Ctu, "Q" | "QU" | "D") => "Q",
+        (Ctd, "Q" | "QD") => "Q",
+        (Ctud, "Q" | "QU" | "D") => "QU",
+        (Ctud, "QD") => "QD",
+        (Ctu | Ctd | Ctud, "CV" | "V") => "CV",
+        (Ctu | Ctd | Ctud, "PV" | "P") => "PV",
+        (Ctu | Ctud, "CU") => "CU",
+        (Ctd | Ctud, "CD") => "CD",
+        (Ctu | Ctud, "R" | "RESET") => "R",
+        (Ctd | Ctud, "LD" | "LOAD") => "LD",
+        (RTrig | FTrig, "Q") => "Q",
+        (RTrig | FTrig, "CLK") => "CLK",
+        (Sr | Rs, "Q" | "Q1") => "Q1",
+        (Sr, "S" | "S1" | "SET" | "SET1") => "S1",
+        (Sr, "R" | "R1" | "RESET" | "RESET1") => "R",
+        (Rs, "S" | "S1" | "SET" | "SET1") => "S",
+        (Rs, "R" | "R1" | "RESET" | "RESET1") => "R1",
+        _ => return None,
+    })
+}

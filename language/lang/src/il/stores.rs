@@ -1,0 +1,323 @@
+//! What writes: ST, S, R.
+
+use super::operands::{ACCUMULATOR, BLOCK, BOOL, Is, NUMBER, constant};
+use super::used::parts;
+use super::walk::{Acc, Walk};
+use crate::ast::{Instr, Operand, UnitKind};
+use crate::diagnostics::{Code, Span};
+use crate::operators::Op;
+use crate::typed::build::{Named, Target};
+use crate::typed::{Base, Convert, Expr, ExprKind, Kind, Standard, Stmt, StmtKind, Store, TypeId};
+use unoclp_point::Address;
+
+impl Walk<'_, '_, '_> {
+    pub(super) fn store(&mut self, instr: &Instr, at: usize) {
+        let expr = self.take("ST", instr.span);
+        if instr.operands.is_empty() {
+            return self.missing("ST", instr.span);
+        }
+        let Some(expr) = expr else {
+            for operand in &instr.operands {
+                self.meaning(operand);
+            }
+            return;
+        };
+        if instr.starts_block() {
+            return self.out_block_of(instr, expr, at);
+        }
+        self.hold(Some(expr));
+        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
+        for (index, operand) in instr.operands.iter().enumerate() {
+            let more = index + 1 < instr.operands.len();
+            self.store_acc(operand, instr.negated, instr.whole, needed || more);
+        }
+    }
+
+    /// Stores the accumulator, which stays what it is.
+    fn store_acc(&mut self, operand: &Operand, negated: bool, span: Span, needed: bool) {
+        let Some(target) = self.to_store(operand) else {
+            return;
+        };
+        let Acc::Value(expr) = self.acc.clone() else {
+            return;
+        };
+        let is_bit = self.is_bit(&target);
+        let stays = !negated && target.place.indices.is_empty();
+        let is_leaf = |expr: &Expr| match &expr.kind {
+            ExprKind::Constant(_) => true,
+            ExprKind::Read(_) => expr.base != Base::Bool,
+            _ => false,
+        };
+        let again = needed && stays && !is_leaf(&expr) && (is_bit == (expr.base == Base::Bool));
+        if needed && !again {
+            self.settle_costly();
+        }
+        let Acc::Value(expr) = self.acc.clone() else {
+            return;
+        };
+        let Some(statement) = self.stored(expr, &target, operand, negated, span) else {
+            return;
+        };
+        self.does(statement, needed && !again);
+        if again {
+            let held = self.read(target, span);
+            self.links = 0;
+            self.hold(Some(held));
+        }
+    }
+
+    /// Whether a bit is stored there.
+    fn is_bit(&self, target: &Target) -> bool {
+        self.front.builder.tree.types.base(target.ty) == Some(Base::Bool)
+    }
+
+    /// Stores a value that is not the accumulator: what a block gives.
+    pub(super) fn store_value(&mut self, expr: Expr, operand: &Operand, negated: bool) {
+        let Some(target) = self.to_store(operand) else {
+            return;
+        };
+        let span = operand.span;
+        if let Some(statement) = self.stored(expr, &target, operand, negated, span) {
+            self.does(statement, false);
+        }
+    }
+
+    /// What can be stored to; what cannot is told.
+    pub(super) fn to_store(&mut self, operand: &Operand) -> Option<Target> {
+        let target = match self.meaning(operand) {
+            Is::Variable(target) => target,
+            Is::Wrong => {
+                self.front.writes = true;
+                return None;
+            }
+            _ => {
+                self.front.writes = true;
+                self.not_writable(operand);
+                return None;
+            }
+        };
+        let is_read_only = self.is_output(operand);
+        match self.point_at(&target) {
+            Some(Address::Input(_)) => {
+                let name = self.spelled(operand);
+                self.tell(Code::StoreToInput, operand.span, [name.into()]);
+                return None;
+            }
+            Some(Address::Output(output)) => self.note_coil(output, operand),
+            Some(point) if !point.is_written() => {
+                self.not_writable(operand);
+                return None;
+            }
+            None if is_read_only => {
+                self.front.writes = true;
+                self.not_writable(operand);
+                return None;
+            }
+            _ => {}
+        }
+        self.front.writes = true;
+        Some(Target {
+            locked: None,
+            ..target
+        })
+    }
+
+    /// Q and ET of timers and Q of counters: their blocks alone write them.
+    fn is_output(&self, operand: &Operand) -> bool {
+        let name = operand.name().unwrap_or_default();
+        let (block, part) = parts(name, self.front.names.dialect);
+        let Some(Named::Variable(variable)) = self.front.builder.find(&block) else {
+            return false;
+        };
+        let is_output = matches!(part, Some("Q" | "QU" | "QD" | "D" | "ET"));
+        let kind = self.front.builder.tree.types.kind(variable.ty);
+        is_output
+            && matches!(kind, Kind::Standard(block) if block.part("PT").is_some() || block.part("PV").is_some())
+    }
+
+    fn not_writable(&mut self, operand: &Operand) {
+        let name = self.spelled(operand);
+        self.tell(Code::NotWritable, operand.span, [name.into()]);
+    }
+
+    /// An output that has been written by ST before is told, where no jump may lead past one of the two.
+    fn note_coil(&mut self, output: u8, operand: &Operand) {
+        let kind = self.front.kind_of(self.unit);
+        if kind != UnitKind::Program || self.labels.wanted {
+            return;
+        }
+        let span = operand.span;
+        if *self.front.coils.entry(output).or_insert(span) != span {
+            let name = self.spelled(operand);
+            self.tell(Code::WrittenTwice, span, [name.into()]);
+        }
+    }
+
+    /// The statement that stores a value.
+    fn stored(
+        &mut self,
+        expr: Expr,
+        target: &Target,
+        operand: &Operand,
+        negated: bool,
+        span: Span,
+    ) -> Option<Stmt> {
+        if self.is_bit(target) {
+            if expr.base != Base::Bool && !matches!(constant(&expr), Some(0..=1)) {
+                self.wrong_type(ACCUMULATOR.into(), operand.span, NUMBER, BOOL);
+                return None;
+            }
+            let mut bit = self.as_bit(expr, ACCUMULATOR, span)?;
+            if negated {
+                bit = self.front.builder.not(bit, span);
+            }
+            return self.assigned(target, bit, span);
+        }
+        if expr.base == Base::Bool {
+            self.wrong_type(ACCUMULATOR.into(), operand.span, BOOL, NUMBER);
+            return None;
+        }
+        let mut number = expr;
+        let instance = Some(self.instance);
+        let width = self.front.names.width(operand, instance);
+        if let (Some(base), Some(constant), false) = (width, constant(&number), negated) {
+            let name = self.spelled(operand);
+            let found = &mut *self.front.builder.found;
+            let to = (base, name.as_str());
+            let kept = self.front.names.cut(to, constant, operand.span, found);
+            number = self.whole(kept, operand.span);
+        }
+        if negated {
+            number = self.inverted(number, span);
+            if number.base == Base::Bool {
+                let state = matches!(&number.kind, ExprKind::Constant(value) if value.is_true());
+                number = self.whole(if state { -1 } else { -2 }, span);
+            }
+        }
+        self.assigned(target, number, span)
+    }
+
+    /// A value in a variable, in the bits of its type.
+    pub(super) fn assigned(&mut self, target: &Target, value: Expr, at: Span) -> Option<Stmt> {
+        let base = self.front.builder.tree.types.base(target.ty)?;
+        let value = self.fit(value, target.ty, base);
+        if matches!(value.kind, ExprKind::Wrong) {
+            return None;
+        }
+        let kind = StmtKind::Assign(target.place.clone(), value, Store::Narrow(base));
+        Some(Stmt { kind, at })
+    }
+
+    /// A number of 32 bits as one of a type, in whose bits it is stored.
+    pub(super) fn fit(&mut self, value: Expr, ty: TypeId, base: Base) -> Expr {
+        if value.base == base {
+            return value;
+        }
+        let how = match base.bits() {
+            32 => Convert::Keep,
+            _ => Convert::Wrap,
+        };
+        self.front.builder.converted(value, how, ty)
+    }
+
+    pub(super) fn set_or_reset(&mut self, instr: &Instr, at: usize) {
+        let set = instr.op == Op::Set;
+        let what = if set { "S" } else { "R" };
+        if instr.operands.is_empty() && self.block.is_some() {
+            return self.wire(what, instr.span);
+        }
+        let Some(bit) = self.take_bit(what, instr.span) else {
+            if let Some(operand) = instr.operands.first() {
+                self.meaning(operand);
+            }
+            return;
+        };
+        let Some(operand) = instr.operands.first() else {
+            return self.missing(what, instr.span);
+        };
+        // On an S7-200 a count of points follows.
+        let most = self.front.names.board.markers.into();
+        let count = match instr.operands.get(1) {
+            None => 1,
+            Some(count) => count.number().unwrap_or(1).clamp(1, most) as u8,
+        };
+        self.only(instr, 2);
+        self.hold(Some(bit));
+        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
+        let span = operand.span;
+        let target = match self.meaning(operand) {
+            Is::Variable(target) => target,
+            Is::Block(target, block) => return self.set_block(target, block, set, instr, needed),
+            Is::Instance(_) => {
+                self.front.writes = true;
+                let name = self.spelled(operand).into();
+                return self.wrong_type(name, span, BLOCK, BOOL);
+            }
+            Is::Constant(_) => {
+                self.front.writes = true;
+                return self.not_writable(operand);
+            }
+            Is::Wrong => {
+                self.front.writes = true;
+                return;
+            }
+        };
+        let point = self.point_at(&target);
+        if let Some(Address::Input(_)) = point {
+            let name = self.spelled(operand);
+            return self.tell(Code::StoreToInput, span, [name.into()]);
+        }
+        self.front.writes = true;
+        if !self.is_bit(&target) {
+            let name = self.spelled(operand).into();
+            return self.wrong_type(name, span, NUMBER, BOOL);
+        }
+        if point.is_some_and(|point| !point.is_written()) || self.is_output(operand) {
+            return self.not_writable(operand);
+        }
+        let board = self.front.names.board;
+        let last = match point {
+            Some(Address::Output(n)) => n.saturating_add(count - 1).min(board.outputs),
+            Some(Address::Marker(n)) => n.saturating_add(count - 1).min(board.markers),
+            _ => 0,
+        };
+        let first = point.map_or(0, Address::number);
+        let mut targets = vec![target];
+        for number in first.saturating_add(1)..=last {
+            let more = match point {
+                Some(Address::Output(_)) => Address::Output(number),
+                _ => Address::Marker(number),
+            };
+            targets.push(self.front.builder.point_target(more, span));
+        }
+        if needed || targets.len() > 1 {
+            self.settle_costly();
+        }
+        let Acc::Value(condition) = self.acc.clone() else {
+            return;
+        };
+        let mut body = Vec::new();
+        for target in targets {
+            let value = self.truth(set, span);
+            body.extend(self.assigned(&target, value, span));
+        }
+        self.conditional(condition, body, instr.whole, needed);
+    }
+
+    /// S and R of a timer or counter.
+    fn set_block(
+        &mut self,
+        _target: Target,
+        block: Standard,
+        set: bool,
+        instr: &Instr,
+        _needed: bool,
+    ) {
+        self.front.writes = true;
+        let counts = block.part("PV").is_some();
+        match instr.operands.first() {
+            Some(operand) if !counts && !(block.is_timer() && !set) => self.not_writable(operand),
+            _ => self.not_yet(instr.span),
+        }
+    }
+}
