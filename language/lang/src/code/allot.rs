@@ -7,7 +7,7 @@ use super::flat::Flat;
 use super::seats::{Seat, Seats};
 use super::uses::{Called, Uses};
 use crate::diagnostics::{Code, Found, Word};
-use crate::typed::{Base, Standard, Tree};
+use crate::typed::{Base, Standard, Tree, counter};
 use std::collections::BTreeMap;
 use unoclp_core::Board;
 use unoclp_core::isa::REGISTERS;
@@ -72,21 +72,24 @@ pub(super) fn allot(
 }
 
 /// Whether a counter's preset is one number above 0 from the beginning, so that it has not reached it before it counts.
-fn steady(flat: &Flat, uses: &Uses, preset: u32) -> bool {
+fn steady(flat: &Flat, uses: &Uses, cell: u32, preset: u32) -> bool {
     let initial = flat
         .cells
         .get(preset as usize)
         .map_or(0, |c| c.initial.int());
+    if uses.preset.contains(&cell) {
+        return initial > 0;
+    }
     if let Some(given) = uses.given.get(&preset) {
         return given.is_some_and(|given| given > 0);
     }
-    uses.get(preset)
-        .map_or(initial, |of| match (of.stores, &of.only) {
-            (0, _) => initial,
-            (_, Some(only)) => only.int(),
-            (_, None) => 0,
-        })
-        > 0
+    let stored = uses.get(preset);
+    let first = stored.map_or(initial, |of| match (of.stores, &of.only) {
+        (0, _) => initial,
+        (_, Some(only)) => only.int(),
+        (_, None) => 0,
+    });
+    first > 0
 }
 
 impl Allotter<'_> {
@@ -95,6 +98,9 @@ impl Allotter<'_> {
             let seat = Seat::At(*point);
             self.seats.take(seat);
             self.seats.of.insert(*cell, seat);
+            if let Address::Count(number) = *point {
+                self.says_of_itself(*cell, number);
+            }
             if tree
                 .cells
                 .get(*cell as usize)
@@ -110,6 +116,19 @@ impl Allotter<'_> {
                 && self.seat(*cell, Base::Int, false).is_some()
             {
                 self.seats.outputs.insert(*cell, output);
+            }
+        }
+    }
+
+    /// What a counter of the board says of itself, by the cell of its number: a program may ask one that it never calls.
+    fn says_of_itself(&mut self, cell: u32, counter: u8) {
+        for (part, point) in [
+            (counter::UP, Address::Reached(counter)),
+            (counter::DOWN, Address::AtZero(counter)),
+        ] {
+            let behind = counter::NUMBER - part;
+            if let Some(cell) = cell.checked_sub(behind) {
+                self.seats.of.insert(cell, Seat::At(point));
             }
         }
     }
@@ -188,9 +207,20 @@ impl Allotter<'_> {
         }
     }
 
+    /// The counters whose numbers the text says.
+    fn pinned(&self) -> Vec<u8> {
+        let points = self.tree.points.iter();
+        let numbers = points.filter_map(|(_, point)| match point {
+            Address::Count(number) => Some(*number),
+            _ => None,
+        });
+        numbers.collect()
+    }
+
     fn blocks(&mut self, flat: &Flat, uses: &Uses) {
         let called: BTreeMap<u32, Called> = uses.blocks.iter().map(|(c, b)| (*c, *b)).collect();
-        let mut counters = 0;
+        let pinned: Vec<u8> = self.pinned();
+        let mut free = (1..=u8::MAX).filter(|number| !pinned.contains(number));
         for (cell, called) in called {
             let of = |part: u32| flat.cells.get((cell + part) as usize);
             let kept = of(0).is_some_and(|held| held.retain);
@@ -201,7 +231,7 @@ impl Allotter<'_> {
                 self.found
                     .tell(Code::BoardTwice, at, [name.into(), block.name().into()]);
             }
-            if kept && (block.is_timer() || matches!(block, Standard::RTrig | Standard::FTrig)) {
+            if kept && (block.is_timer() || block.is_edge()) {
                 let (_, at) = self.place(cell);
                 self.found
                     .tell(Code::BoardRetain, at, [block.name().into()]);
@@ -215,23 +245,28 @@ impl Allotter<'_> {
                 let index = self.seats.timers.len();
                 self.seats.timers.insert(cell, index);
                 self.seats.of.insert(cell + 2, Seat::Timer(index));
-                if live(3) && block != Standard::Tof {
+                let looked = uses.looked.contains(&cell);
+                if looked || live(3) && block != Standard::Tof {
                     self.seats.of.insert(cell + 3, Seat::Elapsed(index));
                 }
                 continue;
             }
-            let (up, down, count, preset) = match block {
-                Standard::Ctu => (Some(3), None, 4, 2),
-                Standard::Ctd => (None, Some(3), 4, 2),
-                Standard::Ctud => (Some(5), Some(6), 7, 4),
-                _ => continue,
+            let (Some(count), Some(preset)) = (block.number(), block.preset()) else {
+                continue;
             };
-            counters += 1;
-            if counters > self.board.counters {
-                self.none_left(COUNTER, self.board.counters.into(), cell);
+            if !block.is_counter() {
                 continue;
             }
-            let number = counters;
+            let [up, down] = block.reached();
+            let own = match self.seats.of.get(&(cell + count)) {
+                Some(Seat::At(Address::Count(number))) => Some(*number),
+                _ => free.next(),
+            };
+            let Some(number) = own.filter(|number| *number <= self.board.counters) else {
+                self.none_left(COUNTER, self.board.counters.into(), cell);
+                continue;
+            };
+            let own = block == Standard::Counter;
             self.seats.counters.insert(cell, number);
             self.seats
                 .of
@@ -239,16 +274,16 @@ impl Allotter<'_> {
             if kept {
                 self.seats.kept_counters.push(number);
             }
+            let reached = |part| live(part) || steady(flat, uses, cell, cell + preset);
             if let Some(part) = up
-                && !kept
-                && (live(part) || steady(flat, uses, cell + preset))
+                && (own || !kept && reached(part))
             {
                 self.seats
                     .of
                     .insert(cell + part, Seat::At(Address::Reached(number)));
             }
             if let Some(part) = down
-                && live(part)
+                && (own || live(part))
             {
                 self.seats
                     .of

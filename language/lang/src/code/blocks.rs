@@ -27,13 +27,11 @@ impl Coder<'_, '_> {
         inputs: &[(u32, Expr)],
         next: Option<&Step>,
     ) -> bool {
-        let input = |this: &mut Self, part: u32| -> Expr {
-            let given = inputs.iter().find(|(at, _)| *at == part);
-            match given {
-                Some((_, value)) => this.prepare(value.clone()),
-                None => this.held(cell + part),
-            }
-        };
+        if block.is_counter() {
+            self.counter(block, cell, inputs);
+            return false;
+        }
+        let input = |this: &mut Self, part: u32| this.input(cell, inputs, part);
         match block {
             Standard::Sr => {
                 let (set, reset) = (input(self, 0), input(self, 1));
@@ -67,58 +65,20 @@ impl Coder<'_, '_> {
                     }
                 }
             }
-            Standard::Ton | Standard::Tof | Standard::Tp => {
+            _ => {
                 let (on, preset) = (input(self, 0), input(self, 1));
                 return self.timer(block, cell, &on, &preset, next);
             }
-            Standard::Ctu => {
-                let (up, reset, preset) = (input(self, 0), input(self, 1), input(self, 2));
-                let Some(&counter) = self.seats.counters.get(&cell) else {
-                    return false;
-                };
-                self.counts(Opcode::CountUp, counter, &up, &preset, cell);
-                self.shows_counter(counter, false);
-                self.reset(counter, &reset, cell);
-                self.reached(cell + 3, Seat::At(Address::Reached(counter)));
-            }
-            Standard::Ctd => {
-                let (down, load, mut preset) = (input(self, 0), input(self, 1), input(self, 2));
-                // It is loaded where LD is 1 alone, and computed always.
-                if may_fail(&preset) {
-                    preset = self.keep(preset);
-                }
-                let Some(&counter) = self.seats.counters.get(&cell) else {
-                    return false;
-                };
-                let steady = constant(Value::Int(0), Base::Int, self.pen.at);
-                let own = if is_preset(&preset) { &preset } else { &steady };
-                self.counts(Opcode::CountDown, counter, &down, own, cell);
-                self.shows_counter(counter, true);
-                self.load_counter(counter, &load, &preset, cell);
-                self.reached(cell + 3, Seat::At(Address::AtZero(counter)));
-            }
-            Standard::Ctud => {
-                let (up, down) = (input(self, 0), input(self, 1));
-                let (reset, load) = (input(self, 2), input(self, 3));
-                let mut preset = input(self, 4);
-                let Some(&counter) = self.seats.counters.get(&cell) else {
-                    return false;
-                };
-                if self.operand(&preset).is_none() {
-                    preset = self.keep(preset);
-                }
-                self.counts(Opcode::CountUp, counter, &up, &preset, cell);
-                self.shows_counter(counter, false);
-                let steady = constant(Value::Int(0), Base::Int, self.pen.at);
-                let own = if is_preset(&preset) { &preset } else { &steady };
-                self.counts_down_too(counter, &down, own, &preset, cell);
-                self.load_counter(counter, &load, &preset, cell);
-                self.reset(counter, &reset, cell);
-                self.reached(cell + 5, Seat::At(Address::Reached(counter)));
-                self.reached(cell + 6, Seat::At(Address::AtZero(counter)));
-            }
         }
         false
+    }
+
+    /// What an input is, prepared; what it holds where the call does not give it.
+    pub(super) fn input(&mut self, cell: u32, inputs: &[(u32, Expr)], part: u32) -> Expr {
+        match inputs.iter().find(|(at, _)| *at == part) {
+            Some((_, value)) => self.prepare(value.clone()),
+            None => self.held(cell + part),
+        }
     }
 
     fn is_called_again(&self, cell: u32) -> bool {
@@ -145,13 +105,21 @@ impl Coder<'_, '_> {
         self.result(cell + EDGE_MEMORY, &now);
     }
 
-    /// The input that a block looks at before anything else; its preset is a constant.
-    fn begins_with<'i>(&self, block: Standard, inputs: &'i [(u32, Expr)]) -> Option<&'i Expr> {
+    /// The input that a block looks at before anything else; its preset is known.
+    fn begins_with<'i>(
+        &self,
+        block: Standard,
+        cell: u32,
+        inputs: &'i [(u32, Expr)],
+    ) -> Option<&'i Expr> {
         let given = |part: u32| inputs.iter().find(|(at, _)| *at == part);
-        let preset = block.part("PT").or_else(|| block.part("PV"));
-        let is_known = match preset {
-            Some((part, _)) => {
-                given(part).is_some_and(|(_, value)| matches!(value.kind, ExprKind::Constant(_)))
+        let is_known = match block.preset() {
+            Some(_) if block.is_counter() => self.begins_to_count(block, cell, inputs),
+            Some(part) => {
+                let is_constant = |(_, value): &(u32, Expr)| {
+                    matches!(value.kind, ExprKind::Constant(_)) && !self.sets_again(cell, part)
+                };
+                given(part).is_some_and(is_constant)
             }
             None => block.is_edge(),
         };
@@ -165,10 +133,12 @@ impl Coder<'_, '_> {
             Some(Does::If(value, then, otherwise)) if !then.is_empty() && otherwise.is_empty() => {
                 value
             }
-            Some(Does::Standard(block, cell, inputs)) => match self.begins_with(*block, inputs) {
-                Some(value) if !self.is_called_again(*cell) => value,
-                _ => return false,
-            },
+            Some(Does::Standard(block, cell, inputs)) => {
+                match self.begins_with(*block, *cell, inputs) {
+                    Some(value) if !self.is_called_again(*cell) => value,
+                    _ => return false,
+                }
+            }
             _ => return false,
         };
         let mut is_plain = value.base == Base::Bool && self.nest(value) < MOST_DEEP;
@@ -187,8 +157,13 @@ impl Coder<'_, '_> {
         is_plain && is_own && begins(&mut self.logic(value, false), seat)
     }
 
+    /// Whether a call gives a preset that is set beside the calls too, so that each call sets it.
+    pub(super) fn sets_again(&self, cell: u32, part: u32) -> bool {
+        self.uses.preset.contains(&cell) && self.uses.given.contains_key(&(cell + part))
+    }
+
     /// An input that the call does not give: what it holds.
-    fn held(&self, cell: u32) -> Expr {
+    pub(super) fn held(&self, cell: u32) -> Expr {
         let at = self.pen.at;
         let Some(of) = self.flat.cells.get(cell as usize) else {
             return constant(Value::Int(0), Base::Bool, at);
@@ -208,7 +183,7 @@ impl Coder<'_, '_> {
     }
 
     /// acc into whatever the bit is; behind it acc may be anything.
-    fn drive_any(&mut self, seat: Seat, cell: u32) {
+    pub(super) fn drive_any(&mut self, seat: Seat, cell: u32) {
         match seat {
             Seat::At(Address::Register(_)) => {
                 self.pen.changes_value(Opcode::LoadBit);
@@ -232,7 +207,7 @@ impl Coder<'_, '_> {
         };
         let at = self.pen.at;
         let fixed = match &preset.kind {
-            ExprKind::Constant(value) => value.int().max(0) as i32,
+            ExprKind::Constant(value) if !self.sets_again(cell, 1) => value.int().max(0) as i32,
             _ => {
                 self.pen.fresh();
                 self.value(preset);
@@ -244,6 +219,7 @@ impl Coder<'_, '_> {
         let opcode = match block {
             Standard::Ton => Opcode::OnDelay,
             Standard::Tof => Opcode::OffDelay,
+            Standard::Tonr => Opcode::RetentiveOnDelay,
             _ => Opcode::Pulse,
         };
         // A coil of Q right behind it is the timer's own.
@@ -307,77 +283,4 @@ impl Coder<'_, '_> {
             _ => None,
         }
     }
-
-    /// Counts where it rises.
-    fn counts(&mut self, opcode: Opcode, counter: u8, on: &Expr, preset: &Expr, cell: u32) {
-        let fixed = match &preset.kind {
-            ExprKind::Constant(value) => value.int().max(0) as i32,
-            _ => {
-                self.pen.fresh();
-                self.value(preset);
-                self.pen
-                    .numbered(Opcode::PresetCounter, counter, Some(cell));
-                0
-            }
-        };
-        self.bit(on, false);
-        let count = Operand::Count {
-            counter,
-            preset: fixed,
-        };
-        self.pen.with(opcode, count, Some(cell));
-        self.pen.acc = Acc::Other;
-    }
-
-    fn shows_counter(&mut self, number: u8, zero: bool) {
-        self.shows(Shows::Counter { number, zero });
-    }
-
-    /// The second of two codes of one counter, both of which set its preset at the start.
-    fn counts_down_too(&mut self, counter: u8, on: &Expr, own: &Expr, preset: &Expr, cell: u32) {
-        let own = if is_preset(preset) { preset } else { own };
-        self.counts(Opcode::CountDown, counter, on, own, cell);
-    }
-
-    fn reset(&mut self, counter: u8, on: &Expr, cell: u32) {
-        if !is_never(on) {
-            self.bit(on, false);
-            self.pen.numbered(Opcode::ResetCounter, counter, Some(cell));
-        }
-    }
-
-    fn load_counter(&mut self, counter: u8, on: &Expr, preset: &Expr, cell: u32) {
-        if is_never(on) {
-            return;
-        }
-        self.bit(on, false);
-        if is_preset(preset) {
-            self.pen.numbered(Opcode::LoadCounter, counter, Some(cell));
-        } else {
-            self.value(preset);
-            self.pen.numbered(Opcode::StoreCount, counter, Some(cell));
-        }
-    }
-
-    /// Q where it needs a place of its own.
-    fn reached(&mut self, cell: u32, seat: Seat) {
-        let Some(held) = self.seats.of.get(&cell).copied() else {
-            return;
-        };
-        if held == seat {
-            return;
-        }
-        self.pen.fresh();
-        self.series(&super::logic::Bit::Contact(seat, false, cell));
-        self.drive_any(held, cell);
-    }
-}
-
-fn is_never(on: &Expr) -> bool {
-    matches!(&on.kind, ExprKind::Constant(value) if !value.is_true())
-}
-
-/// Whether a counter's code may say it.
-fn is_preset(preset: &Expr) -> bool {
-    matches!(&preset.kind, ExprKind::Constant(value) if value.int() >= 0)
 }

@@ -135,12 +135,13 @@ impl Coder<'_, '_> {
                 }
                 Does::Assign(..) => self.constant_bit(step).is_some(),
                 Does::Jump(None, ..) => at == last,
+                Does::Order(order, block, cell) => self.is_plain_order(order, *block, *cell),
                 _ => false,
             })
     }
 
     /// Whether computing it changes nothing, however it comes out, and needs no step before it.
-    fn is_harmless(&self, value: &Expr) -> bool {
+    pub(super) fn is_harmless(&self, value: &Expr) -> bool {
         let mut harmless = self.height(value) < 6;
         each(value, &mut |e| {
             harmless &= e.base != Base::Bool
@@ -199,6 +200,7 @@ impl Coder<'_, '_> {
                         }
                     }
                 },
+                Does::Order(order, block, cell) => self.order(order, *block, *cell),
                 _ => {}
             }
         }

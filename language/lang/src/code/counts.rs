@@ -4,7 +4,7 @@
 
 use super::flat::{Does, Flat, Step, own_expressions_mut, parts_mut, within};
 use super::ranges::COUNT;
-use crate::typed::{Expr, ExprKind, Standard};
+use crate::typed::{Expr, ExprKind};
 use std::collections::HashSet;
 
 /// Marks the reads of counters' numbers.
@@ -18,12 +18,9 @@ pub(super) fn mark(flat: &mut Flat) {
 
 fn collect(steps: &[Step], counts: &mut HashSet<u32>) {
     for step in steps {
-        if let Does::Standard(block, cell, _) = &step.does {
-            let part = match block {
-                Standard::Ctu | Standard::Ctd => 4,
-                Standard::Ctud => 7,
-                _ => continue,
-            };
+        if let Does::Standard(block, cell, _) | Does::Order(_, block, cell) = &step.does
+            && let Some(part) = block.number()
+        {
             counts.insert(cell + part);
         }
         for inner in within(&step.does) {

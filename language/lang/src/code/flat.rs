@@ -5,7 +5,8 @@
 
 use crate::diagnostics::Span;
 use crate::typed::{
-    Base, Binary, Cell, Compare, Expr, ExprKind, Place, Root, Standard, Store, TypeId, Unary, Value,
+    Base, Binary, Cell, Compare, Expr, ExprKind, Order, Place, Root, Standard, Store, TypeId,
+    Unary, Value,
 };
 
 /// Cells from this number on are temporaries; an odd one holds a value that is not narrowed to its type.
@@ -54,6 +55,8 @@ pub(super) enum Does {
     Jump(Option<Expr>, u32, Option<usize>),
     /// The block whose cells begin here; inputs that are used here alone, by their cells within it.
     Standard(Standard, u32, Vec<(u32, Expr)>),
+    /// What is done to the timer or counter whose cells begin here, beside its calls.
+    Order(Order, Standard, u32),
     /// Sets S 04.
     Fail,
 }
@@ -163,6 +166,7 @@ pub(super) fn own_expressions(does: &Does) -> Vec<&Expr> {
         Does::If(condition, ..) | Does::Case(condition, ..) => vec![condition],
         Does::Jump(condition, ..) => condition.iter().collect(),
         Does::Standard(_, _, inputs) => inputs.iter().map(|(_, e)| e).collect(),
+        Does::Order(order, ..) => order.value().into_iter().collect(),
         Does::Label(_) | Does::Fail => Vec::new(),
     }
 }
@@ -178,6 +182,8 @@ pub(super) fn own_expressions_mut(does: &mut Does) -> Vec<&mut Expr> {
         Does::If(condition, ..) | Does::Case(condition, ..) => vec![condition],
         Does::Jump(condition, ..) => condition.iter_mut().collect(),
         Does::Standard(_, _, inputs) => inputs.iter_mut().map(|(_, e)| e).collect(),
+        Does::Order(Order::Preset(value) | Order::Number(value), ..) => vec![value],
+        Does::Order(..) => Vec::new(),
         Does::Label(_) | Does::Fail => Vec::new(),
     }
 }

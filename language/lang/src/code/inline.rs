@@ -5,7 +5,7 @@
 use super::flat::{Does, Flat, Step};
 use super::pure;
 use crate::diagnostics::{Code, Found, Span};
-use crate::typed::{Base, Cell, Expr, Place, Stmt, StmtKind, Tree, Value};
+use crate::typed::{Base, Cell, Expr, Order, Place, Stmt, StmtKind, Tree, Value};
 use std::collections::HashMap;
 use unoclp_point::Address;
 
@@ -204,6 +204,15 @@ impl Inliner<'_, '_> {
             StmtKind::Standard(block, instance) => {
                 let cell = self.place(instance, frame).offset;
                 self.show(Does::Standard(*block, cell, Vec::new()), at);
+            }
+            StmtKind::Order(order, block, instance) => {
+                let order = match order {
+                    Order::Preset(value) => Order::Preset(self.expr(value, frame)),
+                    Order::Number(value) => Order::Number(self.expr(value, frame)),
+                    other => other.clone(),
+                };
+                let cell = self.place(instance, frame).offset;
+                self.show(Does::Order(order, *block, cell), at);
             }
             // It shows a variable, which the symbols tell of; it takes no code.
             StmtKind::Print(..) => {}

@@ -2,9 +2,12 @@
 //!
 //! Owns that one rewriting. Must not know the board.
 
-use super::flat::{Does, Flat, Step, each, expr, own_expressions, own_expressions_mut, parts_mut};
+use super::flat::{
+    Does, Flat, Step, each, expr, own_expressions, own_expressions_mut, parts_mut, within,
+};
 use super::uses::Uses;
-use crate::typed::{Base, Convert, Expr, ExprKind, Place, Store};
+use crate::typed::{Base, Convert, Expr, ExprKind, Place, Standard, Store, counter};
+use std::collections::HashMap;
 
 /// A larger expression, in operands and operations, stays where it is: so no chain of them becomes one of any depth.
 const MOST: usize = 200;
@@ -116,31 +119,99 @@ fn as_stored(value: Expr, base: Base) -> Expr {
     expr(ExprKind::Convert(how, Box::new(value)), base, at)
 }
 
-/// Gives each block of the norm the inputs that are stored right before it and read by nothing else.
+/// Gives each block of the norm the inputs that are stored right before its calls and read by nothing else.
 pub(super) fn gather(flat: &mut Flat) {
     let uses = Uses::of(flat);
+    let mut near = HashMap::new();
+    count(&flat.body, &uses, &mut near);
+    let is_whole = |cell: u32, block: Standard, part: u32| {
+        let near = near.get(&cell).copied().unwrap_or(0);
+        let calls = uses
+            .blocks
+            .get(&(cell - part))
+            .map_or(0, |called| called.count);
+        let stores = uses.get(cell).map_or(0, |of| of.stores);
+        stores == near && (near == calls || stays(block, part))
+    };
     let body = std::mem::take(&mut flat.body);
-    flat.body = gathered(body, &uses);
+    flat.body = gathered(body, &uses, &is_whole);
 }
 
-fn gathered(steps: Vec<Step>, uses: &Uses) -> Vec<Step> {
+/// Whether a call that does not give this part goes on with it as the board keeps it: what is counted has not risen since
+/// the call that gave it, and the preset of a board's counter stays.
+fn stays(block: Standard, part: u32) -> bool {
+    match block {
+        Standard::Ctu | Standard::Ctd => part == 0,
+        Standard::Ctud => part < 2,
+        Standard::Counter => part < 2 || part == counter::PRESET,
+        _ => false,
+    }
+}
+
+/// How often each input is stored right before a call.
+fn count(steps: &[Step], uses: &Uses, near: &mut HashMap<u32, u32>) {
+    for (at, step) in steps.iter().enumerate() {
+        if let Does::Standard(block, cell, _) = &step.does {
+            let members = *cell..*cell + block.cells();
+            let mut seen = Vec::new();
+            for step in steps[..at].iter().rev() {
+                match input(step, &members, uses) {
+                    Some(input) if !seen.contains(&input) => seen.push(input),
+                    _ => break,
+                }
+            }
+            for cell in seen {
+                *near.entry(cell).or_default() += 1;
+            }
+        }
+        for inner in within(&step.does) {
+            count(inner, uses, near);
+        }
+    }
+}
+
+fn gathered(
+    steps: Vec<Step>,
+    uses: &Uses,
+    is_whole: &impl Fn(u32, Standard, u32) -> bool,
+) -> Vec<Step> {
     let mut out: Vec<Step> = Vec::with_capacity(steps.len());
     for mut step in steps {
         if let Does::Standard(block, cell, inputs) = &mut step.does {
             let members = *cell..*cell + block.cells();
-            while let Some(input) = out.last().and_then(|last| input(last, &members, uses)) {
-                out.pop();
-                inputs.push((input.0 - *cell, input.1));
+            let (mut seen, mut others) = (Vec::new(), Vec::new());
+            while let Some(input) = out.last().and_then(|last| input(last, &members, uses))
+                && !seen.contains(&input)
+            {
+                seen.push(input);
+                let part = input - *cell;
+                match out.pop() {
+                    Some(Step {
+                        does: Does::Assign(_, value, Store::Narrow(base)),
+                        ..
+                    }) if is_whole(input, *block, part) => {
+                        inputs.push((part, as_stored(value, base)));
+                    }
+                    other => others.extend(other),
+                }
             }
+            // None of them is read before the call.
+            out.extend(others.into_iter().rev());
         }
         step.does = match step.does {
-            Does::If(c, then, otherwise) => {
-                Does::If(c, gathered(then, uses), gathered(otherwise, uses))
-            }
+            Does::If(c, then, otherwise) => Does::If(
+                c,
+                gathered(then, uses, is_whole),
+                gathered(otherwise, uses, is_whole),
+            ),
             Does::Case(selector, arms, otherwise) => {
                 let arms = arms.into_iter();
-                let arms = arms.map(|(bounds, body)| (bounds, gathered(body, uses)));
-                Does::Case(selector, arms.collect(), gathered(otherwise, uses))
+                let arms = arms.map(|(bounds, body)| (bounds, gathered(body, uses, is_whole)));
+                Does::Case(
+                    selector,
+                    arms.collect(),
+                    gathered(otherwise, uses, is_whole),
+                )
             }
             other => other,
         };
@@ -149,12 +220,13 @@ fn gathered(steps: Vec<Step>, uses: &Uses) -> Vec<Step> {
     out
 }
 
-fn input(step: &Step, members: &std::ops::Range<u32>, uses: &Uses) -> Option<(u32, Expr)> {
-    let Does::Assign(to, value, Store::Narrow(base)) = &step.does else {
+/// The input of a block that this step stores, where nothing reads that but its calls.
+fn input(step: &Step, members: &std::ops::Range<u32>, uses: &Uses) -> Option<u32> {
+    let Does::Assign(to, _, Store::Narrow(_)) = &step.does else {
         return None;
     };
     let of = uses.get(to.offset)?;
-    let alone = to.indices.is_empty() && of.reads == 0 && of.stores == 1;
+    let alone = to.indices.is_empty() && of.reads == 0;
     let alone = alone && members.contains(&to.offset) && uses.row_of(to.offset).is_none();
-    alone.then(|| (to.offset, as_stored(value.clone(), *base)))
+    alone.then_some(to.offset)
 }

@@ -19,7 +19,8 @@
 //! - `prepare`: what no instruction does in one piece, by `keep`, `subscripts`, `conversions`, `selection`, `arithmetic`,
 //!   `shifts`
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
-//! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm
+//! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm; `counters`:
+//!   those of the board that count, and what is done to counters and timers beside their calls
 //! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
@@ -27,6 +28,8 @@ mod allot;
 mod allotter;
 mod arithmetic;
 mod assign;
+#[cfg(test)]
+mod beside;
 mod bits;
 mod blocks;
 mod calls;
@@ -36,6 +39,7 @@ mod coder;
 mod compare;
 mod conversions;
 mod copy;
+mod counters;
 mod counts;
 mod fails;
 mod finish;

@@ -8,7 +8,7 @@ use crate::typed::{Expr, ExprKind, Input, Place, Root, Stmt, StmtKind, Tree, Uni
 fn changed<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place)) {
     match &statement.kind {
         StmtKind::Assign(to, ..) | StmtKind::Copy(to, ..) => visit(to),
-        StmtKind::Standard(_, instance) => visit(instance),
+        StmtKind::Standard(_, instance) | StmtKind::Order(.., instance) => visit(instance),
         StmtKind::For(head) => visit(&head.variable),
         _ => {}
     }
@@ -54,6 +54,7 @@ pub(super) fn expressions(statement: &Stmt) -> Vec<&Expr> {
         StmtKind::For(head) => vec![&head.from, &head.to, &head.step],
         StmtKind::Jump(condition, _) => condition.iter().collect(),
         StmtKind::Call(call) => given(call),
+        StmtKind::Order(order, ..) => order.value().into_iter().collect(),
         StmtKind::Exit | StmtKind::Continue | StmtKind::Return | StmtKind::Standard(..) => {
             Vec::new()
         }
@@ -213,7 +214,9 @@ fn mentions<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place, u32)) {
             visit(from, *cells);
         }
         StmtKind::Assign(to, ..) => visit(to, 1),
-        StmtKind::Standard(block, instance) => visit(instance, block.cells()),
+        StmtKind::Standard(block, instance) | StmtKind::Order(_, block, instance) => {
+            visit(instance, block.cells());
+        }
         StmtKind::For(head) => visit(&head.variable, 1),
         _ => {}
     }

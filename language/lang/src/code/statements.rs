@@ -7,7 +7,7 @@ use super::flat::{Does, Step};
 use super::pen::Acc;
 use super::traces::Shows;
 use crate::diagnostics::Code;
-use crate::typed::{Expr, ExprKind, Unary};
+use crate::typed::{Expr, ExprKind, Order, Unary};
 use unoclp_core::isa::Opcode;
 
 /// Whether a negation of it costs as much as it does.
@@ -77,6 +77,15 @@ impl Coder<'_, '_> {
                 }
             },
             Does::Standard(..) => {}
+            Does::Order(order, block, cell) => {
+                let order = match order {
+                    Order::Preset(value) => Order::Preset(self.prepare(value.clone())),
+                    Order::Number(value) => Order::Number(self.prepare(value.clone())),
+                    other => other.clone(),
+                };
+                self.pen.fresh();
+                self.order(&order, *block, *cell);
+            }
             Does::Fail => {
                 self.fail();
             }

@@ -3,8 +3,8 @@
 //! Owns reads, stores, lives and the rows that computed subscripts ask for. Must not know registers and markers.
 
 use super::flat::{Does, Flat, Step, each, own_expressions, within};
-use crate::typed::{Expr, ExprKind, Place, Standard, Value};
-use std::collections::HashMap;
+use crate::typed::{Expr, ExprKind, Order, Place, Standard, Value};
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 /// Of more cells than this none has a place, so that no more are looked at.
@@ -28,10 +28,11 @@ pub(super) struct Use {
     pub only: Option<Value>,
 }
 
-/// A call of a block of the norm.
+/// The calls of a block of the norm; none of a counter that is only told to count from another number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Called {
     pub block: Standard,
+    /// The first one.
     pub at: u32,
     /// Whether each scan comes to it.
     pub always: bool,
@@ -44,8 +45,12 @@ pub(super) struct Uses {
     /// Cells that stand in a row, since a subscript among them is computed.
     pub rows: Vec<Range<u32>>,
     pub blocks: HashMap<u32, Called>,
-    /// Inputs of such blocks that are used in their calls alone, and their values where those are known.
+    /// Inputs of such blocks that are used in their calls alone, and their values where they are always the same.
     pub given: HashMap<u32, Option<i128>>,
+    /// Blocks whose presets are set beside their calls.
+    pub preset: HashSet<u32>,
+    /// Timers whose time is looked at beside their calls, before each time that it is read.
+    pub looked: HashSet<u32>,
     position: u32,
     deep: u32,
     jumps: bool,
@@ -58,6 +63,7 @@ impl Uses {
         let mut uses = Uses::default();
         uses.steps(&flat.body);
         uses.edges();
+        uses.times();
         uses.join_rows();
         uses.stretch();
         uses
@@ -98,6 +104,21 @@ impl Uses {
         }
     }
 
+    /// What an off-delay shows when its time is over is its preset, which is read then.
+    fn times(&mut self) {
+        let blocks = self.blocks.iter();
+        let off = blocks.filter(|(cell, called)| {
+            let timed = called.block == Standard::Tof && self.preset.contains(cell);
+            timed && self.cells.contains_key(&(**cell + 3)) && !self.looked.contains(cell)
+        });
+        let presets: Vec<u32> = off.map(|(cell, _)| cell + 1).collect();
+        for cell in presets {
+            let of = self.touch(cell);
+            of.reads += 1;
+            of.stores += 1;
+        }
+    }
+
     fn step(&mut self, does: &Does) {
         for expr in own_expressions(does) {
             self.expr(expr);
@@ -123,20 +144,39 @@ impl Uses {
                         ExprKind::Constant(value) => Some(value.int()),
                         _ => None,
                     };
-                    self.given.insert(cell + part, value);
+                    let known = self.given.entry(cell + part).or_insert(value);
+                    *known = known.filter(|known| Some(*known) == value);
                 }
                 let always = self.deep == 0 && !self.jumps;
                 let at = self.position;
-                let called = self.blocks.entry(*cell).or_insert(Called {
-                    block: *block,
-                    at,
-                    always,
-                    count: 0,
-                });
+                let called = self.block(*block, *cell);
+                if called.count == 0 {
+                    (called.at, called.always) = (at, always);
+                }
                 called.count += 1;
+            }
+            Does::Order(order, block, cell) => {
+                if block.is_counter() {
+                    self.block(*block, *cell);
+                }
+                match order {
+                    Order::Preset(_) => self.preset.insert(*cell),
+                    Order::Look => self.looked.insert(*cell),
+                    Order::Reset | Order::Load | Order::Number(_) => false,
+                };
             }
             Does::If(..) | Does::Case(..) | Does::Fail => {}
         }
+    }
+
+    fn block(&mut self, block: Standard, cell: u32) -> &mut Called {
+        let at = self.position;
+        self.blocks.entry(cell).or_insert(Called {
+            block,
+            at,
+            always: false,
+            count: 0,
+        })
     }
 
     fn expr(&mut self, expr: &Expr) {

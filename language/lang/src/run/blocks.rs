@@ -1,7 +1,7 @@
-//! The function blocks of the norm (2.5.2.3), on the cells of an instance.
+//! The function blocks of the norm (2.5.2.3) and of the board, on the cells of an instance.
 
 use super::Machine;
-use crate::typed::{Standard, Value};
+use crate::typed::{Base, Order, Standard, Value, narrow};
 
 /// The cells of an instance, by the names of its members.
 struct Cells<'m> {
@@ -74,10 +74,64 @@ impl Machine<'_> {
             }
             Standard::Ctu => up(&mut cells),
             Standard::Ctd => down(&mut cells),
-            Standard::Ctud => both(&mut cells),
+            Standard::Ctud | Standard::Counter => both(&mut cells),
             Standard::Ton => on_delay(&mut cells, now),
             Standard::Tof => off_delay(&mut cells, now),
             Standard::Tp => pulse(&mut cells, now),
+            Standard::Tonr => retentive(&mut cells, now),
+        }
+    }
+
+    /// Does to the timer or counter whose first cell this is what an instruction of the board does.
+    pub(super) fn order(
+        &mut self,
+        order: &Order,
+        value: Option<Value>,
+        block: Standard,
+        cell: usize,
+    ) {
+        let now = i128::from(self.now);
+        let Some(cells) = self.memory.get_mut(cell..cell + block.cells() as usize) else {
+            return;
+        };
+        let mut cells = Cells { block, cells };
+        match order {
+            Order::Preset(of) => {
+                let part = if block.is_timer() { "PT" } else { "PV" };
+                cells.set(part, stored(value, of.base));
+            }
+            Order::Reset if block.is_timer() => {
+                for part in ["Q", "ET", "#M", "#AT"] {
+                    cells.set(part, 0);
+                }
+            }
+            Order::Look if block.is_timer() => look(&mut cells, now),
+            Order::Reset => cells.set("CV", 0),
+            Order::Load => cells.set("CV", cells.get("PV").max(0)),
+            Order::Number(of) => cells.set("CV", stored(value, of.base)),
+            Order::Look => {}
+        }
+        if block.is_counter() {
+            outputs(&mut cells);
+        }
+    }
+}
+
+/// A value as a cell of this type holds it.
+fn stored(value: Option<Value>, base: Base) -> i128 {
+    value.map_or(0, |value| narrow(base, value).int())
+}
+
+/// What a counter's number says of it.
+fn outputs(cells: &mut Cells<'_>) {
+    let count = cells.get("CV");
+    let reached = is_reached(cells, count);
+    match cells.block {
+        Standard::Ctu => cells.put("Q", reached),
+        Standard::Ctd => cells.put("Q", count <= 0),
+        _ => {
+            cells.put("QU", reached);
+            cells.put("QD", count <= 0);
         }
     }
 }
@@ -94,8 +148,7 @@ fn up(cells: &mut Cells<'_>) {
         false => counted(cells.get("CV"), rises.into()),
     };
     cells.set("CV", count);
-    let reached = is_reached(cells, count);
-    cells.put("Q", reached);
+    outputs(cells);
 }
 
 fn down(cells: &mut Cells<'_>) {
@@ -105,7 +158,7 @@ fn down(cells: &mut Cells<'_>) {
         false => counted(cells.get("CV"), -i128::from(rises)),
     };
     cells.set("CV", count);
-    cells.put("Q", count <= 0);
+    outputs(cells);
 }
 
 fn both(cells: &mut Cells<'_>) {
@@ -113,14 +166,17 @@ fn both(cells: &mut Cells<'_>) {
     let count = if cells.is("R") {
         0
     } else if cells.is("LD") {
-        cells.get("PV")
+        // The board's own keeps its preset where no number is less than 0.
+        let least = match cells.block {
+            Standard::Counter => 0,
+            _ => i128::MIN,
+        };
+        cells.get("PV").max(least)
     } else {
         counted(counted(cells.get("CV"), up.into()), -i128::from(down))
     };
     cells.set("CV", count);
-    let reached = is_reached(cells, count);
-    cells.put("QU", reached);
-    cells.put("QD", count <= 0);
+    outputs(cells);
 }
 
 /// Once it is over it stays so until IN falls, whatever PT becomes (NC-9).
@@ -176,4 +232,46 @@ fn pulse(cells: &mut Cells<'_>, now: i128) {
     };
     cells.set("ET", elapsed);
     cells.put("Q", runs);
+}
+
+/// Gathers the time for which IN is 1. `#AT` is when that began, less what was gathered before; where IN is 0, what has
+/// been gathered.
+fn retentive(cells: &mut Cells<'_>, now: i128) {
+    let preset = cells.get("PT").max(0);
+    let (on, before) = (cells.is("IN"), cells.is("#M"));
+    if cells.is("Q") {
+        cells.set("ET", preset);
+        return;
+    }
+    if on != before {
+        cells.set("#AT", now - cells.get("#AT"));
+        cells.put("#M", on);
+    }
+    let gathered = match on {
+        true => now - cells.get("#AT"),
+        false => cells.get("#AT"),
+    };
+    cells.put("Q", on && gathered >= preset);
+    cells.set("ET", gathered.min(preset));
+}
+
+/// ET as the board shows it at this moment (NC-14).
+fn look(cells: &mut Cells<'_>, now: i128) {
+    let preset = cells.get("PT").max(0);
+    let (q, on) = (cells.is("Q"), cells.is("#M"));
+    let runs = match cells.block {
+        Standard::Tof => q && !on,
+        Standard::Tp => q,
+        _ => on && !q,
+    };
+    let elapsed = match cells.block {
+        _ if runs => (now - cells.get("#AT")).clamp(0, preset),
+        // A pulse that is over, while IN is 1.
+        Standard::Tp if on => preset,
+        Standard::Tof | Standard::Tp => 0,
+        _ if q => preset,
+        Standard::Tonr => cells.get("#AT").min(preset),
+        _ => 0,
+    };
+    cells.set("ET", elapsed);
 }

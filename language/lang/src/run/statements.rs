@@ -126,6 +126,15 @@ impl Machine<'_> {
                     self.standard(*block, cell);
                 }
             }
+            StmtKind::Order(order, block, place) => {
+                let value = match order.value() {
+                    Some(value) => Some(self.evaluate(value, frame)?),
+                    None => None,
+                };
+                if let Some(cell) = self.cell_of(place, frame)? {
+                    self.order(order, value, *block, cell);
+                }
+            }
             StmtKind::Print(name, expr) => {
                 let value = self.evaluate(expr, frame)?;
                 let value = ops::narrow(expr.base, value);

@@ -54,8 +54,9 @@ pub use expression::{
     Binary, Call, Compare, Convert, Expr, ExprKind, Extra, Index, Input, Output, Place, Root,
     Store, Unary,
 };
+pub(crate) use standard::counter;
 pub use standard::{Part, Role, Standard};
-pub use statement::{Arm, For, Stmt, StmtKind};
+pub use statement::{Arm, For, Order, Stmt, StmtKind};
 pub use tree::{Cell, Declared, Holds, Symbol, Tree, Unit, UnitKind};
 pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};

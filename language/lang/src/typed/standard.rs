@@ -1,8 +1,8 @@
-//! The function blocks of the norm (2.5.2.3): what they have, and in which cells.
+//! The function blocks of the norm (2.5.2.3) and the board's own: what they have, and in which cells.
 
 use super::base::Base;
 
-/// A function block of the norm.
+/// A function block of the norm, or of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Standard {
     /// Keeps a bit; setting wins.
@@ -25,6 +25,11 @@ pub enum Standard {
     Ton,
     /// Q follows IN by PT, where it falls.
     Tof,
+    /// Q follows the time for which IN has been 1 in all; a reset alone ends it (NC-14).
+    Tonr,
+    /// A counter of the board (NC-15): 32 bits wide, counts both ways, and what of it a call does not give is not done.
+    /// QU and QD are what the number and the preset say at each moment.
+    Counter,
 }
 
 /// What a member of a block is for.
@@ -41,7 +46,7 @@ pub enum Role {
 /// A cell of a block: its name, its type, and for whom it is.
 pub type Part = (&'static str, Base, Role);
 
-use Base::{Bool, Int, Time};
+use Base::{Bool, Dint, Int, Time};
 use Role::{Hidden, Input, Output};
 
 const TIMER: &[Part] = &[
@@ -54,6 +59,14 @@ const TIMER: &[Part] = &[
     ("#AT", Base::Lint, Hidden),
 ];
 
+/// Where each part of a counter that counts both ways stands.
+pub(crate) mod counter {
+    pub(crate) const PRESET: u32 = 4;
+    pub(crate) const UP: u32 = 5;
+    pub(crate) const DOWN: u32 = 6;
+    pub(crate) const NUMBER: u32 = 7;
+}
+
 const EDGE: &[Part] = &[
     ("CLK", Bool, Input),
     ("Q", Bool, Output),
@@ -61,7 +74,7 @@ const EDGE: &[Part] = &[
 ];
 
 impl Standard {
-    /// All of them.
+    /// Those of the norm, which texts declare by these names.
     pub const ALL: [Standard; 10] = [
         Standard::Sr,
         Standard::Rs,
@@ -88,10 +101,12 @@ impl Standard {
             Standard::Tp => "TP",
             Standard::Ton => "TON",
             Standard::Tof => "TOF",
+            Standard::Tonr => "TONR",
+            Standard::Counter => "COUNTER",
         }
     }
 
-    /// The block of this name, in upper case.
+    /// The block of the norm that has this name, in upper case.
     pub fn named(name: &str) -> Option<Standard> {
         Standard::ALL.into_iter().find(|block| block.name() == name)
     }
@@ -138,7 +153,19 @@ impl Standard {
                 ("#CU", Bool, Hidden),
                 ("#CD", Bool, Hidden),
             ],
-            Standard::Tp | Standard::Ton | Standard::Tof => TIMER,
+            Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr => TIMER,
+            Standard::Counter => &[
+                ("CU", Bool, Input),
+                ("CD", Bool, Input),
+                ("R", Bool, Input),
+                ("LD", Bool, Input),
+                ("PV", Dint, Input),
+                ("QU", Bool, Output),
+                ("QD", Bool, Output),
+                ("CV", Dint, Output),
+                ("#CU", Bool, Hidden),
+                ("#CD", Bool, Hidden),
+            ],
         }
     }
 
@@ -159,13 +186,53 @@ impl Standard {
         matches!(self, Standard::RTrig | Standard::FTrig)
     }
 
-    /// Whether an instance may be called at one place alone: the board's timers and counters look at their inputs there.
+    /// Whether an instance may be called at one place alone: a timer of the board is a place in its program.
     pub const fn has_one_call(self) -> bool {
-        !matches!(self, Standard::Sr | Standard::Rs) && !self.is_edge()
+        self.is_timer()
     }
 
     /// Whether it is one of the board's timers.
     pub const fn is_timer(self) -> bool {
-        matches!(self, Standard::Tp | Standard::Ton | Standard::Tof)
+        matches!(
+            self,
+            Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr
+        )
+    }
+
+    /// Whether it is one of the board's counters.
+    pub const fn is_counter(self) -> bool {
+        matches!(
+            self,
+            Standard::Ctu | Standard::Ctd | Standard::Ctud | Standard::Counter
+        )
+    }
+
+    /// The cell of its preset; none of what has none.
+    pub const fn preset(self) -> Option<u32> {
+        match self {
+            Standard::Tp | Standard::Ton | Standard::Tof | Standard::Tonr => Some(1),
+            Standard::Ctu | Standard::Ctd => Some(2),
+            Standard::Ctud | Standard::Counter => Some(counter::PRESET),
+            _ => None,
+        }
+    }
+
+    /// The cell of a counter's number.
+    pub const fn number(self) -> Option<u32> {
+        match self {
+            Standard::Ctu | Standard::Ctd => Some(4),
+            Standard::Ctud | Standard::Counter => Some(counter::NUMBER),
+            _ => None,
+        }
+    }
+
+    /// The cells that say whether a counter has reached its preset, and whether it is 0 or less.
+    pub const fn reached(self) -> [Option<u32>; 2] {
+        match self {
+            Standard::Ctu => [Some(3), None],
+            Standard::Ctd => [None, Some(3)],
+            Standard::Ctud | Standard::Counter => [Some(counter::UP), Some(counter::DOWN)],
+            _ => [None, None],
+        }
     }
 }

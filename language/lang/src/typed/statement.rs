@@ -43,11 +43,38 @@ pub enum StmtKind {
     Call(Call),
     /// Runs a block of the norm, whose inputs have been stored.
     Standard(Standard, Place),
+    /// Does to a timer or a counter what an instruction of the board does beside its call.
+    Order(Order, Standard, Place),
     /// Shows a variable on a PC; marks it as watched on a board.
     Print(String, Expr),
     /// Goes to the statement of this number in the unit's body, if the condition holds. It stands in the body
     /// itself, in no other statement.
     Jump(Option<Expr>, u32),
+}
+
+/// What is done to a timer or a counter beside its call. A counter's outputs follow at once.
+#[derive(Clone, Debug)]
+pub enum Order {
+    /// A counter is 0, a timer as if it had never been started.
+    Reset,
+    /// A counter becomes its preset, or 0 where that is less.
+    Load,
+    /// Its preset, of the type of that.
+    Preset(Expr),
+    /// A counter's number, of the type of that.
+    Number(Expr),
+    /// ET becomes the time that the board shows at this moment (NC-14).
+    Look,
+}
+
+impl Order {
+    /// What it computes.
+    pub const fn value(&self) -> Option<&Expr> {
+        match self {
+            Order::Preset(value) | Order::Number(value) => Some(value),
+            Order::Reset | Order::Load | Order::Look => None,
+        }
+    }
 }
 
 /// An arm of CASE: the first and the last number of each of its ranges, and what is done.

@@ -197,6 +197,13 @@ fn statements(all: &[Stmt], tree: &Tree, faults: &mut Vec<String>) {
             }
             StmtKind::Call(of) => call(of, tree, faults),
             StmtKind::Standard(_, of) => place(of, tree, faults),
+            StmtKind::Order(order, _, of) => {
+                order
+                    .value()
+                    .into_iter()
+                    .for_each(|of| expression(of, tree, faults));
+                place(of, tree, faults);
+            }
             StmtKind::Print(_, value) => expression(value, tree, faults),
             StmtKind::Jump(condition, _) => {
                 condition

@@ -1,6 +1,7 @@
 //! Calls of instances: blocks of the text and of the norm.
 //!
-//! Owns that an instance of a timer or a counter has one call, not in a loop; an edge may have several.
+//! Owns that an instance of a timer has one call, not in a loop; a counter and an edge may have several. Owns what is
+//! done to a timer or a counter beside its call.
 
 use super::arguments::{Argument, Params};
 use super::builder::{BlockCall, Builder, Instance};
@@ -8,7 +9,7 @@ use super::named::{Param, Section};
 use super::places::Target;
 use crate::diagnostics::{Code, Span};
 use crate::typed::standard::{Role, Standard};
-use crate::typed::{Base, Call, Input, Kind, Root, Stmt, StmtKind, TypeId};
+use crate::typed::{Base, Call, Expr, ExprKind, Input, Kind, Order, Root, Stmt, StmtKind, TypeId};
 
 impl Builder<'_, '_> {
     /// A call of an instance of a block: its inputs, the call, what is read behind it.
@@ -31,6 +32,34 @@ impl Builder<'_, '_> {
                 Vec::new()
             }
         }
+    }
+
+    #[allow(dead_code, reason = "a front end of Instruction List orders so")]
+    /// What is done to a timer or a counter beside its call; none of what is neither, which the front end tells, and where a
+    /// value is wrong.
+    pub fn order(&mut self, target: Target, order: Order, at: Span) -> Option<Stmt> {
+        let Kind::Standard(block) = *self.tree.types.kind(target.ty) else {
+            return None;
+        };
+        if !block.is_timer() && !block.is_counter() {
+            return None;
+        }
+        self.writes = true;
+        let order = match order {
+            Order::Preset(value) => Order::Preset(self.as_part(value, block, block.preset()?)?),
+            Order::Number(value) => Order::Number(self.as_part(value, block, block.number()?)?),
+            other => other,
+        };
+        let kind = StmtKind::Order(order, block, target.place);
+        Some(Stmt { kind, at })
+    }
+
+    #[allow(dead_code, reason = "see `order`")]
+    /// A value as a part of a block holds it.
+    fn as_part(&mut self, value: Expr, block: Standard, part: u32) -> Option<Expr> {
+        let (_, base, _) = block.parts().get(part as usize)?;
+        let value = self.coerce(value, TypeId::of(*base));
+        (!matches!(value.kind, ExprKind::Wrong)).then_some(value)
     }
 
     fn own_block(

@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use super::named::Traits;
+use crate::typed::standard::{Standard, counter};
 use crate::typed::{Base, Cell, Initial, Kind, TypeId, Value};
 
 impl Builder<'_, '_> {
@@ -60,6 +61,7 @@ impl Builder<'_, '_> {
             Kind::Standard(block) => {
                 let parts = block.parts().iter();
                 cells.extend(parts.map(|part| one(part.1, Value::zero(part.1))));
+                begin_outputs(*block, &mut cells[start..]);
             }
             Kind::Block(unit) => {
                 if let Some(draft) = self.draft(*unit) {
@@ -104,7 +106,25 @@ impl Builder<'_, '_> {
                         self.fill(*ty, initial, cells);
                     }
                 }
+                if let Kind::Standard(block) = self.tree.types.kind(ty) {
+                    begin_outputs(*block, cells);
+                }
             }
+        }
+    }
+}
+
+/// What a counter of the board says before its first call: that it is 0, and whether that is its preset.
+fn begin_outputs(block: Standard, cells: &mut [Cell]) {
+    if block != Standard::Counter {
+        return;
+    }
+    let at = |part: u32| part as usize;
+    let preset = cells.get(at(counter::PRESET));
+    let reached = preset.is_none_or(|preset| preset.initial.int() <= 0);
+    for (part, state) in [(counter::UP, reached), (counter::DOWN, true)] {
+        if let Some(cell) = cells.get_mut(at(part)) {
+            cell.initial = Value::truth(state);
         }
     }
 }
