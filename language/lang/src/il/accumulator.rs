@@ -21,6 +21,7 @@ pub(super) enum Changes<'p> {
 impl Walk<'_, '_, '_> {
     /// The accumulator, for an instruction that uses it; told where it holds nothing.
     pub(super) fn take(&mut self, what: &str, span: Span) -> Option<Expr> {
+        self.undecided();
         self.unused = None;
         match std::mem::replace(&mut self.acc, Acc::Wrong) {
             Acc::Value(expr) => Some(expr),
@@ -35,7 +36,69 @@ impl Walk<'_, '_, '_> {
     /// The accumulator as a bit.
     pub(super) fn take_bit(&mut self, what: &str, span: Span) -> Option<Expr> {
         let expr = self.take(what, span)?;
-        self.as_bit(expr, super::operands::ACCUMULATOR, span)
+        self.as_bit(expr, super::said::ACCUMULATOR, span)
+    }
+
+    /// Puts the condition of the IF that was made last aside, where it is used once more.
+    pub(super) fn undecided(&mut self) {
+        let Some(state) = self.decided.take() else {
+            return;
+        };
+        let Some(Stmt {
+            kind: StmtKind::If(arms, otherwise),
+            ..
+        }) = self.made.last().and_then(|made| made.last())
+        else {
+            return;
+        };
+        let Some((condition, _)) = arms.first() else {
+            return;
+        };
+        let condition = condition.clone();
+        let at = condition.at;
+        // One contact that nothing of it changes is read again.
+        let is_leaf = matches!(condition.kind, ExprKind::Constant(_) | ExprKind::Read(_));
+        let changed = arms.iter().flat_map(|(_, body)| body).chain(otherwise);
+        let is_kept = is_leaf
+            && changed.into_iter().all(|one| match &one.kind {
+                StmtKind::Assign(place, ..) => {
+                    !self.may_read(&condition, &Changes::Cells(place, 1))
+                }
+                _ => false,
+            });
+        if is_kept {
+            self.links = 0;
+            let held = match state {
+                true => condition,
+                false => self.front.builder.not(condition, at),
+            };
+            return self.hold(Some(held));
+        }
+        let Some(target) = self.own(Base::Bool, at) else {
+            return;
+        };
+        let Some(put) = self.assigned(&target, condition, at) else {
+            return;
+        };
+        let held = self.read(target, at);
+        if let Some(made) = self.made.last_mut() {
+            if let Some(Stmt {
+                kind: StmtKind::If(arms, _),
+                ..
+            }) = made.last_mut()
+                && let Some((condition, _)) = arms.first_mut()
+            {
+                *condition = held.clone();
+            }
+            let before = made.len().saturating_sub(1);
+            made.insert(before, put);
+        }
+        self.links = 0;
+        let held = match state {
+            true => held,
+            false => self.front.builder.not(held, at),
+        };
+        self.hold(Some(held));
     }
 
     /// Puts a new value into the accumulator.
@@ -101,6 +164,15 @@ impl Walk<'_, '_, '_> {
 
     /// Before something changes: whatever is still needed and reads that is put aside.
     pub(super) fn before(&mut self, changes: &Changes, needed: bool) {
+        self.undecided();
+        self.before_others(changes);
+        if needed && self.changed(Some(self.acc.clone()), changes).is_some() {
+            self.settle();
+        }
+    }
+
+    /// The same of what waits, but for the accumulator.
+    pub(super) fn before_others(&mut self, changes: &Changes) {
         for at in 0..self.frames.len() {
             let acc = self.frames.get(at).map(|frame| frame.acc.clone());
             if let Some(expr) = self.changed(acc, changes) {
@@ -120,9 +192,6 @@ impl Walk<'_, '_, '_> {
             }
         }
         self.before_block(changes);
-        if needed && self.changed(Some(self.acc.clone()), changes).is_some() {
-            self.settle();
-        }
     }
 
     /// What a result reads that changes.
@@ -137,27 +206,12 @@ impl Walk<'_, '_, '_> {
     pub(super) fn does(&mut self, statement: Stmt, needed: bool) {
         match &statement.kind {
             StmtKind::Assign(place, ..) => self.before(&Changes::Cells(place, 1), needed),
-            _ => self.before(&Changes::Anything, needed),
-        }
-        self.push(statement);
-    }
-
-    /// Statements that are done where the condition holds.
-    pub(super) fn conditional(&mut self, condition: Expr, body: Vec<Stmt>, at: Span, needed: bool) {
-        match body.as_slice() {
-            [
-                Stmt {
-                    kind: StmtKind::Assign(place, ..),
-                    ..
-                },
-            ] => {
-                let place = place.clone();
-                self.before(&Changes::Cells(&place, 1), needed);
+            StmtKind::Order(_, block, place) => {
+                self.before(&Changes::Cells(place, block.cells()), needed);
             }
             _ => self.before(&Changes::Anything, needed),
         }
-        let kind = StmtKind::If(vec![(condition, body)], Vec::new());
-        self.push(Stmt { kind, at });
+        self.push(statement);
     }
 
     /// Whether an expression may read what changes. Inputs stay what they are throughout a scan.

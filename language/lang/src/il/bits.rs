@@ -1,6 +1,6 @@
 //! What works on the accumulator: loads and operations with an operand.
 
-use super::operands::{ACCUMULATOR, OPERAND, constant};
+use super::said::{ACCUMULATOR, OPERAND, constant};
 use super::walk::{Acc, Walk};
 use crate::ast::Instr;
 use crate::diagnostics::{Code, Span};
@@ -27,6 +27,7 @@ pub(super) fn name(op: Op) -> &'static str {
 
 impl Walk<'_, '_, '_> {
     pub(super) fn load(&mut self, instr: &Instr) {
+        self.decided = None;
         self.warn_unused();
         self.unused = Some(instr.whole);
         let inverted = std::mem::take(&mut self.inverts) != instr.negated;
@@ -61,19 +62,24 @@ impl Walk<'_, '_, '_> {
             return self.truth(number == 0, expr.at);
         }
         let ones = self.whole(-1, span);
-        self.bitwise(Binary::Xor, expr, ones, span)
+        self.joined(Binary::Xor, expr, ones, span)
     }
 
     pub(super) fn not(&mut self, instr: &Instr) {
+        if let Some(state) = self.decided {
+            self.unused = None;
+            self.decided = Some(!state);
+            return;
+        }
         let expr = self.take("NOT", instr.span);
         let expr = expr.map(|expr| self.inverted(expr, instr.span));
         self.hold(expr);
     }
 
     /// AND, OR, XOR, arithmetic and comparisons, at once or deferred.
-    pub(super) fn operate(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn operate(&mut self, instr: &Instr) {
         if let Some(open) = instr.open {
-            return self.defer(instr, open, at);
+            return self.defer(instr, open);
         }
         let mut left = self.take(name(instr.op), instr.span);
         let Some(operand) = instr.operands.first() else {

@@ -6,32 +6,15 @@ use super::edges::given;
 use super::first::part;
 use super::operands::Is;
 use super::timers::Preset;
-use super::walk::{Acc, Walk};
+use super::used::COUNTER_PRESET;
+use super::walk::{Acc, Block, Walk};
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
-use crate::typed::build::Target;
-use crate::typed::{Expr, Standard};
+use crate::typed::{Order, Stmt, StmtKind};
 use unoclp_core::isa::Opcode;
-
-/// A block whose inputs are being connected.
-pub(super) struct Block {
-    operand: Operand,
-    block: Option<(Target, Standard)>,
-    name: String,
-    span: Span,
-    /// IN, or CU.
-    start: Option<Expr>,
-    down: Option<Expr>,
-    reset: Option<Expr>,
-    set: Option<Expr>,
-    /// It stands in the program; what follows uses its outputs.
-    written: bool,
-}
 
 /// The preset of a Twido's timer that nothing says: 9999 minutes, in ms.
 const TIMER_PRESET: i32 = 9999 * 60_000;
-/// Likewise of a counter.
-const COUNTER_PRESET: i32 = 9999;
 
 impl Walk<'_, '_, '_> {
     pub(super) fn begin_block(&mut self, instr: &Instr) {
@@ -43,7 +26,7 @@ impl Walk<'_, '_, '_> {
         };
         self.only(instr, 1);
         let block = match self.meaning(operand) {
-            Is::Block(target, block) if block.is_timer() || block.part("PV").is_some() => {
+            Is::Block(target, block) if block.is_timer() || block.is_counter() => {
                 Some((target, block))
             }
             Is::Wrong => None,
@@ -71,6 +54,12 @@ impl Walk<'_, '_, '_> {
         let known = name == "Q" || name == "D" && !block.is_timer();
         let output = part(block, name).filter(|_| known)?;
         self.part_of(target, block, output).map(Is::Variable)
+    }
+
+    pub(super) fn names_block_member(&self, operand: &Operand) -> bool {
+        let of = self.block.as_ref().and_then(|block| block.block.as_ref());
+        let name = operand.name().unwrap_or_default();
+        of.is_some_and(|(_, block)| name == "Q" || name == "D" && !block.is_timer())
     }
 
     /// IN, CU, CD, R, S within a block: the accumulator is connected to that input.
@@ -128,10 +117,10 @@ impl Walk<'_, '_, '_> {
         match (self.meaning(operand), word) {
             (Is::Block(target, block), "IN") if block.is_timer() => {
                 if let Some(preset) = self.declared_preset(operand, span) {
-                    self.start_timer(operand, &target, bit, preset, span);
+                    self.start_timer(operand, &target, Some(bit), preset, span);
                 }
             }
-            (Is::Block(target, block), "CU" | "CD") if block.part("PV").is_some() => {
+            (Is::Block(target, block), "CU" | "CD") if block.is_counter() => {
                 let preset = Some(self.declared_count(operand, span));
                 let (up, down) = match word {
                     "CU" => (Some(bit), None),
@@ -143,7 +132,7 @@ impl Walk<'_, '_, '_> {
                     preset,
                     ..Inputs::default()
                 };
-                self.count(&target, block, inputs, span);
+                self.count(operand, &target, inputs, span);
             }
             (Is::Block(target, block), "CLK") if block.is_edge() => {
                 self.run_block(&target, vec![given("CLK", bit)], span);
@@ -241,15 +230,17 @@ impl Walk<'_, '_, '_> {
                 load: set,
                 preset: Some(preset),
             };
-            return self.count(&target, standard, inputs, span);
+            return self.count(&operand, &target, inputs, span);
         }
         let Some(start) = start else {
             let needs = ("its input, IN", "sua entrada, IN");
             return self.tell(Code::ParameterMissing, span, [name.into(), needs.into()]);
         };
-        self.start_timer(&operand, &target, start, preset, span);
-        if reset.is_some() {
-            self.not_yet(span);
+        self.start_timer(&operand, &target, Some(start), preset, span);
+        if let Some(reset) = reset {
+            let order = self.order(&target, Order::Reset, span);
+            let kind = StmtKind::If(vec![(reset, order.into_iter().collect())], Vec::new());
+            self.push(Stmt { kind, at: span });
         }
     }
 }

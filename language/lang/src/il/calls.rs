@@ -1,7 +1,8 @@
 //! CAL and what it may call.
 
 use super::edges::given;
-use super::operands::{ACCUMULATOR, BOOL, Is, NUMBER, Words, constant};
+use super::operands::Is;
+use super::said::{ACCUMULATOR, BOOL, NUMBER, Words, constant};
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Operand, Param};
 use crate::diagnostics::{Code, Span};
@@ -129,7 +130,6 @@ impl<'a> Walk<'_, 'a, '_> {
 
     /// Calls a block of the norm with these inputs.
     pub(super) fn run_block(&mut self, target: &Target, given: Vec<Argument>, span: Span) {
-        self.front.writes = true;
         let body = self.front.builder.block(target.clone(), given, span);
         let cells = self.front.builder.tree.types.get(target.ty).cells;
         self.before(

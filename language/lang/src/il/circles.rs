@@ -1,7 +1,7 @@
 //! Units that come to call themselves, which would never end.
 
-use super::Front;
-use crate::ast::{Instr, Stmt, UnitKind};
+use super::front::Front;
+use crate::ast::{Instr, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 
@@ -21,6 +21,7 @@ impl Front<'_, '_> {
                     continue;
                 }
                 on_way[unit] = true;
+                self.called[unit] |= first == 0;
                 let Some(&(to, at)) = calls[unit].get(next) else {
                     on_way[unit] = false;
                     continue;
@@ -60,10 +61,6 @@ impl Front<'_, '_> {
         }
         let mut vars = self.units[unit].vars.iter();
         let ty = &vars.find(|var| var.name.text == name)?.ty.text;
-        let mut units = self.units.iter();
-        units.rposition(|unit| {
-            let named = unit.name.as_ref().map(|name| &name.text);
-            unit.kind == UnitKind::FunctionBlock && named == Some(ty)
-        })
+        self.block_named(ty)
     }
 }

@@ -2,7 +2,8 @@
 
 use super::calls::is_given;
 use super::edges::given;
-use super::operands::{ACCUMULATOR, Is};
+use super::operands::Is;
+use super::said::ACCUMULATOR;
 use super::stack::more_inputs;
 use super::timers::Preset;
 use super::walk::{Acc, Walk};
@@ -11,7 +12,8 @@ use crate::diagnostics::{Code, Span};
 use crate::names::Place;
 use crate::operators::Op;
 use crate::typed::build::Target;
-use crate::typed::{Base, Expr, Standard, TypeId};
+use crate::typed::{Expr, Standard};
+use unoclp_core::isa::Opcode;
 
 /// The inputs of a counter.
 #[derive(Default)]
@@ -91,10 +93,17 @@ impl Walk<'_, '_, '_> {
         if !complete || inputs.preset.is_none() {
             return;
         }
-        self.count(&target, block, inputs, span);
+        let down = instr.op == Op::CountDown;
+        let kind = if down {
+            Opcode::CountDown
+        } else {
+            Opcode::CountUp
+        };
+        self.note_kind(operand, kind);
+        self.count(operand, &target, inputs, span);
         match by_norm {
             true => {
-                let q = if block == Standard::Ctud { "QU" } else { "Q" };
+                let q = if down { "QD" } else { "QU" };
                 self.load_part(target, block, q, span);
             }
             false => self.acc = Acc::Empty,
@@ -103,7 +112,7 @@ impl Walk<'_, '_, '_> {
 
     pub(super) fn counter_place(&mut self, operand: &Operand) -> Option<(Target, Standard)> {
         match self.meaning(operand) {
-            Is::Block(target, block) if block.part("PV").is_some() => Some((target, block)),
+            Is::Block(target, block) if block.is_counter() => Some((target, block)),
             Is::Wrong => None,
             _ => {
                 self.not_callable(operand);
@@ -135,23 +144,50 @@ impl Walk<'_, '_, '_> {
         }
     }
 
+    fn kind_of(&mut self, operand: &Operand) -> Option<Opcode> {
+        let instance = Some(self.instance);
+        let found = &mut *self.front.builder.found;
+        match self.front.names.place(operand, instance, found) {
+            Place::Counter(counter) => self.front.names.counters.get(counter)?.kind,
+            _ => None,
+        }
+    }
+
+    /// Which way a counter counts, from here on.
+    pub(super) fn note_kind(&mut self, operand: &Operand, kind: Opcode) {
+        let instance = Some(self.instance);
+        let found = &mut *self.front.builder.found;
+        if let Place::Counter(counter) = self.front.names.place(operand, instance, found)
+            && let Some(counter) = self.front.names.counters.get_mut(counter)
+        {
+            counter.kind = Some(kind);
+        }
+    }
+
     /// Counts, then loads, then resets, as the norm has it.
-    pub(super) fn count(&mut self, target: &Target, block: Standard, inputs: Inputs, span: Span) {
+    pub(super) fn count(&mut self, operand: &Operand, target: &Target, inputs: Inputs, span: Span) {
+        self.front.writes = true;
         let mut all = Vec::new();
-        for (name, input) in [
-            ("CU", inputs.up),
-            ("CD", inputs.down),
-            ("R", inputs.reset),
-            ("LD", inputs.load),
+        for (name, input) in [("CU", inputs.up), ("CD", inputs.down)] {
+            all.extend(input.map(|input| given(name, input)));
+        }
+        let written = self.spelled(operand);
+        for (names, input) in [
+            (["R", "RESET"], inputs.reset),
+            (["LD", "LOAD"], inputs.load),
         ] {
-            match (input, block.part(name)) {
-                (Some(input), Some(_)) => all.push(given(name, input)),
-                (Some(_), None) => return self.not_yet(span),
-                (None, _) => {}
-            }
+            // What one call gives is that call's alone; what the text stores stays.
+            let stored = names
+                .iter()
+                .any(|name| self.front.names.stores(&written, name));
+            let input = match input {
+                Some(input) => Some(input),
+                None if stored => None,
+                None => Some(self.truth(false, span)),
+            };
+            all.extend(input.map(|input| given(names[0], input)));
         }
         if let Some(Preset::Given(preset)) = inputs.preset {
-            let preset = self.fit(preset, TypeId::of(Base::Int), Base::Int);
             all.push(given("PV", preset));
         }
         self.run_block(target, all, span);
@@ -168,8 +204,18 @@ impl Walk<'_, '_, '_> {
         span: Span,
     ) {
         let name = self.spelled(operand);
-        let order = match block {
-            Standard::Ctd => ["CD", "LD", "PV"],
+        let has = |this: &Self, input: &str| {
+            is_given(params, input, usize::MAX) || this.front.names.stores(&name, input)
+        };
+        let down = has(self, "CD") && !has(self, "CU");
+        let kind = match self.kind_of(operand) {
+            Some(kind) => kind,
+            None if down => Opcode::CountDown,
+            None => Opcode::CountUp,
+        };
+        self.note_kind(operand, kind);
+        let order = match kind {
+            Opcode::CountDown => ["CD", "LD", "PV"],
             _ => ["CU", "R", "PV"],
         };
         let mut inputs = Inputs::default();
@@ -206,9 +252,10 @@ impl Walk<'_, '_, '_> {
         if inputs.preset.is_none() {
             return;
         }
-        self.count(&target, block, inputs, span);
+        self.count(operand, &target, inputs, span);
         for param in params.iter().filter(|param| param.out) {
             let output = match param.name.as_ref().map(|name| name.text.as_str()) {
+                Some("Q") if kind == Opcode::CountDown => Some("QD"),
                 Some(output @ ("Q" | "QU" | "QD" | "CV")) => super::first::part(block, output),
                 _ => {
                     let has = ("it gives Q, QU, QD and CV", "dá Q, QU, QD e CV");

@@ -1,18 +1,19 @@
 //! Units and variables: what `names` makes of their declarations, and the same in the tree.
 
-use super::Front;
+use super::first;
+use super::front::{Front, MOST_WITHIN};
+use super::used::edge_name;
 use crate::ast::{Section as Part, Stmt, Unit, UnitKind as Kind, Var};
 use crate::diagnostics::{Code, Span};
+use crate::names::declare::is_new;
 use crate::names::{Instance, Place};
 use crate::operators::Op;
 use crate::tree::{Bit, Num};
 use crate::typed::build::{Named, Section, Traits};
-use crate::typed::{Base, Kind as Type, Standard, TypeId, UnitKind};
+use crate::typed::{Base, Kind as Type, Root, Standard, TypeId, UnitKind};
 use unoclp_core::isa::Opcode;
-use unoclp_point::{Kind as Point, read};
+use unoclp_point::{Address, Kind as Point, read};
 
-/// Blocks stand in one another no deeper.
-const MOST_WITHIN: usize = 16;
 /// More instances than this no board holds.
 const MOST_INSTANCES: usize = 4_000;
 
@@ -202,6 +203,12 @@ impl Front<'_, '_> {
             }
             return self.builder.hide(&name);
         };
+        let is_block = !self.builder.tree.types.is_scalar(ty);
+        let is_new = is_new(var, self.units[unit].kind);
+        if is_block && is_new {
+            // It has been told.
+            return self.builder.hide(&name);
+        }
         let initial = self.initial(var, ty, point);
         let traits = Traits {
             initial,
@@ -224,15 +231,35 @@ impl Front<'_, '_> {
             self.builder.leave();
         }
         let taken = self.builder.is_taken(&name);
-        if taken
-            || self
-                .builder
-                .declare(&name, var.name.span, ty, section, traits)
-                .is_none()
-        {
-            self.builder.hide(&name);
+        let retain = traits.retain;
+        let at = var.name.span;
+        let made = match taken {
+            true => None,
+            false => self.builder.declare(&name, at, ty, section, traits),
+        };
+        match made {
+            Some(made) if made.root == Root::Static && !retain => {
+                self.pin(&name, ty, made.offset);
+            }
+            Some(_) => {}
+            None => self.builder.hide(&name),
         }
         self.builder.go(before);
+    }
+
+    /// A counter with the name of one of the board's is that one.
+    fn pin(&mut self, name: &str, ty: TypeId, offset: u32) {
+        let Type::Standard(block) = *self.builder.tree.types.kind(ty) else {
+            return;
+        };
+        let own = name.strip_prefix(['C', 'c']);
+        let own = own.and_then(|n| n.parse::<u8>().ok());
+        let board = self.names.board;
+        let own = own.filter(|n| (1..=board.counters).contains(n));
+        if let (Some(own), Some(number)) = (own, block.number()) {
+            let points = &mut self.builder.tree.points;
+            points.push((offset + number, Address::Count(own)));
+        }
     }
 
     /// The type of a block: of the norm, or of the text, which is declared first.
@@ -241,11 +268,7 @@ impl Front<'_, '_> {
         if let Some(standard) = self.standard(&var.ty.text, key) {
             return Some(self.type_of(standard));
         }
-        let named = |unit: &Unit| {
-            let name = unit.name.as_ref().map(|name| name.text.as_str());
-            unit.kind == Kind::FunctionBlock && name == Some(var.ty.text.as_str())
-        };
-        let index = self.units.iter().rposition(named)?;
+        let index = self.block_named(&var.ty.text)?;
         if index == unit || self.within > MOST_WITHIN {
             return None;
         }
@@ -269,19 +292,10 @@ impl Front<'_, '_> {
                 (Some(Opcode::OnDelay), _) => Standard::Ton,
                 (Some(Opcode::OffDelay), _) => Standard::Tof,
                 (Some(Opcode::Pulse), _) => Standard::Tp,
+                (Some(_), _) | (None, "TONR" | "TOR") => Standard::Tonr,
                 (None, ty) => Standard::named(ty)?,
-                _ => return None,
             },
-            "CTU" | "CTD" | "CTUD" => match (ty, uses.up, uses.down) {
-                ("CTUD", ..) | (_, true, true) => Standard::Ctud,
-                ("CTU", _, true) | (_, false, true) => match uses.reset {
-                    true => Standard::Ctud,
-                    false => Standard::Ctd,
-                },
-                ("CTD", false, false) => Standard::Ctd,
-                _ if uses.load => Standard::Ctud,
-                _ => Standard::Ctu,
-            },
+            "CTU" | "CTD" | "CTUD" => Standard::Counter,
             "R_TRIG" => Standard::RTrig,
             "F_TRIG" => Standard::FTrig,
             "SR" | "RS" if !self.is_own_block(ty) => Standard::named(ty)?,
@@ -310,9 +324,15 @@ impl Front<'_, '_> {
             };
             let ty = self.type_of(standard);
             let at = self.units.first().map_or(Span::default(), |unit| unit.span);
-            let traits = Traits::default();
-            self.builder
-                .declare(&name, at.empty(), ty, Section::Global, traits);
+            let mut traits = Traits::default();
+            if let (true, Some(preset)) = (standard.is_counter(), self.used.get(&name).preset()) {
+                traits.initial = first::preset(standard, preset);
+            }
+            let at = at.empty();
+            let made = self.builder.declare(&name, at, ty, Section::Global, traits);
+            if let Some(made) = made {
+                self.pin(&name, ty, made.offset);
+            }
         }
     }
 
@@ -340,9 +360,4 @@ impl Front<'_, '_> {
                 .declare(&name, instr.span, ty, Section::Var, traits);
         }
     }
-}
-
-/// The instance of the edge of this instruction.
-pub(super) fn edge_name(at: Span) -> String {
-    format!("#edge {}", at.start)
 }

@@ -12,7 +12,7 @@ pub(super) const MOST_FRAMES: usize = DEEPEST as usize;
 
 impl Walk<'_, '_, '_> {
     /// `AND(`: the accumulator and the operation wait on the stack.
-    pub(super) fn defer(&mut self, instr: &Instr, open: Open, at: usize) {
+    pub(super) fn defer(&mut self, instr: &Instr, open: Open) {
         if self.lost > 0 || self.frames.len() >= MOST_FRAMES {
             return self.lose(instr, open);
         }
@@ -25,7 +25,7 @@ impl Walk<'_, '_, '_> {
                 self.value(operand).map_or(Acc::Wrong, Acc::Value)
             }
             // Its load follows, and N inverts that.
-            None if loads(self.next(at)) => {
+            None if loads(self.next()) => {
                 self.inverts = open.negated;
                 Acc::Empty
             }

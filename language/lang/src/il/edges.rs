@@ -1,6 +1,6 @@
 //! Edges that have no instance of their own: EU, ED, LDP, PLS.
 
-use super::declare::edge_name;
+use super::used::edge_name;
 use super::walk::Walk;
 use crate::ast::{Instr, UnitKind};
 use crate::diagnostics::Code;

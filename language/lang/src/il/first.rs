@@ -1,6 +1,6 @@
 //! What variables begin with. What cannot be given has been told by `names`.
 
-use super::Front;
+use super::front::Front;
 use crate::ast::{Init, Var};
 use crate::names::{kept, narrow_type};
 use crate::typed::build::Named;
@@ -21,12 +21,10 @@ impl Front<'_, '_> {
         }
         match self.builder.tree.types.kind(ty) {
             Kind::Standard(block) => {
-                let preset = if block.is_timer() { "PT" } else { "PV" };
-                let number = var.init.last()?.value.number()?;
-                let (offset, part) = block.part(preset)?;
-                let ty = TypeId::of(part.1);
-                let value = Arc::new(Initial::Value(Value::Int(number.into())));
-                Some(Arc::new(Initial::Members(vec![(offset, ty, value)])))
+                let declared = var.init.last().and_then(|init| init.value.number());
+                let key = var.name.text.trim_start_matches('%');
+                let used = || self.used.get(key).preset().filter(|_| block.is_counter());
+                preset(*block, declared.or_else(used)?)
             }
             Kind::Block(unit) => {
                 let draft = self.builder.draft(*unit)?;
@@ -51,6 +49,15 @@ impl Front<'_, '_> {
     }
 }
 
+/// A timer or counter that begins with this preset.
+pub(super) fn preset(block: Standard, number: i32) -> Option<Arc<Initial>> {
+    let offset = block.preset()?;
+    let (_, base, _) = block.parts().get(offset as usize)?;
+    let value = Arc::new(Initial::Value(Value::Int(number.into())));
+    let members = vec![(offset, TypeId::of(*base), value)];
+    Some(Arc::new(Initial::Members(members)))
+}
+
 fn scalar(base: Base, number: i32) -> Option<Initial> {
     let value = match base {
         Base::Bool => Value::truth(number != 0),
@@ -61,22 +68,20 @@ fn scalar(base: Base, number: i32) -> Option<Initial> {
 
 /// The part of a block that a name of the text means, whoever's it is.
 pub(super) fn part(block: Standard, member: &str) -> Option<&'static str> {
-    use Standard::{Ctd, Ctu, Ctud, FTrig, RTrig, Rs, Sr, Tof, Ton, Tp};
+    use Standard::{Counter, FTrig, RTrig, Rs, Sr, Tof, Ton, Tonr, Tp};
     Some(match (block, member) {
-        (Ton | Tof | Tp, "Q") => "Q",
-        (Ton | Tof | Tp, "ET" | "V") => "ET",
-        (Ton | Tof | Tp, "PT" | "P") => "PT",
-        (Ton | Tof | Tp, "IN") => "IN",
-        (Ctu, "Q" | "QU" | "D") => "Q",
-        (Ctd, "Q" | "QD") => "Q",
-        (Ctud, "Q" | "QU" | "D") => "QU",
-        (Ctud, "QD") => "QD",
-        (Ctu | Ctd | Ctud, "CV" | "V") => "CV",
-        (Ctu | Ctd | Ctud, "PV" | "P") => "PV",
-        (Ctu | Ctud, "CU") => "CU",
-        (Ctd | Ctud, "CD") => "CD",
-        (Ctu | Ctud, "R" | "RESET") => "R",
-        (Ctd | Ctud, "LD" | "LOAD") => "LD",
+        (Ton | Tof | Tp | Tonr, "Q") => "Q",
+        (Ton | Tof | Tp | Tonr, "ET" | "V") => "ET",
+        (Ton | Tof | Tp | Tonr, "PT" | "P") => "PT",
+        (Ton | Tof | Tp | Tonr, "IN") => "IN",
+        (Counter, "Q" | "QU" | "D") => "QU",
+        (Counter, "QD") => "QD",
+        (Counter, "CV" | "V") => "CV",
+        (Counter, "PV" | "P") => "PV",
+        (Counter, "CU") => "CU",
+        (Counter, "CD") => "CD",
+        (Counter, "R" | "RESET") => "R",
+        (Counter, "LD" | "LOAD") => "LD",
         (RTrig | FTrig, "Q") => "Q",
         (RTrig | FTrig, "CLK") => "CLK",
         (Sr | Rs, "Q" | "Q1") => "Q1",

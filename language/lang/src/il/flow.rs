@@ -4,7 +4,7 @@
 //! jumps where it has some.
 
 use super::accumulator::Changes;
-use super::operands::{ACCUMULATOR, BOOL, NUMBER};
+use super::said::{ACCUMULATOR, BOOL, NUMBER};
 use super::walk::{Acc, If, Waiting, Walk};
 use crate::ast::{Instr, Operand, Stmt, Word};
 use crate::diagnostics::{Code, Span};
@@ -77,7 +77,7 @@ impl Walk<'_, '_, '_> {
             .as_ref()
             .and_then(|to| self.front.builder.tree.types.base(to.ty));
         if base == Some(Base::Bool)
-            && let Some(number @ 0..=1) = super::operands::constant(&expr)
+            && let Some(number @ 0..=1) = super::said::constant(&expr)
         {
             // The constants 0 and 1 are both bit and number.
             expr = self.truth(number == 1, span);
@@ -124,7 +124,7 @@ impl Walk<'_, '_, '_> {
         self.hold(held);
     }
 
-    pub(super) fn jump(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn jump(&mut self, instr: &Instr) {
         self.not_deferred("JMP", instr.span);
         let Some(operand) = instr.operands.first() else {
             return self.missing("JMP", instr.span);
@@ -141,7 +141,7 @@ impl Walk<'_, '_, '_> {
             self.carry_to(line, "JMP", instr.span);
         }
         if instr.conditional {
-            let condition = self.condition("JMPC", instr, at);
+            let condition = self.condition("JMPC", instr);
             if let (Some(condition), Some(line)) = (condition, line) {
                 self.jump_to(Some(condition), line, instr.whole);
             }
@@ -180,8 +180,9 @@ impl Walk<'_, '_, '_> {
     }
 
     /// The accumulator as a condition, where a number is true if it is not 0; inverted by N.
-    pub(super) fn condition(&mut self, what: &str, instr: &Instr, at: usize) -> Option<Expr> {
-        if self.needs.get(at + 1).copied().unwrap_or_default() {
+    pub(super) fn condition(&mut self, what: &str, instr: &Instr) -> Option<Expr> {
+        self.undecided();
+        if self.needed() {
             self.settle_costly();
         }
         let acc = self.acc.clone();
@@ -195,7 +196,7 @@ impl Walk<'_, '_, '_> {
     }
 
     pub(super) fn tested(&mut self, expr: Expr, span: Span) -> Option<Expr> {
-        if expr.base == Base::Bool || matches!(super::operands::constant(&expr), Some(0..=1)) {
+        if expr.base == Base::Bool || matches!(super::said::constant(&expr), Some(0..=1)) {
             return self.as_bit(expr, ACCUMULATOR, span);
         }
         let none = self.whole(0, span);
@@ -203,7 +204,7 @@ impl Walk<'_, '_, '_> {
         Some(builder.compare(Compare::NotEqual, expr, none, span))
     }
 
-    pub(super) fn ret(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn ret(&mut self, instr: &Instr) {
         self.not_deferred("RET", instr.span);
         self.only(instr, 0);
         let at_whole = instr.whole;
@@ -212,7 +213,7 @@ impl Walk<'_, '_, '_> {
             at: at_whole,
         };
         if instr.conditional {
-            if let Some(condition) = self.condition("RETC", instr, at) {
+            if let Some(condition) = self.condition("RETC", instr) {
                 let kind = StmtKind::If(vec![(condition, vec![statement])], Vec::new());
                 self.push(Made { kind, at: at_whole });
             }
@@ -225,11 +226,11 @@ impl Walk<'_, '_, '_> {
     }
 
     /// END, which needs no code where nothing follows.
-    pub(super) fn end(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn end(&mut self, instr: &Instr) {
         self.warn_unused();
         self.not_deferred("END", instr.span);
-        match self.next(at) {
-            Some(_) => self.ret(instr, at),
+        match self.next() {
+            Some(_) => self.ret(instr),
             None => self.only(instr, 0),
         }
     }

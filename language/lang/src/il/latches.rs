@@ -52,6 +52,7 @@ impl Walk<'_, '_, '_> {
             let words = [name.as_str().into(), needs.into()];
             return self.tell(Code::ParameterMissing, span, words);
         }
+        self.front.writes = true;
         self.run_block(&target, all, span);
         for param in params.iter().filter(|param| param.out) {
             if let Some(q) = self.part_of(target.clone(), block, "Q1") {

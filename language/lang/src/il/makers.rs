@@ -1,20 +1,23 @@
 //! What the makers write in their own ways: `OUT T0 K50`, `TIM 000 #0050`, PLS. The accumulator stays what it was where
 //! the norm's would become the result.
 
+use super::accumulator::Changes;
 use super::counters::Inputs;
-use super::operands::{ACCUMULATOR, Is};
+use super::operands::Is;
+use super::said::ACCUMULATOR;
 use super::timers::Preset;
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Operand};
 use crate::diagnostics::{Code, Span};
-use crate::typed::Expr;
+use crate::typed::{Expr, ExprKind};
+use unoclp_core::isa::Opcode;
 
 /// ms that a step of a maker's usual timer is.
 const STEP: i32 = 100;
 
 impl Walk<'_, '_, '_> {
     /// `OUT T0 K50`, `OUT C1 K3`.
-    pub(super) fn out_block_of(&mut self, instr: &Instr, expr: Expr, at: usize) {
+    pub(super) fn out_block_of(&mut self, instr: &Instr, expr: Expr) {
         let [block, preset] = &instr.operands[..] else {
             return;
         };
@@ -30,11 +33,11 @@ impl Walk<'_, '_, '_> {
         if instr.negated {
             bit = self.front.builder.not(bit, instr.whole);
         }
-        self.start_block(block, bit, preset, instr.whole, at);
+        self.start_block(block, bit, preset, instr.whole);
     }
 
     /// `TIM 000 #0050`: steps of 100 ms.
-    pub(super) fn omron_timer(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn omron_timer(&mut self, instr: &Instr) {
         let bit = self.take_bit("TIM", instr.span);
         let [timer, preset, ..] = &instr.operands[..] else {
             return self.missing_preset("TIM", "000 #0050", instr.span);
@@ -43,7 +46,7 @@ impl Walk<'_, '_, '_> {
         let (Some(bit), Some(preset)) = (bit, preset) else {
             return;
         };
-        self.start_block(timer, bit, preset, instr.whole, at);
+        self.start_block(timer, bit, preset, instr.whole);
     }
 
     /// `CNT 001 #0003`: the result before the last counts, the last one resets.
@@ -68,7 +71,7 @@ impl Walk<'_, '_, '_> {
         };
         let preset = self.preset(preset, 1);
         self.acc = Acc::Empty;
-        let Some((target, block)) = self.counter_place(counter) else {
+        let Some((target, _)) = self.counter_place(counter) else {
             return;
         };
         if up.is_none() || preset.is_none() {
@@ -80,7 +83,8 @@ impl Walk<'_, '_, '_> {
             preset,
             ..Inputs::default()
         };
-        self.count(&target, block, inputs, instr.whole);
+        self.note_kind(counter, Opcode::CountUp);
+        self.count(counter, &target, inputs, instr.whole);
     }
 
     fn missing_preset(&mut self, word: &str, example: &'static str, span: Span) {
@@ -88,23 +92,20 @@ impl Walk<'_, '_, '_> {
     }
 
     /// Starts a timer or counts; the accumulator stays.
-    fn start_block(&mut self, block: &Operand, bit: Expr, preset: Preset, span: Span, at: usize) {
-        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
-        let bit = match needed {
-            true => self.aside(bit),
-            false => bit,
-        };
+    fn start_block(&mut self, block: &Operand, bit: Expr, preset: Preset, span: Span) {
+        let bit = self.kept_for_later(bit);
         match self.meaning(block) {
             Is::Block(target, standard) if standard.is_timer() => {
-                self.start_timer(block, &target, bit.clone(), preset, span);
+                self.start_timer(block, &target, Some(bit.clone()), preset, span);
             }
-            Is::Block(target, standard) if standard.part("PV").is_some() => {
+            Is::Block(target, standard) if standard.is_counter() => {
                 let inputs = Inputs {
                     up: Some(bit.clone()),
                     preset: Some(preset),
                     ..Inputs::default()
                 };
-                self.count(&target, standard, inputs, span);
+                self.note_kind(block, Opcode::CountUp);
+                self.count(block, &target, inputs, span);
             }
             Is::Wrong => {}
             _ => self.not_callable(block),
@@ -113,8 +114,18 @@ impl Walk<'_, '_, '_> {
         self.hold(Some(bit));
     }
 
+    /// A result that the next instruction uses too, as it is now.
+    fn kept_for_later(&mut self, bit: Expr) -> Expr {
+        let simple = matches!(bit.kind, ExprKind::Read(_));
+        let stays = simple && !self.may_read(&bit, &Changes::Anything);
+        match self.needed() && !stays {
+            true => self.aside(bit),
+            false => bit,
+        }
+    }
+
     /// PLS, PLF, DIFU, DIFD: the operand is 1 for the scan in which the accumulator has changed.
-    pub(super) fn differentiate(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn differentiate(&mut self, instr: &Instr) {
         let word = self.front.names.written(instr.span);
         let Some(mut bit) = self.take_bit(&word, instr.span) else {
             return;
@@ -123,9 +134,7 @@ impl Walk<'_, '_, '_> {
             return self.missing("ST", instr.span);
         };
         self.only(instr, 1);
-        if self.needs.get(at + 1).copied().unwrap_or_default() {
-            bit = self.aside(bit);
-        }
+        bit = self.kept_for_later(bit);
         if let Some(changed) = self.edge_of(bit.clone(), instr) {
             self.store_value(changed, operand, false);
         }

@@ -5,8 +5,9 @@
 //!
 //! - `used`: what the text does with its timers and counters, wherever they are declared
 //! - `declare`: units and variables; `first`: what they begin with
-//! - `operands`: what an operand means and what it is worth
-//! - `walk`: what is held on the way through a body; `accumulator`: what is put aside of it; `needs`: where it is used
+//! - `operands`: what an operand means and what it is worth; `said`: words of messages
+//! - `front`: what is known of the whole text; `walk`: what is held on the way through a body; `lines`: what each line does
+//! - `accumulator`: what is put aside of it; `needs`: where it is used
 //! - `bits`, `numbers`, `stores`, `defer`, `stack`, `branches`: what works on the accumulator
 //! - `flow`: labels, jumps, IF; `circles`: calls without end; `calls`, `units`, `timers`, `counters`, `edges`: what is called
 //! - `makers`, `blocks`: what the makers write in their own ways
@@ -25,11 +26,14 @@ mod defer;
 mod edges;
 mod first;
 mod flow;
+mod front;
 mod latches;
+mod lines;
 mod makers;
 mod needs;
 mod numbers;
 mod operands;
+mod said;
 mod stack;
 mod stores;
 mod timers;
@@ -38,36 +42,16 @@ mod used;
 mod walk;
 
 use crate::Dialect;
-use crate::ast::{Unit, UnitKind};
-use crate::diagnostics::{Code, Found, Span, Word};
+use crate::ast::Unit;
+use crate::diagnostics::Found;
 use crate::names::Names;
 use crate::typed::Tree;
 use crate::typed::build::{Builder, Letters};
 use crate::whole;
+use front::Front;
 use std::collections::{HashMap, HashSet};
 use unoclp_core::Board;
 use used::Used;
-
-/// What is known of a text on the way to its tree.
-struct Front<'a, 'f> {
-    units: &'a [Unit],
-    names: Names<'a>,
-    builder: Builder<'a, 'f>,
-    used: Used,
-    /// Of each unit: its number in the tree, and the instance whose names `names` has for it.
-    numbers: Vec<u32>,
-    instances: Vec<usize>,
-    declared: Vec<bool>,
-    /// Functions of the text, by their names.
-    functions: HashMap<String, usize>,
-    /// The outputs that a ST has driven, and where.
-    coils: HashMap<u8, Span>,
-    /// Timers that have been called, by the unit and the cell.
-    timed: HashSet<(Option<usize>, u32)>,
-    /// The units that stand in one another while they are declared.
-    within: usize,
-    writes: bool,
-}
 
 /// The tree of a text; none where something is wrong, which is told.
 pub(crate) fn tree(
@@ -93,49 +77,22 @@ pub(crate) fn tree(
         functions: HashMap::new(),
         coils: HashMap::new(),
         timed: HashSet::new(),
+        timers: vec![None; units.len()],
+        instance_calls: Vec::new(),
+        called: vec![false; units.len()],
         within: 0,
         writes: false,
     };
     front.declare_all();
+    let is_endless = front.refuse_circles();
     for unit in 0..units.len() {
         front.body(unit);
     }
+    front.timers_again();
     front.never_used();
-    let is_endless = front.refuse_circles();
     whole::check(text, units, front.writes, front.builder.found);
     if is_endless || front.builder.found.has_errors() {
         return None;
     }
     front.builder.finish()
-}
-
-impl Front<'_, '_> {
-    fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
-        self.builder.found.tell(code, at, words);
-    }
-
-    fn kind_of(&self, unit: usize) -> UnitKind {
-        self.units
-            .get(unit)
-            .map_or(UnitKind::Program, |unit| unit.kind)
-    }
-
-    /// What is read of a timer that nothing starts, and inputs that nothing reads.
-    fn never_used(&mut self) {
-        if !self.builder.found.has_errors() {
-            for timer in &self.names.timers {
-                if let (None, Some(span)) = (&timer.called, timer.read) {
-                    let name = timer.name.as_str().into();
-                    self.builder.found.tell(Code::NeverCalled, span, [name]);
-                }
-            }
-        }
-        for declared in &self.names.inputs {
-            if self.names.inputs_read >> (declared.input - 1) & 1 == 0 {
-                let name = declared.name.as_str().into();
-                let found = &mut *self.builder.found;
-                found.tell(Code::NeverRead, declared.span, [name]);
-            }
-        }
-    }
 }

@@ -1,7 +1,7 @@
 //! Numbers: 32 bits with a sign, whatever is done with them.
 
 use super::bits::name;
-use super::operands::ACCUMULATOR;
+use super::said::ACCUMULATOR;
 use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::Span;
@@ -13,11 +13,10 @@ use unoclp_core::isa::Opcode;
 impl Walk<'_, '_, '_> {
     /// Arithmetic and comparisons.
     pub(super) fn computed(&mut self, op: Op, left: Expr, right: Expr, span: Span) -> Option<Expr> {
-        let builder = &mut self.front.builder;
         let opcode = match op {
-            Op::And => return Some(self.bitwise(Binary::And, left, right, span)),
-            Op::Or => return Some(self.bitwise(Binary::Or, left, right, span)),
-            Op::Xor => return Some(self.bitwise(Binary::Xor, left, right, span)),
+            Op::And => return Some(self.joined(Binary::And, left, right, span)),
+            Op::Or => return Some(self.joined(Binary::Or, left, right, span)),
+            Op::Xor => return Some(self.joined(Binary::Xor, left, right, span)),
             Op::Number(opcode) | Op::Compare(opcode) => opcode,
             _ => return None,
         };
@@ -40,14 +39,15 @@ impl Walk<'_, '_, '_> {
                         return None;
                     }
                 };
-                return Some(builder.arithmetic(op, left, right, span));
+                return Some(self.joined(op, left, right, span));
             }
         };
+        let builder = &mut self.front.builder;
         Some(builder.compare(compare, left, right, span))
     }
 
-    /// Each bit of two numbers.
-    pub(super) fn bitwise(&mut self, op: Binary, left: Expr, right: Expr, at: Span) -> Expr {
+    /// Two numbers in one.
+    pub(super) fn joined(&mut self, op: Binary, left: Expr, right: Expr, at: Span) -> Expr {
         Expr {
             kind: ExprKind::Binary(op, Box::new(left), Box::new(right)),
             base: Base::Dint,
@@ -106,7 +106,7 @@ impl Walk<'_, '_, '_> {
             _ => return self.not_yet(instr.span),
         };
         let by = self.whole(bits.into(), at);
-        let shifted = self.bitwise(op, number, by, at);
+        let shifted = self.joined(op, number, by, at);
         self.hold(Some(shifted));
         self.link();
     }

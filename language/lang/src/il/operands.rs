@@ -1,6 +1,8 @@
 //! What an operand means, and what it is worth.
 
+use super::accumulator::Changes;
 use super::first::part;
+use super::said::{BLOCK, BOOL, NUMBER, Words, constant};
 use super::used::parts;
 use super::walk::Walk;
 use crate::ast::{Operand, OperandKind};
@@ -8,17 +10,9 @@ use crate::diagnostics::{Code, Span, Word};
 use crate::names::Place;
 use crate::tree::{Bit, Num};
 use crate::typed::build::{Named, Target};
-use crate::typed::{Base, Convert, Expr, ExprKind, Kind, Root, Standard, TypeId, Value};
+use crate::typed::{Base, Convert, Expr, Kind, Order, Root, Standard, TypeId, Value};
+use unoclp_core::isa::Opcode;
 use unoclp_point::Address;
-
-/// Words in two languages.
-pub(super) type Words = (&'static str, &'static str);
-pub(super) const BOOL: Words = ("true or false (BOOL)", "verdadeiro ou falso (BOOL)");
-pub(super) const NUMBER: Words = ("a number", "um número");
-pub(super) const BLOCK: Words = ("a block", "um bloco");
-/// What a value is called in messages where it has no name.
-pub(super) const ACCUMULATOR: Words = ("the accumulator", "o acumulador");
-pub(super) const OPERAND: Words = ("the operand", "o operando");
 
 /// What an operand means.
 #[derive(Clone, Debug)]
@@ -61,6 +55,9 @@ impl Walk<'_, '_, '_> {
             Place::Unknown => Is::Wrong,
             Place::Always(state) => Is::Constant(self.truth(state, span)),
             Place::Number(Num::Const(number)) => Is::Constant(self.whole(number, span)),
+            Place::Bit(Bit::At(Address::AtZero(_))) => {
+                self.counter_part(name, "QD", span).unwrap_or(Is::Wrong)
+            }
             _ => match (self.declared(name, span), place) {
                 (Some(is), _) => is,
                 (None, Place::Bit(Bit::At(point)) | Place::Number(Num::At(point))) => {
@@ -75,8 +72,33 @@ impl Walk<'_, '_, '_> {
                         ..target
                     })
                 }
-                (None, _) => Is::Wrong,
+                (None, _) => {
+                    self.not_yet(span);
+                    Is::Wrong
+                }
             },
+        }
+    }
+
+    /// A part of a counter, whichever the name says.
+    fn counter_part(&mut self, name: &str, part: &str, span: Span) -> Option<Is> {
+        let (block, _) = parts(name, self.front.names.dialect);
+        match self.variable(&block, None, span)? {
+            Is::Block(target, block) => self.part_of(target, block, part).map(Is::Variable),
+            _ => None,
+        }
+    }
+
+    /// Whether this counter's Q says that it is 0.
+    pub(super) fn counts_down(&mut self, operand: &Operand) -> bool {
+        let instance = Some(self.instance);
+        let found = &mut *self.front.builder.found;
+        match self.front.names.place(operand, instance, found) {
+            Place::Counter(counter) => {
+                let counter = self.front.names.counters.get(counter);
+                counter.is_some_and(|counter| counter.kind == Some(Opcode::CountDown))
+            }
+            _ => false,
         }
     }
 
@@ -173,7 +195,8 @@ impl Walk<'_, '_, '_> {
             Is::Block(block, standard) => {
                 let q = match standard {
                     Standard::Sr | Standard::Rs => "Q1",
-                    Standard::Ctud => "QU",
+                    Standard::Counter if self.counts_down(operand) => "QD",
+                    Standard::Counter => "QU",
                     _ => "Q",
                 };
                 if standard.is_timer() {
@@ -190,9 +213,32 @@ impl Walk<'_, '_, '_> {
                     self.tell(Code::NoSuchMember, span, words);
                     return None;
                 }
-                self.note_read(operand, &target);
+                if !self.names_block_member(operand) {
+                    self.note_read(operand, &target);
+                }
+                self.look(operand);
                 Some(self.read(target, span))
             }
+        }
+    }
+
+    /// The time of a timer is that of the moment when it is asked for.
+    fn look(&mut self, operand: &Operand) {
+        let (block, part) = match operand.name() {
+            Some(name) => parts(name, self.front.names.dialect),
+            None => return,
+        };
+        if !matches!(part, Some("ET" | "V")) {
+            return;
+        }
+        let Some(Is::Block(target, standard)) = self.variable(&block, None, operand.span) else {
+            return;
+        };
+        if standard.is_timer()
+            && let Some(order) = self.order(&target, Order::Look, operand.span)
+        {
+            self.before_others(&Changes::Cells(&target.place, standard.cells()));
+            self.push(order);
         }
     }
 
@@ -308,13 +354,5 @@ impl Walk<'_, '_, '_> {
             return None;
         }
         Some(expr)
-    }
-}
-
-/// The number that stands in the text.
-pub(super) fn constant(expr: &Expr) -> Option<i32> {
-    match &expr.kind {
-        ExprKind::Constant(value) if expr.base != Base::Bool => Some(value.int() as i32),
-        _ => None,
     }
 }

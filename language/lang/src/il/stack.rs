@@ -52,6 +52,7 @@ pub(super) fn more_inputs(op: Op, instr: &Instr, dialect: Dialect) -> usize {
 impl Walk<'_, '_, '_> {
     /// An LD whose result before it is still needed.
     pub(super) fn push_result(&mut self, span: Span) {
+        self.undecided();
         self.unused = None;
         let acc = std::mem::replace(&mut self.acc, Acc::Empty);
         if matches!(acc, Acc::Empty) {

@@ -1,17 +1,21 @@
 //! What writes: ST, S, R.
 
-use super::operands::{ACCUMULATOR, BLOCK, BOOL, Is, NUMBER, constant};
+use super::accumulator::Changes;
+use super::operands::Is;
+use super::said::{ACCUMULATOR, BLOCK, BOOL, NUMBER, constant};
 use super::used::parts;
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Operand, UnitKind};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
 use crate::typed::build::{Named, Target};
-use crate::typed::{Base, Convert, Expr, ExprKind, Kind, Standard, Stmt, StmtKind, Store, TypeId};
+use crate::typed::{
+    Base, Convert, Expr, ExprKind, Kind, Order, Standard, Stmt, StmtKind, Store, TypeId,
+};
 use unoclp_point::Address;
 
 impl Walk<'_, '_, '_> {
-    pub(super) fn store(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn store(&mut self, instr: &Instr) {
         let expr = self.take("ST", instr.span);
         if instr.operands.is_empty() {
             return self.missing("ST", instr.span);
@@ -23,10 +27,10 @@ impl Walk<'_, '_, '_> {
             return;
         };
         if instr.starts_block() {
-            return self.out_block_of(instr, expr, at);
+            return self.out_block_of(instr, expr);
         }
         self.hold(Some(expr));
-        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
+        let needed = self.needed();
         for (index, operand) in instr.operands.iter().enumerate() {
             let more = index + 1 < instr.operands.len();
             self.store_acc(operand, instr.negated, instr.whole, needed || more);
@@ -57,6 +61,10 @@ impl Walk<'_, '_, '_> {
         };
         let Some(statement) = self.stored(expr, &target, operand, negated, span) else {
             return;
+        };
+        let statement = Stmt {
+            at: operand.span,
+            ..statement
         };
         self.does(statement, needed && !again);
         if again {
@@ -194,6 +202,9 @@ impl Walk<'_, '_, '_> {
                 number = self.whole(if state { -1 } else { -2 }, span);
             }
         }
+        if let Some((block, order)) = self.order_for(operand, &number) {
+            return self.order(&block, order, span);
+        }
         self.assigned(target, number, span)
     }
 
@@ -220,17 +231,27 @@ impl Walk<'_, '_, '_> {
         self.front.builder.converted(value, how, ty)
     }
 
-    pub(super) fn set_or_reset(&mut self, instr: &Instr, at: usize) {
+    pub(super) fn set_or_reset(&mut self, instr: &Instr) {
         let set = instr.op == Op::Set;
         let what = if set { "S" } else { "R" };
         if instr.operands.is_empty() && self.block.is_some() {
             return self.wire(what, instr.span);
         }
-        let Some(bit) = self.take_bit(what, instr.span) else {
-            if let Some(operand) = instr.operands.first() {
-                self.meaning(operand);
+        let decided = self.decided.filter(|_| !instr.operands.is_empty());
+        let bit = match decided {
+            Some(_) => {
+                self.unused = None;
+                None
             }
-            return;
+            None => match self.take_bit(what, instr.span) {
+                Some(bit) => Some(bit),
+                None => {
+                    if let Some(operand) = instr.operands.first() {
+                        self.meaning(operand);
+                    }
+                    return;
+                }
+            },
         };
         let Some(operand) = instr.operands.first() else {
             return self.missing(what, instr.span);
@@ -242,12 +263,13 @@ impl Walk<'_, '_, '_> {
             Some(count) => count.number().unwrap_or(1).clamp(1, most) as u8,
         };
         self.only(instr, 2);
-        self.hold(Some(bit));
-        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
+        if bit.is_some() {
+            self.hold(bit);
+        }
         let span = operand.span;
         let target = match self.meaning(operand) {
             Is::Variable(target) => target,
-            Is::Block(target, block) => return self.set_block(target, block, set, instr, needed),
+            Is::Block(target, block) => return self.set_block(target, block, set, instr),
             Is::Instance(_) => {
                 self.front.writes = true;
                 let name = self.spelled(operand).into();
@@ -290,34 +312,91 @@ impl Walk<'_, '_, '_> {
             };
             targets.push(self.front.builder.point_target(more, span));
         }
-        if needed || targets.len() > 1 {
-            self.settle_costly();
-        }
-        let Acc::Value(condition) = self.acc.clone() else {
-            return;
-        };
         let mut body = Vec::new();
         for target in targets {
             let value = self.truth(set, span);
             body.extend(self.assigned(&target, value, span));
         }
-        self.conditional(condition, body, instr.whole, needed);
+        self.decide(body, instr.whole);
+    }
+
+    /// Statements where the accumulator is 1: with those before them, where these are decided by the same.
+    pub(super) fn decide(&mut self, mut body: Vec<Stmt>, span: Span) {
+        for statement in &body {
+            match &statement.kind {
+                StmtKind::Assign(place, ..) => self.before_others(&Changes::Cells(place, 1)),
+                StmtKind::Order(_, block, place) => {
+                    self.before_others(&Changes::Cells(place, block.cells()));
+                }
+                _ => self.before_others(&Changes::Anything),
+            }
+        }
+        let needed = self.needed();
+        if let Some(state) = self.decided.take() {
+            if let Some(Stmt {
+                kind: StmtKind::If(arms, otherwise),
+                ..
+            }) = self.made.last_mut().and_then(|made| made.last_mut())
+            {
+                match (state, arms.first_mut()) {
+                    (true, Some((_, then))) if otherwise.is_empty() => then.append(&mut body),
+                    _ => otherwise.append(&mut body),
+                }
+            }
+            self.decided = Some(state).filter(|_| needed);
+            return;
+        }
+        let Acc::Value(condition) = self.acc.clone() else {
+            return;
+        };
+        let kind = StmtKind::If(vec![(condition, body)], Vec::new());
+        self.push(Stmt { kind, at: span });
+        self.decided = Some(true).filter(|_| needed);
     }
 
     /// S and R of a timer or counter.
-    fn set_block(
-        &mut self,
-        _target: Target,
-        block: Standard,
-        set: bool,
-        instr: &Instr,
-        _needed: bool,
-    ) {
+    fn set_block(&mut self, target: Target, block: Standard, set: bool, instr: &Instr) {
         self.front.writes = true;
-        let counts = block.part("PV").is_some();
-        match instr.operands.first() {
-            Some(operand) if !counts && !(block.is_timer() && !set) => self.not_writable(operand),
-            _ => self.not_yet(instr.span),
-        }
+        let span = instr.whole;
+        let order = match set {
+            true if block.is_counter() => Order::Load,
+            false if block.is_counter() || block.is_timer() => Order::Reset,
+            _ => {
+                if let Some(operand) = instr.operands.first() {
+                    self.not_writable(operand);
+                }
+                return;
+            }
+        };
+        let body = self.order(&target, order, span).into_iter().collect();
+        self.decide(body, span);
+    }
+
+    /// What is done to a timer or counter beside its call.
+    pub(super) fn order(&mut self, target: &Target, order: Order, at: Span) -> Option<Stmt> {
+        self.front.builder.order(target.clone(), order, at)
+    }
+
+    /// A store in a preset, or in what a counter has counted, which the board does by instructions of their own.
+    fn order_for(&mut self, operand: &Operand, value: &Expr) -> Option<(Target, Order)> {
+        let name = operand.name()?;
+        let (block, part) = parts(name, self.front.names.dialect);
+        let Some(Named::Variable(_)) = self.front.builder.find(&block) else {
+            return None;
+        };
+        let target = self.front.builder.name(&block, operand.span)?;
+        let Kind::Standard(standard) = *self.front.builder.tree.types.kind(target.ty) else {
+            return None;
+        };
+        let value = value.clone();
+        Some(match part? {
+            "PT" | "P" if standard.is_timer() => {
+                let time = self.fit(value, TypeId::of(Base::Time), Base::Time);
+                (target, Order::Preset(time))
+            }
+            "PV" | "P" if standard.is_counter() => (target, Order::Preset(value)),
+            "CV" | "V" if standard.is_counter() => (target, Order::Number(value)),
+            _ => return None,
+        })
     }
 }

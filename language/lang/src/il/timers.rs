@@ -2,7 +2,8 @@
 
 use super::calls::is_given;
 use super::edges::given;
-use super::operands::{ACCUMULATOR, Is, constant};
+use super::operands::Is;
+use super::said::{ACCUMULATOR, constant};
 use super::walk::{Acc, Walk};
 use crate::Dialect;
 use crate::ast::{Instr, Operand, Param};
@@ -23,7 +24,7 @@ pub(super) enum Preset {
 
 impl Walk<'_, '_, '_> {
     /// `TON T1, 100` on the accumulator.
-    pub(super) fn timer_operator(&mut self, instr: &Instr, opcode: Opcode, at: usize) {
+    pub(super) fn timer_operator(&mut self, instr: &Instr, opcode: Opcode) {
         let word = operator(opcode);
         let span = instr.whole;
         let expr = self.take(word, instr.span);
@@ -47,15 +48,14 @@ impl Walk<'_, '_, '_> {
         };
         // On an S7-200 the accumulator stays what it is; by the norm it becomes Q.
         if self.front.names.dialect != Dialect::S7200 {
-            self.start_timer(operand, &target, input, preset, span);
+            self.start_timer(operand, &target, Some(input), preset, span);
             return self.load_part(target, block, "Q", span);
         }
-        let needed = self.needs.get(at + 1).copied().unwrap_or_default();
-        let input = match needed {
+        let input = match self.needed() {
             true => self.aside(input),
             false => input,
         };
-        self.start_timer(operand, &target, input.clone(), preset, span);
+        self.start_timer(operand, &target, Some(input.clone()), preset, span);
         self.links = 0;
         self.hold(Some(input));
     }
@@ -178,7 +178,7 @@ impl Walk<'_, '_, '_> {
         &mut self,
         operand: &Operand,
         target: &Target,
-        input: Expr,
+        input: Option<Expr>,
         preset: Preset,
         span: Span,
     ) {
@@ -188,14 +188,16 @@ impl Walk<'_, '_, '_> {
             called.get_or_insert_with(Vec::new);
         }
         let unit = (target.place.root != Root::Static).then_some(self.unit);
+        let name = match timer {
+            Some(timer) => self.front.names.timers[timer].name.clone(),
+            None => self.spelled(operand),
+        };
+        let first = &mut self.front.timers[self.unit];
+        first.get_or_insert_with(|| name.clone());
         if !self.front.timed.insert((unit, target.place.offset)) {
-            let name = match timer {
-                Some(timer) => self.front.names.timers[timer].name.clone(),
-                None => self.spelled(operand),
-            };
             return self.tell(Code::TimerTwice, span, [name.into()]);
         }
-        let mut all = vec![given("IN", input)];
+        let mut all: Vec<_> = input.map(|input| given("IN", input)).into_iter().collect();
         if let Preset::Given(preset) = preset {
             let preset = self.fit(preset, TypeId::of(Base::Time), Base::Time);
             all.push(given("PT", preset));
@@ -219,6 +221,7 @@ impl Walk<'_, '_, '_> {
             None => self.spelled(operand),
         };
         let (mut input, mut preset) = (None, None);
+        let mut is_stored = false;
         for (index, param) in params.iter().enumerate().filter(|(_, param)| !param.out) {
             let called = param.name.as_ref().map(|name| name.text.as_str());
             match called.or(["IN", "PT"].get(index).copied()) {
@@ -235,11 +238,8 @@ impl Walk<'_, '_, '_> {
             }
         }
         if !is_given(params, "IN", 0) {
-            let stored = self.front.names.stores(&name, "IN");
-            let part = self.part_of(target.clone(), block, "IN");
-            if let (true, Some(part)) = (stored, part) {
-                input = Some(self.read(part, span));
-            } else {
+            is_stored = self.front.names.stores(&name, "IN");
+            if !is_stored {
                 let needs = ("its input, IN", "sua entrada, IN");
                 let words = [name.as_str().into(), needs.into()];
                 self.tell(Code::ParameterMissing, span, words);
@@ -248,7 +248,7 @@ impl Walk<'_, '_, '_> {
         if !is_given(params, "PT", 1) {
             preset = self.declared_preset(operand, span);
         }
-        let (Some(input), Some(preset)) = (input, preset) else {
+        let Some(preset) = preset.filter(|_| is_stored || input.is_some()) else {
             return;
         };
         self.start_timer(operand, &target, input, preset, span);

@@ -2,19 +2,20 @@
 
 use super::accumulator::Changes;
 use super::calls::positional;
-use super::operands::{BOOL, Is, NUMBER};
+use super::operands::Is;
+use super::said::{BOOL, NUMBER};
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Param, Section, Unit, Var};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Argument, Given, Named, Target};
-use crate::typed::{Base, Expr, Kind, TypeId};
+use crate::typed::{Base, Expr, ExprKind, Kind, Root, Stmt, StmtKind, TypeId};
 use std::collections::HashSet;
 
 /// So many names a message lists at most.
 const MOST_NAMES: usize = 40;
 
-/// What a call gives, where nothing is wrong with it, and the names of the inputs among it.
-type GivenTo = (Vec<Argument>, HashSet<String>);
+/// What a call gives, where nothing is wrong with it, the names of the inputs among it, and what goes back behind it.
+type GivenTo = (Vec<Argument>, HashSet<String>, Vec<Stmt>);
 
 impl<'a> Walk<'_, 'a, '_> {
     /// Whether a function as an operator takes the accumulator as its first input: where one operand is lacking.
@@ -61,7 +62,7 @@ impl<'a> Walk<'_, 'a, '_> {
         span: Span,
     ) {
         let number = self.front.numbers[unit];
-        let Some((mut given, inputs)) = self.given_to(unit, params, first, name) else {
+        let Some((mut given, inputs, back)) = self.given_to(unit, params, first, name) else {
             self.acc = Acc::Wrong;
             return;
         };
@@ -87,7 +88,17 @@ impl<'a> Walk<'_, 'a, '_> {
             self.before(&Changes::Anything, false);
         }
         // What it may change is changed here, and once.
+        if !self.needed() {
+            if let ExprKind::Call(call) = expr.kind {
+                let kind = StmtKind::Call(*call);
+                self.push(Stmt { kind, at: span });
+            }
+            back.into_iter().for_each(|one| self.push(one));
+            self.acc = Acc::Empty;
+            return;
+        }
         let expr = self.aside(expr);
+        back.into_iter().for_each(|one| self.push(one));
         let expr = self.wide(expr);
         self.links = 0;
         self.hold(Some(expr));
@@ -132,13 +143,16 @@ impl<'a> Walk<'_, 'a, '_> {
         let Some(unit) = self.front.numbers.iter().position(|one| *one == number) else {
             return;
         };
-        let Some((given, _)) = self.given_to(unit, params, None, span) else {
+        let from = (target.place.root != Root::Static).then_some(self.unit);
+        let called = (from, target.place.offset);
+        self.front.instance_calls.push((called, unit, span));
+        let Some((given, _, back)) = self.given_to(unit, params, None, span) else {
             return;
         };
         let body = self.front.builder.block(target.clone(), given, span);
-        self.front.writes = true;
         self.before(&Changes::Anything, false);
         body.into_iter().for_each(|one| self.push(one));
+        back.into_iter().for_each(|one| self.push(one));
         let (name, _) = self.front.unit_name(unit);
         for param in params.iter().filter(|param| param.out) {
             let output = param.name.as_ref().map_or("", |name| name.text.as_str());
@@ -177,6 +191,7 @@ impl<'a> Walk<'_, 'a, '_> {
         let done = usize::from(first.is_some());
         let mut given = Vec::new();
         let mut names = HashSet::new();
+        let mut back = Vec::new();
         let mut right = true;
         if let (Some(expr), Some(var)) = (first, vars.first()) {
             right &= self.give(var, expr, span, &mut given);
@@ -203,7 +218,7 @@ impl<'a> Walk<'_, 'a, '_> {
             };
             names.insert(var.name.text.clone());
             if var.section == Section::InOut {
-                right &= self.lend(var, param, &mut given);
+                right &= self.lend(var, param, &mut given, &mut back);
                 continue;
             }
             let mut expr = self.value(&param.value);
@@ -226,7 +241,7 @@ impl<'a> Walk<'_, 'a, '_> {
             self.tell(Code::ParameterMissing, span, words);
             right = false;
         }
-        right.then_some((given, names))
+        right.then_some((given, names, back))
     }
 
     /// A value for an input.
@@ -251,8 +266,33 @@ impl<'a> Walk<'_, 'a, '_> {
         true
     }
 
+    /// A copy of a number of another width, which goes back behind the call.
+    fn lend_copy(
+        &mut self,
+        target: Target,
+        own: Option<Base>,
+        span: Span,
+        back: &mut Vec<Stmt>,
+    ) -> Target {
+        let Some(copy) = own.and_then(|own| self.own(own, span)) else {
+            return target;
+        };
+        let value = self.read(target.clone(), span);
+        let there = self.assigned(&copy, value, span);
+        there.into_iter().for_each(|one| self.push(one));
+        let value = self.read(copy.clone(), span);
+        back.extend(self.assigned(&target, value, span));
+        copy
+    }
+
     /// A variable of the caller, for VAR_IN_OUT.
-    fn lend(&mut self, var: &Var, param: &Param, given: &mut Vec<Argument>) -> bool {
+    fn lend(
+        &mut self,
+        var: &Var,
+        param: &Param,
+        given: &mut Vec<Argument>,
+        back: &mut Vec<Stmt>,
+    ) -> bool {
         let span = param.value.span;
         let text = self.spelled(&param.value);
         let wants_bit = var.ty.text == "BOOL";
@@ -268,6 +308,7 @@ impl<'a> Walk<'_, 'a, '_> {
             }
             Is::Variable(target) => {
                 let base = self.front.builder.tree.types.base(target.ty);
+                let own = Base::named(&var.ty.text);
                 match (base == Some(Base::Bool), wants_bit) {
                     (true, false) => {
                         self.wrong_type(text.into(), span, BOOL, NUMBER);
@@ -277,6 +318,7 @@ impl<'a> Walk<'_, 'a, '_> {
                         self.wrong_type(text.into(), span, NUMBER, BOOL);
                         return false;
                     }
+                    _ if own.is_some() && own != base => self.lend_copy(target, own, span, back),
                     _ => target,
                 }
             }

@@ -1,21 +1,23 @@
-//! What a text does with its timers and counters: of which kind each is, and which inputs and outputs of it count.
+//! What a text does with its timers and counters: of which kind each is, and which preset its calls give.
 
 use crate::Dialect;
 use crate::ast::{Instr, Operand, Stmt, Unit};
+use crate::diagnostics::Span;
 use crate::operators::Op;
 use std::collections::BTreeMap;
 use unoclp_core::isa::Opcode;
 use unoclp_point::{Kind, read};
 
+/// The preset of a Twido's counter that nothing says.
+pub(super) const COUNTER_PRESET: i32 = 9999;
+
 /// What is done with one of them.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Uses {
     /// The kind of timer that an operator says.
     pub timer: Option<Opcode>,
-    pub up: bool,
-    pub down: bool,
-    pub reset: bool,
-    pub load: bool,
+    /// What its calls give as its preset, of a counter; none of what is no constant.
+    presets: Vec<Option<i32>>,
 }
 
 /// All of them, by their names.
@@ -42,10 +44,9 @@ impl Used {
     pub(super) fn of(units: &[Unit], dialect: Dialect) -> Used {
         let mut used = Used::default();
         for unit in units {
-            let mut block = None;
             for stmt in &unit.body {
                 if let Stmt::Instr(instr) = stmt {
-                    used.note(instr, &mut block, dialect);
+                    used.note(instr, dialect);
                 }
             }
         }
@@ -54,7 +55,7 @@ impl Used {
 
     /// What is done with the block of this name.
     pub(super) fn get(&self, name: &str) -> Uses {
-        self.of.get(name).copied().unwrap_or_default()
+        self.of.get(name).cloned().unwrap_or_default()
     }
 
     /// The names, in order.
@@ -63,77 +64,69 @@ impl Used {
     }
 
     fn entry(&mut self, operand: &Operand, dialect: Dialect) -> Option<&mut Uses> {
-        let (block, member) = parts(operand.name()?, dialect);
-        let uses = self.of.entry(block).or_default();
-        uses.note_part(member.unwrap_or_default());
-        Some(uses)
+        let (block, _) = parts(operand.name()?, dialect);
+        Some(self.of.entry(block).or_default())
     }
 
-    fn note(&mut self, instr: &Instr, block: &mut Option<String>, dialect: Dialect) {
+    fn note(&mut self, instr: &Instr, dialect: Dialect) {
         for operand in &instr.operands {
             self.entry(operand, dialect);
         }
         for param in &instr.params {
             self.entry(&param.value, dialect);
         }
-        let Some(first) = instr.operands.first() else {
-            let within = block.as_ref().and_then(|name| self.of.get_mut(name));
-            if let Some(uses) = within {
-                match instr.op {
-                    Op::Input(Opcode::CountUp) => uses.up = true,
-                    Op::Input(Opcode::CountDown) => uses.down = true,
-                    Op::Set => uses.load = true,
-                    Op::Reset => uses.reset = true,
-                    _ => {}
-                }
-            }
+        let Some((first, others)) = instr.operands.split_first() else {
             return;
         };
-        let stacked = dialect == Dialect::S7200 && instr.operands.len() == 2;
-        let controlled = stacked || instr.operands.len() == 3;
         let Some(uses) = self.entry(first, dialect) else {
             return;
         };
+        let number = |operand: Option<&Operand>| operand.and_then(Operand::number);
         match instr.op {
             Op::Timer(kind) => uses.timer = Some(kind),
             Op::OmronTimer => uses.timer = Some(Opcode::OnDelay),
-            Op::CountUp => {
-                uses.up = true;
-                uses.reset |= controlled;
+            Op::Store if instr.starts_block() => {
+                uses.presets.push(number(others.first()));
+                if is_fx_retentive(first) {
+                    uses.timer = Some(Opcode::RetentiveOnDelay);
+                }
             }
-            Op::CountDown => {
-                uses.down = true;
-                uses.load |= controlled;
+            Op::CountUp | Op::CountDown | Op::CountUpDown if !others.is_empty() => {
+                uses.presets.push(number(others.last()));
             }
-            Op::CountUpDown => {
-                uses.up = true;
-                uses.down |= stacked;
-                uses.reset |= controlled;
-            }
-            Op::OmronCounter => (uses.up, uses.reset) = (true, true),
-            Op::Store if instr.starts_block() => uses.up = true,
-            Op::Input(Opcode::CountUp) => uses.up = true,
-            Op::Input(Opcode::CountDown) => uses.down = true,
-            Op::Set => uses.load = true,
-            Op::Reset => uses.reset = true,
+            Op::OmronCounter => uses.presets.push(number(others.first())),
+            Op::Block => uses.presets.push(Some(COUNTER_PRESET)),
             Op::Call => {
-                let named = instr.params.iter().filter_map(|param| param.name.as_ref());
-                named.for_each(|name| uses.note_part(&name.text));
+                let given = instr.params.iter().enumerate().find(|(index, param)| {
+                    let named = param.name.as_ref().map(|name| name.text.as_str());
+                    named == Some("PV") || named.is_none() && *index == 2
+                });
+                let given = given.map(|(_, param)| &param.value).or(others.get(2));
+                if given.is_some() {
+                    uses.presets.push(number(given));
+                }
             }
-            Op::Block => *block = first.name().map(|name| parts(name, dialect).0),
             _ => {}
         }
     }
 }
 
 impl Uses {
-    fn note_part(&mut self, part: &str) {
-        match part {
-            "CU" | "QU" => self.up = true,
-            "CD" | "QD" => self.down = true,
-            "R" | "RESET" => self.reset = true,
-            "LD" | "LOAD" => self.load = true,
-            _ => {}
-        }
+    /// The preset that all calls give alike.
+    pub(super) fn preset(&self) -> Option<i32> {
+        let first = *self.presets.first()?;
+        first.filter(|_| self.presets.iter().all(|one| *one == first))
     }
+}
+
+/// Whether it keeps its elapsed time until RST, as Mitsubishi's do from T246 on.
+fn is_fx_retentive(timer: &Operand) -> bool {
+    let name = timer.name().unwrap_or_default();
+    let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    name.contains('T') && matches!(number.parse::<u32>(), Ok(246..=255))
+}
+
+/// The instance of the edge of this instruction.
+pub(super) fn edge_name(at: Span) -> String {
+    format!("#edge {}", at.start)
 }

@@ -1,15 +1,12 @@
 //! A run through a body on expressions: what it holds on its way.
 
-use super::Front;
-use super::blocks::Block;
-use super::stack::pushes;
-use crate::ast::{Instr, Stmt};
+use super::front::Front;
+use crate::ast::{Instr, Operand, Stmt};
 use crate::diagnostics::{Code, Span, Word};
 use crate::operators::Op;
 use crate::typed::build::Target;
-use crate::typed::{Expr, Stmt as Made};
+use crate::typed::{Expr, Standard, Stmt as Made};
 use std::collections::{HashMap, HashSet};
-use unoclp_core::isa::Opcode;
 
 /// What the accumulator holds.
 #[derive(Clone, Debug)]
@@ -66,6 +63,21 @@ pub(super) struct If {
     pub other: bool,
 }
 
+/// A block whose inputs are being connected.
+pub(super) struct Block {
+    pub operand: Operand,
+    pub block: Option<(Target, Standard)>,
+    pub name: String,
+    pub span: Span,
+    /// IN, or CU.
+    pub start: Option<Expr>,
+    pub down: Option<Expr>,
+    pub reset: Option<Expr>,
+    pub set: Option<Expr>,
+    /// It stands in the program; what follows uses its outputs.
+    pub written: bool,
+}
+
 pub(super) struct Walk<'w, 'a, 'f> {
     pub front: &'w mut Front<'a, 'f>,
     pub body: &'a [Stmt],
@@ -89,6 +101,10 @@ pub(super) struct Walk<'w, 'a, 'f> {
     /// The result that nothing has used yet.
     pub unused: Option<Span>,
     pub unreachable: bool,
+    /// The line that is run.
+    pub at: usize,
+    /// Whether the accumulator is the condition of the IF that was made last, or its opposite.
+    pub decided: Option<bool>,
     /// The parenthesis of which it has been told that something cannot stand in it.
     pub told_open: Option<Span>,
     pub labels: Labels,
@@ -99,107 +115,9 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub own: u32,
 }
 
-impl<'a> Front<'a, '_> {
-    /// What a unit does.
-    pub(super) fn body(&mut self, unit: usize) {
-        let number = self.numbers[unit];
-        let body = &self.units[unit].body;
-        self.builder.enter(number);
-        let pushed = pushes(body, self.names.dialect);
-        let mut walk = Walk {
-            unit,
-            instance: self.instances[unit],
-            body,
-            needs: Vec::new(),
-            pushed,
-            acc: Acc::Empty,
-            links: 0,
-            frames: Vec::new(),
-            lost: 0,
-            kept: Vec::new(),
-            block: None,
-            inverts: false,
-            unused: None,
-            unreachable: false,
-            told_open: None,
-            labels: Labels::default(),
-            ifs: Vec::new(),
-            made: vec![Vec::new()],
-            own: 0,
-            front: self,
-        };
-        walk.find_labels();
-        walk.find_needs();
-        for (at, stmt) in body.iter().enumerate() {
-            match stmt {
-                Stmt::Label(word) => walk.label(word, at),
-                Stmt::Close(span) => walk.close(*span),
-                Stmt::Wrong { open, .. } => {
-                    walk.unused = None;
-                    walk.unreachable = false;
-                    walk.acc = Acc::Wrong;
-                    walk.lost += open;
-                }
-                Stmt::Instr(instr) => {
-                    walk.reachable(instr);
-                    if walk.pushed.contains(&at) {
-                        walk.push_result(instr.span);
-                    }
-                    walk.instr(instr, at);
-                }
-            }
-        }
-        let made = walk.finish();
-        self.builder.body(number, made);
-        self.builder.leave();
-    }
-}
-
 impl<'a> Walk<'_, 'a, '_> {
     pub(super) fn tell<const N: usize>(&mut self, code: Code, at: Span, words: [Word; N]) {
         self.front.builder.found.tell(code, at, words);
-    }
-
-    fn reachable(&mut self, instr: &Instr) {
-        // What begins a part or stands behind it is reached in another way.
-        let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
-        if std::mem::take(&mut self.unreachable) && !part {
-            self.tell(Code::Unreachable, instr.whole, []);
-        }
-    }
-
-    fn instr(&mut self, instr: &'a Instr, at: usize) {
-        match instr.op {
-            Op::Load => self.load(instr),
-            Op::Store => self.store(instr, at),
-            Op::OmronTimer => self.omron_timer(instr, at),
-            Op::OmronCounter => self.omron_counter(instr),
-            Op::Keep => self.keep_result(instr.whole),
-            Op::Recall | Op::Release => self.recall_result(instr),
-            Op::Differentiate(_) => self.differentiate(instr, at),
-            Op::Set | Op::Reset => self.set_or_reset(instr, at),
-            Op::Not => self.not(instr),
-            Op::And | Op::Or | Op::Xor | Op::Number(_) | Op::Compare(_) => self.operate(instr, at),
-            Op::Shift(opcode) => self.shift(instr, opcode),
-            Op::Unary(opcode) => self.unary(instr, opcode),
-            Op::Part(opcode) => self.part(instr, opcode),
-            Op::Edge(opcode) => self.edge(instr, opcode),
-            Op::Jump => self.jump(instr, at),
-            Op::Return => self.ret(instr, at),
-            Op::End => self.end(instr, at),
-            Op::Call => self.call(instr),
-            Op::Function => self.function(instr),
-            Op::Timer(opcode) => self.timer_operator(instr, opcode, at),
-            Op::CountUp | Op::CountDown | Op::CountUpDown => self.count_operator(instr),
-            Op::AndBlock | Op::OrBlock => self.pop_result(instr),
-            Op::Block => self.begin_block(instr),
-            Op::OutBlock => self.out_block(instr),
-            Op::EndBlock => self.end_block(instr),
-            // The parser has made a store of it.
-            Op::Preset => {}
-            Op::Input(opcode) => self.input_operator(instr, opcode),
-            Op::Push | Op::Table(_) | Op::Code => self.not_yet(instr.span),
-        }
     }
 
     /// What the tree cannot say yet.
@@ -212,6 +130,7 @@ impl<'a> Walk<'_, 'a, '_> {
 
     /// Adds a statement that changes nothing which the accumulator reads.
     pub(super) fn push(&mut self, statement: Made) {
+        self.undecided();
         if let Some(made) = self.made.last_mut() {
             made.push(statement);
         }
@@ -223,23 +142,13 @@ impl<'a> Walk<'_, 'a, '_> {
         }
     }
 
-    fn finish(mut self) -> Vec<Made> {
-        self.warn_unused();
-        for frame in std::mem::take(&mut self.frames) {
-            let told = self.told_open == Some(frame.span);
-            if matches!(frame.waiting, Waiting::Deferred(..)) && !told {
-                self.tell(Code::LeftOpen, frame.span, []);
-            }
-        }
-        self.end_of_blocks();
-        self.end_of_branches();
-        self.end_of_ifs();
-        self.settle_jumps();
-        self.made.swap_remove(0)
+    /// Whether the accumulator is used behind the line that is run.
+    pub(super) fn needed(&self) -> bool {
+        self.needs.get(self.at + 1).copied().unwrap_or_default()
     }
 
-    pub(super) fn next(&self, at: usize) -> Option<&'a Stmt> {
-        self.body.get(at + 1)
+    pub(super) fn next(&self) -> Option<&'a Stmt> {
+        self.body.get(self.at + 1)
     }
 
     /// An instruction takes so many operands, and no more.
