@@ -137,6 +137,8 @@ impl Allotter<'_> {
     fn keep(&mut self, cell: u32, seat: Seat) {
         match seat {
             Seat::At(Address::Register(register)) => self.seats.kept_registers.push(register),
+            // A counter is kept as a whole.
+            Seat::At(Address::Count(_)) => {}
             Seat::At(Address::Marker(marker))
                 if self.board.markers_that(true).any(|kept| kept == marker) => {}
             _ => {

@@ -2,8 +2,8 @@
 
 use super::first;
 use super::front::{Front, MOST_WITHIN};
-use super::used::edge_name;
-use crate::ast::{Section as Part, Stmt, Unit, UnitKind as Kind, Var};
+use super::used::{edge_name, parts};
+use crate::ast::{Operand, Section as Part, Stmt, Unit, UnitKind as Kind, Var};
 use crate::diagnostics::{Code, Span};
 use crate::names::declare::is_new;
 use crate::names::{Instance, Place};
@@ -184,7 +184,10 @@ impl Front<'_, '_> {
             (Some(_), Some(Place::Bit(Bit::At(point)) | Place::Number(Num::At(point)))) => {
                 Some(point)
             }
-            // A timer or counter by another name, or what is wrong.
+            (Some(at), Some(Place::Timer(_) | Place::Counter(_))) => {
+                return self.block_at(var, at, &name);
+            }
+            // What is wrong has been told.
             _ => return,
         };
         let base = Base::named(&var.ty.text);
@@ -231,18 +234,46 @@ impl Front<'_, '_> {
             self.builder.leave();
         }
         let taken = self.builder.is_taken(&name);
-        let retain = traits.retain;
         let at = var.name.span;
         let made = match taken {
             true => None,
             false => self.builder.declare(&name, at, ty, section, traits),
         };
         match made {
-            Some(made) if made.root == Root::Static && !retain => {
+            Some(made) if made.root == Root::Static => {
                 self.pin(&name, ty, made.offset);
             }
             Some(_) => {}
             None => self.builder.hide(&name),
+        }
+        self.builder.go(before);
+    }
+
+    /// A timer or counter of the board by another name.
+    fn block_at(&mut self, var: &Var, at: &Operand, name: &str) {
+        let written = at.name().unwrap_or_default();
+        let (key, _) = parts(written, self.names.dialect);
+        self.aliases.insert(name.to_uppercase(), key.clone());
+        if self.builder.find(&key).is_some() {
+            return;
+        }
+        let Some(block) = self.standard(&var.ty.text, &key) else {
+            return;
+        };
+        let ty = self.type_of(block);
+        let traits = Traits {
+            initial: self.initial(var, ty, None),
+            retain: var.retain,
+            ..Traits::default()
+        };
+        let before = self.builder.inside();
+        self.builder.leave();
+        let span = var.name.span;
+        let made = self
+            .builder
+            .declare(&key, span, ty, Section::Global, traits);
+        if let Some(made) = made {
+            self.pin(&key, ty, made.offset);
         }
         self.builder.go(before);
     }

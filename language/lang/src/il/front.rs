@@ -20,6 +20,8 @@ pub(super) struct Front<'a, 'f> {
     pub numbers: Vec<u32>,
     pub instances: Vec<usize>,
     pub declared: Vec<bool>,
+    /// Timers and counters that a declaration names by an address: their names there.
+    pub aliases: HashMap<String, String>,
     /// Functions of the text, by their names.
     pub functions: HashMap<String, usize>,
     /// The outputs that a ST has driven, and where.

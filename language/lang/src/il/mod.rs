@@ -74,6 +74,7 @@ pub(crate) fn tree(
         numbers: Vec::new(),
         instances: Vec::new(),
         declared: vec![false; units.len()],
+        aliases: HashMap::new(),
         functions: HashMap::new(),
         coils: HashMap::new(),
         timed: HashSet::new(),

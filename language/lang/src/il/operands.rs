@@ -116,6 +116,13 @@ impl Walk<'_, '_, '_> {
 
     /// A variable of the text, or a part of one.
     fn declared(&mut self, name: &str, span: Span) -> Option<Is> {
+        let (first, member) = match name.split_once('.') {
+            Some((first, member)) => (first, Some(member)),
+            None => (name, None),
+        };
+        if let Some(key) = self.front.aliases.get(first).cloned() {
+            return self.variable(&key, member, span);
+        }
         let plain = name.trim_start_matches('%');
         let direct = !name.starts_with('%');
         if direct && let Some(is) = self.variable(plain, None, span) {
@@ -280,12 +287,13 @@ impl Walk<'_, '_, '_> {
     }
 
     /// A timer is read here, in whole or in part.
-    fn reads_timer(&mut self, operand: &Operand) {
+    pub(super) fn reads_timer(&mut self, operand: &Operand) {
         let instance = Some(self.instance);
         let found = &mut *self.front.builder.found;
         let timer = match self.front.names.place(operand, instance, found) {
             Place::Timer(timer) => timer,
-            Place::Bit(Bit::Timer(timer)) | Place::Number(Num::Elapsed(timer)) => timer,
+            Place::Bit(Bit::Timer(timer))
+            | Place::Number(Num::Elapsed(timer) | Num::TimerPreset(timer)) => timer,
             _ => return,
         };
         if let Some(timer) = self.front.names.timers.get_mut(timer) {

@@ -39,7 +39,7 @@ impl Walk<'_, '_, '_> {
 
     /// Stores the accumulator, which stays what it is.
     fn store_acc(&mut self, operand: &Operand, negated: bool, span: Span, needed: bool) {
-        let Some(target) = self.to_store(operand) else {
+        let Some(target) = self.storable(operand) else {
             return;
         };
         let Acc::Value(expr) = self.acc.clone() else {
@@ -81,7 +81,7 @@ impl Walk<'_, '_, '_> {
 
     /// Stores a value that is not the accumulator: what a block gives.
     pub(super) fn store_value(&mut self, expr: Expr, operand: &Operand, negated: bool) {
-        let Some(target) = self.to_store(operand) else {
+        let Some(target) = self.storable(operand) else {
             return;
         };
         let span = operand.span;
@@ -91,7 +91,7 @@ impl Walk<'_, '_, '_> {
     }
 
     /// What can be stored to; what cannot is told.
-    pub(super) fn to_store(&mut self, operand: &Operand) -> Option<Target> {
+    pub(super) fn storable(&mut self, operand: &Operand) -> Option<Target> {
         let target = match self.meaning(operand) {
             Is::Variable(target) => target,
             Is::Wrong => {
@@ -203,6 +203,8 @@ impl Walk<'_, '_, '_> {
             }
         }
         if let Some((block, order)) = self.order_for(operand, &number) {
+            // A timer that nothing starts has no preset.
+            self.reads_timer(operand);
             return self.order(&block, order, span);
         }
         self.assigned(target, number, span)

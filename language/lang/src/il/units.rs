@@ -70,7 +70,7 @@ impl<'a> Walk<'_, 'a, '_> {
         let defaults = self.defaults(unit, &inputs, span);
         given.extend(defaults);
         for param in params.iter().filter(|param| param.out) {
-            let Some(target) = self.to_store(&param.value) else {
+            let Some(target) = self.storable(&param.value) else {
                 continue;
             };
             let Some(name) = &param.name else { continue };
