@@ -9,6 +9,7 @@ use super::uses::{Called, Uses};
 use crate::diagnostics::{Code, Found, Word};
 use crate::typed::{Base, Standard, Tree, counter};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use unoclp_core::Board;
 use unoclp_core::isa::REGISTERS;
 use unoclp_point::Address;
@@ -177,9 +178,25 @@ impl Allotter<'_> {
         }
     }
 
+    /// Whether the text itself says where it stands.
+    fn is_in_a_row(&self, row: &Range<u32>) -> bool {
+        let register = |cell: u32| match self.seats.of.get(&cell) {
+            Some(Seat::At(Address::Register(register))) => Some(u32::from(*register)),
+            _ => None,
+        };
+        let first = register(row.start);
+        first.is_some_and(|first| {
+            row.clone()
+                .all(|cell| register(cell) == Some(first + cell - row.start))
+        })
+    }
+
     /// Registers in a row, for what computed subscripts reach.
     fn rows(&mut self, flat: &Flat, uses: &Uses) {
         for row in &uses.rows {
+            if self.is_in_a_row(row) {
+                continue;
+            }
             let length = row.end - row.start;
             let first = self.seats.row(length);
             let Some(first) = first else {

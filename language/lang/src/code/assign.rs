@@ -7,7 +7,7 @@ use super::flat::TEMPORARY;
 use super::pen::Acc;
 use super::seats::Seat;
 use super::traces::Shows;
-use crate::typed::{Base, Expr, ExprKind, Place, Store, Width};
+use crate::typed::{Base, Convert, Expr, ExprKind, Place, Store, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
 
@@ -100,15 +100,39 @@ impl Coder<'_, '_> {
             return self.fail_unless(within);
         }
         self.pen.fresh();
-        self.value(value);
-        self.narrowed(value, store);
+        self.value_for(seat, value, store);
         let within = self.within(value, store);
         let before = self.pen.lines.len();
-        self.store(to.offset);
+        self.placed(to.at, |this| this.store(to.offset));
         if self.pen.lines.len() > before {
             self.shows_number(stored_as(value, store), to.offset);
         }
         self.fail_unless(within);
+    }
+
+    /// Whether what is stored there is cut by itself.
+    fn takes_low_bits(seat: Option<Seat>) -> bool {
+        matches!(
+            seat,
+            Some(Seat::At(Address::Group(_) | Address::Outputs(_)))
+        )
+    }
+
+    /// A prepared number as it is stored at this seat.
+    pub(super) fn value_for(&mut self, seat: Option<Seat>, value: &Expr, store: Store) {
+        if !Self::takes_low_bits(seat) {
+            self.value(value);
+            return self.narrowed(value, store);
+        }
+        let mut value = value;
+        while let ExprKind::Convert(Convert::Wrap | Convert::Keep, whole) = &value.kind
+            && whole.base != Base::Bool
+            && !whole.base.is_real()
+            && value.base.bits() >= 8
+        {
+            value = whole;
+        }
+        self.value(value);
     }
 
     /// Value in the bits that are stored.
@@ -191,25 +215,25 @@ impl Coder<'_, '_> {
                 self.pen.fresh();
                 self.pen
                     .operation(Opcode::Load, Taken::Constant(known.into()), None);
-                self.store(to.offset);
+                self.placed(to.at, |this| this.store(to.offset));
                 self.shows_number(Base::Bool, to.offset);
             }
             (Some(Seat::At(Address::Register(_))), None) => {
                 self.bit(value, false);
                 self.pen.changes_value(Opcode::LoadBit);
                 self.pen.fresh();
-                self.store(to.offset);
+                self.placed(to.at, |this| this.store(to.offset));
                 self.shows_number(Base::Bool, to.offset);
             }
             (Some(seat), Some(known)) => {
                 self.pen.fresh();
-                self.coil(seat, known, to.offset);
+                self.placed(to.at, |this| this.coil(seat, known, to.offset));
                 let (when, to) = (true, known);
                 self.shows(Shows::Bit { when, to });
             }
             (Some(seat), None) => {
                 self.bit(value, false);
-                self.drive(seat, to.offset);
+                self.placed(to.at, |this| this.drive(seat, to.offset));
                 self.shows(Shows::Power { inverted: false });
             }
             (None, _) => {}

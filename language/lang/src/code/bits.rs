@@ -3,7 +3,7 @@
 //! Owns how it becomes a ladder. Must not know statements.
 
 use super::coder::Coder;
-use super::logic::{Bit, begins, is_block};
+use super::logic::{Bit, Contact, begins, is_block};
 use super::pen::Acc;
 use super::seats::Seat;
 use crate::typed::Expr;
@@ -19,7 +19,7 @@ fn xor(seat: Seat, negated: bool) -> Option<(Opcode, u8)> {
 
 /// Whether one instruction joins it with acc.
 fn is_xor_point(part: &Bit) -> bool {
-    matches!(part, Bit::Contact(seat, ..) if xor(*seat, false).is_some())
+    matches!(part, Bit::Contact(of) if xor(of.seat, false).is_some())
 }
 
 impl Coder<'_, '_> {
@@ -40,7 +40,11 @@ impl Coder<'_, '_> {
         self.pen.fresh();
         self.start(&bit);
         // Nothing but a coil changes one of these.
-        if let Bit::Contact(seat, false, _) = bit
+        if let Bit::Contact(Contact {
+            seat,
+            negated: false,
+            ..
+        }) = bit
             && let Seat::At(Address::Input(_) | Address::Output(_) | Address::Marker(_)) = seat
         {
             self.pen.acc = Acc::Bit(seat);
@@ -109,10 +113,12 @@ impl Coder<'_, '_> {
     fn exclusively<'b>(&mut self, parts: impl Iterator<Item = &'b Bit>, mut turned: bool) {
         for part in parts {
             match part {
-                Bit::Contact(seat, negated, cell) if is_xor_point(part) => {
-                    let negated = *negated != std::mem::take(&mut turned);
-                    if let Some((opcode, number)) = xor(*seat, negated) {
-                        self.pen.numbered(opcode, number, Some(*cell));
+                Bit::Contact(of) if is_xor_point(part) => {
+                    let negated = of.negated != std::mem::take(&mut turned);
+                    if let Some((opcode, number)) = xor(of.seat, negated) {
+                        self.placed(of.at, |this| {
+                            this.pen.numbered(opcode, number, Some(of.cell));
+                        });
                     }
                     self.changes();
                 }
@@ -132,27 +138,34 @@ impl Coder<'_, '_> {
         self.changes();
     }
 
-    pub(super) fn series(&mut self, bit: &Bit) {
-        match bit {
-            Bit::Is(true) => {}
-            Bit::Contact(Seat::Timer(timer), negated, cell) => {
-                let opcode = match negated {
+    fn contact(&mut self, of: Contact) {
+        let cell = Some(of.cell);
+        match of.seat {
+            Seat::Timer(timer) => {
+                let opcode = match of.negated {
                     true => Opcode::TimerContactNot,
                     false => Opcode::TimerContact,
                 };
-                self.pen.of_timer(opcode, *timer, Some(*cell));
-                self.changes();
+                self.pen.of_timer(opcode, timer, cell);
             }
-            Bit::Contact(seat, negated, cell) => {
-                if let Seat::At(point) = seat
-                    && let Some(opcode) = point.contact(*negated)
-                {
-                    self.pen.numbered(opcode, point.number(), Some(*cell));
+            Seat::At(point) => {
+                if let Some(opcode) = point.contact(of.negated) {
+                    self.pen.numbered(opcode, point.number(), cell);
                 }
+            }
+            Seat::Elapsed(_) => {}
+        }
+    }
+
+    pub(super) fn series(&mut self, bit: &Bit) {
+        match bit {
+            Bit::Is(true) => {}
+            Bit::Contact(of) => {
+                self.placed(of.at, |this| this.contact(*of));
                 self.changes();
             }
-            Bit::Test(op, a, b) => {
-                self.compare(*op, a, b);
+            Bit::Test(op, a, b, at) => {
+                self.placed(*at, |this| this.compare(*op, a, b));
                 self.changes();
             }
             Bit::And(parts) => parts.iter().for_each(|part| self.series(part)),

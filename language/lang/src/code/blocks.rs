@@ -127,9 +127,10 @@ impl Coder<'_, '_> {
     }
 
     /// Whether a step begins with a bit that nothing else reads or shows, so that it takes it from acc.
-    fn takes(&self, step: Option<&Step>, cell: u32, seat: Seat) -> bool {
+    pub(super) fn takes(&self, step: Option<&Step>, cell: u32, seat: Seat) -> bool {
         let value = match step.map(|step| &step.does) {
             Some(Does::Assign(to, value, _)) if to.indices.is_empty() => value,
+            Some(Does::Codes(Some(value), ..)) => value,
             Some(Does::If(value, then, otherwise)) if !then.is_empty() && otherwise.is_empty() => {
                 value
             }

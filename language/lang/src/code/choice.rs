@@ -126,7 +126,12 @@ impl Coder<'_, '_> {
                     let seat = self.seats.of.get(&to.offset);
                     let stored = matches!(
                         seat,
-                        Some(Seat::At(Address::Register(_)) | Seat::At(Address::Pwm(_)))
+                        Some(Seat::At(
+                            Address::Register(_)
+                                | Address::Pwm(_)
+                                | Address::Group(_)
+                                | Address::Outputs(_)
+                        ))
                     );
                     stored
                         && to.indices.is_empty()
@@ -184,14 +189,14 @@ impl Coder<'_, '_> {
                 }
                 Does::Assign(to, value, store) => match self.constant_bit(step) {
                     Some((cell, seat, set)) => {
-                        self.coil(seat, set, cell);
+                        self.placed(to.at, |this| this.coil(seat, set, cell));
                         let (when, to) = (true, set);
                         self.shows(Shows::Bit { when, to });
                     }
                     None => {
-                        self.value(value);
-                        self.narrowed(value, *store);
-                        self.store(to.offset);
+                        let seat = self.seats.of.get(&to.offset).copied();
+                        self.value_for(seat, value, *store);
+                        self.placed(to.at, |this| this.store(to.offset));
                         self.shows_number(value.base, to.offset);
                         // Where acc is 0 the register is as it was.
                         let seat = self.seats.of.get(&to.offset).copied();

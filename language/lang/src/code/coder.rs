@@ -37,6 +37,18 @@ impl Coder<'_, '_> {
         self.pen.operation(Opcode::Divide, Taken::Constant(0), None);
     }
 
+    /// Writes what comes from this place of the text, in a statement that stands elsewhere or goes on beyond it.
+    pub(super) fn placed(&mut self, at: Span, write: impl FnOnce(&mut Self)) {
+        let at = if at == Span::default() {
+            self.pen.at
+        } else {
+            at
+        };
+        let around = std::mem::replace(&mut self.pen.at, at);
+        write(self);
+        self.pen.at = around;
+    }
+
     /// A new label.
     pub(super) fn label(&mut self) -> u32 {
         self.labels += 1;
@@ -61,7 +73,24 @@ impl Coder<'_, '_> {
             Some(&Seat::At(Address::Count(counter))) => {
                 self.pen.numbered(Opcode::StoreCount, counter, Some(cell));
             }
+            Some(&Seat::At(Address::Group(group))) => {
+                self.pen.numbered(Opcode::StoreMarkers, group, Some(cell));
+                self.forgets_bits();
+            }
+            Some(&Seat::At(Address::Outputs(_))) => {
+                let line = self.pen.lines.len();
+                self.pen.plain(Opcode::StoreOutputs);
+                self.pen.names(line, cell);
+                self.forgets_bits();
+            }
             _ => {}
+        }
+    }
+
+    /// acc may be what one of eight bits held before.
+    fn forgets_bits(&mut self) {
+        if let Acc::Bit(Seat::At(Address::Marker(_) | Address::Output(_))) = self.pen.acc {
+            self.pen.acc = Acc::Other;
         }
     }
 

@@ -5,10 +5,11 @@
 use super::coder::Coder;
 use super::fails::may_fail;
 use super::flat::each;
-use super::logic::Bit;
+use super::logic::{Bit, Contact};
 use super::pen::Acc;
 use super::seats::Seat;
 use super::traces::Shows;
+use crate::diagnostics::Span;
 use crate::typed::{Expr, ExprKind, Order, Standard, Store};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
@@ -174,7 +175,13 @@ impl Coder<'_, '_> {
             return;
         }
         self.pen.fresh();
-        self.series(&Bit::Contact(seat, false, cell));
+        let (negated, at) = (false, Span::default());
+        self.series(&Bit::Contact(Contact {
+            seat,
+            negated,
+            cell,
+            at,
+        }));
         self.drive_any(held, cell);
     }
 

@@ -4,6 +4,7 @@
 //! and first values. Must not know statements.
 
 use super::coder::Coder;
+use super::codes;
 use super::flat::Turns;
 use super::pen::{Line, Written};
 use super::seats::Seat;
@@ -116,6 +117,8 @@ fn is_settable(seat: Seat) -> bool {
                 | Address::Marker(_)
                 | Address::Output(_)
                 | Address::Pwm(_)
+                | Address::Group(_)
+                | Address::Outputs(_)
                 | Address::Count(_)
         )
     )
@@ -138,7 +141,7 @@ pub(super) fn finish(
     let starts = Lines::new(text);
     let names = super::allotter::named(tree);
     let mut timers = vec![0; coder.seats.timers.len()];
-    let mut labels: HashMap<u32, u8> = HashMap::new();
+    let labels = number_labels(coder, board, found);
     let mut number = 0_u8;
     for line in &coder.pen.lines {
         match line.written {
@@ -148,18 +151,7 @@ pub(super) fn finish(
                     *held = number;
                 }
             }
-            Written::Label(label) => {
-                let next = labels.len() as u8 + 1;
-                if next > board.labels {
-                    found.tell(
-                        Code::BoardLabels,
-                        line.at,
-                        [board.labels.to_string().into()],
-                    );
-                    break;
-                }
-                labels.insert(label, next);
-            }
+            Written::Code(code) if codes::is_timer(code) => number = number.saturating_add(1),
             _ => {}
         }
     }
@@ -190,6 +182,17 @@ pub(super) fn finish(
     let timer = |index: usize| timers.get(index).copied().unwrap_or(1).max(1);
     for line in kept.iter().chain(&coder.pen.lines) {
         let instruction = match &line.written {
+            Written::Code(code) => {
+                lines.push(CodeLine {
+                    code: *code,
+                    letters: String::new(),
+                    symbol: String::new(),
+                    source: Some(starts.line(line.at.start)),
+                });
+                let (span, name) = (line.at, None);
+                origins.push(Origin { span, name });
+                continue;
+            }
             Written::Is(instruction) => *instruction,
             Written::Label(number) => Instruction::numbered(Opcode::Label, label(number)),
             Written::Jump(opcode, number, _) => Instruction {
@@ -240,6 +243,53 @@ pub(super) fn finish(
         origins,
         timers,
     }
+}
+
+/// The number of each label that stands in the program: the one that is asked for, or one that is free.
+fn number_labels(coder: &Coder<'_, '_>, board: Board, found: &mut Found) -> HashMap<u32, u8> {
+    let mut numbers = HashMap::new();
+    // Labels that the text writes as codes keep their numbers.
+    let written = coder
+        .pen
+        .lines
+        .iter()
+        .filter_map(|line| match line.written {
+            Written::Code(code) => codes::label(code),
+            _ => None,
+        });
+    let mut used: HashSet<u8> = written.collect();
+    let standing = || {
+        coder
+            .pen
+            .lines
+            .iter()
+            .filter_map(|line| match line.written {
+                Written::Label(label) => Some((label, line.at)),
+                _ => None,
+            })
+    };
+    for (label, _) in standing() {
+        let wished = coder.flat.wished.get(&label).copied();
+        let wished = wished.filter(|number| (1..=board.labels).contains(number));
+        if let Some(number) = wished
+            && used.insert(number)
+        {
+            numbers.insert(label, number);
+        }
+    }
+    let mut free = (1..=board.labels).filter(|number| !used.contains(number));
+    for (label, at) in standing() {
+        if numbers.contains_key(&label) {
+            continue;
+        }
+        let Some(number) = free.next() else {
+            let most = board.labels.to_string();
+            found.tell(Code::BoardLabels, at, [most.into()]);
+            break;
+        };
+        numbers.insert(label, number);
+    }
+    numbers
 }
 
 /// What the jumps back of each loop cost in a scan (NC-19).
@@ -296,7 +346,7 @@ fn cost(lines: &[Line], loops: &[Turns], found: &mut Found) {
 /// Stored bytes, each constant counted as 4.
 fn size(line: &Line) -> u32 {
     match &line.written {
-        Written::Label(_) | Written::OfTimer(..) => 2,
+        Written::Label(_) | Written::OfTimer(..) | Written::Code(_) => 2,
         Written::Jump(..) => 2 + 2,
         Written::Timer(..) => 6,
         Written::Is(Instruction { opcode, operand }) => match operand {

@@ -8,6 +8,7 @@ use crate::typed::{
     Base, Binary, Cell, Compare, Expr, ExprKind, Order, Place, Root, Standard, Store, TypeId,
     Unary, Value,
 };
+use std::collections::HashMap;
 
 /// Cells from this number on are temporaries; an odd one holds a value that is not narrowed to its type.
 pub(super) const TEMPORARY: u32 = 1 << 30;
@@ -20,6 +21,8 @@ pub(super) struct Flat {
     pub body: Vec<Step>,
     /// How many labels there are.
     pub labels: u32,
+    /// The numbers that labels are to have, where they are free.
+    pub wished: HashMap<u32, u8>,
     pub loops: Vec<Turns>,
     /// Where the cells of each call begin, in their order, and the unit that is called.
     pub calls: Vec<(u32, u32)>,
@@ -57,6 +60,8 @@ pub(super) enum Does {
     Standard(Standard, u32, Vec<(u32, Expr)>),
     /// What is done to the timer or counter whose cells begin here, beside its calls.
     Order(Order, Standard, u32),
+    /// An instruction as it is: acc before it, its codes, and the cell that acc goes to behind it.
+    Codes(Option<Expr>, Vec<(i32, Span)>, Option<u32>),
     /// Sets S 04.
     Fail,
 }
@@ -164,7 +169,7 @@ pub(super) fn own_expressions(does: &Does) -> Vec<&Expr> {
         Does::Assign(to, value, _) => subscripts(to).chain([value]).collect(),
         Does::Copy(to, from, _) => subscripts(to).chain(subscripts(from)).collect(),
         Does::If(condition, ..) | Does::Case(condition, ..) => vec![condition],
-        Does::Jump(condition, ..) => condition.iter().collect(),
+        Does::Jump(condition, ..) | Does::Codes(condition, ..) => condition.iter().collect(),
         Does::Standard(_, _, inputs) => inputs.iter().map(|(_, e)| e).collect(),
         Does::Order(order, ..) => order.value().into_iter().collect(),
         Does::Label(_) | Does::Fail => Vec::new(),
@@ -180,7 +185,7 @@ pub(super) fn own_expressions_mut(does: &mut Does) -> Vec<&mut Expr> {
         Does::Assign(to, value, _) => subscripts(to).chain([value]).collect(),
         Does::Copy(to, from, _) => subscripts(to).chain(subscripts(from)).collect(),
         Does::If(condition, ..) | Does::Case(condition, ..) => vec![condition],
-        Does::Jump(condition, ..) => condition.iter_mut().collect(),
+        Does::Jump(condition, ..) | Does::Codes(condition, ..) => condition.iter_mut().collect(),
         Does::Standard(_, _, inputs) => inputs.iter_mut().map(|(_, e)| e).collect(),
         Does::Order(Order::Preset(value) | Order::Number(value), ..) => vec![value],
         Does::Order(..) => Vec::new(),

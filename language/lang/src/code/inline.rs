@@ -214,6 +214,12 @@ impl Inliner<'_, '_> {
                 let cell = self.place(instance, frame).offset;
                 self.show(Does::Order(order, *block, cell), at);
             }
+            StmtKind::Codes(codes) => {
+                let before = codes.before.as_ref().map(|before| self.expr(before, frame));
+                let behind = codes.behind.as_ref();
+                let behind = behind.map(|behind| self.place(behind, frame).offset);
+                self.show(Does::Codes(before, codes.codes.clone(), behind), at);
+            }
             // It shows a variable, which the symbols tell of; it takes no code.
             StmtKind::Print(..) => {}
             StmtKind::Jump(condition, to) => {

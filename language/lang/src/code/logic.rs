@@ -6,6 +6,7 @@ use super::coder::Coder;
 use super::fails::may_fail;
 use super::flat::{constant, read};
 use super::seats::Seat;
+use crate::diagnostics::Span;
 use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, Unary, Value};
 use unoclp_point::Address;
 
@@ -13,12 +14,23 @@ use unoclp_point::Address;
 #[derive(Clone, Debug)]
 pub(super) enum Bit {
     Is(bool),
-    /// A contact of a bit, and its cell.
-    Contact(Seat, bool, u32),
-    Test(Compare, Expr, Expr),
+    Contact(Contact),
+    /// A comparison, and where it stands.
+    Test(Compare, Expr, Expr, Span),
     And(Vec<Bit>),
     Or(Vec<Bit>),
     Xor(Vec<Bit>, bool),
+}
+
+/// A contact of a bit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    pub seat: Seat,
+    pub negated: bool,
+    /// The cell that it reads.
+    pub cell: u32,
+    /// Where it stands in the text.
+    pub at: Span,
 }
 
 /// The opposite comparison.
@@ -75,7 +87,8 @@ pub(super) fn is_block(part: &Bit) -> bool {
 pub(super) fn begins(bit: &mut Bit, held: Seat) -> bool {
     match bit {
         Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => {
-            let is = |part: &Bit| matches!(part, Bit::Contact(seat, false, _) if *seat == held);
+            let is =
+                |part: &Bit| matches!(part, Bit::Contact(of) if of.seat == held && !of.negated);
             let at = parts.iter().position(is);
             let within = || parts.iter_mut().position(|part| begins(part, held));
             match at.or_else(within) {
@@ -86,7 +99,7 @@ pub(super) fn begins(bit: &mut Bit, held: Seat) -> bool {
                 None => false,
             }
         }
-        Bit::Contact(seat, negated, _) => *seat == held && !*negated,
+        Bit::Contact(of) => of.seat == held && !of.negated,
         Bit::Is(_) | Bit::Test(..) => false,
     }
 }
@@ -103,7 +116,7 @@ fn only_what_matters(parts: &mut Vec<Bit>, decides: bool) {
 fn sets_error(bit: &Bit) -> bool {
     match bit {
         Bit::Is(_) | Bit::Contact(..) => false,
-        Bit::Test(_, a, b) => may_fail(a) || may_fail(b),
+        Bit::Test(_, a, b, _) => may_fail(a) || may_fail(b),
         Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => parts.iter().any(sets_error),
     }
 }
@@ -113,7 +126,7 @@ impl Coder<'_, '_> {
     pub(super) fn logic(&self, from: &Expr, negated: bool) -> Bit {
         let test = |op: Compare, a: &Expr, b: &Expr| {
             let op = if negated { opposite(op) } else { op };
-            Bit::Test(op, a.clone(), b.clone())
+            Bit::Test(op, a.clone(), b.clone(), from.at)
         };
         let none = |e: &Expr| match e.base.is_real() {
             true => constant(Value::Real(0.0), e.base, e.at),
@@ -127,7 +140,12 @@ impl Coder<'_, '_> {
                         let held = read(place.offset, Base::Dint, from.at);
                         test(Compare::NotEqual, &held, &none(&held))
                     }
-                    Some(&seat) => Bit::Contact(seat, negated, place.offset),
+                    Some(&seat) => Bit::Contact(Contact {
+                        seat,
+                        negated,
+                        cell: place.offset,
+                        at: from.at,
+                    }),
                     None => Bit::Is(negated),
                 }
             }

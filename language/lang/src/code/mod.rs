@@ -21,6 +21,7 @@
 //! - `logic`, `bits`, `compare`, `numbers`: what is left of an expression
 //! - `coder`, `statements`, `assign`, `copy`, `choice`, `case`: statements; `blocks`: the blocks of the norm; `counters`:
 //!   those of the board that count, and what is done to counters and timers beside their calls
+//! - `codes`: instructions that the text says by their codes
 //! - `pen`: what acc and value hold; `variables`, `noting`, `traces`: what is shown of it while it runs
 //! - `finish`: labels, first values, what is kept, the cost of loops
 
@@ -36,6 +37,7 @@ mod calls;
 mod case;
 mod choice;
 mod coder;
+mod codes;
 mod compare;
 mod conversions;
 mod copy;

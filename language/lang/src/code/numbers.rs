@@ -47,6 +47,10 @@ impl Coder<'_, '_> {
 
     /// Brings a prepared expression into value.
     pub(super) fn value(&mut self, expr: &Expr) {
+        self.placed(expr.at, |this| this.value_here(expr));
+    }
+
+    fn value_here(&mut self, expr: &Expr) {
         match &expr.kind {
             ExprKind::Constant(value) => {
                 self.number(Opcode::Load, bits(value, expr.base));
@@ -103,6 +107,12 @@ impl Coder<'_, '_> {
                 self.pen.numbered(Opcode::LoadCount, n, cell);
                 self.pen.holds = None;
             }
+            Some(Seat::At(Address::Group(n))) => {
+                self.pen.numbered(Opcode::LoadMarkers, n, cell);
+                self.pen.holds = None;
+            }
+            Some(Seat::At(Address::Inputs(_))) => self.pen.changes_value(Opcode::LoadInputs),
+            Some(Seat::At(Address::Outputs(_))) => self.pen.changes_value(Opcode::LoadOutputs),
             Some(Seat::Elapsed(timer)) => {
                 self.pen.of_timer(Opcode::LoadTimer, timer, cell);
                 self.pen.holds = None;

@@ -18,6 +18,8 @@ pub(super) enum Written {
     Timer(Opcode, usize, i32, Option<Target>),
     /// What names a timer.
     OfTimer(Opcode, usize),
+    /// A line of the program file that the text says.
+    Code(i32),
 }
 
 /// An instruction, where it comes from, and the cell that it names.
@@ -111,6 +113,13 @@ impl Pen {
         self.line(Written::Is(Instruction::plain(opcode)), None);
     }
 
+    /// The instruction with this index names this cell.
+    pub(super) fn names(&mut self, line: usize, cell: u32) {
+        if let Some(line) = self.lines.get_mut(line) {
+            line.cell = Some(cell);
+        }
+    }
+
     pub(super) fn numbered(&mut self, opcode: Opcode, number: u8, cell: Option<u32>) {
         self.line(Written::Is(Instruction::numbered(opcode, number)), cell);
     }
@@ -133,6 +142,19 @@ impl Pen {
     ) {
         self.line(Written::Timer(opcode, timer, preset, target), Some(cell));
         self.acc = Acc::Other;
+    }
+
+    /// An instruction that the text says, after which acc is 1 and a rung begins, or neither is known.
+    pub(super) fn codes(&mut self, codes: &[(i32, Span)], begins: bool) {
+        let around = self.at;
+        for (code, at) in codes {
+            self.at = *at;
+            self.line(Written::Code(*code), None);
+        }
+        self.at = around;
+        self.head = begins;
+        self.holds = None;
+        self.acc = if begins { Acc::One } else { Acc::Other };
     }
 
     /// An operation, after which value is something else.

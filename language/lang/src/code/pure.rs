@@ -10,6 +10,7 @@ fn changed<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place)) {
         StmtKind::Assign(to, ..) | StmtKind::Copy(to, ..) => visit(to),
         StmtKind::Standard(_, instance) | StmtKind::Order(.., instance) => visit(instance),
         StmtKind::For(head) => visit(&head.variable),
+        StmtKind::Codes(codes) => codes.behind.iter().for_each(&mut *visit),
         _ => {}
     }
     for call in calls(statement) {
@@ -54,6 +55,7 @@ pub(super) fn expressions(statement: &Stmt) -> Vec<&Expr> {
         StmtKind::For(head) => vec![&head.from, &head.to, &head.step],
         StmtKind::Jump(condition, _) => condition.iter().collect(),
         StmtKind::Call(call) => given(call),
+        StmtKind::Codes(codes) => codes.before.iter().collect(),
         StmtKind::Order(order, ..) => order.value().into_iter().collect(),
         StmtKind::Exit | StmtKind::Continue | StmtKind::Return | StmtKind::Standard(..) => {
             Vec::new()
@@ -218,6 +220,7 @@ fn mentions<'s>(statement: &'s Stmt, visit: &mut dyn FnMut(&'s Place, u32)) {
             visit(instance, block.cells());
         }
         StmtKind::For(head) => visit(&head.variable, 1),
+        StmtKind::Codes(codes) => codes.behind.iter().for_each(|to| visit(to, 1)),
         _ => {}
     }
     for expr in expressions(statement) {

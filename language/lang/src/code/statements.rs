@@ -30,6 +30,8 @@ impl Coder<'_, '_> {
                 if self.standard(*block, *cell, inputs, behind.first()) {
                     rest = behind.get(1..).unwrap_or_default();
                 }
+            } else if let Does::Codes(before, codes, to) = &step.does {
+                self.codes(before.as_ref(), codes, *to, behind.first());
             } else {
                 self.step(step);
             }
@@ -76,7 +78,7 @@ impl Coder<'_, '_> {
                     self.pen.acc = Acc::Other;
                 }
             },
-            Does::Standard(..) => {}
+            Does::Standard(..) | Does::Codes(..) => {}
             Does::Order(order, block, cell) => {
                 let order = match order {
                     Order::Preset(value) => Order::Preset(self.prepare(value.clone())),

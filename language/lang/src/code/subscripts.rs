@@ -25,7 +25,8 @@ impl Coder<'_, '_> {
             let (low, high) = bounds(&subscript);
             let low_bound = i128::from(index.low);
             let stride = i128::from(index.stride);
-            let far = (low - low_bound).abs().max((high - low_bound).abs()) * stride;
+            let [least, most] = [low, high].map(|end| (end - low_bound) * stride);
+            let fits = i128::from(i32::MIN) <= least && most <= i128::from(i32::MAX);
             // As a DINT, by a node of its own: another type for this one would undo a conversion that it is.
             let mut number = expr(
                 ExprKind::Convert(Convert::Keep, Box::new(subscript)),
@@ -36,7 +37,7 @@ impl Coder<'_, '_> {
                 number = both(Binary::Subtract, number, whole(low_bound, Base::Dint, at));
             }
             let inside = low >= low_bound && high < low_bound + i128::from(index.count);
-            if !inside && (many || far > i128::from(i32::MAX)) {
+            if !inside && (many || !fits) {
                 number = self.simple(number);
                 let count = whole(index.count.into(), Base::Udint, at);
                 let bare = expr(

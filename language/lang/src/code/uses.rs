@@ -165,6 +165,13 @@ impl Uses {
                     Order::Reset | Order::Load | Order::Number(_) => false,
                 };
             }
+            Does::Codes(_, _, behind) => {
+                if let Some(cell) = behind {
+                    let of = self.touch(*cell);
+                    of.stores += 1;
+                    of.only = None;
+                }
+            }
             Does::If(..) | Does::Case(..) | Does::Fail => {}
         }
     }

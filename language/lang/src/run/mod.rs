@@ -5,18 +5,20 @@
 //! held against.
 //!
 //! - `expressions`, `statements`: the nodes
-//! - `places`: from a place to a cell
+//! - `places`: from a place to a cell; `groups`: cells that are eight bits as one number
 //! - `blocks`: the function blocks of the norm
 //! - `extra`: the functions of the PC alone
 
 mod blocks;
 mod expressions;
 mod extra;
+mod groups;
 mod places;
 mod statements;
 
 use crate::diagnostics::Span;
 use crate::typed::{Base, Holds, Symbol, Tree, Value};
+use groups::Group;
 use unoclp_core::Clocks;
 use unoclp_point::Address;
 
@@ -33,6 +35,8 @@ pub enum Stop {
     Endless(Span),
     /// Calls in calls go too deep there.
     TooDeep(Span),
+    /// It came to a code of the board, which a PC does not know.
+    Codes(Span),
 }
 
 /// What PRINT has shown.
@@ -69,6 +73,7 @@ pub struct Machine<'t> {
     /// Where S 04 was set first.
     failed: Option<Span>,
     error_cell: Option<usize>,
+    groups: Vec<Group>,
     printed: Vec<Printed>,
 }
 
@@ -90,6 +95,7 @@ impl<'t> Machine<'t> {
             deep: 0,
             failed: None,
             error_cell: error.map(|(cell, _)| *cell as usize),
+            groups: groups::of(tree),
             printed: Vec::new(),
         }
     }
@@ -139,17 +145,12 @@ impl<'t> Machine<'t> {
 
     /// What a cell holds.
     pub fn cell(&self, cell: u32) -> Value {
-        self.memory
-            .get(cell as usize)
-            .cloned()
-            .unwrap_or(Value::Int(0))
+        self.held(cell as usize).unwrap_or(Value::Int(0))
     }
 
     /// Sets a cell, as an input is set from outside.
     pub fn set_cell(&mut self, cell: u32, value: Value) {
-        if let Some(held) = self.memory.get_mut(cell as usize) {
-            *held = value;
-        }
+        self.write(Some(cell as usize), value);
     }
 
     /// The value of a symbol, and its type.

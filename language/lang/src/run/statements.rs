@@ -135,6 +135,7 @@ impl Machine<'_> {
                     self.order(order, value, *block, cell);
                 }
             }
+            StmtKind::Codes(_) => return Err(Stop::Codes(statement.at)),
             StmtKind::Print(name, expr) => {
                 let value = self.evaluate(expr, frame)?;
                 let value = ops::narrow(expr.base, value);

@@ -56,7 +56,7 @@ pub use expression::{
 };
 pub(crate) use standard::counter;
 pub use standard::{Part, Role, Standard};
-pub use statement::{Arm, For, Order, Stmt, StmtKind};
+pub use statement::{Arm, Codes, For, Order, Stmt, StmtKind};
 pub use tree::{Cell, Declared, Holds, Symbol, Tree, Unit, UnitKind};
 pub(crate) use types::some_of;
 pub use types::{Initial, Kind, Member, Type, TypeId, Types};

@@ -47,6 +47,8 @@ pub enum StmtKind {
     Order(Order, Standard, Place),
     /// Shows a variable on a PC; marks it as watched on a board.
     Print(String, Expr),
+    /// An instruction of the board as it is.
+    Codes(Box<Codes>),
     /// Goes to the statement of this number in the unit's body, if the condition holds. It stands in the body
     /// itself, in no other statement.
     Jump(Option<Expr>, u32),
@@ -75,6 +77,17 @@ impl Order {
             Order::Reset | Order::Load | Order::Look => None,
         }
     }
+}
+
+/// An instruction of the board by its codes. Only a board does it, and it may do anything there.
+#[derive(Clone, Debug)]
+pub struct Codes {
+    /// What the board's accumulator is before it, a BOOL; what it happens to be where this is none.
+    pub before: Option<Expr>,
+    /// The code and its operand lines, and where each stands.
+    pub codes: Vec<(i32, Span)>,
+    /// The cell of a BOOL that the accumulator goes to behind it, if anything reads that.
+    pub behind: Option<Place>,
 }
 
 /// An arm of CASE: the first and the last number of each of its ranges, and what is done.

@@ -23,7 +23,8 @@ pub struct Tree {
     pub programs: Vec<u32>,
     /// What lives as long as the program, by its names, for whoever shows it.
     pub symbols: Vec<Symbol>,
-    /// The cells that are points of the board.
+    /// The cells that are points of the board. One that is eight bits as one number has no value of its own: it is read
+    /// from their cells, and stored there. The cell of a counter's number says which counter it is.
     pub points: Vec<(u32, Address)>,
     /// What the text declares, in the order of the declarations.
     pub declared: Vec<Declared>,
@@ -114,6 +115,8 @@ pub struct Unit {
     pub references: u32,
     /// What it does.
     pub body: Vec<Stmt>,
+    /// Statements of its body, and the number that the label of each is to have on the board where that is free.
+    pub labels: Vec<(u32, u8)>,
     /// Its name.
     pub at: Span,
 }

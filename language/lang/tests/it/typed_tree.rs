@@ -197,6 +197,10 @@ fn statements(all: &[Stmt], tree: &Tree, faults: &mut Vec<String>) {
             }
             StmtKind::Call(of) => call(of, tree, faults),
             StmtKind::Standard(_, of) => place(of, tree, faults),
+            StmtKind::Codes(codes) => {
+                codes.before.iter().for_each(|of| bit(of, tree, faults));
+                codes.behind.iter().for_each(|of| place(of, tree, faults));
+            }
             StmtKind::Order(order, _, of) => {
                 order
                     .value()

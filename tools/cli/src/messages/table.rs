@@ -55,6 +55,9 @@ unoclp_words::messages! {
     calls_too_deep(place)
         "{place}: calls go too deep here; take the expression apart"
         "{place}: as chamadas vão fundo demais aqui; divida a expressão";
+    codes_of_a_board(place)
+        "{place}: only a board runs codes of CODE; run the program with unoclp sim"
+        "{place}: só uma placa executa códigos de CODE; rode o programa com unoclp sim";
     not_computed(place)
         "{place}: here a value could not be computed, and S 04 was set: a division by 0, a number that does not fit, or a subscript outside"
         "{place}: aqui um valor não pôde ser calculado e S 04 foi ligado: divisão por 0, número que não cabe ou índice fora da faixa";

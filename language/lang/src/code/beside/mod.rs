@@ -1,6 +1,7 @@
 //! Trees of what only Instruction List says, on the core, in the interpreter, and as the older compiler writes the same
 //! text.
 
+mod fixed;
 mod writer;
 
 use super::{CompiledText, lower};

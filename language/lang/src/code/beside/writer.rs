@@ -3,8 +3,8 @@
 
 use crate::diagnostics::Span;
 use crate::typed::{
-    Base, Binary, Cell, Compare, Expr, ExprKind, Order, Place, Root, Standard, Stmt, StmtKind,
-    Store, Tree, TypeId, Unit, UnitKind, Value,
+    Base, Binary, Cell, Compare, Convert, Expr, ExprKind, Index, Order, Place, Root, Standard,
+    Stmt, StmtKind, Store, Tree, TypeId, Unit, UnitKind, Value,
 };
 use unoclp_point::Address;
 use unoclp_testing::Random;
@@ -17,6 +17,8 @@ const COUNTERS: u32 = 4 * POINTS;
 const COUNTER: u32 = Standard::Counter.cells();
 const TIMERS: u32 = COUNTERS + 3 * COUNTER;
 const TIMER: u32 = Standard::Ton.cells();
+const MORE: u32 = TIMERS + 3 * TIMER;
+const GROUPS: u32 = MORE + 2 * POINTS;
 
 /// From where a block has its preset.
 #[derive(Clone, Copy, PartialEq)]
@@ -131,6 +133,16 @@ impl Writer {
         for (block, _) in timers {
             tree.cells.extend(cells(block, 0));
         }
+        for point in [Address::Marker, Address::Input] {
+            for number in 5..=8 {
+                tree.points.push((tree.cells.len() as u32, point(number)));
+                tree.cells.push(cell(Base::Bool, 0));
+            }
+        }
+        for point in [Address::Group(1), Address::Inputs(0), Address::Outputs(0)] {
+            tree.points.push((tree.cells.len() as u32, point));
+            tree.cells.push(cell(Base::Usint, 0));
+        }
         let mut text = String::from("VAR\n");
         for (at, (block, _)) in timers.iter().enumerate() {
             text += &format!("t{} : {};\n", at + 1, block.name());
@@ -175,6 +187,7 @@ impl Writer {
             locals: Vec::new(),
             references: 0,
             body: self.body,
+            labels: Vec::new(),
             at: Span::default(),
         });
         self.tree.programs.push(0);
@@ -206,7 +219,7 @@ impl Writer {
     }
 
     pub(super) fn instruction(&mut self) {
-        match self.random.below(12) {
+        match self.random.below(14) {
             0..3 => self.coil(),
             3..6 => self.counter(),
             6 => self.order_counter(),
@@ -214,6 +227,8 @@ impl Writer {
             8 => self.count_to_register(),
             9 => self.elapsed(),
             10 => self.add(),
+            11 => self.group(),
+            12 => self.table(),
             _ => {
                 let at = self.random.below(3);
                 if !self.called[at] {
@@ -251,6 +266,47 @@ impl Writer {
             whole(by, Base::Dint).into(),
         );
         self.body.push(assign(cell, expr(sum, Base::Dint)));
+    }
+
+    /// Eight bits as one number, read and stored.
+    fn group(&mut self) {
+        let (register, cell) = self.register();
+        let of = self.random.below(3);
+        let name = ["MB1", "IB0", "QB0"][of];
+        let group = GROUPS + of as u32;
+        if of == 1 || self.random.percent(40) {
+            self.line(format!("LD {name}\nST {register}"));
+            let read = read(group, Base::Usint);
+            let value = expr(ExprKind::Convert(Convert::Keep, read.into()), Base::Dint);
+            return self.body.push(assign(cell, value));
+        }
+        self.line(format!("LD {register}\nST {name}"));
+        let read = read(cell, Base::Dint);
+        let value = expr(ExprKind::Convert(Convert::Wrap, read.into()), Base::Usint);
+        self.body.push(assign(group, value));
+    }
+
+    /// All registers as a table.
+    fn table(&mut self) {
+        let ((subscript, at), (register, cell)) = (self.register(), self.register());
+        let mut table = place(REGISTERS);
+        table.indices.push(Index {
+            subscript: read(at, Base::Dint),
+            low: 0,
+            count: POINTS,
+            stride: 1,
+        });
+        if self.random.percent(50) {
+            self.line(format!("LD {subscript}\nTABLE_LD D1, 4\nST {register}"));
+            let value = expr(ExprKind::Read(table.into()), Base::Dint);
+            return self.body.push(assign(cell, value));
+        }
+        self.line(format!(
+            "LD {subscript}\nPUSH\nLD {register}\nTABLE_ST D1, 4"
+        ));
+        let store = Store::Narrow(Base::Dint);
+        let kind = StmtKind::Assign(table, read(cell, Base::Dint), store);
+        self.body.push(statement(kind));
     }
 
     fn counter(&mut self) {

@@ -4,7 +4,9 @@ use super::builder::Builder;
 use super::named::Traits;
 use crate::diagnostics::{Code, Span};
 use crate::points;
-use crate::typed::{Base, Cell, TypeId, Value};
+use crate::typed::{Base, Cell, Expr, Index, Place, Root, TypeId, Value};
+use std::collections::BTreeSet;
+use unoclp_core::Board;
 use unoclp_point::{Address, Maker};
 
 /// What the cell of a point holds.
@@ -12,8 +14,30 @@ pub(crate) fn point_base(point: Address) -> Base {
     match point {
         _ if point.is_bit() => Base::Bool,
         Address::Register(_) => Base::Dint,
+        Address::Group(_) | Address::Inputs(_) | Address::Outputs(_) => Base::Usint,
         _ => Base::Int,
     }
+}
+
+/// The bits of a point that is eight bits as one number, the lowest first, as far as the board has them.
+pub(crate) fn bits_of(point: Address, board: Board) -> Vec<Address> {
+    let bit: fn(u8) -> Address = match point {
+        Address::Group(_) => Address::Marker,
+        Address::Inputs(_) => Address::Input,
+        Address::Outputs(_) => Address::Output,
+        _ => return Vec::new(),
+    };
+    let first = match point {
+        Address::Group(number) => number.saturating_sub(1).saturating_mul(8),
+        _ => 0,
+    };
+    let most = match point {
+        Address::Group(_) => board.markers,
+        Address::Inputs(_) => board.inputs,
+        _ => board.outputs,
+    };
+    let numbers = (1..=8).map(|number: u8| first.saturating_add(number));
+    numbers.filter(|number| *number <= most).map(bit).collect()
 }
 
 impl Builder<'_, '_> {
@@ -49,7 +73,53 @@ impl Builder<'_, '_> {
         });
         self.tree.points.push((cell, point));
         self.points.insert(point, cell);
+        // What is read and written as one number is so bit by bit too.
+        for bit in bits_of(point, self.board) {
+            self.point(bit);
+        }
         cell
+    }
+
+    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
+    /// Makes the registers of tables, each by its first register and how many it has, in rows. It comes before any of these
+    /// registers is asked for by [`Builder::point`].
+    pub fn rows(&mut self, tables: &[(u8, u8)]) {
+        let all = tables
+            .iter()
+            .flat_map(|(first, count)| *first..first.saturating_add(*count));
+        let registers: BTreeSet<u8> = all.collect();
+        for register in registers {
+            self.point(Address::Register(register));
+        }
+    }
+
+    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
+    /// The register of a table that a subscript from 0 says; none where they do not stand in a row.
+    pub fn in_table(
+        &mut self,
+        (first, count): (u8, u8),
+        subscript: Expr,
+        at: Span,
+    ) -> Option<Place> {
+        let offset = self.point(Address::Register(first));
+        for next in 1..count {
+            let cell = self.point(Address::Register(first.saturating_add(next)));
+            if cell != offset + u32::from(next) {
+                return None;
+            }
+        }
+        let index = Index {
+            subscript,
+            low: 0,
+            count: count.into(),
+            stride: 1,
+        };
+        Some(Place {
+            root: Root::Static,
+            offset,
+            indices: vec![index],
+            at,
+        })
     }
 
     /// The point that an address like `%IX1` names; what is wrong with it is told.

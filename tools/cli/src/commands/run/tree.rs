@@ -135,6 +135,7 @@ fn stopped(text: &Text, stop: Stop) -> String {
     match stop {
         Stop::Endless(at) => placed(text, at, |place| messages::scan_endless(place, MOST_STEPS)),
         Stop::TooDeep(at) => placed(text, at, messages::calls_too_deep),
+        Stop::Codes(at) => placed(text, at, messages::codes_of_a_board),
     }
 }
 
