@@ -41,7 +41,7 @@ pub fn page(path: &str) -> Option<Cow<'static, [u8]>> {
 ///
 /// # Errors
 /// Where the address cannot be served from.
-pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Result<()> {
+pub fn share(http: SocketAddr, place: Option<Place>, pages: impl Pages) -> anyhow::Result<()> {
     let wrong = |error| anyhow!(messages::not_served(http, messages::io(&error)));
     let server = Server::bind(http).map_err(wrong)?;
     let page = format!("http://{}/", server.address());
@@ -100,7 +100,7 @@ fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
 ///
 /// # Errors
 /// Where an address cannot be served from.
-pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
+pub fn share_site(file: &Path, site: &Site, pages: impl Pages) -> anyhow::Result<()> {
     let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
     let listen = site.http.listen;
     let tls = identity::tls(file, site)?;

@@ -671,3 +671,68 @@ fn an_address_that_is_taken_is_told_with_what_to_do() {
         "{said}"
     );
 }
+
+/// A teacher's exercises and machines stand before those of the page, as they are at that moment; solutions stay at home.
+#[test]
+fn a_teachers_folder_stands_in_the_page() {
+    let folder = format!("{}/own-exercises", env!("CARGO_TARGET_TMPDIR"));
+    drop(std::fs::remove_dir_all(&folder));
+    std::fs::create_dir(&folder).unwrap();
+    let put = |name: &str, text: &str| std::fs::write(format!("{folder}/{name}"), text).unwrap();
+    let programs = format!("{}/../../programs", env!("CARGO_MANIFEST_DIR"));
+    let ours = |name: &str| std::fs::read_to_string(format!("{programs}/{name}")).unwrap();
+    put("motor.toml", &ours("plants/motor.toml"));
+    put(
+        "welded.toml",
+        &ours("exercises/find/01-motor.toml").replace("../../plants/", ""),
+    );
+    put("01-motor.il", &ours("exercises/find/01-motor.il"));
+    let bell = "title = \"The bell\"\nprogram = \"bell.st\"\nuntil = 5\n";
+    put("bell.toml", bell);
+    put(
+        "bell.st",
+        "PROGRAM secret VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM",
+    );
+    put("broken.toml", "until = [\n");
+    put(
+        "no-machine.toml",
+        "title = \"x\"\nplant = \"gone.toml\"\nuntil = 5\n",
+    );
+    let mut command = unoclp("127.0.0.1:0");
+    command
+        .args(["--exercises", &folder])
+        .stderr(Stdio::piped());
+    let mut server = Server::of(&mut command);
+    let mut told = BufReader::new(server.child.stderr.take().unwrap()).lines();
+    let mut line = || told.next().unwrap().unwrap();
+    assert!(line().contains("broken.toml:"));
+    assert!(line().contains("gone.toml cannot be read"));
+    assert!(line().ends_with("adds to the page: exercises 2, machines 1"));
+
+    let page = http(&server.address, "/exercises.json");
+    let place = |what: &str| {
+        page.find(what)
+            .unwrap_or_else(|| panic!("{what} is not there"))
+    };
+    let (own, find, first) = (place("own/bell"), place("own/welded"), place("01-contacts"));
+    assert!(own < find && find < first);
+    assert!(page.contains("\"language\":\"st\"") && !page.contains("PROGRAM secret"));
+    // The program of a machine with a hidden fault is right, and given.
+    assert!(page[find..first].contains("\"program\":{\"name\":\"01-motor.il\""));
+    let machines = http(&server.address, "/machines.json");
+    assert!(machines.contains("\"isOwn\":true"));
+    assert!(machines.find("motor.toml") < machines.find("batch.toml"));
+    put("bell.toml", &bell.replace("The bell", "Two bells"));
+    assert!(http(&server.address, "/exercises.json").contains("Two bells"));
+    assert!(http(&server.address, "/index.html").contains("<title>"));
+
+    let none = unoclp("127.0.0.1:0")
+        .args(["--exercises", "/no/such/folder"])
+        .output()
+        .unwrap();
+    let told = String::from_utf8(none.stderr).unwrap();
+    assert!(
+        !none.status.success() && told.contains("/no/such/folder cannot be read"),
+        "{told}"
+    );
+}

@@ -51,7 +51,7 @@ pub struct Server {
 /// What every request is answered from.
 #[derive(Clone)]
 struct Shared {
-    pages: Pages,
+    pages: Arc<dyn Pages>,
     door: Door,
     gateways: Arc<[Arc<Gateway>]>,
     api: Api,
@@ -104,7 +104,7 @@ impl Server {
     /// Where the system takes the address away.
     pub fn run(
         self,
-        pages: Pages,
+        pages: impl Pages,
         sharing: Option<Sharing>,
         end: impl Future<Output = ()>,
     ) -> io::Result<()> {
@@ -129,7 +129,7 @@ impl Server {
             archive: Archive::new(past),
         };
         let shared = Shared {
-            pages,
+            pages: Arc::new(pages),
             api,
             door,
             gateways,
@@ -252,7 +252,7 @@ async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Res
     if !doors::lets_in(&headers, shared.door) {
         return StatusCode::FORBIDDEN.into_response();
     }
-    page::file(shared.pages, uri.path())
+    page::file(&*shared.pages, uri.path())
 }
 
 /// A visitor of the first board.

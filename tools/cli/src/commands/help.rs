@@ -292,6 +292,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ),
     (
         "serve",
+        "exercises",
+        "Mostra na página também os exercícios e as máquinas desta pasta",
+    ),
+    (
+        "serve",
         "site",
         "Compartilha as placas deste arquivo de instalação, como ele diz",
     ),

@@ -249,6 +249,12 @@ unoclp_words::messages! {
     not_served(address, error)
         "{address} cannot be served from: {error}. Another address is given by --http, and --http 127.0.0.1:0 takes a free port"
         "não é possível servir em {address}: {error}. Outro endereço se indica com --http, e --http 127.0.0.1:0 usa uma porta livre";
+    own(folder, exercises, machines)
+        "{folder} adds to the page: exercises {exercises}, machines {machines}"
+        "{folder} acrescenta à página: exercícios {exercises}, máquinas {machines}";
+    own_too_long(file, most)
+        "{file} is no file of at most {most} bytes; the page leaves it out"
+        "{file} não é um arquivo de no máximo {most} bytes; a página o deixa de fora";
     watch_at(page) "to watch:   {page}" "acompanhar: {page}";
     control_at(page) "to control: {page}" "controlar:  {page}";
     open_to_network()

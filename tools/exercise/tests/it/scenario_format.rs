@@ -60,6 +60,8 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""),
         ("given = \"LD I9\\n\"\nanswer_in = \"st\"\nuntil = 5", 3, "the program in `given` has errors; `unoclp check` shows them"),
         ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault in a machine; name one with `plant`"),
+        ("seeds = [1]\nuntil = 5", 3, "`seeds` are further chances of a machine; name one with `plant`"),
+        ("plant = \"m.toml\"\nseeds = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]\nuntil = 5", 4, "`seeds` has more than 20; leave some out"),
         ("equivalent = [{ was = \"LD I1\", is = \"\" }]\nuntil = 5", 3, "missing field `why`"),
         ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
