@@ -23,6 +23,8 @@ const MOST: usize = 500;
 #[derive(Clone, Debug)]
 pub struct Own {
     folder: PathBuf,
+    /// What its programs are for, where a machine names no other.
+    board: Board,
 }
 
 /// What stands in it.
@@ -79,11 +81,12 @@ impl Own {
     ///
     /// # Errors
     /// Where it cannot be read.
-    pub fn open(folder: &Path) -> anyhow::Result<Own> {
+    pub fn open(folder: &Path, board: Board) -> anyhow::Result<Own> {
         let wrong = |error| anyhow!(messages::cannot_read(shown(folder), messages::io(&error)));
         fs::read_dir(folder).map_err(wrong)?;
         let own = Own {
             folder: folder.to_owned(),
+            board,
         };
         let found = own.found();
         for mistake in &found.mistakes {
@@ -120,8 +123,8 @@ impl Own {
         files.truncate(MOST);
         for file in files {
             match text(&file) {
-                Ok(text) if is_machine(&text) => found.machine(&file, &text),
-                Ok(text) => found.exercise(&self.folder, &file, &text),
+                Ok(text) if is_machine(&text) => found.machine(&file, &text, self.board),
+                Ok(text) => found.exercise(self, &file, &text),
                 Err(why) => found.mistakes.push(why),
             }
         }
@@ -130,8 +133,8 @@ impl Own {
 }
 
 impl Found {
-    fn machine(&mut self, file: &Path, text: &str) {
-        match plant(file, text) {
+    fn machine(&mut self, file: &Path, text: &str, board: Board) {
+        match plant(file, text, board) {
             Ok(plant) => self.machines.extend(serde_json::to_value(OwnMachine {
                 name: &name(file),
                 text,
@@ -143,8 +146,8 @@ impl Found {
         }
     }
 
-    fn exercise(&mut self, folder: &Path, file: &Path, scenario: &str) {
-        let exercise = match Exercise::of_text(&shown(file), scenario, Board::UNO) {
+    fn exercise(&mut self, Own { folder, board }: &Own, file: &Path, scenario: &str) {
+        let exercise = match Exercise::of_text(&shown(file), scenario, *board) {
             Ok(exercise) => exercise,
             Err(error) => return self.mistakes.push(error.text(messages::spoken())),
         };
@@ -154,7 +157,7 @@ impl Found {
         };
         let machine = exercise.plant.as_ref().map(|path| {
             let (name, text) = beside(path)?;
-            plant(&folder.join(path), &text)?;
+            plant(&folder.join(path), &text, *board)?;
             Ok((name, text))
         });
         // Where a fault is to be found, the program is right and given; else it is the solution.
@@ -201,8 +204,8 @@ fn text(file: &Path) -> Result<String, String> {
 }
 
 /// The machine of a file, or the first mistake in it.
-fn plant(file: &Path, text: &str) -> Result<Plant, String> {
-    let plant = unoclp_plant::read(text, Board::UNO);
+fn plant(file: &Path, text: &str, board: Board) -> Result<Plant, String> {
+    let plant = unoclp_plant::read(text, board);
     plant.map_err(|mistakes| {
         let told = mistakes.first();
         told.map_or_else(String::new, |told| {

@@ -38,7 +38,8 @@ pub fn serve(doors: Doors) -> Outcome {
         site,
         spoken,
     } = doors;
-    let own = exercises.as_deref().map(Own::open).transpose()?;
+    let open = |folder: &std::path::Path| Own::open(folder, unoclp_client::AT_A_LINE);
+    let own = exercises.as_deref().map(open).transpose()?;
     let page = move |path: &str| {
         let file = page(path)?;
         Some(match &own {
