@@ -10,7 +10,7 @@ use unoclp_exercise::machine::{First, first_wrong, with_chances};
 use unoclp_exercise::mutants::passing;
 use unoclp_exercise::scenario::{Exercise, ProgramFile, grade, passes};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_plant::{Outputs, Plant, Run, read};
+use unoclp_plant::{Plant, Run, read};
 use unoclp_program::Lang;
 
 /// The machine of an exercise.
@@ -275,44 +275,4 @@ fn a_program_that_is_given_does_what_its_exercise_expects() {
         }
     }
     assert!(count >= 2, "{count}");
-}
-
-/// What is right with the chances that a student sees, and wrong with hidden ones, is told with what chance began with.
-#[test]
-fn hidden_chances_are_tried_too() {
-    let file = files("plants", &["toml"]);
-    let file = file.iter().find(|file| stem(file) == "crossing").unwrap();
-    let text = fs::read_to_string(file).unwrap();
-    let (parts, _) = text.split_once("[[never]]").unwrap();
-    let machine = |rule: &str| read(&format!("{parts}{rule}"), Board::UNO).unwrap();
-    let free = machine("");
-    // When somebody comes for the first time.
-    let comes = |seed: u64| {
-        let mut run = Run::new(&free, seed);
-        let (part, value) = free.value("walk.waiting").unwrap();
-        while run.value(part, value) == 0 {
-            run.step(&Outputs::default());
-        }
-        run.now()
-    };
-    let usual = comes(free.seed);
-    let earlier = (2..100).find(|seed| comes(u64::from(*seed)) + 1000 < usual);
-    let earlier = earlier.expect("chance differs");
-    let rule = format!(
-        "[[never]]\nwhen = \"walk.waiting > 0 AND clock < {}\"\n",
-        usual - 1000
-    );
-    let plant = machine(&rule);
-    let code = b"0\n787600\n827301\n877901\n";
-    let tried = |seeds: &[u32]| {
-        with_chances(&plant, seeds, code, &mut HostEngine::new(Board::UNO)).unwrap()
-    };
-    assert_eq!(tried(&[]), None);
-    let wrong = tried(&[earlier]).unwrap();
-    assert_eq!(wrong.hidden, Some(earlier));
-    let told = wrong.text(&plant, Lang::En);
-    assert!(
-        told.starts_with(&format!("with hidden chances ({earlier}): at ")),
-        "{told}"
-    );
 }

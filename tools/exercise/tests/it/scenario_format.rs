@@ -46,7 +46,7 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
         ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; keys of the whole file stand above the first [[step]]"),
-        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
+        ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `seeds`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
         ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]], or the `fault` that is expected"),
         ("[[case]]\nstep = [{ at = 0 }]", 3, "missing field `title`"),
         ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "a file with [[case]] has its steps and `until` in the cases; move them there"),
