@@ -1,5 +1,6 @@
 //! Visitors of a server, with boards in memory.
 
+mod alarms;
 mod attacks;
 mod clients;
 mod common;
@@ -12,4 +13,5 @@ mod poll;
 mod remote;
 mod simulated;
 mod site;
+mod users;
 mod visitors;
