@@ -127,13 +127,7 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     let modbus = modbus.transpose()?;
     let kept = site.has_journal().then(|| Kept::begin(file, site));
     let kept = kept.transpose()?.map(Arc::new);
-    let broker = site.mqtt.as_ref().zip(kept.as_ref());
-    let broker = broker.map(|(mqtt, kept)| broker::begin(file, site, mqtt, &kept.journal));
-    let (reporter, ordered) = broker.transpose()?.unzip();
     let record = alarms::record(file, site)?;
-    let alarms = alarms::alarms(file, site, record.as_ref(), reporter.clone())?;
-    let metrics = metrics(kept.clone(), reporter.clone(), record.clone());
-    let keep = keep(kept.as_deref(), reporter.clone(), alarms.clone());
     // It ends here, behind the server: the client of a database must not end while a server runs on the same thread.
     let past = archive(file, site)?;
     let page = format!("{scheme}://{}/", server.address());
@@ -149,6 +143,13 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     if let Some(modbus) = &modbus {
         println!("{}", messages::modbus_at(modbus.address()));
     }
+    // From here on others say something too.
+    let broker = site.mqtt.as_ref().zip(kept.as_ref());
+    let broker = broker.map(|(mqtt, kept)| broker::begin(file, site, mqtt, &kept.journal));
+    let (reporter, ordered) = broker.transpose()?.unzip();
+    let alarms = alarms::alarms(file, site, record.as_ref(), reporter.clone())?;
+    let metrics = metrics(kept.clone(), reporter.clone(), record.clone());
+    let keep = keep(kept.as_deref(), reporter.clone(), alarms.clone());
     let programs: BTreeMap<_, _> = site
         .boards()
         .cloned()

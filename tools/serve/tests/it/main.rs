@@ -4,6 +4,7 @@ mod alarms;
 mod attacks;
 mod clients;
 mod common;
+mod examples;
 mod modbus;
 mod openapi;
 mod orders;
