@@ -3,6 +3,7 @@
 use crate::alarm::{Alarm, Reading, Severity, Sort, Text, UP, When};
 use crate::keys::{At, Keys};
 use crate::mistake::Wrong;
+use crate::named::named;
 use crate::points::{Kind, Point};
 use crate::site::{Board, Line};
 use std::time::Duration;
@@ -51,21 +52,6 @@ pub(crate) fn alarms(keys: &Keys<'_>, lines: &[Line]) -> Vec<Alarm> {
         }
     }
     alarms
-}
-
-/// The name of a table, which must be there: it stands in topics, in paths and in heads of HTTP.
-pub(crate) fn named(table: &Keys<'_>, example: &'static str) -> Option<At<String>> {
-    let name = table.needed("name", example)?;
-    let of_name = |ch: char| ch.is_ascii_alphanumeric() || matches!(ch, '-' | '_');
-    let is_name = name.value.len() <= 32
-        && name.value.starts_with(|ch: char| ch.is_ascii_alphabetic())
-        && name.value.chars().all(of_name);
-    if is_name {
-        return Some(name);
-    }
-    let given = format!("{:?}", name.value);
-    table.notes.wrong(&name.place, Wrong::NoName { given });
-    None
 }
 
 fn when(table: &Keys<'_>, lines: &[Line]) -> Option<When> {

@@ -22,6 +22,7 @@ mod keys;
 mod lines;
 mod mistake;
 mod mqtt;
+mod named;
 mod plan;
 mod points;
 mod read;

@@ -1,9 +1,9 @@
 //! The tables `user` of a site file.
 
-use crate::alarms::named;
 use crate::broker::Secret;
 use crate::keys::{At, Keys};
 use crate::mistake::Wrong;
+use crate::named::named;
 use unoclp_key::is_key;
 
 const EXAMPLE: &str = "[{ name = \"ana\", role = \"operate\", key = \"$argon2id$…\" }]";
