@@ -3,7 +3,7 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
-//! - `broker`: what a broker is told of a site, with the same feature
+//! - `broker`: what a broker is told of a site, with the same feature; `alarms`: its alarms, and the record
 //! - `shared`: the page and the boards for browsers, with the feature `page`, until `ended` says so; [`site_file`]: which boards
 //! - `kept`: the journal and the history of a site; `archive`: the history for who asks over HTTP; `identity`: with which certificate; [`stores`]: where they are
 //! - `own`: a teacher's exercises and machines among those of the page
@@ -14,6 +14,8 @@
 //!
 //! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
+#[cfg(feature = "page")]
+mod alarms;
 #[cfg(feature = "page")]
 mod archive;
 pub mod ascii;

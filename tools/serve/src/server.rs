@@ -1,6 +1,6 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::api::{self, Api, Archive};
+use crate::api::{self, Api, Archive, Caller};
 use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
@@ -118,6 +118,7 @@ impl Server {
             orders,
             metrics,
             past,
+            alarms,
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
@@ -127,6 +128,7 @@ impl Server {
             door,
             metrics,
             archive: Archive::new(past),
+            alarms,
         };
         let shared = Shared {
             pages: Arc::new(pages),
@@ -235,6 +237,7 @@ where
 {
     let service = routes.map_request(move |mut request: Request<Incoming>| {
         connection.slot.is_used();
+        request.extensions_mut().insert(Caller(connection.address));
         request.extensions_mut().insert(connection.clone());
         request
     });

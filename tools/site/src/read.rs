@@ -1,5 +1,6 @@
 //! From the text of a site file to a site.
 
+use crate::alarms::alarms;
 use crate::files::Files;
 use crate::grants::grants;
 use crate::kept::{history, journal};
@@ -8,6 +9,7 @@ use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
 use crate::site::{Encryption, Http, Modbus, Site};
+use crate::users::users;
 use std::net::{Ipv4Addr, SocketAddr};
 use toml::de::DeTable;
 
@@ -28,7 +30,9 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
         }
         return Err(notes.mistakes());
     }
-    let known = ["http", "line", "modbus", "mqtt", "history", "journal"];
+    let known = [
+        "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "user",
+    ];
     let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
     let site = site(&keys, files);
     let mistakes = notes.mistakes();
@@ -45,6 +49,7 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
     let modbus = modbus(keys, &lines, &http);
     let mqtt = mqtt(keys, &lines);
     let history = history(keys);
+    let alarms = alarms(keys, &lines);
     Site {
         http: Http {
             listen: http.value,
@@ -55,6 +60,8 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
         mqtt,
         journal: journal(keys, history.as_ref()),
         history,
+        alarms,
+        users: users(keys),
     }
 }
 
