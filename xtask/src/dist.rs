@@ -1,6 +1,6 @@
 //! `cargo xtask dist`: what is handed out, in `target/dist/`. `unoclp` for the machine that this runs on, with the page
 //! and the tested firmware inside; it and the page as archives, with the licences of all that they contain; and the page
-//! as a folder. On Debian it is a package too, with a service.
+//! as a folder. On Debian it is a package too, with a service. A bill of materials and the sums of the files lie beside them.
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::fs::{self, File};
@@ -15,7 +15,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use crate::notice::Parts;
 use crate::shell::{self, cargo, root, say};
-use crate::{deb, lab, node};
+use crate::{deb, lab, node, sbom};
 
 /// Where all of it lies.
 const FOLDER: &str = "target/dist";
@@ -32,7 +32,7 @@ struct Entry {
     runs: bool,
 }
 
-/// Builds all of it anew, and says how large it is.
+/// Builds all of it again, and says how large it is.
 ///
 /// # Errors
 /// If a step fails.
@@ -50,7 +50,8 @@ pub fn run() -> Result<()> {
     let program = folder.join(&name);
     fs::copy(&built, &program).with_context(|| format!("cannot write {}", program.display()))?;
 
-    let papers = papers()?;
+    let parts = Parts::find()?;
+    let papers = papers(&parts)?;
     let for_this_machine = folder.join(format!("unoclp-{OS}-{ARCH}.zip"));
     let for_debian = papers.clone();
     let mut entries = papers.clone();
@@ -71,6 +72,9 @@ pub fn run() -> Result<()> {
         }
         false => say("no Debian package: dpkg-deb makes it, and is not here"),
     }
+    let name = format!("unoclp-{OS}-{ARCH}");
+    let about = sbom::write(&parts, &made, &name, &folder)?;
+    made.extend(about);
     for file in made {
         let size = fs::metadata(&file).map_or(0, |file| file.len());
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -119,10 +123,10 @@ fn program() -> Result<PathBuf> {
     bail!("cargo names no program")
 }
 
-fn papers() -> Result<Vec<Entry>> {
+fn papers(parts: &Parts) -> Result<Vec<Entry>> {
     let mut papers = vec![Entry {
         name: "LICENCES-OF-OTHERS.txt".into(),
-        bytes: Parts::find()?.texts()?.into_bytes(),
+        bytes: parts.texts()?.into_bytes(),
         runs: false,
     }];
     for name in PAPERS {

@@ -24,6 +24,7 @@ pub mod notice;
 pub mod parts;
 pub mod programs;
 pub mod rulings;
+pub mod sbom;
 pub mod setup;
 pub mod shell;
 pub mod steps;

@@ -25,6 +25,15 @@ pub struct Part {
     folder: PathBuf,
 }
 
+/// Where a part is published.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The registry of Rust's crates.
+    Crate,
+    /// That of npm's packages.
+    Package,
+}
+
 /// All of them.
 pub struct Parts {
     packages: BTreeSet<Part>,
@@ -51,6 +60,14 @@ impl Parts {
         text += "these crates, some of them on some systems only:\n\n";
         text += &list(&self.crates);
         text
+    }
+
+    /// Of each part where it is published, its name, its version and its licence.
+    pub fn all(&self) -> impl Iterator<Item = (Kind, &str, &str, &str)> {
+        let packages = self.packages.iter().map(|part| (Kind::Package, part));
+        let crates = self.crates.iter().map(|part| (Kind::Crate, part));
+        let all = packages.chain(crates);
+        all.map(|(kind, part)| (kind, &*part.name, &*part.version, &*part.licence))
     }
 
     /// Names and licences.
@@ -87,7 +104,7 @@ impl Parts {
     }
 }
 
-/// `cargo xtask notice`: writes the lists in `NOTICE` anew.
+/// `cargo xtask notice`: writes the lists in `NOTICE` again.
 ///
 /// # Errors
 /// As [`Parts::find`], or if the file cannot be written.

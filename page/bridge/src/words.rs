@@ -112,6 +112,16 @@ unoclp_words::messages! {
     no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
     no_machine() "this file is no machine" "este arquivo não é uma máquina";
+    other_language(language)
+        "this exercise asks for a program in `{language}`; let the name of yours end so"
+        "este exercício pede um programa em `{language}`; o nome do seu deve terminar assim";
+    hidden_chances()
+        "when other things come by chance, the machine does not do what it should; how they come is hidden"
+        "quando o acaso traz outras coisas, a máquina não faz o que deve; quais são, é oculto";
+    no_find() "this exercise hides no fault" "este exercício não esconde uma falha";
+    cannot_fail(name)
+        "the exercise hides a fault that the machine {name} cannot have"
+        "o exercício esconde uma falha que a máquina {name} não pode ter";
     machine_first() "open a machine first" "abra uma máquina antes";
     fault_stuck() "stuck" "travado";
     fault_open() "wire broken" "fio partido";
@@ -197,7 +207,6 @@ pub fn failure(lang: Lang, failure: &Failure) -> String {
     }
 }
 
-/// Why a text is no program.
 /// How a part of a machine fails.
 #[cfg(feature = "full")]
 pub fn fails(lang: Lang, fault: unoclp_plant::Fault) -> String {
@@ -215,6 +224,7 @@ pub fn fails(lang: Lang, fault: unoclp_plant::Fault) -> String {
     told(lang)
 }
 
+/// Why a text is no program.
 pub fn no_program(lang: Lang, why: NoProgram) -> String {
     match why {
         NoProgram::Empty => program_empty(lang),

@@ -187,6 +187,19 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_translated_page_has_every_effect() {
+        let page = include_str!("../../../docs/numeric-code.pt-BR.md");
+        for &opcode in Opcode::ALL {
+            let (text, stored) = (effect(opcode, Lang::Pt), opcode.row().stored);
+            let cells = format!("| {text} | `{stored:02X}` |");
+            assert!(
+                page.contains(&cells),
+                "docs/numeric-code.pt-BR.md has no {cells}"
+            );
+        }
+    }
+
+    #[test]
     fn every_effect_has_the_operands_of_its_twin() {
         for &opcode in Opcode::ALL {
             let (english, portuguese) = (effect(opcode, Lang::En), effect(opcode, Lang::Pt));

@@ -2,6 +2,7 @@
 //!
 //! Each connection is a clean session: what a broker has not confirmed is said again from the journal, in order.
 
+use crate::alarm::Alarm;
 use crate::change::Change;
 use crate::command::{Command, Refusal};
 use crate::session::{Message, Now, Out, Session};
@@ -39,6 +40,7 @@ const ENTRIES: usize = 256;
 pub(crate) enum Input {
     Changed(Arc<[Change]>),
     Presence(String, bool),
+    Alarm(Box<Alarm>),
     Stop,
 }
 
@@ -131,6 +133,7 @@ impl Link {
         let now = self.now();
         match input {
             Some(Input::Changed(changes)) => self.session.changed(&changes, now),
+            Some(Input::Alarm(alarm)) => self.session.alarm(&alarm),
             Some(Input::Presence(board, up)) => self.session.presence(&board, up, now),
             Some(Input::Stop) | None => return true,
         }

@@ -111,6 +111,30 @@ unoclp_words::messages! {
     read_only(point, known)
         "{point} cannot be written; what can is {known}"
         "não se pode escrever em {point}; pode-se em {known}";
+    no_name(given)
+        "{given} cannot be a name here; take a letter, then letters, digits, - or _, at most 32"
+        "{given} não pode ser um nome aqui; use uma letra e depois letras, algarismos, - ou _, no máximo 32";
+    two_alarms(name)
+        "two alarms are called {name}; give each its own name"
+        "dois alarmes se chamam {name}; dê a cada um o seu nome";
+    no_condition(told, help)
+        "this is no condition of Structured Text: {told}{help}; write one like \"estufa.temperature > 80.0 AND NOT estufa.fan\""
+        "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"estufa.temperature > 80.0 AND NOT estufa.fan\"";
+    reads_nothing()
+        "this condition reads no point, so it never changes; name one, \"estufa.temperature > 80.0\""
+        "esta condição não lê nenhum ponto, e por isso nunca muda; indique um, \"estufa.temperature > 80.0\"";
+    long_condition(most)
+        "this condition is longer than {most} characters; let the program of a board compute a part of it"
+        "esta condição tem mais de {most} caracteres; deixe o programa de uma placa calcular uma parte dela";
+    no_text()
+        "this alarm says nothing; write `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, or one text for both languages"
+        "este alarme não diz nada; escreva `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, ou um só texto para as duas línguas";
+    two_users(name)
+        "two users are called {name}; give each its own name"
+        "dois usuários se chamam {name}; dê a cada um o seu nome";
+    no_key_of_user()
+        "this is no key of a user; `unoclp site key NAME` makes one"
+        "isto não é uma chave de usuário; `unoclp site key NOME` cria uma";
 
     page_here(address)
         "page: http://{address}/, for this PC alone"
@@ -169,6 +193,22 @@ unoclp_words::messages! {
     sparkplug_host(group, node, host)
         "  Sparkplug B: group {group}, edge node {node}, while host {host} is online"
         "  Sparkplug B: grupo {group}, nó {node}, enquanto o host {host} estiver on-line";
+    alarm(name, severity, when)
+        "alarm {name} ({severity}): {when}"
+        "alarme {name} ({severity}): {when}";
+    alarm_for(name, severity, when, time)
+        "alarm {name} ({severity}): {when}, for {time}"
+        "alarme {name} ({severity}): {when}, por {time}";
+    severity_low() "low" "baixa";
+    severity_medium() "medium" "média";
+    severity_high() "high" "alta";
+    user_watch(name) "user {name}: watches" "usuário {name}: observa";
+    user_operate(name)
+        "user {name}: operates, and acknowledges alarms"
+        "usuário {name}: opera e reconhece alarmes";
+    user_engineer(name)
+        "user {name}: operates, and changes programs and settings"
+        "usuário {name}: opera e muda programas e ajustes";
     modbus_writes(address, points)
         "Modbus TCP: {address}; whoever reaches it may write {points}"
         "Modbus TCP: {address}; quem chegar até ele pode escrever em {points}";

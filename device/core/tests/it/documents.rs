@@ -254,6 +254,44 @@ fn faults_of(program: &str) -> Vec<Fault> {
     faults
 }
 
+/// The translated page has the same codes in the same order, each with its letters, its byte and how many bytes store it;
+/// the same faults; and the same rulings.
+#[test]
+fn the_translation_has_the_same_rows() {
+    let pages = ["docs/numeric-code.md", "docs/numeric-code.pt-BR.md"].map(document);
+    let [english, portuguese] = pages.each_ref().map(|page| table(page, "isa"));
+    assert_eq!(english.len(), portuguese.len());
+    for (one, other) in english.iter().zip(&portuguese) {
+        assert_eq!(
+            [&one[0], &one[1], &one[3]],
+            [&other[0], &other[1], &other[3]]
+        );
+        assert_eq!(digits(&one[4]), digits(&other[4]), "{}", one[0]);
+    }
+    let numbers = |page: &str| -> Vec<String> {
+        let rows = table(page, "faults").into_iter();
+        rows.map(|row| row[0].clone()).collect()
+    };
+    assert_eq!(numbers(&pages[0]), numbers(&pages[1]));
+    let rulings = |page: &str| -> Vec<String> {
+        let lines = page.lines().filter(|line| line.starts_with("- NC-"));
+        lines
+            .map(|line| line.split(' ').nth(1).unwrap_or_default().to_owned())
+            .collect()
+    };
+    assert_eq!(rulings(&pages[0]), rulings(&pages[1]));
+    assert_eq!(rulings(&pages[0]).len(), 29);
+}
+
+/// The numbers of a text, without its words.
+fn digits(text: &str) -> Vec<String> {
+    let numbers = text.split(|c: char| !c.is_ascii_digit());
+    numbers
+        .filter(|number| !number.is_empty())
+        .map(str::to_owned)
+        .collect()
+}
+
 #[test]
 fn limits_of_the_uno() {
     let Board {
@@ -263,7 +301,12 @@ fn limits_of_the_uno() {
         linked_bytes,
         ..
     } = Board::UNO;
-    for name in ["README.md", "README.pt-BR.md", "docs/numeric-code.md"] {
+    for name in [
+        "README.md",
+        "README.pt-BR.md",
+        "docs/numeric-code.md",
+        "docs/numeric-code.pt-BR.md",
+    ] {
         let rows = table(&document(name), "profile");
         let numbers: Vec<&str> = rows.iter().map(|row| row[1].as_str()).collect();
         assert_eq!(

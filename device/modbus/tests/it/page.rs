@@ -8,10 +8,16 @@ use unoclp_modbus::map::{
 use unoclp_modbus::{Exception, Table};
 
 const PAGE: &str = include_str!("../../../../docs/modbus.md");
+const TRANSLATION: &str = include_str!("../../../../docs/modbus.pt-BR.md");
 
 /// The rows of the tables under this heading, cell by cell, without their heads.
 fn rows(heading: &str) -> Vec<Vec<String>> {
-    let section = PAGE.split(&format!("\n## {heading}\n")).nth(1).unwrap();
+    rows_of(PAGE, heading)
+}
+
+/// The same of a page.
+fn rows_of(page: &str, heading: &str) -> Vec<Vec<String>> {
+    let section = page.split(&format!("\n## {heading}\n")).nth(1).unwrap();
     let section = section.split("\n## ").next().unwrap();
     let rows = section.lines().filter(|line| line.starts_with('|'));
     let cells = |row: &str| -> Vec<String> {
@@ -67,6 +73,44 @@ fn the_page_has_every_address_and_no_other() {
     }
 }
 
+/// Its headings, and their translations.
+const TRANSLATED: [(&str, &str); 7] = [
+    ("Coils and discrete inputs", "Bobinas e entradas discretas"),
+    ("Input registers", "Registradores de entrada"),
+    ("Holding registers", "Registradores de retenção"),
+    ("Exceptions", "Exceções"),
+    ("RUN, STOP and commands", "RUN, STOP e comandos"),
+    ("Settings", "Ajustes"),
+    ("The lock", "O bloqueio"),
+];
+
+/// The translation has the same addresses, commands, exceptions, settings and bits, with the same numbers.
+#[test]
+fn the_translation_has_the_same_rows() {
+    for (heading, translated) in TRANSLATED {
+        let (rows, translations) = (rows(heading), rows_of(TRANSLATION, translated));
+        let first = |rows: &[Vec<String>]| -> Vec<String> {
+            rows.iter().map(|row| row[0].clone()).collect()
+        };
+        assert_eq!(first(&rows), first(&translations), "{heading}");
+        for (row, translation) in rows.iter().zip(&translations) {
+            let numbers = |row: &[String]| -> Vec<String> {
+                let text = row.join(" ").replace([',', '.'], "");
+                let parts = text.split(|c: char| !c.is_ascii_digit());
+                let mut numbers: Vec<_> = parts.map(str::to_owned).collect();
+                numbers.retain(|number| !number.is_empty());
+                numbers.sort_unstable();
+                numbers
+            };
+            assert_eq!(
+                numbers(row),
+                numbers(translation),
+                "{row:?}\n{translation:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn spans_are_in_order_and_apart() {
     for pair in ALL.windows(2) {
@@ -115,7 +159,7 @@ fn the_page_has_the_states_bits_and_causes() {
         (flag::STOP_SWITCH, "A5 is closed"),
         (flag::STOPPED, "STOP by command"),
         (flag::FORCED, "something is forced"),
-        (flag::UPLOAD, "an upload is under way"),
+        (flag::UPLOAD, "an upload is in progress"),
         (flag::CARD_FAILED, "the card failed"),
     ];
     for (flag, text) in flags {

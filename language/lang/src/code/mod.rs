@@ -29,8 +29,6 @@ mod allot;
 mod allotter;
 mod arithmetic;
 mod assign;
-#[cfg(test)]
-mod beside;
 mod bits;
 mod blocks;
 mod calls;
@@ -215,3 +213,6 @@ fn units(tree: &Tree, text: &str) -> Units {
         .filter_map(|((start, name), end)| Some((start..end, name?)))
         .collect()
 }
+
+#[cfg(test)]
+mod beside;

@@ -2,19 +2,18 @@
 //!
 //! Owns that they have no value of their own: each bit is where its point is.
 
-use super::Machine;
 use crate::typed::{Tree, Value};
 use unoclp_point::Address;
 
 /// Such a cell, and those of its bits, the lowest first; none where the board lacks the bit.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Group {
+struct Group {
     cell: usize,
     bits: [Option<usize>; 8],
 }
 
 /// Those of a tree.
-pub(super) fn of(tree: &Tree) -> Vec<Group> {
+pub(super) fn of(tree: &Tree) -> Groups {
     let points = tree.points.iter();
     let groups = points.filter_map(|(cell, point)| {
         let first: u8 = match point {
@@ -37,32 +36,41 @@ pub(super) fn of(tree: &Tree) -> Vec<Group> {
         let cell = *cell as usize;
         Some(Group { cell, bits })
     });
-    groups.collect()
+    Groups(groups.collect())
 }
 
-impl Machine<'_> {
-    pub(super) fn group(&self, cell: usize) -> Option<Group> {
-        let mut groups = self.groups.iter();
-        groups.find(|group| group.cell == cell).copied()
+/// All of a tree.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Groups(Vec<Group>);
+
+impl Groups {
+    fn of(&self, cell: usize) -> Option<&Group> {
+        self.0.iter().find(|group| group.cell == cell)
     }
 
-    /// What a cell holds.
-    pub(super) fn held(&self, cell: usize) -> Option<Value> {
-        let Some(group) = self.group(cell) else {
-            return self.memory.get(cell).cloned();
+    /// What a cell of this memory holds.
+    pub(super) fn held(&self, memory: &[Value], cell: usize) -> Option<Value> {
+        let Some(group) = self.of(cell) else {
+            return memory.get(cell).cloned();
         };
         let bits = (0..).zip(group.bits).map(|(at, bit)| {
-            let bit = bit.and_then(|bit| self.memory.get(bit));
+            let bit = bit.and_then(|bit| memory.get(bit));
             i128::from(bit.is_some_and(Value::is_true)) << at
         });
         Some(Value::Int(bits.sum()))
     }
 
-    /// Stores the low bits of a number in those of a group.
-    pub(super) fn spread(&mut self, group: Group, value: &Value) {
+    /// Stores a value in a cell of this memory; of a number that is eight bits, each where it is.
+    pub(super) fn write(&self, memory: &mut [Value], cell: usize, value: Value) {
+        let Some(group) = self.of(cell) else {
+            if let Some(held) = memory.get_mut(cell) {
+                *held = value;
+            }
+            return;
+        };
         let number = value.int();
         for (at, bit) in group.bits.into_iter().enumerate() {
-            if let Some(held) = bit.and_then(|bit| self.memory.get_mut(bit)) {
+            if let Some(held) = bit.and_then(|bit| memory.get_mut(bit)) {
                 *held = Value::truth(number >> at & 1 != 0);
             }
         }

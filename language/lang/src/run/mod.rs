@@ -18,7 +18,7 @@ mod statements;
 
 use crate::diagnostics::Span;
 use crate::typed::{Base, Holds, Symbol, Tree, Value};
-use groups::Group;
+use groups::Groups;
 use unoclp_core::Clocks;
 use unoclp_point::Address;
 
@@ -73,7 +73,7 @@ pub struct Machine<'t> {
     /// Where S 04 was set first.
     failed: Option<Span>,
     error_cell: Option<usize>,
-    groups: Vec<Group>,
+    groups: Groups,
     printed: Vec<Printed>,
 }
 
@@ -145,7 +145,8 @@ impl<'t> Machine<'t> {
 
     /// What a cell holds.
     pub fn cell(&self, cell: u32) -> Value {
-        self.held(cell as usize).unwrap_or(Value::Int(0))
+        let held = self.groups.held(&self.memory, cell as usize);
+        held.unwrap_or(Value::Int(0))
     }
 
     /// Sets a cell, as an input is set from outside.

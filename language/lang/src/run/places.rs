@@ -29,16 +29,13 @@ impl Machine<'_> {
 
     pub(super) fn read(&mut self, place: &Place, base: Base, frame: &Frame) -> Result<Value, Stop> {
         let cell = self.cell_of(place, frame)?;
-        let value = cell.and_then(|cell| self.held(cell));
+        let value = cell.and_then(|cell| self.groups.held(&self.memory, cell));
         Ok(value.unwrap_or_else(|| Value::zero(base)))
     }
 
     pub(super) fn write(&mut self, cell: Option<usize>, value: Value) {
-        if let Some(group) = cell.and_then(|cell| self.group(cell)) {
-            return self.spread(group, &value);
-        }
-        if let Some(held) = cell.and_then(|cell| self.memory.get_mut(cell)) {
-            *held = value;
+        if let Some(cell) = cell {
+            self.groups.write(&mut self.memory, cell, value);
         }
     }
 

@@ -78,3 +78,49 @@ fn random_programs_are_alike_on_the_core_and_in_the_interpreter() {
     );
     assert!(ran * 2 > count, "only {ran} of {count} ran");
 }
+
+/// Counters that are called again: each call asks what has changed since the one before, and what it does not give stays.
+const AGAIN: &str = "
+FUNCTION Late : BOOL
+VAR_INPUT on : BOOL; END_VAR
+VAR_IN_OUT c : CTU; END_VAR
+c(CU := on, PV := 2);
+Late := c.Q;
+END_FUNCTION
+PROGRAM main
+VAR u, l : CTU; d : CTD; b : CTUD; q, r : BOOL; n : INT; x, y, z : INT; END_VAR
+u(CU := %IX1, R := %IX4, PV := 3);
+q := u.Q;
+IF %IX3 THEN u(CU := %IX2, PV := 5); END_IF;
+d(CD := %IX1, LD := %IX3, PV := 4);
+d(CD := %IX2);
+n := (n + 1) MOD 4;
+b(CU := %IX1, CD := %IX2, R := %IX4, PV := n);
+b(LD := %IX3, CU := b.QU);
+r := Late(%IX1, l) AND Late(%IX2, l);
+%QX1 := u.Q;
+%QX2 := d.Q;
+%QX3 := b.QU;
+%QX4 := b.QD;
+x := u.CV;
+y := d.CV;
+z := b.CV;
+END_PROGRAM
+";
+
+#[test]
+fn counters_are_called_again() {
+    let made = compiled(AGAIN, TextLanguage::St);
+    assert_eq!(errors(&made), None);
+    let places = made.places();
+    let (tree, (mut checked, _)) = (made.tree.unwrap(), made.program.unwrap());
+    with_plc(&mut checked, |plc| {
+        let mut twins = Twins::new(&tree, &places);
+        let random = &mut Random(7);
+        for scan in 0..2_000 {
+            let same = twins.scan(plc, scan * 10);
+            assert_eq!(same, Ok(()), "scan {scan}");
+            twins.stir(plc, random);
+        }
+    });
+}

@@ -1,5 +1,5 @@
-// The workflows that test, publish and release: actionlint finds nothing in them, each command of their own is a
-// `cargo xtask …`, and each action is pinned to a commit.
+// The workflows that test, publish and release: actionlint finds nothing in them, each command of their own
+// runs here too, and each action is pinned to a commit.
 // @ts-check
 
 import assert from "node:assert/strict";
@@ -18,6 +18,10 @@ async function problems(text, name) {
   return lint(text, `.github/workflows/${name}`).map(({ line, message }) => `${name}:${line}: ${message}`);
 }
 
+/** What workflows may run: commands of xtask, tests of crates, and cargo-deny. */
+const RUNS =
+  /^cargo (xtask (test( --quick)?|dist|soak|fuzz \$\{\{ matrix\.target \}\} --seconds \d+)|test --locked( --package unoclp-[a-z]+)+|install --locked cargo-deny|deny check)$/;
+
 /** The values of a key in a workflow, without comments. @param {string} text @param {string} key */
 function values(text, key) {
   return [...text.matchAll(new RegExp(`^ *(?:- )?${key}: *([^#\\n]*)`, "gm"))].map(([, value = ""]) => value.trim());
@@ -25,8 +29,8 @@ function values(text, key) {
 
 const names = readdirSync(folder).sort();
 
-test("there is a workflow for tests, for the page and for releases", () => {
-  assert.deepEqual(names, ["page.yml", "release.yml", "test.yml"]);
+test("there is a workflow for each lane, for the page and for releases", () => {
+  assert.deepEqual(names, ["fast.yml", "nightly.yml", "page.yml", "release.yml", "test.yml"]);
 });
 
 for (const name of names) {
@@ -37,7 +41,7 @@ for (const name of names) {
   });
 
   test(`${name} runs nothing that does not run here too`, () => {
-    for (const run of values(text, "run")) assert.match(run, /^cargo xtask (test|dist)$/);
+    for (const run of values(text, "run")) assert.match(run, RUNS);
     for (const uses of values(text, "uses")) assert.match(uses, /^(\.\/\.github\/workflows\/test\.yml|[\w-]+\/[\w-]+@[0-9a-f]{40})$/);
     assert.match(text, /^permissions:\n {2}contents: read\n\n/m);
   });

@@ -29,6 +29,15 @@ pub enum OfSite {
         #[arg(value_name = "HISTORY.db")]
         from: PathBuf,
     },
+    /// Make a token for a user, and the key that the site file has of it
+    Key {
+        /// The user: a letter, then letters, digits, - or _
+        #[arg(value_name = "NAME")]
+        name: String,
+        /// What the user may do: watch, operate or engineer
+        #[arg(long, default_value = "operate", value_parser = ["watch", "operate", "engineer"])]
+        role: String,
+    },
     /// Print what a point was, for a spreadsheet: comma-separated values
     History {
         #[command(flatten)]
@@ -58,6 +67,7 @@ pub fn site(of: &OfSite) -> Outcome {
     match of {
         OfSite::Check { site } => check(site),
         OfSite::Move { site, from } => move_history(site, from),
+        OfSite::Key { name, role } => key(name, role),
         OfSite::History { asked } => history(asked),
     }
 }
@@ -115,6 +125,20 @@ fn move_history(path: &Path, from: &Path) -> Outcome {
         "{}",
         messages::moved(&file, moved.points, moved.rows, &database)
     );
+    Ok(true)
+}
+
+/// Makes a token and its key.
+fn key(name: &str, role: &str) -> Outcome {
+    let may_be = |ch: char| ch.is_ascii_alphanumeric() || matches!(ch, '-' | '_');
+    let is_name = name.len() <= 32
+        && name.starts_with(|ch: char| ch.is_ascii_alphabetic())
+        && name.chars().all(may_be);
+    if !is_name {
+        anyhow::bail!(messages::no_user_name(name));
+    }
+    let made = unoclp_key::make(name).map_err(|why| anyhow!(messages::no_key(why.0)))?;
+    say!("{}", messages::user_key(made.token, name, role, made.key));
     Ok(true)
 }
 

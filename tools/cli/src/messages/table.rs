@@ -252,6 +252,12 @@ unoclp_words::messages! {
     not_served(address, error)
         "{address} cannot be served from: {error}. Another address is given by --http, and --http 127.0.0.1:0 takes a free port"
         "não é possível servir em {address}: {error}. Outro endereço se indica com --http, e --http 127.0.0.1:0 usa uma porta livre";
+    own(folder, exercises, machines)
+        "{folder} adds to the page: exercises {exercises}, machines {machines}"
+        "{folder} acrescenta à página: exercícios {exercises}, máquinas {machines}";
+    own_too_long(file, most)
+        "{file} is no file of at most {most} bytes; the page leaves it out"
+        "{file} não é um arquivo de no máximo {most} bytes; a página o deixa de fora";
     watch_at(page) "to watch:   {page}" "acompanhar: {page}";
     control_at(page) "to control: {page}" "controlar:  {page}";
     open_to_network()
@@ -359,6 +365,32 @@ unoclp_words::messages! {
     moved(file, points, rows, database)
         "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
         "{file}: {points} pontos com {rows} linhas estão também em {database}; inicie unoclp serve de novo";
+    alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
+    alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
+    alarm_acknowledged(name, who)
+        "alarm {name}: acknowledged by {who}"
+        "alarme {name}: reconhecido por {who}";
+    record_foreign(file)
+        "{file} is no record of unoclp; it is left as it is. Move it away"
+        "{file} não é um livro de ocorrências do unoclp; ficou como estava. Tire-o dali";
+    record_version(file, version)
+        "{file} is a record of a later version of unoclp (form {version}); it is left as it is. Use that version, or move the file away"
+        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}); ficou como estava. Use essa versão, ou tire o arquivo dali";
+    record_full(file)
+        "{file} takes nothing: the disk is full. What happens waits in memory; make room"
+        "{file} não aceita nada: o disco está cheio. O que acontece espera na memória; libere espaço";
+    user_key(token, name, role, key)
+        "token, for {name} alone, and shown only now: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
+        "token, só para {name}, e mostrado só agora: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
+    no_user_name(name)
+        "{name} cannot be a user's name; take a letter, then letters, digits, - or _, at most 32"
+        "{name} não pode ser o nome de um usuário; use uma letra e depois letras, algarismos, - ou _, no máximo 32";
+    no_key(why)
+        "no key can be made: {why}"
+        "não foi possível criar uma chave: {why}";
+    users_at(page)
+        "users: {page}#board=TOKEN, each with the token that `unoclp site key` printed"
+        "usuários: {page}#board=TOKEN, cada um com o token que `unoclp site key` mostrou";
     history_again(file) "{file}: written again" "{file}: gravado de novo";
     port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";

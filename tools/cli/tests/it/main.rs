@@ -31,5 +31,6 @@ mod run;
 mod site;
 mod source_map;
 mod texts;
+mod translated;
 mod tutorial;
 mod words;

@@ -74,3 +74,20 @@ pub const fn portuguese(cause: Cause) -> &'static str {
         Cause::IfLeftOpen => "este IF não tem END (NC-28)",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_translated_page_has_every_fault() {
+        let page = include_str!("../../../../docs/numeric-code.pt-BR.md");
+        for &cause in Cause::ALL {
+            let row = format!("| {} | {} |", cause.number(), portuguese(cause));
+            assert!(
+                page.contains(&row),
+                "docs/numeric-code.pt-BR.md has no {row}"
+            );
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! What a tree says of codes, labels and places of its text.
 
-use super::compiled_of;
+use super::tests::{LARGE, compiled_of};
 use super::writer::{assign, expr, place, read, statement, whole};
 use crate::diagnostics::Span;
 use crate::run::{Machine, Stop};
@@ -8,7 +8,6 @@ use crate::typed::{
     Base, Binary, Cell, Codes, Expr, ExprKind, Stmt, StmtKind, Tree, Unit, UnitKind, Value,
 };
 use crate::{Lines, Options, compile_untyped};
-use unoclp_core::Board;
 use unoclp_point::Address;
 
 /// I1, I2, Q1 and a bit of the program's own, and a register.
@@ -56,7 +55,7 @@ fn codes(before: Option<Expr>, codes: &[i32], behind: Option<u32>) -> Stmt {
 }
 
 fn is_as_older(text: &str, tree: &Tree) {
-    let older = compile_untyped(text, &Options::on(Board::UNO));
+    let older = compile_untyped(text, &Options::on(LARGE));
     let made = compiled_of(text, tree);
     let numbers =
         |lines: &[crate::CodeLine]| -> Vec<i32> { lines.iter().map(|line| line.code).collect() };

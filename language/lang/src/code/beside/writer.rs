@@ -113,7 +113,8 @@ impl Writer {
         let kinds = [Standard::Ton, Standard::Tof, Standard::Tp, Standard::Tonr];
         let timers = times.map(|preset| (random.pick(&kinds), preset));
         let mut tree = Tree::default();
-        let kinds: [(Base, fn(u8) -> Address); 4] = [
+        type Point = fn(u8) -> Address;
+        let kinds: [(Base, Point); 4] = [
             (Base::Bool, Address::Input),
             (Base::Bool, Address::Output),
             (Base::Dint, Address::Register),
