@@ -98,10 +98,13 @@ pub fn count(place: &Place) {
         println!("committed {}", history.last());
     }
     if finishes.load(Ordering::Relaxed) {
-        while history.place() < history.last() || reporter.state().waiting > 0 {
+        let waits = || history.place() < history.last() || reporter.state().waiting > 0;
+        while waits() && !ends.load(Ordering::Relaxed) {
             std::thread::yield_now();
         }
-        println!("done {}", history.last());
+        if !waits() {
+            println!("done {}", history.last());
+        }
     }
     drop(reporter);
     journal.end();
@@ -129,6 +132,8 @@ fn told() -> (Arc<AtomicBool>, Arc<AtomicBool>) {
                 _ => {}
             }
         }
+        // Whoever began it is gone.
+        end.store(true, Ordering::Relaxed);
     });
     (ends, finishes)
 }
