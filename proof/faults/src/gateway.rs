@@ -60,7 +60,7 @@ impl Place {
 }
 
 /// Counts on from what is there: the value of each sample is its number. Says after each commit how far it is, and when the
-/// disk takes nothing. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
+/// disk takes nothing, and does again. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
 /// history and broker have all, and says so.
 pub fn count(place: &Place) {
     let file = File::open(&place.folder.join("j")).expect("the journal is there");
@@ -73,9 +73,7 @@ pub fn count(place: &Place) {
         bound: u64::MAX,
     };
     let failing = Box::new(|why: Option<&Failure>| {
-        if why.is_some() {
-            println!("failing");
-        }
+        println!("{}", if why.is_some() { "failing" } else { "again" });
     });
     let journal = Journal::begin(file, policy, &readers, failing).expect("the journal begins");
     let database = place.database();

@@ -232,6 +232,8 @@ fn schedule(seed: u64, postgres: &Postgres) {
                 gateway.disk(true);
                 gateway.hears("failing");
                 gateway.disk(false);
+                // Or the next disk that is full would be the same one to it.
+                gateway.hears("again");
             }
         }
     }
