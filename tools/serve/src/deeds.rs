@@ -7,11 +7,10 @@ use crate::written::{command, overlaps, written};
 use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{SystemTime, UNIX_EPOCH};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{Command, holding};
-use unoclp_record::{Deed, Record};
+use unoclp_record::{Deed, Record, now};
 
 /// As many values of a request are recorded.
 const VALUES: usize = 8;
@@ -177,14 +176,6 @@ fn values(request: &Request, table: Table) -> String {
         texts.push("…".to_owned());
     }
     texts.join(" ")
-}
-
-/// ms since 1970, by the clock of this PC.
-fn now() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |since| {
-        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
-    })
 }
 
 #[cfg(test)]
