@@ -34,6 +34,12 @@ fn open(boards: &mut Boards, name: &str) -> Value {
 }
 
 /// Each that is shipped is drawn, and each of its symbols that a hand moves is found by its name.
+/// What a person can move of a machine, by its name.
+fn hand<'k>(known: &'k Value, name: &str) -> &'k Value {
+    let mut hands = known["hands"].as_array().unwrap().iter();
+    hands.find(|hand| hand["name"] == name).unwrap()
+}
+
 #[test]
 fn each_machine_is_shown() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants");
@@ -67,12 +73,7 @@ fn each_machine_is_shown() {
 fn a_hand_gives_an_input_and_outputs_move_it() {
     let mut boards = Boards::default();
     let known = open(&mut boards, "batch.toml");
-    let start = known["hands"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|hand| hand["name"] == "start")
-        .unwrap();
+    let start = hand(&known, "start");
     let step = |levels: u32, ms: u32| json!({ "ask": "machineStep", "levels": levels, "shares": [], "ms": ms });
     let before = ok(&mut boards, step(0, 1));
     assert!(
@@ -196,12 +197,7 @@ fn a_hidden_fault_is_looked_for() {
         (&known["names"][part as usize], &welded[2]["pt"]),
         (&json!("k1"), &json!("contatos soldados"))
     );
-    let start = known["hands"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|hand| hand["name"] == "start")
-        .unwrap();
+    let start = hand(&known, "start");
     for to in [1, 0] {
         ok(
             &mut boards,

@@ -60,7 +60,7 @@ impl Place {
 }
 
 /// Counts on from what is there: the value of each sample is its number. Says after each commit how far it is, and when the
-/// disk takes nothing. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
+/// disk takes nothing, and does again. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
 /// history and broker have all, and says so.
 pub fn count(place: &Place) {
     let file = File::open(&place.folder.join("j")).expect("the journal is there");
@@ -73,9 +73,7 @@ pub fn count(place: &Place) {
         bound: u64::MAX,
     };
     let failing = Box::new(|why: Option<&Failure>| {
-        if why.is_some() {
-            println!("failing");
-        }
+        println!("{}", if why.is_some() { "failing" } else { "again" });
     });
     let journal = Journal::begin(file, policy, &readers, failing).expect("the journal begins");
     let database = place.database();
@@ -98,10 +96,13 @@ pub fn count(place: &Place) {
         println!("committed {}", history.last());
     }
     if finishes.load(Ordering::Relaxed) {
-        while history.place() < history.last() || reporter.state().waiting > 0 {
+        let waits = || history.place() < history.last() || reporter.state().waiting > 0;
+        while waits() && !ends.load(Ordering::Relaxed) {
             std::thread::yield_now();
         }
-        println!("done {}", history.last());
+        if !waits() {
+            println!("done {}", history.last());
+        }
     }
     drop(reporter);
     journal.end();
@@ -129,6 +130,8 @@ fn told() -> (Arc<AtomicBool>, Arc<AtomicBool>) {
                 _ => {}
             }
         }
+        // Whoever began it is gone.
+        end.store(true, Ordering::Relaxed);
     });
     (ends, finishes)
 }

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
-use unoclp_record::{Asked, Failure, Happening, Record};
+use std::time::{Duration, Instant};
+use unoclp_record::{Asked, Failure, Happening, Record, now};
 use unoclp_site::{Alarm, Severity, Text};
 
 /// What waits for the thread. Whoever brings more waits for it.
@@ -253,14 +253,6 @@ impl Thread {
         });
         (self.hear)(&of, Some(turn));
     }
-}
-
-/// ms since 1970, by the clock of this PC.
-fn now() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |since| {
-        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
-    })
 }
 
 fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {

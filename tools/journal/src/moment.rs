@@ -1,4 +1,14 @@
-//! A moment in words.
+//! A moment: which it is now, and in words.
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// ms since 1970, by the clock of this PC.
+pub fn now() -> i64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.map_or(0, |since| {
+        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
+    })
+}
 
 /// A moment as ISO 8601 has it: `2026-11-24T19:02:40.123Z`. The calendar repeats every 400 years, which begin in March here.
 pub fn moment(at: i64) -> String {

@@ -18,4 +18,4 @@ pub use csv::{csv_of_alarms, csv_of_deeds};
 pub use file::File;
 pub use record::{Record, State, Tell};
 pub use row::{Asked, Deed, Happening, Row};
-pub use unoclp_journal::Failure;
+pub use unoclp_journal::{Failure, now};

@@ -15,11 +15,11 @@ use std::collections::VecDeque;
 use std::future::{Future, pending};
 use std::pin::Pin;
 use std::sync::Arc;
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 use tokio::sync::mpsc::{Receiver, UnboundedReceiver, UnboundedSender, channel};
 use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
-use unoclp_journal::Reader;
+use unoclp_journal::{Reader, now};
 
 /// Messages that a broker has not confirmed, at most.
 const UNSURE: usize = 64;
@@ -104,10 +104,8 @@ impl Link {
     }
 
     fn now(&self) -> Now {
-        let since_1970 = SystemTime::now().duration_since(UNIX_EPOCH);
-        let ms = since_1970.map_or(0, |since| since.as_millis());
         Now {
-            at: i64::try_from(ms).unwrap_or(i64::MAX),
+            at: now(),
             since: self.begin.elapsed(),
         }
     }

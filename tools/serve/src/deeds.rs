@@ -7,11 +7,10 @@ use crate::written::{command, overlaps, written};
 use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{SystemTime, UNIX_EPOCH};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{Command, holding};
-use unoclp_record::{Deed, Record};
+use unoclp_record::{Deed, Record, now};
 
 /// As many values of a request are recorded.
 const VALUES: usize = 8;
@@ -79,6 +78,14 @@ impl Deeds {
     /// Somebody has acknowledged an alarm.
     pub fn acknowledged(&self, who: &Who, from: IpAddr, alarm: &str) {
         self.put(&who.name, Some(from), alarm, "acknowledge", String::new());
+    }
+
+    /// Waits until what was done is in the file, or the file takes nothing. What boards do never waits for this.
+    pub async fn settle(&self) {
+        if let Some(record) = self.record.clone() {
+            // One that has failed has said so.
+            let _ = tokio::task::spawn_blocking(move || record.settle()).await;
+        }
     }
 
     /// What was done.
@@ -177,14 +184,6 @@ fn values(request: &Request, table: Table) -> String {
         texts.push("…".to_owned());
     }
     texts.join(" ")
-}
-
-/// ms since 1970, by the clock of this PC.
-fn now() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |since| {
-        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
-    })
 }
 
 #[cfg(test)]

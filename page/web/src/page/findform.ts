@@ -1,6 +1,6 @@
 // To find the fault of a machine: one presses, forces and watches, then names a part and how it fails.
 
-import type { Searched } from "../tools/answers";
+import type { MachineFacts, Searched } from "../tools/answers";
 import { say } from "../words/learn";
 import { told } from "../words/words";
 import { h } from "./dom";
@@ -10,7 +10,7 @@ import { announce } from "./notes";
 export class FindForm {
   readonly element = h("form", { class: "find", id: "find" });
   /** What was named last. */
-  private named: { readonly part: string; readonly fault: string } | null = null;
+  private named: MachineFacts["faults"][number] | null = null;
   private readonly said = h("p", { class: "verdict", id: "find-verdict", role: "status", hidden: true });
   private readonly count = h("p", { class: "note", id: "find-count" });
   private shown: object | null = null;
@@ -46,9 +46,10 @@ export class FindForm {
     if (!search || !ways) return;
     const { steps, tries, found } = search;
     this.count.textContent = say("findCount", { steps, tries });
-    const { named } = this;
-    this.said.hidden = !named;
-    if (!named) return;
+    this.said.hidden = !this.named;
+    if (!this.named) return;
+    const [part, , fault] = this.named;
+    const named = { part: partName(ways, part), fault: told(fault) };
     this.said.className = `verdict ${found ? "good" : "bad"}`;
     this.said.textContent = found ? say("findRight", { ...named, steps, tries }) : say("findWrong", named);
   }
@@ -85,7 +86,7 @@ export class FindForm {
     const way = ways?.faults.find(([part, name]) => part === this.part && name === fault);
     if (!ways || !way) return;
     const wasFound = this.machine.search.value?.found;
-    this.named = { part: partName(ways, this.part), fault: told(way[2]) };
+    this.named = way;
     await this.machine.name(this.part, way[1]);
     const search = this.machine.search.value;
     this.follow(search);

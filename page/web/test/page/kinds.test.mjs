@@ -74,6 +74,7 @@ test("a fault is looked for: pressed, forced, watched, and named from lists", as
   await clean(page, "find");
   await page.selectOption("#speak", "pt");
   await page.locator("#find-verdict.good", { hasText: "tentativas: 2" }).waitFor();
+  await page.locator("#find-verdict.good", { hasText: "contatos soldados" }).waitFor();
   await page.locator("#find-part option", { hasText: "Liga" }).first().waitFor({ state: "attached" });
   await shots(page, "find", "#find");
   // Closed, the machine goes with its fault; opened again, it hides it anew.

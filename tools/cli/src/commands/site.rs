@@ -4,10 +4,10 @@ use crate::outcome::Outcome;
 use anyhow::anyhow;
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 use unoclp_cli::{messages, site_file, stores};
 use unoclp_history::{Database, Failure, NotMoved, Postgres, Query, Sqlite, csv};
-use unoclp_journal::File;
+use unoclp_journal::{File, now};
 use unoclp_program::shown;
 use unoclp_site::{Site, Store, duration, plan};
 
@@ -168,7 +168,7 @@ fn history(asked: &Asked) -> Outcome {
             .collect();
         anyhow::bail!(messages::not_in_history(&asked.point, names.join(", ")));
     }
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, ms);
+    let now = now();
     let rows = store.rows(&Query {
         board: board.to_owned(),
         point: point.to_owned(),

@@ -2,12 +2,12 @@
 
 use super::answers::{AlarmNow, AlarmPast, DeedOf, Done, Texts};
 use super::gate::{Api, Caller};
-use super::past::{MOST, No, ROWS, ms, now};
+use super::past::{MOST, No, ROWS, ms};
 use crate::guard::Who;
 use serde::Deserialize;
 use std::sync::Arc;
 use unoclp_alarm::{NotDone, Standing};
-use unoclp_record::{Deed, Happening};
+use unoclp_record::{Deed, Happening, now};
 use unoclp_site::{Role as May, duration};
 
 /// The longest text that acknowledges, bytes.
@@ -83,6 +83,7 @@ impl Api {
         };
         if let Some(first) = self.gateways.first() {
             first.deeds.acknowledged(&who, from, &asked.alarm);
+            first.deeds.settle().await;
         }
         Ok(Done {
             state: state.word(),

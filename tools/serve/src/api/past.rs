@@ -5,9 +5,10 @@
 use super::answers::{PastOf, PastRow, PointOf};
 use serde::Deserialize;
 use std::sync::Arc;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 use tokio::sync::Semaphore;
 use unoclp_history::{Failure, Query, Row};
+use unoclp_record::now;
 use unoclp_site::duration;
 
 /// As many ask at once; others are told to come again.
@@ -193,8 +194,4 @@ impl Asked {
 
 pub(super) fn ms(time: Duration) -> i64 {
     i64::try_from(time.as_millis()).unwrap_or(i64::MAX)
-}
-
-pub(super) fn now() -> i64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, ms)
 }
