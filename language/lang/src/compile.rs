@@ -74,6 +74,12 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
 
 /// The same of a text that [has no types](has_types), without what the typed languages take.
 pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
+    compile_by_tree(text, options)
+}
+
+/// The same by the older way.
+#[doc(hidden)]
+pub fn compile_older(text: &str, options: &Options) -> Compiled {
     let mut found = Found::default();
     let parsed = parser::parse(text, &mut found);
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());

@@ -63,7 +63,7 @@ pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
-pub use compile::{Compiled, Options, compile, compile_by_tree, compile_untyped};
+pub use compile::{Compiled, Options, compile, compile_by_tree, compile_untyped, compile_older};
 pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};

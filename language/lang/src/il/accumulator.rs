@@ -6,7 +6,7 @@
 use super::walk::{Acc, Walk};
 use crate::diagnostics::{Code, Span};
 use crate::typed::build::{Section, Target, Traits};
-use crate::typed::{Base, Expr, ExprKind, Place, Root, Stmt, StmtKind, TypeId};
+use crate::typed::{Base, Expr, ExprKind, Index, Place, Root, Stmt, StmtKind, TypeId};
 
 /// Operations in one expression, before a part of it is put aside.
 const MOST_LINKS: u32 = 40;
@@ -191,6 +191,17 @@ impl Walk<'_, '_, '_> {
                 }
             }
         }
+        for at in 0..self.pushed_numbers.len() {
+            let held = self.pushed_numbers.get(at).cloned();
+            if let Some((expr, span)) = held
+                && self.may_read(&expr, changes)
+            {
+                let held = self.aside(expr);
+                if let Some(pushed) = self.pushed_numbers.get_mut(at) {
+                    *pushed = (held, span);
+                }
+            }
+        }
         self.before_block(changes);
     }
 
@@ -222,6 +233,7 @@ impl Walk<'_, '_, '_> {
             match &expr.kind {
                 ExprKind::Constant(_) | ExprKind::Wrong => {}
                 ExprKind::Read(place) => {
+                    rest.extend(place.indices.iter().map(|index| &index.subscript));
                     any |= match changes {
                         Changes::Anything => !self.is_steady(place),
                         Changes::Cells(to, cells) => may_meet(place, to, *cells),
@@ -247,7 +259,11 @@ impl Walk<'_, '_, '_> {
 
 fn may_meet(place: &Place, to: &Place, cells: u32) -> bool {
     match place.root == to.root {
-        true => (to.offset..to.offset.saturating_add(cells)).contains(&place.offset),
+        true => {
+            let reach = |index: &Index| index.count.saturating_sub(1).saturating_mul(index.stride);
+            let last = place.indices.iter().map(reach).fold(place.offset, u32::saturating_add);
+            to.offset <= last && place.offset < to.offset.saturating_add(cells)
+        }
         // What is lent may be any cell but those of this call.
         false => place.root != Root::Local && to.root != Root::Local,
     }

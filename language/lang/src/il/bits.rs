@@ -88,7 +88,12 @@ impl Walk<'_, '_, '_> {
         let more = instr.op.takes_list() && !instr.negated;
         self.only(instr, if more { usize::MAX } else { 1 });
         if operand.name() == Some(POP) && matches!(instr.op, Op::Number(_) | Op::Compare(_)) {
-            return self.not_yet(instr.span);
+            self.only(instr, 1);
+            let span = instr.whole;
+            let right = left.and_then(|right| self.as_number(right, ACCUMULATOR, span));
+            let popped = self.popped_number(span);
+            let made = self.both(popped, right, instr.op, false, span);
+            return self.linked(made);
         }
         if instr.edge.is_some() {
             let bit = self.value(operand);

@@ -21,6 +21,7 @@ impl Front<'_, '_> {
     /// Gives all names their meaning.
     pub(super) fn declare_all(&mut self) {
         self.meanings();
+        self.rows();
         for (index, unit) in self.units.iter().enumerate() {
             let (name, at) = self.unit_name(index);
             let kind = match unit.kind {

@@ -28,6 +28,7 @@ impl<'a> Front<'a, '_> {
             frames: Vec::new(),
             lost: 0,
             kept: Vec::new(),
+            pushed_numbers: Vec::new(),
             block: None,
             inverts: false,
             unused: None,
@@ -111,7 +112,9 @@ impl<'a> Walk<'_, 'a, '_> {
             // The parser has made a store of it.
             Op::Preset => {}
             Op::Input(opcode) => self.input_operator(instr, opcode),
-            Op::Push | Op::Table(_) | Op::Code => self.not_yet(instr.span),
+            Op::Push => self.push_number(instr),
+            Op::Table(opcode) => self.table(instr, opcode),
+            Op::Code => self.code(instr),
         }
     }
 
@@ -125,6 +128,7 @@ impl<'a> Walk<'_, 'a, '_> {
         }
         self.end_of_blocks();
         self.end_of_branches();
+        self.end_of_pushed();
         self.end_of_ifs();
         self.settle_jumps();
         self.made.swap_remove(0)

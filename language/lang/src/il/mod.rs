@@ -10,7 +10,7 @@
 //! - `accumulator`: what is put aside of it; `needs`: where it is used
 //! - `bits`, `numbers`, `stores`, `defer`, `stack`, `branches`: what works on the accumulator
 //! - `flow`: labels, jumps, IF; `circles`: calls without end; `calls`, `units`, `timers`, `counters`, `edges`: what is called
-//! - `makers`, `blocks`: what the makers write in their own ways
+//! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
 //!
 //! Must not know codes, nor what a statement costs.
 
@@ -20,6 +20,7 @@ mod blocks;
 mod branches;
 mod calls;
 mod circles;
+mod codes;
 mod counters;
 mod declare;
 mod defer;
@@ -33,6 +34,7 @@ mod makers;
 mod needs;
 mod numbers;
 mod operands;
+mod push;
 mod said;
 mod stack;
 mod stores;

@@ -95,6 +95,8 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub lost: usize,
     /// What MPS has kept, and where.
     pub kept: Vec<(Acc, Span)>,
+    /// What PUSH has pushed, and where.
+    pub pushed_numbers: Vec<(Expr, Span)>,
     pub block: Option<Block>,
     /// N behind a parenthesis: the load that follows is inverted.
     pub inverts: bool,

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::Image;
-use unoclp_lang::{Compiled, Lang, compile, compile_by_tree, has_types};
+use unoclp_lang::{Compiled, Lang, compile_by_tree, compile_older as compile, has_types};
 
 #[derive(Deserialize)]
 struct Cases {

@@ -80,7 +80,6 @@ impl Builder<'_, '_> {
         cell
     }
 
-    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
     /// Makes the registers of tables, each by its first register and how many it has, in rows. It comes before any of these
     /// registers is asked for by [`Builder::point`].
     pub fn rows(&mut self, tables: &[(u8, u8)]) {
@@ -93,7 +92,6 @@ impl Builder<'_, '_> {
         }
     }
 
-    #[allow(dead_code, reason = "a front end of Instruction List asks for it")]
     /// The register of a table that a subscript from 0 says; none where they do not stand in a row.
     pub fn in_table(
         &mut self,
