@@ -4,6 +4,7 @@
 
 use super::coder::Coder;
 use super::flat::TEMPORARY;
+use super::logic::Bit;
 use super::pen::Acc;
 use super::seats::Seat;
 use super::traces::Shows;
@@ -231,6 +232,10 @@ impl Coder<'_, '_> {
                 let (when, to) = (true, known);
                 self.shows(Shows::Bit { when, to });
             }
+            (Some(seat), None) if self.is_opposite_of_acc(value) => {
+                self.placed(to.at, |this| this.drive_opposite(seat, to.offset));
+                self.shows(Shows::Power { inverted: true });
+            }
             (Some(seat), None) => {
                 self.bit(value, false);
                 self.placed(to.at, |this| this.drive(seat, to.offset));
@@ -238,6 +243,15 @@ impl Coder<'_, '_> {
             }
             (None, _) => {}
         }
+    }
+
+    /// Whether it is the opposite of the bit that acc holds.
+    fn is_opposite_of_acc(&self, value: &Expr) -> bool {
+        let of = |bit| match bit {
+            Bit::Contact(of) if of.negated => Some(Acc::Bit(of.seat)),
+            _ => None,
+        };
+        of(self.logic(value, false)) == Some(self.pen.acc)
     }
 
     /// A bit as 0 or 1 in a register.

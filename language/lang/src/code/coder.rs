@@ -107,6 +107,19 @@ impl Coder<'_, '_> {
         }
     }
 
+    /// A coil of the opposite of acc, which stays what it is.
+    pub(super) fn drive_opposite(&mut self, seat: Seat, cell: u32) {
+        let (opcode, number) = match seat {
+            Seat::At(Address::Output(n)) => (Opcode::NegatedCoil, n),
+            Seat::At(Address::Marker(n)) => (Opcode::NegatedMarkerCoil, n),
+            _ => return,
+        };
+        self.pen.numbered(opcode, number, Some(cell));
+        if self.pen.acc == Acc::Bit(seat) {
+            self.pen.acc = Acc::Other;
+        }
+    }
+
     /// Sets or resets a bit where acc is 1.
     pub(super) fn coil(&mut self, seat: Seat, set: bool, cell: u32) {
         let (opcode, number) = match (seat, set) {

@@ -71,6 +71,38 @@ impl Coder<'_, '_> {
         self.pen.holds = None;
     }
 
+    /// Where the program ends: what jumps there leaves it, which takes no label.
+    pub(super) fn leave(&mut self) {
+        let lines = &mut self.pen.lines;
+        let Some(Line {
+            written: Written::Label(label),
+            ..
+        }) = lines.last()
+        else {
+            return;
+        };
+        let label = *label;
+        if !self.flat.leaves.contains(&label) {
+            return;
+        }
+        lines.pop();
+        if matches!(lines.last(), Some(line) if matches!(&line.written, Written::Is(is) if is.opcode == Opcode::NewRung))
+        {
+            lines.pop();
+        }
+        for line in lines {
+            if let Written::Jump(opcode, to, None) = line.written
+                && to == label
+            {
+                let leaves = match opcode {
+                    Opcode::JumpNot => Opcode::ReturnNot,
+                    _ => Opcode::Return,
+                };
+                line.written = Written::Is(Instruction::plain(leaves));
+            }
+        }
+    }
+
     fn is_used(&self, cell: u32) -> bool {
         self.uses.get(cell).is_some() || self.uses.row_of(cell).is_some()
     }

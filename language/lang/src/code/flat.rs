@@ -8,7 +8,7 @@ use crate::typed::{
     Base, Binary, Cell, Compare, Expr, ExprKind, Order, Place, Root, Standard, Store, TypeId,
     Unary, Value,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Cells from this number on are temporaries; an odd one holds a value that is not narrowed to its type.
 pub(super) const TEMPORARY: u32 = 1 << 30;
@@ -23,6 +23,8 @@ pub(super) struct Flat {
     pub labels: u32,
     /// The numbers that labels are to have, where they are free.
     pub wished: HashMap<u32, u8>,
+    /// The labels where the program ends, which RETURN leads to.
+    pub leaves: HashSet<u32>,
     pub loops: Vec<Turns>,
     /// Where the cells of each call begin, in their order, and the unit that is called.
     pub calls: Vec<(u32, u32)>,

@@ -84,6 +84,9 @@ pub(super) fn inline(tree: &Tree, found: &mut Found) -> Flat {
         if let Some(unit) = tree.units.get(number as usize) {
             let mut frame = inliner.enter(number, unit, 0, unit.at);
             inliner.body(unit, &mut frame);
+            if tree.programs.last() == Some(&number) && frame.ended {
+                inliner.flat.leaves.extend(frame.end);
+            }
         }
     }
     if let Some(at) = inliner.too_large {

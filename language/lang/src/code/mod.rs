@@ -176,6 +176,7 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
+    coder.leave();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);
