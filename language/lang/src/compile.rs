@@ -1,6 +1,7 @@
 //! The way of a text in Instruction List to a checked program.
 
-use crate::code::{compile_text, compile_tree};
+use crate::ast::Stmt;
+use crate::code::{Written, compile_text, compile_tree};
 use crate::comments::Comments;
 use crate::diagnostics::{Found, Lines, Severity, Told};
 use crate::dialect::Dialect;
@@ -109,7 +110,19 @@ pub fn compile_by_tree(text: &str, options: &Options) -> Compiled {
         true => il::tree(text, dialect, board, &parsed.units, &mut found),
         false => None,
     };
-    let made = compile_tree(text, tree, board, found);
+    let bodies = parsed.units.iter().flat_map(|unit| &unit.body);
+    let written = Written {
+        comments: parsed.comments,
+        units: Some(places::units(text, &parsed.units)),
+        instructions: bodies
+            .filter_map(|stmt| match stmt {
+                Stmt::Instr(instr) => Some(instr.whole.start),
+                _ => None,
+            })
+            .collect(),
+        names_points: true,
+    };
+    let made = compile_tree(text, tree, written, board, found);
     Compiled {
         dialect,
         lines: made.lines,

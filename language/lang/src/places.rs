@@ -34,6 +34,8 @@ pub(crate) struct Places<'t> {
     lines: &'t Lines,
     units: Units,
     comments: Comments,
+    /// Where instructions begin whose comments go on to the next step, where they take none themselves.
+    pub instructions: Vec<u32>,
     map: SourceMap,
 }
 
@@ -48,6 +50,7 @@ impl<'t> Places<'t> {
             text,
             lines,
             units,
+            instructions: Vec::new(),
             map: SourceMap {
                 title: comments.title(),
                 steps: Vec::new(),
@@ -61,13 +64,8 @@ impl<'t> Places<'t> {
         let span = origin.span;
         let (line, column) = self.lines.place(self.text, span.start);
         let line = line as usize;
-        let behind = self
-            .units
-            .partition_point(|(bytes, _)| bytes.start <= span.start);
-        let unit = behind.checked_sub(1).and_then(|at| self.units.get(at));
-        let unit = unit.filter(|(bytes, _)| bytes.contains(&span.start));
         self.map.steps.push(Place {
-            unit: unit.map(|(_, name)| name.clone()),
+            unit: self.unit_at(span.start),
             line,
             column: column as usize,
             last: line,
@@ -75,6 +73,15 @@ impl<'t> Places<'t> {
             name: origin.name.clone(),
             codes: line_of_code..=line_of_code,
         });
+    }
+
+    /// The function or function block that stands there.
+    fn unit_at(&self, start: u32) -> Option<Arc<str>> {
+        let behind = self
+            .units
+            .partition_point(|(bytes, _)| bytes.start <= start);
+        let unit = behind.checked_sub(1).and_then(|at| self.units.get(at))?;
+        unit.0.contains(&start).then(|| unit.1.clone())
     }
 
     /// This line of the program file is an operand of the step that began last.
@@ -85,7 +92,18 @@ impl<'t> Places<'t> {
         }
     }
 
-    pub(crate) fn finish(self) -> SourceMap {
+    pub(crate) fn finish(mut self) -> SourceMap {
+        for start in std::mem::take(&mut self.instructions) {
+            let line = self.lines.line(start) as usize;
+            let unit = self.unit_at(start);
+            let behind = |step: &&mut Place| step.line >= line && step.unit == unit;
+            let steps = self.map.steps.iter_mut().filter(behind);
+            if let Some(step) = steps.min_by_key(|step| step.line) {
+                let mut above = self.comments.take_above(line);
+                above.append(&mut step.comments);
+                step.comments = above;
+            }
+        }
         self.map
     }
 }

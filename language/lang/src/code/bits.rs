@@ -6,6 +6,7 @@ use super::coder::Coder;
 use super::logic::{Bit, Contact, begins, is_block};
 use super::pen::Acc;
 use super::seats::Seat;
+use crate::diagnostics::Span;
 use crate::typed::Expr;
 use unoclp_core::isa::Opcode;
 use unoclp_point::Address;
@@ -20,6 +21,16 @@ fn xor(seat: Seat, negated: bool) -> Option<(Opcode, u8)> {
 /// Whether one instruction joins it with acc.
 fn is_xor_point(part: &Bit) -> bool {
     matches!(part, Bit::Contact(of) if xor(of.seat, false).is_some())
+}
+
+/// Where its first contact stands.
+fn first_at(part: &Bit) -> Option<Span> {
+    match part {
+        Bit::Is(_) => None,
+        Bit::Contact(of) => Some(of.at),
+        Bit::Test(.., at) => Some(*at),
+        Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => parts.iter().find_map(first_at),
+    }
 }
 
 impl Coder<'_, '_> {
@@ -132,9 +143,10 @@ impl Coder<'_, '_> {
     }
 
     fn block(&mut self, opening: Opcode, part: &Bit) {
-        self.pen.plain(opening);
+        let at = first_at(part).unwrap_or(self.pen.at);
+        self.placed(at, |this| this.pen.plain(opening));
         self.start(part);
-        self.pen.plain(Opcode::CloseBranch);
+        self.placed(at, |this| this.pen.plain(Opcode::CloseBranch));
         self.changes();
     }
 

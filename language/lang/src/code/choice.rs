@@ -158,7 +158,7 @@ impl Coder<'_, '_> {
                     }
                     ExprKind::Unary(op, a) => match op {
                         Unary::Negate => true,
-                        Unary::Not => true,
+                        Unary::Not | Unary::Low(..) | Unary::Order => true,
                         Unary::Abs => a.base.is_real(),
                         Unary::Sqrt => false,
                     },

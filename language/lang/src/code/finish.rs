@@ -29,7 +29,7 @@ impl Coder<'_, '_> {
             let seat = self.seats.of.get(&number).copied();
             let seat = seat.filter(|_| {
                 let is_seen = points.contains(&number) || self.is_used(number);
-                value != 0 && is_seen
+                (value != 0 || tree.begun.contains(&number)) && is_seen
             });
             let Some(seat) = seat.filter(|seat| is_settable(*seat)) else {
                 continue;
@@ -126,6 +126,11 @@ impl Coder<'_, '_> {
                 Seat::At(Address::Output(n)) => Some((Opcode::SetCoil, n)),
                 _ => None,
             };
+            let bit = match (bit, value) {
+                (Some((Opcode::SetMarker, n)), 0) => Some((Opcode::ResetMarker, n)),
+                (Some((Opcode::SetCoil, n)), 0) => Some((Opcode::ResetCoil, n)),
+                (bit, _) => bit,
+            };
             if let Some((opcode, number)) = bit {
                 self.pen.numbered(opcode, number, Some(cell));
                 continue;
@@ -163,6 +168,19 @@ pub(super) struct Finished {
     pub timers: Vec<u8>,
 }
 
+impl Finished {
+    /// What has no name is called as the text has it, in the program file.
+    pub(super) fn name_points(&mut self, text: &str) {
+        for (line, origin) in self.lines.iter_mut().zip(&self.origins) {
+            if line.symbol.is_empty() && line.letters.contains(|c: char| c.is_ascii_digit()) {
+                let written = text.get(origin.span.range()).unwrap_or_default();
+                let first = written.lines().next().unwrap_or_default().trim();
+                line.symbol = first.to_owned();
+            }
+        }
+    }
+}
+
 pub(super) fn finish(
     coder: &Coder<'_, '_>,
     tree: &Tree,
@@ -195,21 +213,7 @@ pub(super) fn finish(
         source: None,
     }];
     let mut origins = vec![Origin::default()];
-    let mut kept: Vec<Line> = Vec::new();
-    for &register in &coder.seats.kept_registers {
-        kept.push(Line {
-            written: Written::Is(Instruction::numbered(Opcode::KeepRegister, register)),
-            at: Span::default(),
-            cell: None,
-        });
-    }
-    for &counter in &coder.seats.kept_counters {
-        kept.push(Line {
-            written: Written::Is(Instruction::numbered(Opcode::KeepCounter, counter)),
-            at: Span::default(),
-            cell: None,
-        });
-    }
+    let kept = kept(coder, tree, &names);
     let label = |label: &u32| labels.get(label).copied().unwrap_or(1);
     let timer = |index: usize| timers.get(index).copied().unwrap_or(1).max(1);
     for line in kept.iter().chain(&coder.pen.lines) {
@@ -275,6 +279,46 @@ pub(super) fn finish(
         origins,
         timers,
     }
+}
+
+/// What is kept, each where it is declared, in that order; the register that says whether anything is comes last.
+fn kept(
+    coder: &Coder<'_, '_>,
+    tree: &Tree,
+    names: &HashMap<u32, (String, Span)>,
+) -> Vec<Line> {
+    let seats = &coder.seats;
+    let registers: HashMap<u8, u32> = seats
+        .of
+        .iter()
+        .filter_map(|(cell, seat)| match seat {
+            Seat::At(Address::Register(register)) => Some((*register, *cell)),
+            _ => None,
+        })
+        .filter(|(_, cell)| tree.cells.get(*cell as usize).is_some_and(|held| held.retain))
+        .collect();
+    let counters: HashMap<u8, u32> = seats
+        .counters
+        .iter()
+        .map(|(cell, number)| (*number, *cell))
+        .collect();
+    let keeps = |opcode, number: u8, cell: Option<&u32>| Line {
+        written: Written::Is(Instruction::numbered(opcode, number)),
+        at: cell
+            .and_then(|cell| names.get(cell))
+            .map_or(Span::default(), |(_, at)| *at),
+        cell: None,
+    };
+    let of_registers = seats.kept_registers.iter();
+    let of_counters = seats.kept_counters.iter();
+    let mut kept: Vec<Line> = of_registers
+        .map(|number| keeps(Opcode::KeepRegister, *number, registers.get(number)))
+        .chain(
+            of_counters.map(|number| keeps(Opcode::KeepCounter, *number, counters.get(number))),
+        )
+        .collect();
+    kept.sort_by_key(|line| (line.at == Span::default(), line.at.start));
+    kept
 }
 
 /// The number of each label that stands in the program: the one that is asked for, or one that is free.

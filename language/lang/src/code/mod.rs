@@ -68,7 +68,7 @@ mod values;
 mod variables;
 
 use crate::comments::{self, Comments};
-use crate::diagnostics::{Found, Lines, Told};
+use crate::diagnostics::{Found, Lines, Span, Told};
 use crate::emit::{self, CodeLine};
 use crate::languages::{self, TextLanguage};
 use crate::places::{Places, Units};
@@ -117,13 +117,37 @@ impl CompiledText {
 pub fn compile_text(text: &str, language: TextLanguage, board: Board) -> CompiledText {
     let mut found = Found::default();
     let tree = languages::read(text, language, board, &mut found);
-    compile_tree(text, tree, board, found)
+    compile_tree(text, tree, Written::in_types(text), board, found)
+}
+
+/// What else is known of how a text is written.
+pub(crate) struct Written {
+    /// Where its comments are.
+    pub comments: Vec<Span>,
+    /// Where its functions and function blocks stand; none: where the tree has them.
+    pub units: Option<Units>,
+    /// Where its instructions begin. The comments above one that takes no step go to the step that follows.
+    pub instructions: Vec<u32>,
+    /// What points are called whose name is that of the text.
+    pub names_points: bool,
+}
+
+impl Written {
+    fn in_types(text: &str) -> Written {
+        Written {
+            comments: comments::of_any(text),
+            units: None,
+            instructions: Vec::new(),
+            names_points: false,
+        }
+    }
 }
 
 /// Compiles a tree for a board; none where something is wrong with the text, which has been told.
 pub(crate) fn compile_tree(
     text: &str,
     tree: Option<Tree>,
+    written: Written,
     board: Board,
     mut found: Found,
 ) -> CompiledText {
@@ -136,14 +160,21 @@ pub(crate) fn compile_tree(
         diagnostics: Told::default(),
     };
     if let Some(tree) = &tree {
-        lower(text, tree, board, &mut found, &mut made);
+        lower(text, tree, written, board, &mut found, &mut made);
     }
     made.tree = tree;
     made.diagnostics = found.finish();
     made
 }
 
-fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut CompiledText) {
+fn lower(
+    text: &str,
+    tree: &Tree,
+    written: Written,
+    board: Board,
+    found: &mut Found,
+    made: &mut CompiledText,
+) {
     if lacks::told(tree, found) {
         return;
     }
@@ -178,6 +209,10 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
     coder.steps(&flat.body);
     coder.leave();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
+    let mut finished = finished;
+    if written.names_points {
+        finished.name_points(text);
+    }
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);
     found.join(apart);
@@ -186,8 +221,10 @@ fn lower(text: &str, tree: &Tree, board: Board, found: &mut Found, made: &mut Co
         return;
     }
     let starts = Lines::new(text);
-    let comments = Comments::new(text, &starts, &comments::of_any(text));
-    let places = Places::new(text, &starts, units(tree, text), comments);
+    let comments = Comments::new(text, &starts, &written.comments);
+    let units = written.units.unwrap_or_else(|| units(tree, text));
+    let mut places = Places::new(text, &starts, units, comments);
+    places.instructions = written.instructions;
     made.program = emit::check(text, &made.lines, &finished.origins, board, places, found);
     if made.program.is_some() {
         made.variables = variables::variables(tree, &seats, &finished.timers);

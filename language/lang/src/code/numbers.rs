@@ -66,6 +66,15 @@ impl Coder<'_, '_> {
                     (Unary::Abs, _) => self.pen.changes_value(Opcode::RealAbsolute),
                     (Unary::Sqrt, true) => self.pen.changes_value(Opcode::RealRoot),
                     (Unary::Sqrt, false) => self.pen.changes_value(Opcode::SquareRoot),
+                    (Unary::Order, _) => self.pen.changes_value(Opcode::RealComparable),
+                    (Unary::Low(bits, signed), _) => {
+                        let opcode = match signed {
+                            true => Opcode::ExtendSign,
+                            false => Opcode::ExtendZero,
+                        };
+                        self.pen.numbered(opcode, *bits, None);
+                        self.pen.holds = None;
+                    }
                 }
             }
             ExprKind::Binary(op, a, b) => self.binary(*op, a, b, expr),

@@ -29,7 +29,9 @@ impl Coder<'_, '_> {
                     _ => None,
                 }
             }
-            ExprKind::Convert(Convert::Keep, a) if a.base != Base::Bool => self.operand(a),
+            ExprKind::Convert(Convert::Keep | Convert::Raw, a) if a.base != Base::Bool => {
+                self.operand(a)
+            }
             ExprKind::Convert(Convert::Wrap, a)
                 if a.base != Base::Bool && self.is_within(a, expr.base) =>
             {

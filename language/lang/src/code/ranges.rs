@@ -60,7 +60,8 @@ pub(super) fn bounds(expr: &Expr) -> Bounds {
                 Unary::Not if base.width() == Width::Signed => (!high, !low),
                 Unary::Abs => within(base, (0, low.abs().max(high.abs()))),
                 Unary::Sqrt => (0, 65_536),
-                Unary::Not => wide(base),
+                Unary::Low(bits, false) => (0, (1 << bits) - 1),
+                Unary::Not | Unary::Low(..) | Unary::Order => wide(base),
             }
         }
         ExprKind::Binary(op, a, b) if !a.base.is_real() => of_two(*op, base, of(a), of(b)),

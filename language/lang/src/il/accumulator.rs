@@ -92,6 +92,9 @@ impl Walk<'_, '_, '_> {
             }
             let before = made.len().saturating_sub(1);
             made.insert(before, put);
+            if self.made.len() == 1 {
+                self.labels.insert(before);
+            }
         }
         self.links = 0;
         let held = match state {

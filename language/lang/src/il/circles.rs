@@ -1,6 +1,6 @@
 //! Units that come to call themselves, which would never end.
 
-use super::front::Front;
+use super::front::{Front, MOST_WITHIN};
 use crate::ast::{Instr, Stmt};
 use crate::diagnostics::{Code, Span};
 use crate::operators::Op;
@@ -36,7 +36,28 @@ impl Front<'_, '_> {
                 }
             }
         }
+        if !any {
+            self.refuse_deep(&calls);
+        }
         any
+    }
+
+    /// Tells of the first call that goes too deep. Nothing calls itself.
+    fn refuse_deep(&mut self, calls: &[Vec<(usize, Span)>]) {
+        let mut depths = vec![0; calls.len()];
+        let mut todo = vec![0];
+        while let Some(unit) = todo.pop() {
+            for &(to, at) in &calls[unit] {
+                let depth = depths[unit] + 1;
+                if depth > MOST_WITHIN {
+                    return self.tell(Code::CallsTooDeep, at, []);
+                }
+                if depth > depths[to] {
+                    depths[to] = depth;
+                    todo.push(to);
+                }
+            }
+        }
     }
 
     /// The units that a unit calls, and where.

@@ -74,9 +74,7 @@ impl Front<'_, '_> {
                     // What nothing calls takes nothing of the board.
                     let temps = self.names.temps;
                     let instance = self.instance(index, unit.span);
-                    if unit.kind == Kind::FunctionBlock {
-                        self.names.temps = temps;
-                    }
+                    self.names.temps = temps;
                     instance
                 }
             };
@@ -214,6 +212,7 @@ impl Front<'_, '_> {
             return self.builder.hide(&name);
         }
         let initial = self.initial(var, ty, point);
+        let is_begun = var.retain && initial.is_some();
         let traits = Traits {
             initial,
             retain: var.retain,
@@ -243,6 +242,9 @@ impl Front<'_, '_> {
         match made {
             Some(made) if made.root == Root::Static => {
                 self.pin(&name, ty, made.offset);
+                if is_begun {
+                    self.builder.tree.begun.push(made.offset);
+                }
             }
             Some(_) => {}
             None => self.builder.hide(&name),

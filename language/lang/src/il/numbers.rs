@@ -6,9 +6,15 @@ use super::walk::Walk;
 use crate::ast::Instr;
 use crate::diagnostics::Span;
 use crate::operators::Op;
-use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, TypeId, Unary};
+use crate::typed::{Base, Binary, Compare, Convert, Expr, ExprKind, TypeId, Unary, Value};
 use crate::words::operator;
 use unoclp_core::isa::Opcode;
+
+/// What is made of one number.
+enum How {
+    Does(Unary),
+    Becomes(Convert, Base),
+}
 
 impl Walk<'_, '_, '_> {
     /// Arithmetic and comparisons.
@@ -20,30 +26,90 @@ impl Walk<'_, '_, '_> {
             Op::Number(opcode) | Op::Compare(opcode) => opcode,
             _ => return None,
         };
+        let compare = |compare| Some((compare, Base::Dint));
         let compare = match opcode {
-            Opcode::Greater => Compare::Greater,
-            Opcode::GreaterOrEqual => Compare::GreaterEqual,
-            Opcode::Equal => Compare::Equal,
-            Opcode::NotEqual => Compare::NotEqual,
-            Opcode::LessOrEqual => Compare::LessEqual,
-            Opcode::Less => Compare::Less,
+            Opcode::Greater => compare(Compare::Greater),
+            Opcode::GreaterOrEqual => compare(Compare::GreaterEqual),
+            Opcode::Equal => compare(Compare::Equal),
+            Opcode::NotEqual => compare(Compare::NotEqual),
+            Opcode::LessOrEqual => compare(Compare::LessEqual),
+            Opcode::Less => compare(Compare::Less),
+            Opcode::UnsignedGreaterOrEqual => Some((Compare::GreaterEqual, Base::Udint)),
+            Opcode::UnsignedLess => Some((Compare::Less, Base::Udint)),
+            _ => None,
+        };
+        if let Some((compare, base)) = compare {
+            let (left, right) = (self.taken_for(left, base), self.taken_for(right, base));
+            return Some(self.front.builder.compare(compare, left, right, span));
+        }
+        let (op, base) = match opcode {
+            Opcode::Add => (Binary::Add, Base::Dint),
+            Opcode::Subtract => (Binary::Subtract, Base::Dint),
+            Opcode::Multiply => (Binary::Multiply, Base::Dint),
+            Opcode::Divide => (Binary::Divide, Base::Dint),
+            Opcode::Modulo => (Binary::Modulo, Base::Dint),
+            Opcode::UnsignedDivide => (Binary::Divide, Base::Udint),
+            Opcode::UnsignedModulo => (Binary::Modulo, Base::Udint),
+            Opcode::RealAdd => (Binary::Add, Base::Real),
+            Opcode::RealSubtract => (Binary::Subtract, Base::Real),
+            Opcode::RealMultiply => (Binary::Multiply, Base::Real),
+            Opcode::RealDivide => (Binary::Divide, Base::Real),
             _ => {
-                let op = match opcode {
-                    Opcode::Add => Binary::Add,
-                    Opcode::Subtract => Binary::Subtract,
-                    Opcode::Multiply => Binary::Multiply,
-                    Opcode::Divide => Binary::Divide,
-                    Opcode::Modulo => Binary::Modulo,
-                    _ => {
-                        self.not_yet(span);
-                        return None;
-                    }
-                };
-                return Some(self.joined(op, left, right, span));
+                self.not_yet(span);
+                return None;
             }
         };
-        let builder = &mut self.front.builder;
-        Some(builder.compare(compare, left, right, span))
+        let (left, right) = (self.taken_for(left, base), self.taken_for(right, base));
+        let made = Expr {
+            kind: ExprKind::Binary(op, Box::new(left), Box::new(right)),
+            base,
+            ty: TypeId::of(base),
+            at: span,
+        };
+        Some(self.bits_as_number(made))
+    }
+
+    /// The 32 bits of a number as those of another type.
+    fn taken_for(&mut self, number: Expr, base: Base) -> Expr {
+        if base == number.base {
+            return number;
+        }
+        let at = number.at;
+        let (how, kind) = match (base, number.kind) {
+            (Base::Real, ExprKind::Constant(value)) => {
+                let real = f32::from_bits((value.int() as i32).cast_unsigned());
+                let value = Value::Real(real.into());
+                return self.front.builder.literal(Base::Real, value, at);
+            }
+            // What has just been taken for a number.
+            (_, ExprKind::Convert(Convert::Bits | Convert::Keep, of)) if of.base == base => {
+                return *of;
+            }
+            (Base::Real, kind) => (Convert::Raw, kind),
+            (_, kind) => (Convert::Keep, kind),
+        };
+        Expr {
+            kind: ExprKind::Convert(how, Box::new(Expr { kind, ..number })),
+            base,
+            ty: TypeId::of(base),
+            at,
+        }
+    }
+
+    /// The bits of a value of 32 bits as a DINT.
+    fn bits_as_number(&mut self, value: Expr) -> Expr {
+        let how = match value.base {
+            Base::Dint => return value,
+            Base::Real => Convert::Bits,
+            _ => Convert::Keep,
+        };
+        let at = value.at;
+        Expr {
+            kind: ExprKind::Convert(how, Box::new(value)),
+            base: Base::Dint,
+            ty: TypeId::of(Base::Dint),
+            at,
+        }
     }
 
     /// Two numbers in one.
@@ -63,17 +129,28 @@ impl Walk<'_, '_, '_> {
         let Some(number) = self.as_number(expr, ACCUMULATOR, instr.span) else {
             return;
         };
-        let op = match opcode {
-            Opcode::Negate => Unary::Negate,
-            Opcode::SquareRoot => Unary::Sqrt,
-            _ => return self.not_yet(instr.span),
+        let at = instr.span;
+        let (from, how) = match opcode {
+            Opcode::Negate => (Base::Dint, How::Does(Unary::Negate)),
+            Opcode::SquareRoot => (Base::Dint, How::Does(Unary::Sqrt)),
+            Opcode::RealNegate => (Base::Real, How::Does(Unary::Negate)),
+            Opcode::RealAbsolute => (Base::Real, How::Does(Unary::Abs)),
+            Opcode::RealRoot => (Base::Real, How::Does(Unary::Sqrt)),
+            Opcode::RealComparable => (Base::Dint, How::Does(Unary::Order)),
+            Opcode::RealFromSigned => (Base::Dint, How::Becomes(Convert::Float, Base::Real)),
+            Opcode::RealFromUnsigned => (Base::Udint, How::Becomes(Convert::Float, Base::Real)),
+            Opcode::RealRound => (Base::Real, How::Becomes(Convert::Round, Base::Dint)),
+            Opcode::RealCut => (Base::Real, How::Becomes(Convert::Cut, Base::Dint)),
+            _ => return self.not_yet(at),
         };
-        self.hold(Some(Expr {
-            kind: ExprKind::Unary(op, Box::new(number)),
-            base: Base::Dint,
-            ty: TypeId::of(Base::Dint),
-            at: instr.span,
-        }));
+        let number = Box::new(self.taken_for(number, from));
+        let (kind, base) = match how {
+            How::Does(op) => (ExprKind::Unary(op, number), from),
+            How::Becomes(how, base) => (ExprKind::Convert(how, number), base),
+        };
+        let ty = TypeId::of(base);
+        let made = self.bits_as_number(Expr { kind, base, ty, at });
+        self.hold(Some(made));
         self.link();
     }
 
@@ -93,13 +170,21 @@ impl Walk<'_, '_, '_> {
             Opcode::ShiftRight => Binary::ShiftRight,
             Opcode::ExtendSign | Opcode::ExtendZero => {
                 let base = match (opcode, bits) {
-                    (Opcode::ExtendSign, 8) => Base::Sint,
-                    (Opcode::ExtendSign, 16) => Base::Int,
-                    (Opcode::ExtendZero, 8) => Base::Usint,
-                    (Opcode::ExtendZero, 16) => Base::Uint,
-                    _ => return self.not_yet(instr.span),
+                    (Opcode::ExtendSign, 8) => Some(Base::Sint),
+                    (Opcode::ExtendSign, 16) => Some(Base::Int),
+                    (Opcode::ExtendZero, 8) => Some(Base::Usint),
+                    (Opcode::ExtendZero, 16) => Some(Base::Uint),
+                    _ => None,
                 };
-                let cut = self.cut(number, base);
+                let cut = match base {
+                    Some(base) => self.cut(number, base),
+                    None => {
+                        let op = Unary::Low(bits, opcode == Opcode::ExtendSign);
+                        let kind = ExprKind::Unary(op, Box::new(number));
+                        let (base, ty) = (Base::Dint, TypeId::of(Base::Dint));
+                        Expr { kind, base, ty, at }
+                    }
+                };
                 self.hold(Some(cut));
                 return self.link();
             }

@@ -7,6 +7,7 @@ use super::used::parts;
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Operand, UnitKind};
 use crate::diagnostics::{Code, Span};
+use crate::names::kept;
 use crate::operators::Op;
 use crate::typed::build::{Named, Target};
 use crate::typed::{
@@ -22,7 +23,7 @@ impl Walk<'_, '_, '_> {
         }
         let Some(expr) = expr else {
             for operand in &instr.operands {
-                self.meaning(operand);
+                self.storable(operand);
             }
             return;
         };
@@ -47,11 +48,6 @@ impl Walk<'_, '_, '_> {
         };
         let is_bit = self.is_bit(&target);
         let stays = !negated && target.place.indices.is_empty();
-        let is_leaf = |expr: &Expr| match &expr.kind {
-            ExprKind::Constant(_) => true,
-            ExprKind::Read(_) => expr.base != Base::Bool,
-            _ => false,
-        };
         let again = needed && stays && !is_leaf(&expr) && (is_bit == (expr.base == Base::Bool));
         if needed && !again {
             self.settle_costly();
@@ -71,6 +67,24 @@ impl Walk<'_, '_, '_> {
             let held = self.read(target, span);
             self.links = 0;
             self.hold(Some(held));
+        } else if needed && !negated {
+            self.hold_cut(operand);
+        }
+    }
+
+    /// A constant that a type does not hold is told; what is left of it is the accumulator from then on.
+    fn hold_cut(&mut self, operand: &Operand) {
+        let instance = Some(self.instance);
+        let width = self.front.names.width(operand, instance);
+        if let (Some(base), Acc::Value(expr)) = (width, &self.acc)
+            && let Some(number) = constant(expr)
+        {
+            let cut = kept(Some(base), number);
+            if cut != number {
+                let at = expr.at;
+                let cut = self.whole(cut, at);
+                self.hold(Some(cut));
+            }
         }
     }
 
@@ -400,5 +414,15 @@ impl Walk<'_, '_, '_> {
             "CV" | "V" if standard.is_counter() => (target, Order::Number(value)),
             _ => return None,
         })
+    }
+}
+
+/// A constant, or what a variable holds: it is not worked out, so it stays as it is where it is stored.
+fn is_leaf(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Constant(_) => true,
+        ExprKind::Read(_) => expr.base != Base::Bool,
+        ExprKind::Convert(_, of) => of.base != Base::Bool && is_leaf(of),
+        _ => false,
     }
 }

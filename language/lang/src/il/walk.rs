@@ -51,6 +51,18 @@ pub(super) struct Labels {
     pub wanted: bool,
 }
 
+impl Labels {
+    /// A statement of the body's own is put before that of this number.
+    pub(super) fn insert(&mut self, before: usize) {
+        for (statement, _) in &mut self.open {
+            *statement += usize::from(*statement >= before);
+        }
+        for place in self.places.values_mut() {
+            *place += usize::from(*place > before);
+        }
+    }
+}
+
 /// An IF that is open.
 #[derive(Debug)]
 pub(super) struct If {

@@ -28,7 +28,7 @@ pub fn convert(how: Convert, from: Base, to: Base, value: &Value) -> Outcome {
             };
             (Value::truth(truth), false)
         }
-        Convert::Bits => match value {
+        Convert::Bits | Convert::Raw => match value {
             Value::Real(number) => int(to, (*number as f32).to_bits().into()),
             other => finite(to, f32::from_bits(other.int() as u32).into()),
         },

@@ -111,6 +111,8 @@ pub enum Convert {
     Test,
     /// 32 bits of a REAL as a DWORD, and back.
     Bits,
+    /// 32 bits taken for those of a REAL, as they are on a board: what is not finite is found by what uses it.
+    Raw,
     /// DT to its DATE.
     Day,
     /// DT to its time of day.
@@ -134,6 +136,10 @@ pub enum Unary {
     Abs,
     /// The square root; of a negative number 0, and S 04.
     Sqrt,
+    /// So many of its lowest bits, with their sign or without.
+    Low(u8, bool),
+    /// A whole number that compares with others as the REAL of these bits does.
+    Order,
 }
 
 /// What is done with two operands.

@@ -20,7 +20,7 @@ pub fn unary(op: Unary, base: Base, value: &Value) -> Outcome {
             Unary::Abs => finite(base, number.abs()),
             Unary::Sqrt if number < 0.0 => (Value::Real(0.0), true),
             Unary::Sqrt => finite(base, number.sqrt()),
-            Unary::Negate | Unary::Not => finite(base, -number),
+            _ => finite(base, -number),
         };
     }
     let number = value.int();
@@ -30,6 +30,12 @@ pub fn unary(op: Unary, base: Base, value: &Value) -> Outcome {
         Unary::Abs => int(base, number.abs()),
         Unary::Sqrt if number < 0 => FAILED,
         Unary::Sqrt => int(base, number.unsigned_abs().isqrt() as i128),
+        Unary::Low(bits, signed) => {
+            let low = number & ((1 << bits) - 1);
+            let is_negative = signed && bits > 0 && low >> (bits - 1) & 1 == 1;
+            int(base, if is_negative { low - (1 << bits) } else { low })
+        }
+        Unary::Order => int(base, unoclp_core::real::comparable(number as i32).into()),
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Tree {
     /// The cells that are points of the board. One that is eight bits as one number has no value of its own: it is read
     /// from their cells, and stored there. The cell of a counter's number says which counter it is.
     pub points: Vec<(u32, Address)>,
+    /// The cells among those that are kept whose first value the text states: they are given it though it is 0.
+    pub begun: Vec<u32>,
     /// What the text declares, in the order of the declarations.
     pub declared: Vec<Declared>,
 }

@@ -378,7 +378,9 @@ fn random_programs_do_what_the_course_says() {
                     "seed {seed}, scan {scan}, {name}\n{text}\n{file}"
                 );
             }
-            for n in 0..6 {
+            // What the text does not name may hold what is put aside.
+            let named = |n: &usize, kind| text.contains(&format!("{kind}{}", n + 1));
+            for n in (0..6).filter(|n| named(n, 'M')) {
                 let expected = evaluator
                     .bits
                     .get(&format!("M{}", n + 1))
@@ -391,7 +393,7 @@ fn random_programs_do_what_the_course_says() {
                     n + 1
                 );
             }
-            for n in 0..5 {
+            for n in (0..5).filter(|n| named(n, 'D')) {
                 let expected = evaluator
                     .numbers
                     .get(&format!("D{}", n + 1))

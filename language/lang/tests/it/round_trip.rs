@@ -192,9 +192,9 @@ fn what_is_pushed_and_what_is_bracketed_is_said() {
         "LD    D1\nPUSH\nLD    D2\nADD   3\nSUB   POP\nST    D4\n",
         "LD    D1\nPUSH\nLD    IW0\nTABLE_ST D40, 8\n",
         "LD    D1\nTABLE_LD D40, 8\nREAL_MUL -1.5E-10\nREAL_TO_DINT\nSIGNED 16\nST    D98\n",
-        "LD    D1\nPUSH\nLD    D2\nREAL_DIV POP\nREAL_SUB 0.1\nREAL_ORDER\nGT    0\nST    Q1\n",
+        "LD    D1\nPUSH\nLD    D2\nREAL_ADD 1.5\nREAL_DIV POP\nREAL_SUB 0.1\nREAL_ORDER\nGT    0\nST    Q1\n",
         "LD    D1\nUDIV  -1\nUGE   D2\nST    Q1\n",
-        "LD    I1\nIF\n\nLD    I2\nST    Q1\n\nELSE\nLD    TRUE\nIF\n\nLD    I3\nST    Q1\n\nEND_IF\n\nEND_IF\n",
+        "LD    I1\nIF\n\nLD    I2\nST    Q1\n\nELSE\nLD    I4\nIF\n\nLD    I3\nST    Q1\n\nEND_IF\n\nEND_IF\n",
     ];
     for text in texts {
         let compiled = program(text, &Options::on(unoclp_core::Board::UNO));

@@ -39,6 +39,7 @@ fn expression(expr: &Expr, tree: &Tree, faults: &mut Vec<String>) {
                 Convert::Wrap => !from.is_real() && !to.is_real(),
                 Convert::Write => to.is_text(),
                 Convert::Parse => from.is_text(),
+                Convert::Raw => !from.is_real() && to == Base::Real,
                 Convert::Bits | Convert::Day | Convert::Clock | Convert::Midnight => true,
             };
             if !fits {

@@ -56,7 +56,7 @@ fn every_word_compiles_to_its_code() {
         let row = opcode.row();
         let (text, xx) = match row.kind {
             Kind::None if opcode == Opcode::Push => {
-                ("LD D1\nPUSH\nLD D2\nSUB POP\nST D3".to_owned(), 0)
+                ("LD D1\nPUSH\nLD D2\nADD 3\nSUB POP\nST D3".to_owned(), 0)
             }
             Kind::None if matches!(row.class, Class::If | Class::Part) => (
                 "LD I1\nIF\nLD I2\nST Q1\nELSE\nLD I3\nST Q1\nEND_IF".to_owned(),

@@ -1,6 +1,6 @@
 //! Random programs, and what runs them beside each other.
 
-use super::super::{CompiledText, lower};
+use super::super::{CompiledText, Written, lower};
 use super::writer::{MARKERS, POINTS, REGISTERS, Writer};
 use crate::diagnostics::{Found, Severity, Told};
 use crate::run::Machine;
@@ -30,7 +30,8 @@ pub(super) fn compiled_of(text: &str, tree: &Tree) -> CompiledText {
         traces: Vec::new(),
         diagnostics: Told::default(),
     };
-    lower(text, tree, LARGE, &mut found, &mut made);
+    let written = Written::in_types(text);
+    lower(text, tree, written, LARGE, &mut found, &mut made);
     made.diagnostics = found.finish();
     made
 }
