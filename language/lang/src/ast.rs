@@ -139,7 +139,6 @@ pub(crate) enum Stmt {
     Close(Span),
     /// A line that could not be read, and has been told; so many parentheses stay open behind it.
     Wrong {
-        span: Span,
         open: usize,
     },
 }

@@ -2,14 +2,13 @@
 
 use crate::ast::Stmt;
 use crate::code::{Written, compile_text, compile_tree};
-use crate::comments::Comments;
-use crate::diagnostics::{Found, Lines, Severity, Told};
+use crate::diagnostics::{Found, Severity, Told};
 use crate::dialect::Dialect;
 use crate::emit::{self, CodeLine};
 use crate::languages::TextLanguage;
-use crate::places::{self, Places};
+use crate::places;
 use crate::st::has_types;
-use crate::{il, lower, names, parser, whole};
+use crate::{il, parser, whole};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Board;
 
@@ -73,34 +72,8 @@ pub fn compile(text: &str, options: &Options) -> Compiled {
     }
 }
 
-/// The same of a text that [has no types](has_types), without what the typed languages take.
+/// The same of a text that [has no types](has_types).
 pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
-    compile_by_tree(text, options)
-}
-
-/// The same by the older way.
-#[doc(hidden)]
-pub fn compile_older(text: &str, options: &Options) -> Compiled {
-    let mut found = Found::default();
-    let parsed = parser::parse(text, &mut found);
-    let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
-    let mut lines = Vec::new();
-    let mut program = None;
-    if whole::is_readable(&mut found) && !parsed.wrong_declarations {
-        (lines, program) = translate(text, dialect, options.board, &parsed, &mut found);
-    }
-    let diagnostics = found.finish();
-    Compiled {
-        dialect,
-        lines,
-        program,
-        diagnostics,
-    }
-}
-
-/// The same of a text that [has no types](has_types), by way of the typed tree.
-#[doc(hidden)]
-pub fn compile_by_tree(text: &str, options: &Options) -> Compiled {
     let mut found = Found::default();
     let parsed = parser::parse(text, &mut found);
     let dialect = options.dialect.unwrap_or_else(|| parsed.signs.dialect());
@@ -140,27 +113,4 @@ fn of_types(text: &str, board: Board) -> Compiled {
         program: made.program,
         diagnostics: made.diagnostics,
     }
-}
-
-/// The lines of the program file, and the program where there are no errors.
-fn translate(
-    text: &str,
-    dialect: Dialect,
-    board: Board,
-    parsed: &parser::Parsed,
-    found: &mut Found,
-) -> (Vec<CodeLine>, Option<(Checked, SourceMap)>) {
-    let units = &parsed.units;
-    let names = || names::Names::new(text, dialect, board, units);
-    let mut lowered = lower::lower(units, names, found);
-    let starts = Lines::new(text);
-    let (lines, origins) = emit::emit(text, &starts, &mut lowered, found);
-    whole::check(text, units, lowered.writes, found);
-    let mut program = None;
-    if !found.has_errors() {
-        let comments = Comments::new(text, &starts, &parsed.comments);
-        let places = Places::new(text, &starts, places::units(text, units), comments);
-        program = emit::check(text, &lines, &origins, board, places, found);
-    }
-    (lines, program)
 }

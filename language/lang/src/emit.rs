@@ -1,14 +1,11 @@
-//! From instructions to the lines of a program file, each with where it comes from.
+//! The lines of a program file, and whether the board takes them.
 
-use crate::diagnostics::{Code, Found, Lang, Lines, Span};
+use crate::diagnostics::{Code, Found, Lang, Span};
 use crate::lacking;
-use crate::lower::Lowered;
 use crate::origin::Origin;
-use crate::places::{Places, name};
-use crate::rung::Written;
+use crate::places::Places;
 use unoclp_checked::{Checked, SourceMap};
-use unoclp_core::isa::{self, Opcode, Operand};
-use unoclp_core::{Board, Cause, Fault, Instruction, Number, Target, TimerBlock};
+use unoclp_core::{Board, Cause, Fault, Instruction};
 
 /// A line of the program file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,115 +20,6 @@ pub struct CodeLine {
     pub source: Option<u32>,
 }
 
-/// Writes out what has been compiled. The numbers of labels are decided here, and the marker that takes
-/// the Q of timers that nobody asks for it.
-pub(crate) fn emit(
-    text: &str,
-    lines: &Lines,
-    lowered: &mut Lowered<'_>,
-    found: &mut Found,
-) -> (Vec<CodeLine>, Vec<Origin>) {
-    let dialect = lowered.names.dialect;
-    let labels = number_labels(lowered, found);
-    let mut unused = None;
-    let mut out = vec![CodeLine {
-        code: isa::START,
-        letters: "program start".to_owned(),
-        symbol: String::new(),
-        source: None,
-    }];
-    let mut origins = vec![Origin::default()];
-    for &(number, span) in &lowered.names.retained.numbers {
-        let instruction = match number {
-            Number::Register(register) => Instruction::numbered(Opcode::KeepRegister, register),
-            Number::Counter(counter) => Instruction::numbered(Opcode::KeepCounter, counter),
-        };
-        out.extend(instruction.codes().map(|code| CodeLine {
-            code,
-            letters: letters(instruction),
-            symbol: lowered.names.written(span),
-            source: Some(lines.line(span.start)),
-        }));
-        origins.push(Origin { span, name: None });
-    }
-    let label = |index: usize| labels.get(index).copied().flatten().unwrap_or(1);
-    for step in &lowered.steps {
-        let operand = |operand| move |opcode| Instruction { opcode, operand };
-        let instruction = match step.written {
-            Written::Plain(opcode) => Instruction::plain(opcode),
-            Written::Numbered(opcode, number) => Instruction::numbered(opcode, number),
-            Written::Value(opcode, value) => operand(Operand::Value(value))(opcode),
-            Written::Table(opcode, first, length) => {
-                operand(Operand::Table { first, length })(opcode)
-            }
-            Written::OfTimer(opcode, _, block) => Instruction::numbered(opcode, block.unwrap_or(1)),
-            Written::Timer(opcode, preset, target) => {
-                let target = target.unwrap_or_else(|| {
-                    let temps = &mut lowered.names.temps;
-                    Target::Marker(*unused.get_or_insert_with(|| temps.named_marker(false)))
-                });
-                let preset = preset.cast_unsigned();
-                operand(Operand::Timer(TimerBlock { preset, target }))(opcode)
-            }
-            Written::Count(opcode, counter, preset) => {
-                operand(Operand::Count { counter, preset })(opcode)
-            }
-            Written::Label(index) => Instruction::numbered(Opcode::Label, label(index)),
-            Written::Jump(opcode, index) => {
-                let label = label(index);
-                operand(Operand::Jump { label, line: 0 })(opcode)
-            }
-            Written::Code(code) => {
-                out.push(CodeLine {
-                    code,
-                    letters: String::new(),
-                    symbol: String::new(),
-                    source: Some(lines.line(step.span.start)),
-                });
-                origins.push(Origin {
-                    span: step.span,
-                    name: None,
-                });
-                continue;
-            }
-        };
-        // What only holds others together comes from no word of the text.
-        let symbol = match step.written {
-            Written::Plain(_) => "",
-            _ => text.get(step.span.range()).unwrap_or_default(),
-        };
-        let symbol = symbol.lines().next().unwrap_or_default().trim();
-        for (index, code) in instruction.codes().enumerate() {
-            let first = index == 0;
-            out.push(CodeLine {
-                code,
-                letters: if first {
-                    letters(instruction)
-                } else {
-                    String::new()
-                },
-                symbol: if first {
-                    symbol.to_owned()
-                } else {
-                    String::new()
-                },
-                source: Some(lines.line(step.span.start)),
-            });
-            let name = if first {
-                name(symbol, instruction.opcode, dialect).map(str::to_owned)
-            } else {
-                None
-            };
-            origins.push(Origin {
-                span: step.span,
-                name,
-            });
-        }
-    }
-    lowered.names.told_none_left(Span::default(), found);
-    (out, origins)
-}
-
 /// What a code spells, with its XX.
 pub(crate) fn letters(instruction: Instruction<'_>) -> String {
     let letters = instruction.opcode.row().letters;
@@ -139,53 +27,6 @@ pub(crate) fn letters(instruction: Instruction<'_>) -> String {
         Some(number) => format!("{letters} {number:02}"),
         None => letters.to_owned(),
     }
-}
-
-/// The number of each label that stands in the program: the one that its name asks for, or one that is free.
-fn number_labels(lowered: &Lowered<'_>, found: &mut Found) -> Vec<Option<u8>> {
-    let mut numbers: Vec<Option<u8>> = vec![None; lowered.labels.len()];
-    let standing = || {
-        lowered.steps.iter().filter_map(|step| match step.written {
-            Written::Label(index) => Some(index),
-            _ => None,
-        })
-    };
-    let most = lowered.names.board.labels;
-    let mut used: u128 = 0;
-    for step in &lowered.steps {
-        // Labels that the text writes as codes keep their numbers.
-        if let Written::Code(code) = step.written
-            && let number = code - Opcode::Label.row().code
-            && (1..=most.into()).contains(&number)
-        {
-            used |= 1 << number;
-        }
-    }
-    for index in standing() {
-        if let Some(number) = lowered.labels[index].number
-            && used >> number & 1 == 0
-        {
-            used |= 1 << number;
-            numbers[index] = Some(number);
-        }
-    }
-    for index in standing() {
-        if numbers[index].is_some() {
-            continue;
-        }
-        match (1..=most).find(|number| used >> number & 1 == 0) {
-            Some(number) => {
-                used |= 1 << number;
-                numbers[index] = Some(number);
-            }
-            None => {
-                let words = ("label", "rótulo");
-                found.tell(Code::NoneLeft, lowered.labels[index].span, [words.into()]);
-                return numbers;
-            }
-        }
-    }
-    numbers
 }
 
 /// The program file, a line for each code. A comment says what the code spells, what of the text it comes

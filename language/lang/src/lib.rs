@@ -1,13 +1,14 @@
 //! The languages: Instruction List to the numeric code and back, the typed languages to the typed tree.
 //!
 //! The way of a text in Instruction List through this crate: `lexer` (bytes → words), `parser` (words → syntax
-//! tree), `names` and `points` (what names mean), `lower` (a run of the program on expressions, which
-//! `rung` writes out as instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
-//! steps stand in the text); `compile` is all of it. [`to_il`] and [`to_st()`] go the other way.
+//! tree), `names` and `points` (what names mean), `il` (a run of each body on expressions, from which the typed tree is
+//! made). [`to_il`] and [`to_st()`] go the other way.
 //!
 //! The way of a text in a typed language ([`check`]): `st` (Structured Text), `iscl` (InterSCL) and `lce` (LCE), the last
 //! two on `small` (bytes → words → syntax tree → names and types), [`typed`]
-//! (the tree that all of them come to), [`run`] (the interpreter on the PC). What can be wrong with a text is said
+//! (the tree that all of them come to, Instruction List too), [`run`] (the interpreter on the PC), `code` (from the tree to
+//! instructions), `emit` (lines of a program file, checked as the board checks them), `places` and `comments` (where its
+//! steps stand in the text). What can be wrong with a text is said
 //! once, in `messages`.
 //!
 //! Owns the languages, what can be wrong with a text, and the words for it. Must not know pins, files, clocks, screens. No
@@ -36,7 +37,6 @@ mod languages;
 mod lce;
 mod lexer;
 mod literal;
-mod lower;
 mod messages;
 mod names;
 mod operators;
@@ -45,7 +45,6 @@ mod parser;
 mod places;
 mod points;
 pub mod run;
-mod rung;
 mod scanner;
 mod severity;
 mod show;
@@ -63,7 +62,7 @@ pub use back::{instructions_to_il, to_il};
 pub use code::{CompiledText, Held, Holding, Shows, Trace, Variable, compile_text, literal};
 pub use colour::Colour;
 pub use colours::{colours, colours_of_list};
-pub use compile::{Compiled, Options, compile, compile_by_tree, compile_untyped, compile_older};
+pub use compile::{Compiled, Options, compile, compile_untyped};
 pub use condition::{Condition, Judge, condition, is_name};
 pub use declared::{Declared, DeclaredPoint, declared};
 pub use diagnostics::{Code, Diagnostic, Lang, Lines, Severity, Span, Told, Word};

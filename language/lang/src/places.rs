@@ -3,7 +3,6 @@
 //! Owns which unit, line, column, comments and name a step has; must not know how it was compiled, nor which
 //! codes are operands: the loader says that.
 
-use crate::Dialect;
 use crate::ast::{Unit, UnitKind};
 use crate::comments::Comments;
 use crate::diagnostics::Lines;
@@ -11,7 +10,6 @@ use crate::origin::Origin;
 use std::ops::Range;
 use std::sync::Arc;
 use unoclp_checked::{Place, SourceMap};
-use unoclp_core::isa::{Kind, Opcode};
 
 /// The functions and function blocks of a text: where they stand, in that order, and what they are called.
 pub(crate) type Units = Vec<(Range<u32>, Arc<str>)>;
@@ -106,26 +104,4 @@ impl<'t> Places<'t> {
         }
         self.map
     }
-}
-
-/// The name of a point in the words that its code comes from: `start`; of a block `CAL pause (…)`. None where
-/// they give an address.
-pub(crate) fn name(words: &str, opcode: Opcode, dialect: Dialect) -> Option<&str> {
-    let part_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '%' | '.' | '#');
-    let mut words = words
-        .split(|c| !part_of_name(c))
-        .filter(|word| !word.is_empty());
-    let first = words.next()?;
-    let kind = opcode.row().kind;
-    let is_block = matches!(
-        kind,
-        Kind::Timer | Kind::TimerQ | Kind::Counter | Kind::Count
-    );
-    let name = match words.next() {
-        None => first,
-        Some(second) if is_block => second,
-        Some(_) => return None,
-    };
-    let begins = name.starts_with(|c: char| c.is_alphabetic() || c == '_');
-    (begins && !name.contains(['.', '#']) && !dialect.is_address(name)).then_some(name)
 }

@@ -143,7 +143,10 @@ impl Allotter<'_> {
             Seat::At(Address::Marker(marker))
                 if self.board.markers_that(true).any(|kept| kept == marker) => {}
             Seat::At(Address::Group(group))
-                if self.board.markers_that(true).any(|kept| (kept - 1) / 8 + 1 == group) => {}
+                if self
+                    .board
+                    .markers_that(true)
+                    .any(|kept| (kept - 1) / 8 + 1 == group) => {}
             _ => {
                 let (_, at) = self.place(cell);
                 let word = Word::Both("value at this place".into(), "valor neste lugar".into());

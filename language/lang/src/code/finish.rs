@@ -282,11 +282,7 @@ pub(super) fn finish(
 }
 
 /// What is kept, each where it is declared, in that order; the register that says whether anything is comes last.
-fn kept(
-    coder: &Coder<'_, '_>,
-    tree: &Tree,
-    names: &HashMap<u32, (String, Span)>,
-) -> Vec<Line> {
+fn kept(coder: &Coder<'_, '_>, tree: &Tree, names: &HashMap<u32, (String, Span)>) -> Vec<Line> {
     let seats = &coder.seats;
     let registers: HashMap<u8, u32> = seats
         .of
@@ -295,7 +291,11 @@ fn kept(
             Seat::At(Address::Register(register)) => Some((*register, *cell)),
             _ => None,
         })
-        .filter(|(_, cell)| tree.cells.get(*cell as usize).is_some_and(|held| held.retain))
+        .filter(|(_, cell)| {
+            tree.cells
+                .get(*cell as usize)
+                .is_some_and(|held| held.retain)
+        })
         .collect();
     let counters: HashMap<u8, u32> = seats
         .counters
@@ -313,9 +313,7 @@ fn kept(
     let of_counters = seats.kept_counters.iter();
     let mut kept: Vec<Line> = of_registers
         .map(|number| keeps(Opcode::KeepRegister, *number, registers.get(number)))
-        .chain(
-            of_counters.map(|number| keeps(Opcode::KeepCounter, *number, counters.get(number))),
-        )
+        .chain(of_counters.map(|number| keeps(Opcode::KeepCounter, *number, counters.get(number))))
         .collect();
     kept.sort_by_key(|line| (line.at == Span::default(), line.at.start));
     kept

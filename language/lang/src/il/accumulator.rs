@@ -264,7 +264,11 @@ fn may_meet(place: &Place, to: &Place, cells: u32) -> bool {
     match place.root == to.root {
         true => {
             let reach = |index: &Index| index.count.saturating_sub(1).saturating_mul(index.stride);
-            let last = place.indices.iter().map(reach).fold(place.offset, u32::saturating_add);
+            let last = place
+                .indices
+                .iter()
+                .map(reach)
+                .fold(place.offset, u32::saturating_add);
             to.offset <= last && place.offset < to.offset.saturating_add(cells)
         }
         // What is lent may be any cell but those of this call.

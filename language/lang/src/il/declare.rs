@@ -212,7 +212,9 @@ impl Front<'_, '_> {
             return self.builder.hide(&name);
         }
         let initial = self.initial(var, ty, point);
-        let is_begun = var.retain && initial.is_some();
+        // Another program may have left what is kept by itself 1.
+        let is_left = ty == TypeId::BOOL || matches!(point, Some(Address::Group(_)));
+        let is_begun = var.retain && is_left && initial.is_some();
         let traits = Traits {
             initial,
             retain: var.retain,

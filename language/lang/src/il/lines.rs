@@ -49,7 +49,7 @@ impl<'a> Front<'a, '_> {
             match stmt {
                 Stmt::Label(word) => walk.label(word, at),
                 Stmt::Close(span) => walk.close(*span),
-                Stmt::Wrong { open, .. } => {
+                Stmt::Wrong { open } => {
                     walk.unused = None;
                     walk.unreachable = false;
                     walk.acc = Acc::Wrong;

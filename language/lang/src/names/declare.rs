@@ -21,7 +21,7 @@ impl Names<'_> {
             if self.is_elsewhere(var, kind, instance, found) {
                 continue;
             }
-            let initials = self.initials.len();
+            let initials = self.initials;
             let place = self.declared(var, kind, instance, found);
             if var.retain {
                 self.retain(place, var, kind, initials, found);
@@ -35,7 +35,7 @@ impl Names<'_> {
             let direct = read(&var.name.text, self.dialect.maker()).is_some();
             let shared = matches!(var.section, Section::Global | Section::External);
             let owner = (!direct && !shared).then_some(instance);
-            self.note_width(owner, &name, (&var.ty.text, place), var.at.is_none());
+            self.note_width(owner, &name, &var.ty.text);
             let names = match direct || shared {
                 true => &mut self.global,
                 false => &mut self.instances[instance].names,
@@ -53,7 +53,7 @@ impl Names<'_> {
             "BOOL" => Place::Bit(Bit::At(Address::Marker(self.temps.named_marker(false)))),
             _ => Place::Number(Num::At(Address::Register(self.temps.named_register()))),
         };
-        self.note_width(Some(instance), &name.text, (ty, place), true);
+        self.note_width(Some(instance), &name.text, ty);
         if let Some(instance) = self.instances.get_mut(instance) {
             instance.names.insert(name.text.clone(), place);
         }

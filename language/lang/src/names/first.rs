@@ -1,6 +1,6 @@
 //! First values: each is given to what can take it, or told; none is dropped.
 
-use super::meaning::{Initial, Names, Place};
+use super::meaning::{Names, Place};
 use super::widths::narrow_type;
 use crate::ast::{Init, Var};
 use crate::diagnostics::{Code, Found, Span};
@@ -119,8 +119,7 @@ impl Names<'_> {
             Place::Bit(Bit::At(Address::Marker(_))) | Place::Number(Num::At(Address::Group(_)))
         );
         if value != 0 || var.retain && left {
-            let span = var.name.span;
-            self.initials.push(Initial { place, value, span });
+            self.initials += 1;
         }
         Ok(())
     }

@@ -39,18 +39,6 @@ impl Names<'_> {
         Some(Place::Bit(Bit::At(Address::Marker(marker))))
     }
 
-    /// The place of an input that the text stores to, of a block with this name.
-    pub(crate) fn wired(&mut self, place: Place, name: &str, input: &str) -> Option<Place> {
-        let mut all = spellings(place).iter();
-        let same = all.find(|spelt| spelt.contains(&input))?;
-        let stored = same.iter().any(|spelt| self.stores(name, spelt));
-        if stored {
-            self.input(place, input)
-        } else {
-            None
-        }
-    }
-
     /// Whether the text stores to this part of a block.
     pub(crate) fn stores(&self, name: &str, member: &str) -> bool {
         let name = name.to_uppercase();

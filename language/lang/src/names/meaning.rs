@@ -75,14 +75,6 @@ pub(crate) struct DeclaredInput {
     pub input: u8,
 }
 
-/// A variable that begins with another value than 0.
-#[derive(Debug)]
-pub(crate) struct Initial {
-    pub place: Place,
-    pub value: i32,
-    pub span: Span,
-}
-
 pub(crate) struct Names<'t> {
     pub text: &'t str,
     pub dialect: Dialect,
@@ -91,7 +83,8 @@ pub(crate) struct Names<'t> {
     pub counters: Vec<Counter>,
     pub instances: Vec<Instance>,
     pub inputs: Vec<DeclaredInput>,
-    pub initials: Vec<Initial>,
+    /// How many variables begin with another value than 0, so far as nothing keeps them.
+    pub initials: usize,
     pub retained: Retained,
     pub temps: Temps,
     /// Names that hold in the whole file: those that nothing declares, timers and counters.
@@ -118,10 +111,8 @@ pub(crate) struct Names<'t> {
 pub(crate) struct Retained {
     /// Registers and counters, each once, and where they are declared.
     pub numbers: Vec<(Number, Span)>,
-    /// The values that variables begin with where nothing has been kept yet.
-    pub initials: Vec<Initial>,
-    /// The register that is not 0 where something has been kept, and where it is first needed.
-    pub begun: Option<(u8, Span)>,
+    /// Whether a register is kept that says whether anything has been.
+    pub begun: bool,
 }
 
 /// The types of names that are narrower than the board's numbers.
@@ -129,8 +120,6 @@ pub(crate) struct Retained {
 pub(crate) struct Widths {
     /// By the instance that has the name, or none, and the name.
     pub(super) of: HashMap<(Option<usize>, String), Base>,
-    /// By the register that is the name's alone, so that nothing else is ever stored in it.
-    pub(super) registers: HashMap<u8, Base>,
 }
 
 /// A block and one of its inputs.

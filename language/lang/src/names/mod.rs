@@ -23,7 +23,7 @@ use unoclp_core::Board;
 use unoclp_core::isa::{Kind, MARKER_OPERAND, REGISTERS, Row, TABLE};
 use unoclp_point::{Address, Kind as Point, read};
 
-pub(crate) use meaning::{Initial, Instance, Names, Place};
+pub(crate) use meaning::{Instance, Names, Place};
 use meaning::{Retained, Widths};
 pub(crate) use widths::{kept, narrow_type};
 
@@ -40,7 +40,7 @@ impl<'t> Names<'t> {
             counters: Vec::new(),
             instances: Vec::new(),
             inputs: Vec::new(),
-            initials: Vec::new(),
+            initials: 0,
             retained: Retained::default(),
             temps: Temps::new(board),
             global: HashMap::new(),

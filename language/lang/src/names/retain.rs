@@ -49,24 +49,22 @@ impl Names<'_> {
         found: &mut Found,
     ) {
         let span = var.name.span;
-        let initials = self.initials.split_off(before);
+        let begins = std::mem::replace(&mut self.initials, before) > before;
         let number = match is_new(var, kind) {
             true => Err(NEW),
             false => self.retained_as(place),
         };
         let mut kept = number.and_then(|number| self.keep(number, span));
-        if kept.is_ok() && !initials.is_empty() && self.retained.begun.is_none() {
+        if kept.is_ok() && begins && !std::mem::replace(&mut self.retained.begun, true) {
             let register = self.temps.named_register();
             self.told_none_left(span, found);
             // The register has no name in the text.
-            self.retained.begun = Some((register, span.empty()));
             kept = self.keep(Some(Number::Register(register)), span.empty());
         }
         if let Err(why) = kept {
             let name = self.written(span);
             found.tell(Code::NotRetained, span, [name.into(), why.into()]);
         }
-        self.retained.initials.extend(initials);
     }
 
     /// The number that keeps a place; none where it is kept by itself.

@@ -5,9 +5,7 @@
 use super::meaning::{Names, Place};
 use crate::ast::{Operand, Var};
 use crate::diagnostics::{Code, Found, Span};
-use crate::tree::Num;
 use crate::typed::{Base, Value, narrow};
-use unoclp_point::Address;
 
 /// The type of this name, where it is a number of less than 32 bits.
 pub(crate) fn narrow_type(ty: &str) -> Option<Base> {
@@ -24,17 +22,8 @@ pub(crate) fn kept(base: Option<Base>, number: i32) -> i32 {
 
 impl Names<'_> {
     /// Notes the type of a name that this instance has, or the whole file.
-    pub(crate) fn note_width(
-        &mut self,
-        instance: Option<usize>,
-        name: &str,
-        (ty, place): (&str, Place),
-        is_alone: bool,
-    ) {
+    pub(crate) fn note_width(&mut self, instance: Option<usize>, name: &str, ty: &str) {
         let Some(base) = narrow_type(ty) else { return };
-        if let (true, Place::Number(Num::At(Address::Register(register)))) = (is_alone, place) {
-            self.widths.registers.insert(register, base);
-        }
         self.widths.of.insert((instance, name.to_owned()), base);
     }
 
@@ -76,11 +65,6 @@ impl Names<'_> {
             (_, Place::Instance(instance)) => self.width_of(instance, member),
             _ => None,
         }
-    }
-
-    /// The type of all that is ever stored in a register.
-    pub(crate) fn register_width(&self, register: u8) -> Option<Base> {
-        self.widths.registers.get(&register).copied()
     }
 
     /// What a variable keeps of a number that stands in the text; told where that is another.

@@ -98,8 +98,7 @@ impl Parser<'_, '_> {
         let line = self.tokens.get(first..self.at).unwrap_or_default();
         let count = |kind| line.iter().filter(|token| token.kind == kind).count();
         let open = count(Kind::Open).saturating_sub(count(Kind::Close));
-        let span = line.first().map_or(Span::default(), |token| token.span);
-        unit.body.push(Stmt::Wrong { span, open });
+        unit.body.push(Stmt::Wrong { open });
     }
 
     fn word_at(&self, span: Span) -> String {

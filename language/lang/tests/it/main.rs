@@ -11,7 +11,6 @@ mod fuzzed;
 mod fuzzed_typed;
 mod grammars;
 mod limits;
-mod one_list;
 mod places;
 mod random_programs;
 mod random_typed;
