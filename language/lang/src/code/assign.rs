@@ -8,6 +8,7 @@ use super::logic::Bit;
 use super::pen::Acc;
 use super::seats::Seat;
 use super::traces::Shows;
+use crate::diagnostics::Span;
 use crate::typed::{Base, Convert, Expr, ExprKind, Place, Store, Width};
 use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
@@ -17,6 +18,16 @@ fn stored_as(value: &Expr, store: Store) -> Base {
     match store {
         Store::Narrow(base) | Store::Within(base, ..) => base,
         _ => value.base,
+    }
+}
+
+/// Where what is loaded first stands.
+fn first_at(value: &Expr) -> Span {
+    match &value.kind {
+        ExprKind::Convert(_, of) | ExprKind::Unary(_, of) | ExprKind::Binary(_, of, _) => {
+            first_at(of)
+        }
+        _ => value.at,
     }
 }
 
@@ -100,7 +111,7 @@ impl Coder<'_, '_> {
             self.pen.holds = None;
             return self.fail_unless(within);
         }
-        self.pen.fresh();
+        self.placed(first_at(value), |this| this.pen.fresh());
         self.value_for(seat, value, store);
         let within = self.within(value, store);
         let before = self.pen.lines.len();

@@ -41,14 +41,16 @@ impl Coder<'_, '_> {
     }
 
     /// Likewise logic.
-    pub(super) fn bring(&mut self, mut bit: Bit) {
-        if let Acc::Bit(held) = self.pen.acc
-            && begins(&mut bit, held)
-        {
-            self.go_on(&bit);
-            return;
+    pub(super) fn bring(&mut self, bit: Bit) {
+        if let Acc::Bit(held) = self.pen.acc {
+            let mut turned = bit.clone();
+            if begins(&mut turned, held) && self.goes_on(&turned, held) {
+                self.go_on(&turned);
+                return;
+            }
         }
-        self.pen.fresh();
+        let at = first_at(&bit).unwrap_or(self.pen.at);
+        self.placed(at, |this| this.pen.fresh());
         self.start(&bit);
         // Nothing but a coil changes one of these.
         if let Bit::Contact(Contact {
@@ -59,7 +61,21 @@ impl Coder<'_, '_> {
             && let Seat::At(Address::Input(_) | Address::Output(_) | Address::Marker(_)) = seat
         {
             self.pen.acc = Acc::Bit(seat);
+            self.pen.held = first_at(&bit).map(|at| (seat, at));
         }
+    }
+
+    /// Whether logic that begins with the bit that acc holds goes on with it. Where the text begins a rung with that bit,
+    /// it has its contact.
+    fn goes_on(&self, bit: &Bit, held: Seat) -> bool {
+        let Some((_, coil)) = self
+            .pen
+            .held
+            .filter(|(seat, _)| self.has_rungs && *seat == held)
+        else {
+            return true;
+        };
+        first_at(bit).is_some_and(|at| at.start <= coil.start && coil.end <= at.end)
     }
 
     /// What follows the contact that logic begins with, which acc is.

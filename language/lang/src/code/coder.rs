@@ -29,6 +29,8 @@ pub(super) struct Coder<'a, 'f> {
     pub noted: Vec<Noted>,
     /// The cells that are shown by their names.
     pub named: HashMap<u32, (String, Span)>,
+    /// The text has rungs, which begin where it loads.
+    pub has_rungs: bool,
 }
 
 impl Coder<'_, '_> {
@@ -104,6 +106,7 @@ impl Coder<'_, '_> {
         // acc is what the bit holds now; where it is 1 for certain, that is worth more.
         if self.pen.acc != Acc::One {
             self.pen.acc = Acc::Bit(seat);
+            self.pen.held = Some((seat, self.pen.at));
         }
     }
 

@@ -128,8 +128,8 @@ pub(crate) struct Written {
     pub units: Option<Units>,
     /// Where its instructions begin. The comments above one that takes no step go to the step that follows.
     pub instructions: Vec<u32>,
-    /// What points are called whose name is that of the text.
-    pub names_points: bool,
+    /// Whether it is in Instruction List, whose rungs begin where they load, and whose points have no other names.
+    pub is_list: bool,
 }
 
 impl Written {
@@ -138,7 +138,7 @@ impl Written {
             comments: comments::of_any(text),
             units: None,
             instructions: Vec::new(),
-            names_points: false,
+            is_list: false,
         }
     }
 }
@@ -204,13 +204,14 @@ fn lower(
         shown: false,
         noted: Vec::new(),
         named: allotter::named(tree),
+        has_rungs: written.is_list,
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
     coder.leave();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let mut finished = finished;
-    if written.names_points {
+    if written.is_list {
         finished.name_points(text);
     }
     let seats = std::mem::take(&mut coder.seats);

@@ -82,6 +82,8 @@ pub(super) enum Acc {
 pub(super) struct Pen {
     pub lines: Vec<Line>,
     pub acc: Acc,
+    /// Where the coil or contact stands that has made it hold a bit.
+    pub held: Option<(Seat, Span)>,
     /// Whether a label may stand here.
     pub head: bool,
     /// The register or analogue input that value equals.
@@ -94,6 +96,7 @@ impl Pen {
         Pen {
             lines: Vec::new(),
             acc: Acc::One,
+            held: None,
             head: true,
             holds: None,
             at: Span::default(),

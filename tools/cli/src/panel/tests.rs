@@ -509,7 +509,7 @@ fn lines_of_instruction_list_show_what_they_have_come_to() {
    5   )
    6 ● ST Q1
    7
-   8   LD Q1
+   8 ● LD Q1
    9 ○ TON T1, 20
   10 ○ ST Q2
 ";
