@@ -93,7 +93,7 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
                 _ => None,
             })
             .collect(),
-        is_list: true,
+        list: Some(dialect),
     };
     let made = compile_tree(text, tree, written, board, found);
     Compiled {

@@ -34,6 +34,9 @@ pub(super) fn allot(
         board,
         told: false,
     };
+    for point in &uses.codes {
+        allotter.seats.take(Seat::At(*point));
+    }
     allotter.points(tree, uses);
     allotter.blocks(flat, uses);
     allotter.rows(flat, uses);
@@ -233,11 +236,13 @@ impl Allotter<'_> {
 
     /// The counters whose numbers the text says.
     fn pinned(&self) -> Vec<u8> {
-        let points = self.tree.points.iter();
-        let numbers = points.filter_map(|(_, point)| match point {
-            Address::Count(number) => Some(*number),
-            _ => None,
-        });
+        let points = self.tree.points.iter().map(|(_, point)| point);
+        let numbers = points
+            .chain(&self.uses.codes)
+            .filter_map(|point| match point {
+                Address::Count(number) => Some(*number),
+                _ => None,
+            });
         numbers.collect()
     }
 

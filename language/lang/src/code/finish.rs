@@ -8,6 +8,7 @@ use super::codes;
 use super::flat::Turns;
 use super::pen::{Line, Written};
 use super::seats::Seat;
+use crate::Dialect;
 use crate::diagnostics::{Code, Found, Lines, Span};
 use crate::emit::{CodeLine, letters};
 use crate::origin::Origin;
@@ -169,10 +170,13 @@ pub(super) struct Finished {
 }
 
 impl Finished {
-    /// What has no name is called as the text has it, in the program file.
-    pub(super) fn name_points(&mut self, text: &str) {
-        for (line, origin) in self.lines.iter_mut().zip(&self.origins) {
-            if line.symbol.is_empty() && line.letters.contains(|c: char| c.is_ascii_digit()) {
+    /// In the program file, each instruction with a number is called as the text has it; elsewhere a point has the name
+    /// that was declared for it, and what is no name has none.
+    pub(super) fn named_as_written(&mut self, text: &str, dialect: Dialect) {
+        for (line, origin) in self.lines.iter_mut().zip(&mut self.origins) {
+            let is_name = |name: &String| !name.contains('.') && !dialect.is_address(name);
+            origin.name = origin.name.take().filter(is_name);
+            if !line.symbol.is_empty() || line.letters.contains(|c: char| c.is_ascii_digit()) {
                 let written = text.get(origin.span.range()).unwrap_or_default();
                 let first = written.lines().next().unwrap_or_default().trim();
                 line.symbol = first.to_owned();

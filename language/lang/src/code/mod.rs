@@ -67,6 +67,9 @@ mod uses;
 mod values;
 mod variables;
 
+pub(crate) use codes::begins;
+
+use crate::Dialect;
 use crate::comments::{self, Comments};
 use crate::diagnostics::{Found, Lines, Span, Told};
 use crate::emit::{self, CodeLine};
@@ -128,8 +131,8 @@ pub(crate) struct Written {
     pub units: Option<Units>,
     /// Where its instructions begin. The comments above one that takes no step go to the step that follows.
     pub instructions: Vec<u32>,
-    /// Whether it is in Instruction List, whose rungs begin where they load, and whose points have no other names.
-    pub is_list: bool,
+    /// Whose Instruction List it is in, if it is: rungs begin where they load, and points are called as they are written.
+    pub list: Option<Dialect>,
 }
 
 impl Written {
@@ -138,7 +141,7 @@ impl Written {
             comments: comments::of_any(text),
             units: None,
             instructions: Vec::new(),
-            is_list: false,
+            list: None,
         }
     }
 }
@@ -204,15 +207,15 @@ fn lower(
         shown: false,
         noted: Vec::new(),
         named: allotter::named(tree),
-        has_rungs: written.is_list,
+        has_rungs: written.list.is_some(),
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
     coder.leave();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let mut finished = finished;
-    if written.is_list {
-        finished.name_points(text);
+    if let Some(dialect) = written.list {
+        finished.named_as_written(text, dialect);
     }
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);

@@ -6,7 +6,7 @@ use super::coder::Coder;
 use super::flat::constant;
 use super::ranges::bounds;
 use crate::diagnostics::{Code, Span};
-use crate::typed::{Base, Expr, ExprKind, Unary, Value};
+use crate::typed::{Base, Binary, Expr, ExprKind, Unary, Value};
 
 /// Values that wait at once, at most; one is left for a table.
 pub(super) const MOST_WAITING: u32 = 7;
@@ -78,8 +78,15 @@ impl Coder<'_, '_> {
     pub(super) fn nest(&self, of: &Expr) -> u32 {
         match &of.kind {
             ExprKind::Unary(_, a) | ExprKind::Convert(_, a) => self.nest(a),
-            ExprKind::Binary(_, a, b) if of.base == Base::Bool => {
-                1 + self.nest(a).max(self.nest(b))
+            ExprKind::Binary(op, a, b) if of.base == Base::Bool => {
+                // Contacts in a row stand beside each other, and so do branches.
+                let part = |of: &Expr| match &of.kind {
+                    ExprKind::Binary(inner @ (Binary::And | Binary::Or), ..) if inner == op => {
+                        self.nest(of)
+                    }
+                    _ => 1 + self.nest(of),
+                };
+                part(a).max(part(b))
             }
             ExprKind::Compare(_, a, b) if a.base == Base::Bool => {
                 2 + self.nest(a).max(self.nest(b))

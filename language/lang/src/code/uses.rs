@@ -6,6 +6,7 @@ use super::flat::{Does, Flat, Step, each, own_expressions, within};
 use crate::typed::{Expr, ExprKind, Order, Place, Standard, Value};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
+use unoclp_point::Address;
 
 /// Of more cells than this none has a place, so that no more are looked at.
 const MOST_CELLS: u32 = 300;
@@ -51,6 +52,8 @@ pub(super) struct Uses {
     pub preset: HashSet<u32>,
     /// Timers whose time is looked at beside their calls, before each time that it is read.
     pub looked: HashSet<u32>,
+    /// The points that instructions name by their codes.
+    pub codes: Vec<Address>,
     position: u32,
     deep: u32,
     jumps: bool,
@@ -165,7 +168,8 @@ impl Uses {
                     Order::Reset | Order::Load | Order::Number(_) => false,
                 };
             }
-            Does::Codes(_, _, behind) => {
+            Does::Codes(_, codes, behind) => {
+                self.codes.extend(super::codes::named(codes));
                 if let Some(cell) = behind {
                     let of = self.touch(*cell);
                     of.stores += 1;

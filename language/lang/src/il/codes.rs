@@ -3,10 +3,11 @@
 use super::accumulator::Changes;
 use super::walk::{Acc, Walk};
 use crate::ast::{Instr, Stmt};
+use crate::code::begins;
 use crate::diagnostics::Code;
 use crate::operators::Op;
 use crate::typed::{Base, Codes, Stmt as Made, StmtKind};
-use unoclp_core::isa::{Kind, Opcode, Row, TABLE};
+use unoclp_core::isa::{Kind, Row, TABLE};
 
 impl Walk<'_, '_, '_> {
     pub(super) fn code(&mut self, instr: &Instr) {
@@ -59,13 +60,6 @@ impl Walk<'_, '_, '_> {
         };
         self.acc = held.map_or(Acc::Empty, Acc::Value);
     }
-}
-
-/// Whether the accumulator is 1 behind this code.
-fn begins(code: i32) -> bool {
-    let label = code - Opcode::Label.row().code;
-    let opcodes = [Opcode::NewRung, Opcode::If, Opcode::Else, Opcode::EndIf];
-    opcodes.iter().any(|opcode| opcode.row().code == code) || (1..=99).contains(&label)
 }
 
 /// The inputs that a code of the text reads: bit 0 is input 01.

@@ -12,7 +12,7 @@
 //! - `flow`: labels, jumps, IF; `circles`: calls without end; `calls`, `units`, `timers`, `counters`, `edges`: what is called
 //! - `makers`, `blocks`: what the makers write in their own ways; `push`, `codes`: what the board's own words do
 //!
-//! Must not know codes, nor what a statement costs.
+//! Must not know what a statement costs.
 
 mod accumulator;
 mod bits;
