@@ -208,9 +208,10 @@ fn programs(folder: &str) -> Vec<String> {
         let (name, _) = program.rsplit_once('.').unwrap();
         let file = compiled(&read(&format!("{folder}/{program}")), language(program));
         let kept = read(&format!("{folder}/{name}.txt"));
-        if kept != file {
-            fs::write(path(&format!("{folder}/{name}.txt")), &file).unwrap();
-        }
+        assert_eq!(
+            kept, file,
+            "{name}.txt is not what the compiler makes of {program}"
+        );
         let scenario = path(&format!("{folder}/{name}.toml"));
         let scenario = Scenario::load(&scenario, unoclp_core::Board::UNO)
             .unwrap_or_else(|error| panic!("{error}"));
