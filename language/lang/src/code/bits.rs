@@ -33,6 +33,15 @@ fn first_at(part: &Bit) -> Option<Span> {
     }
 }
 
+/// The cell of its first contact.
+fn first_cell(part: &Bit) -> Option<u32> {
+    match part {
+        Bit::Contact(of) => Some(of.cell),
+        Bit::And(parts) | Bit::Or(parts) | Bit::Xor(parts, _) => parts.iter().find_map(first_cell),
+        Bit::Is(_) | Bit::Test(..) => None,
+    }
+}
+
 impl Coder<'_, '_> {
     /// Brings a prepared expression into acc.
     pub(super) fn bit(&mut self, from: &Expr, negated: bool) {
@@ -68,14 +77,19 @@ impl Coder<'_, '_> {
     /// Whether logic that begins with the bit that acc holds goes on with it. Where the text begins a rung with that bit,
     /// it has its contact.
     fn goes_on(&self, bit: &Bit, held: Seat) -> bool {
-        let Some((_, coil)) = self
-            .pen
-            .held
-            .filter(|(seat, _)| self.has_rungs && *seat == held)
-        else {
+        if !self.has_rungs {
             return true;
-        };
-        first_at(bit).is_some_and(|at| at.start <= coil.start && coil.end <= at.end)
+        }
+        match self.pen.held.filter(|(seat, _)| *seat == held) {
+            Some((_, coil)) => {
+                first_at(bit).is_some_and(|at| at.start <= coil.start && coil.end <= at.end)
+            }
+            // What a timer or an edge has just driven, unless the text names it.
+            None => first_cell(bit).is_none_or(|cell| {
+                let is_point = matches!(held, Seat::At(Address::Marker(_) | Address::Output(_)));
+                !is_point || !self.named.contains_key(&cell)
+            }),
+        }
     }
 
     /// What follows the contact that logic begins with, which acc is.
