@@ -258,11 +258,13 @@ impl Coder<'_, '_> {
 
     /// Whether it is the opposite of the bit that acc holds.
     fn is_opposite_of_acc(&self, value: &Expr) -> bool {
-        let of = |bit| match bit {
-            Bit::Contact(of) if of.negated => Some(Acc::Bit(of.seat)),
-            _ => None,
-        };
-        of(self.logic(value, false)) == Some(self.pen.acc)
+        let bit = self.logic(value, false);
+        match (&bit, self.pen.acc) {
+            (Bit::Contact(of), Acc::Bit(held)) => {
+                of.negated && of.seat == held && self.goes_on(&bit, held)
+            }
+            _ => false,
+        }
     }
 
     /// A bit as 0 or 1 in a register.

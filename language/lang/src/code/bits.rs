@@ -76,7 +76,7 @@ impl Coder<'_, '_> {
 
     /// Whether logic that begins with the bit that acc holds goes on with it. Where the text begins a rung with that bit,
     /// it has its contact.
-    fn goes_on(&self, bit: &Bit, held: Seat) -> bool {
+    pub(super) fn goes_on(&self, bit: &Bit, held: Seat) -> bool {
         if !self.has_rungs {
             return true;
         }
