@@ -240,6 +240,7 @@ impl Coder<'_, '_> {
             Some((_, seat)) => Acc::Bit(seat),
             None => Acc::Bit(Seat::Timer(timer)),
         };
+        self.pen.held = (own.zip(next)).map(|((_, seat), next)| (seat, next.at));
         let elapsed = self.seats.of.get(&(cell + 3)).copied();
         if let Some(Seat::At(Address::Register(_))) = elapsed {
             if block == Standard::Tof {
