@@ -236,7 +236,7 @@ fn the_boards_of_a_site_are_served_each_by_its_name() {
     }
     said.sort();
     let other =
-        "one: keeps another program than lamp.st, so the names of that file do not hold; upload it";
+        "one: has a program other than lamp.st, so the names in that file do not apply; upload it";
     assert_eq!(said, ["one: found", other, "two: found"]);
     assert!(ask(&mut server.visitor_of("/two", ""), &stop(), |_| ()).is_some());
     assert_eq!(two.board().state, pty::STOP);
@@ -463,7 +463,7 @@ fn a_gateway_that_is_killed_again_and_again_loses_no_committed_sample() {
             .unwrap();
         let printed = String::from_utf8(printed.stdout).unwrap();
         rows += printed.lines().skip(1).count() as u64;
-        // A change is another value than before, but where the gateway began anew.
+        // A change is another value than before, but where the gateway began again.
         let values: Vec<&str> = printed
             .lines()
             .skip(1)

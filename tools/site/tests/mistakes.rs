@@ -263,7 +263,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"h.db\"\n[journal]\nstore = \"h.db\"\n"),
             8,
-            "history and journal are both in h.db; give each its own file",
+            "history and journal both use h.db; give each its own file",
         ),
         (
             with("[http]\nlisten = \"127.0.0.1:1\"\ntls = \"some\"\n"),
@@ -295,12 +295,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             granted("x.flow"),
             8,
-            "x has no point flow; what can be written is target, valve, Q1–Q4",
+            "x has no point flow; you can write target, valve, Q1–Q4",
         ),
         (
             granted("x.level"),
             8,
-            "level cannot be written; what can is target, valve",
+            "level cannot be written; you can write target, valve",
         ),
     ]
 }
@@ -383,13 +383,13 @@ fn a_right_file_says_what_it_would_do() {
         "page: http://0.0.0.0:80/, open to the network, not encrypted",
         "line a: 115200 baud, no parity",
         "board x: address 3, unit 7, read every 250ms",
-        "program tank.st: its names (3) hold while the board keeps check sum ",
+        "program tank.st: its names (3) apply while the board has check sum ",
         "line 10.0.0.7:502: by Modbus TCP",
         "board y: address 1, unit 1, read every 500ms",
         "no program: points have their own names",
         "history: h.db, every change for 30d, then minutes and hours",
         "journal: on disk every 200ms, at most 256MB",
-        "Modbus TCP: 127.0.0.1:1502; whoever reaches it may write x.TARGET",
+        "Modbus TCP: 127.0.0.1:1502; anyone who reaches it may write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");
     }
@@ -413,7 +413,7 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
     let site = of(&format!("{LINE}[mqtt]\nbroker = \"mqtt://localhost\"\n")).unwrap();
     let told = plan(&site, Lang::En);
     assert!(
-        told.ends_with("below unoclp\n  nothing can be written by it\n"),
+        told.ends_with("below unoclp\n  it can write nothing\n"),
         "{told}"
     );
 }

@@ -51,7 +51,7 @@ export class MachineArea {
       this.age.hidden = ms === null;
       if (ms !== null) this.age.textContent = say("machineAge", { ms });
     });
-    // Beside another board it begins anew.
+    // Beside another board it begins again.
     bench.joined.add((where) => {
       if (this.file && where !== this.beside) void this.open(this.file);
     });

@@ -206,7 +206,7 @@ fn whatever_a_person_should_know_is_said() {
     });
     for part in [
         "A5 is closed",
-        "an upload is under way",
+        "an upload is in progress",
         "the card failed",
         "FORCED  ?",
         "I2○!",
@@ -523,7 +523,7 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     let mut app = showing(forced);
     let screen = screen(&mut app, 80, 24);
     assert!(
-        screen.contains("forced since before: Q3=1; x lets all go"),
+        screen.contains("already forced: Q3=1; x releases all"),
         "{screen}"
     );
     press(&mut app, KeyCode::Char('1'));
@@ -532,7 +532,7 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     assert_eq!(app.forced().to_string(), "I1=1 Q3=1");
 }
 
-/// A monitor whose forces end behind 10 s, at a board with this end of forcing before.
+/// A monitor whose forces end after 10 s, at a board with this end of forcing before.
 fn ending(ends: Option<u8>) -> App {
     let app = App::new(
         "/dev/ttyACM0".to_owned(),
@@ -720,7 +720,7 @@ fn the_screen_speaks_portuguese() {
     }
 }
 
-/// Who leaves right behind a force is told of it, though the reading on its way knows nothing of it yet.
+/// Who leaves right after a force is told of it, though the reading on its way knows nothing of it yet.
 #[test]
 fn a_reading_from_before_a_force_does_not_hide_it() {
     let mut app = showing(reading());

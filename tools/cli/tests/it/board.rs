@@ -134,18 +134,18 @@ fn a_port_that_cannot_be_used_says_why() {
         port: "/dev/ttyACM0".to_owned(),
     };
     assert!(
-        denied
-            .to_string()
-            .starts_with("/dev/ttyACM0 may not be used by this user; ")
-    );
+            denied
+                .to_string()
+    this user may not open             .starts_with("/dev/ttyACM0; ")
+        );
 
     let _user = find(&fake.place(), PATIENT).unwrap();
     assert_eq!(
         at(fake.path()).to_string(),
         format!(
-            "{} is in use by another program; close its serial monitor",
-            fake.path()
-        )
+        another program is using             "{}; close its serial monitor",
+                    fake.path()
+                )
     );
 }
 
@@ -197,7 +197,7 @@ fn a_board_that_is_watched_does_what_is_wished() {
         News::Refused(why) => Some(why),
         _ => None,
     });
-    assert_eq!(why, "A5 is closed, which holds the board in STOP");
+    assert_eq!(why, "A5 is closed and holds the board in STOP");
     fake.board().outputs = 4;
     until(&news, |reading| reading.outputs == 4);
 }
@@ -228,10 +228,10 @@ fn what_is_locked_is_refused_for_that() {
         })
     };
     let why = refusal(Wish::Command(Command::Stop));
-    assert_eq!(why, "commands are locked at this board");
+    assert_eq!(why, "commands are locked on this board");
     for wished in [Wish::Force(Side::Inputs, 0, Some(true)), Wish::Release] {
         let why = refusal(wished);
-        assert_eq!(why, "writing and forcing are locked at this board");
+        assert_eq!(why, "writing and forcing are locked on this board");
     }
 }
 
@@ -275,6 +275,6 @@ fn a_port_that_is_not_there_is_looked_for() {
         panic!("it is there");
     };
     assert!(why.starts_with("there is no port"), "{why}");
-    let refused = News::Refused("there is no board to do it".to_owned());
+    let refused = News::Refused("no board is connected".to_owned());
     assert_eq!(news.recv().unwrap(), refused);
 }

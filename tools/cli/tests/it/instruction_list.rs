@@ -291,10 +291,7 @@ fn a_mounted_card_gets_the_program_and_nothing_else_changes() {
     fs::write(card.join("STATE.TXT"), "kept").unwrap();
     let (code, out, _) = outcome(&["card", path, &numeric, "--state"]);
     assert_eq!(code, 0);
-    assert!(
-        out.starts_with("STATE.TXT: there already, and left as it is\n"),
-        "{out}"
-    );
+    assert!(out.starts_with("STATE.TXT: exists, not changed\n"), "{out}");
     assert_eq!(read("STATE.TXT"), "kept");
 
     // A program that is wrong leaves the card as it was.

@@ -108,8 +108,8 @@ fn retaining(numbers: &str, contacts: usize) -> String {
 #[test]
 fn check_and_compile_tell_it_of_instruction_list_too() {
     let text = file("retaining.il", &retaining("a, b", 700));
-    let english = "after a power cut: 2 numbers, kept as of at most 4 minutes ago\n";
-    let portuguese = "após uma queda de energia: 2 números, como estavam há no máximo 4 minutos\n";
+    let english = "after a power cut: 2 numbers, at most 4 minutes old\n";
+    let portuguese = "após uma queda de energia: 2 números, de no máximo  antes4 minutos\n";
     for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
         let (code, out, _) = outcome_in(&["check", &text], lang);
         assert!(code == 0 && out.contains(&format!("\n  {told}")), "{out}");

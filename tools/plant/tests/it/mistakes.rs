@@ -75,7 +75,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("button", "to = \"I1\"\n"),
             13,
-            "b sets I1 too; give each its own input",
+            "b also sets I1; give each its own input",
         ),
         (
             part("button", "to = \"I9\"\n"),
@@ -197,7 +197,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[step]]\nat = \"1 s\"\nset = { k = 1 }\n"),
             12,
-            "nobody can change k by hand; what can be changed is b.pressed",
+            "k cannot be changed by hand; change b.pressed",
         ),
         (
             with("[[step]]\nat = \"1 s\"\nset = { b = 2 }\n"),

@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// A number of the gateway itself, for `/metrics`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Metric {
-    /// Its name, behind `unoclp_`.
+    /// Its name, after `unoclp_`.
     pub name: &'static str,
     /// What it counts.
     pub help: &'static str,
