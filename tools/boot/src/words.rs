@@ -46,7 +46,7 @@ unoclp_words::messages! {
         "no endereço {address} a flash tem {read}, e não {written}, que foi gravado; tente de novo, com outro cabo se acontecer duas \
          vezes";
     lost(why)
-        "the port is gone: {why}; plug the board in again, and try again"
+        "the port has disappeared: {why}; plug the board in again and retry"
         "a porta não está mais disponível: {why}; ligue a placa de novo e tente de novo";
     untouched()
         "The board still has its old firmware"

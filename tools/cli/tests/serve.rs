@@ -145,7 +145,7 @@ fn the_page_comes_from_inside_the_program() {
 fn the_board_at_a_port_is_read_and_stopped_from_this_pc() {
     let fake = Fake::new(Board::default());
     let mut server = Server::new("127.0.0.1:0", &["--port", fake.path()]);
-    let alone = format!("the board at {} is shared with this PC alone", fake.path());
+    let alone = format!("the board at {} is shared with this PC only", fake.path());
     assert_eq!(server.line(), alone);
     let mut visitor = server.visitor("");
     let product = ask(&mut visitor, &Request::identify(1), |reply| {
@@ -341,7 +341,7 @@ fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
     let url = format!("mqtt://127.0.0.1:{}", broker.port);
     while server.line() != format!("{url}: connected") {}
     broker.kill();
-    while !server.line().starts_with(&format!("{url}: away: ")) {}
+    while !server.line().starts_with(&format!("{url}: not reachable: ")) {}
 }
 
 /// The signal that stops a service.
@@ -509,7 +509,7 @@ fn a_history_moves_to_a_database_and_goes_on_there() {
     let (code, said) = moving(&old);
     assert_eq!(code, Some(2));
     assert!(
-        said.contains("is in no database; write it under [history]"),
+        said.contains("keeps its history in a file; first name a database under [history]"),
         "{said}"
     );
     let new = of(&format!(
@@ -628,7 +628,7 @@ fn an_encrypted_page_is_known_by_its_certificate_which_stays() {
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        said.contains("encrypted.key.pem holds no certificate in PEM"),
+        said.contains("encrypted.key.pem contains no PEM certificate"),
         "{said}"
     );
 }

@@ -48,12 +48,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"10.0.0.7\"\n"),
             6,
-            "10.0.0.7 is no broker; write \"mqtt://",
+            "10.0.0.7 is not a broker's address; write \"mqtt://",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://me:secret@a\"\n"),
             6,
-            "addresses are printed; write `user` and `password`",
+            "unoclp prints addresses; write `user` and `password`",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nca = \"ca.pem\"\n"),
@@ -83,7 +83,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nevery = \"1ms\"\n"),
             7,
-            "1ms is no time from 1s to 1d",
+            "1ms is not a time from 1s to 1d",
         ),
         (
             with("colour = 1\n"),
@@ -146,12 +146,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"localhost\"\n"),
             6,
-            "localhost is no address with a port",
+            "localhost is not an address with a port",
         ),
         (
             "[[line]]\ntcp = \"10.0.0.7\"\n[[line.board]]\nname = \"x\"\n".into(),
             2,
-            "10.0.0.7 is no host with a port",
+            "10.0.0.7 is not a host with a port",
         ),
         (
             with("[http]\nlisten = \"0.0.0.0:8420\"\n"),
@@ -182,12 +182,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line]]\nport = \"a\"\n[[line.board]]\nname = \"y\"\nunit = 2\n"),
             5,
-            "two lines are at a",
+            "two lines use a",
         ),
         (
             "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"a/b\"\n".into(),
             4,
-            "a/b is no name for a board",
+            "a/b cannot be the name of a board",
         ),
         (
             with("[[line.board]]\nname = \"X\"\naddress = 2\n"),
@@ -197,7 +197,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line.board]]\nname = \"y\"\nunit = 2\naddress = 1\n"),
             8,
-            "x on this line has address 1 too; `unoclp settings",
+            "x on this line also has address 1; give a board another with `unoclp settings",
         ),
         (
             with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
@@ -222,13 +222,13 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("every = \"5\"\n"),
             5,
-            "5 is no time from 10ms to 1h; write \"100ms\"",
+            "5 is not a time from 10ms to 1h; write \"100ms\"",
         ),
-        (with("every = \"2h\"\n"), 5, "2h is no time from 10ms to 1h"),
+        (with("every = \"2h\"\n"), 5, "2h is not a time from 10ms to 1h"),
         (
             with("[history]\nstore = \"h.db\"\nkeep = \"1m\"\n"),
             7,
-            "1m is no time from 1h to 36500d",
+            "1m is not a time from 1h to 36500d",
         ),
         (
             with("[history]\nkeep = \"1h\"\n"),
@@ -238,12 +238,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"postgres://x\"\n"),
             6,
-            "postgres://x is no database; write \"history.db\" for a file, or \"postgres://",
+            "postgres://x is not a database; write \"history.db\" for a file, or \"postgres://",
         ),
         (
             with("[history]\nstore = \"postgres://me:secret@a/b\"\n"),
             6,
-            "addresses are printed; write \"postgres://gateway@db.example/plant\", and `password`",
+            "unoclp prints addresses; write \"postgres://gateway@db.example/plant\", and `password`",
         ),
         (
             with("[history]\nstore = \"\"\n"),
@@ -283,12 +283,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[journal]\nevery = \"2m\"\n"),
             6,
-            "2m is no time from 10ms to 1m",
+            "2m is not a time from 10ms to 1m",
         ),
         (
             with("[journal]\nbound = \"10kB\"\n"),
             6,
-            "10kB is no size from 1MB to 1000GB; write \"256MB\"",
+            "10kB is not a size from 1MB to 1000GB; write \"256MB\"",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
         (granted("y.valve"), 8, "there is no board y; there is x"),

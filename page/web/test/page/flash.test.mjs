@@ -87,8 +87,8 @@ test("what goes wrong on the way is told with what to do, and the next try works
   // asks more often before.
   /** @type {[number, "to the board" | "to the page", (byte: number) => number | null, RegExp, RegExp][]} */
   const troubles = [
-    [200, "to the board", () => null, /FW-24: .*check the cable, and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
-    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*and try again/, /FW-25: .*tente de novo/],
+    [200, "to the board", () => null, /FW-24: .*check the cable and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
+    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*then try again/, /FW-25: .*tente de novo/],
     [200, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*ligue a placa de novo/],
   ];
   for (const [from, where, what, english, portuguese] of troubles) {

@@ -241,7 +241,7 @@ mod tests {
             failure: Failure::Lost("unplugged".to_owned()),
         };
         let [english, portuguese] = said(|| broken(&off(Pass::Check, false)));
-        let says = "the upload failed while checking, at byte 488 of 900: the port is gone: \
+        let says = "the upload failed while checking, at byte 488 of 900: the port has disappeared: \
                     unplugged. The board is in STOP; it keeps its old program; upload again";
         assert_eq!(english, says);
         let says = "o envio falhou na conferência, no byte 488 de 900: a porta não está mais disponível: \

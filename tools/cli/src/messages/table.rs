@@ -255,7 +255,7 @@ cannot serve the page at         "{address}: {error}. Give another address with 
         "anyone with the second address controls what the board controls; Ctrl-C ends both"
         "quem tem o segundo endereço comanda o que a placa comanda; Ctrl-C encerra os dois";
     shared(port)
-        "the board at {port} is shared with this PC alone"
+        "the board at {port} is shared with this PC only"
         "a placa em {port} é compartilhada só com este PC";
     not_served_site(address, error)
 cannot listen at         "{address}: {error}. Set another address under `listen` in the site file"

@@ -78,19 +78,19 @@ fn what_is_no_board_is_told_apart() {
     assert!(error.starts_with(&says), "{error}");
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Garbled));
-    let says = format!("what comes from {path} is no Modbus at 115200 baud, no parity");
+    let says = format!("{path} does not speak Modbus at 115200 baud, no parity");
     assert!(error.starts_with(&says), "{error}");
     let (mistaken, _) = message(Fake::with(Board::default(), |_, _| Fate::Mistaken));
-    assert!(mistaken.starts_with("what comes from"), "{mistaken}");
+    assert!(mistaken.contains(" does not speak Modbus at "), "{mistaken}");
 
     let (error, path) = message(Fake::new(Board {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     }));
-    let way_on = "; `unoclp flash` puts its firmware on an UNO or a Nano";
+    let way_on = "; `unoclp flash` installs the firmware on an UNO or a Nano";
     assert_eq!(
         error,
-        format!("what answers at {path} is no unoclp but \"ACME Meter 3\"{way_on}")
+        format!("the device at {path} does not run unoclp but \"ACME Meter 3\"{way_on}")
     );
 
     let (error, path) = message(Fake::new(Board {
@@ -99,12 +99,12 @@ fn what_is_no_board_is_told_apart() {
     }));
     assert_eq!(
         error,
-        format!("what answers at {path} is no unoclp{way_on}")
+        format!("the device at {path} does not run unoclp{way_on}")
     );
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Unplugged));
     assert!(
-        error.starts_with(&format!("{path}: the port is gone: ")),
+        error.starts_with(&format!("{path}: the port has disappeared: ")),
         "{error}"
     );
 }
@@ -128,7 +128,7 @@ fn a_port_that_cannot_be_used_says_why() {
             .starts_with("there is no port /dev/no-such-port; this PC has ")
     );
     for port in ["/dev/null", "/"] {
-        assert_eq!(at(port).to_string(), format!("{port} is no serial port"));
+        assert_eq!(at(port).to_string(), format!("{port} is not a serial port"));
     }
     let denied = NotOpened::Denied {
         port: "/dev/ttyACM0".to_owned(),

@@ -196,7 +196,7 @@ fn a_card_with_another_program_has_the_last_word() {
     let (code, _, err) = on(&fake, &["upload", &program]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("the board's card has another PROGRAM.TXT"),
+        err.contains("it loaded another PROGRAM.TXT"),
         "{err}"
     );
 }
@@ -236,7 +236,7 @@ fn settings_that_are_not_kept_are_no_success() {
     let (code, _, err) = on(&fake, &["settings", "--set-address", "7"]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("the board does not keep the settings"),
+        err.contains("the board could not store the settings"),
         "{err}"
     );
     let board = fake.board();
@@ -574,10 +574,10 @@ fn a_board_is_told_of_in_portuguese() {
         (
             worn,
             settings,
-            "recusado: ajustes ou programas foram gravados vezes demais",
+            "recusado: a placa gravou ajustes ou programas vezes demais",
         ),
         (failing, upload, "falha 75: desvios demais para trás"),
-        (card, upload, "tem outro PROGRAM.TXT"),
+        (card, upload, "leu outro PROGRAM.TXT"),
     ] {
         let fake = Fake::new(board);
         let (_, out, err) = on(&fake, &[command, &["--lang", "pt"]].concat());
@@ -616,7 +616,7 @@ fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
         ..Board::default()
     });
     let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
-    let says = "RUN\nstill forced: I1=1 Q2=0; the board lets all go 30 s after the last request, ";
+    let says = "RUN\nstill forced: I1=1 Q2=0; the board releases all 30 s after the last request, ";
     assert!(out.contains(says), "{out}");
 
     // What is refused changes nothing, and says so.

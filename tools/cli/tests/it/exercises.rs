@@ -209,7 +209,7 @@ fn wrong_arguments_are_told_in_both_languages() {
         (&["grade", "no.toml", &program], "no.toml: the file cannot be read", "no.toml: o arquivo não pode ser lido"),
         (&["grade", &program, &program], "lamp.il:1: ", "lamp.il:1: isto não é TOML válido"),
         (&["grade", &exercise, "no.il"], "no.il cannot be read", "não foi possível ler no.il"),
-        (&["grade", &exercise, empty], "has no program in it", "não tem nenhum programa"),
+        (&["grade", &exercise, empty], "contains no program", "não tem nenhum programa"),
     ];
     for (arguments, en, pt) in cases {
         for (lang, told) in [("en_US.UTF-8", en), ("pt_BR.UTF-8", pt)] {

@@ -16,25 +16,25 @@ fn check_tells_how_old_a_kept_number_may_be() {
             2,
             26,
             "2 numbers, kept as of at most 1 minute ago",
-            "2 números, como estavam há no máximo 1 minuto",
+            "2 números, de no máximo 1 minuto antes",
         ),
         (
             1,
             516,
             "1 number, kept as of at most 1 minute ago",
-            "1 número, como estava há no máximo 1 minuto",
+            "1 número, de no máximo 1 minuto antes",
         ),
         (
             16,
             465,
             "16 numbers, kept as of at most 9 minutes ago",
-            "16 números, como estavam há no máximo 9 minutos",
+            "16 números, de no máximo 9 minutos antes",
         ),
         (
             16,
             733,
             "16 numbers, kept as of at most 27 minutes ago",
-            "16 números, como estavam há no máximo 27 minutos",
+            "16 números, de no máximo 27 minutos antes",
         ),
     ] {
         let program = file(

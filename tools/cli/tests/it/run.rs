@@ -123,7 +123,7 @@ fn a_loop_without_end_is_stopped() {
     for (lang, told) in [
         (
             "C",
-            "the text:2:1: this scan does not end: it was stopped here after 20000000 steps. ",
+            "the text:2:1: this scan does not end; unoclp stopped it here after 20000000 steps. ",
         ),
         (
             "pt_BR",
@@ -191,7 +191,7 @@ fn a_value_that_cannot_be_computed_is_told() {
     assert_eq!(code, 0);
     assert!(out.contains("x     INT   0"), "{out}");
     assert!(
-        err.contains(":1:30: here a value could not be computed, and S 04 was set"),
+        err.contains(":1:30: this value could not be computed, and S 04 was set"),
         "{err}"
     );
 }

@@ -55,17 +55,17 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[part]]\nname = \"if\"\nkind = \"button\"\n"),
             11,
-            "\"if\" is no name for a part",
+            "\"if\" cannot be the name of a part",
         ),
         (
             with("[[part]]\nname = \"Q1\"\nkind = \"button\"\n"),
             11,
-            "\"Q1\" is no name for a part",
+            "\"Q1\" cannot be the name of a part",
         ),
         (
             with("[[part]]\nname = \"<script>\"\nkind = \"button\"\n"),
             11,
-            "is no name for a part",
+            "cannot be the name of a part",
         ),
         (
             with("[[part]]\nname = \"B\"\nkind = \"button\"\n"),
@@ -107,9 +107,9 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("valve", "by = \"P1\"\n"),
             10,
-            "Q1 is used with PWM and without",
+            "Q1 is used both with and without PWM",
         ),
-        (part("dial", "to = \"I2\"\n"), 13, "I2 is no analogue input"),
+        (part("dial", "to = \"I2\"\n"), 13, "I2 is not an analogue input"),
         (
             part("dial", "to = \"A7\"\n"),
             13,
@@ -132,7 +132,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("tank", "holds = \"5 kg\"\n"),
             13,
-            "`holds` is a number with its unit (l, ml), and \"5 kg\" is none",
+            "`holds` must be a number with a unit (l, ml), and \"5 kg\" is not",
         ),
         (
             part("tank", "holds = \"5000 l\"\n"),
@@ -166,17 +166,17 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[never]]\nwhen = \"k.closed AND\"\ntext = \"x\"\n"),
             11,
-            "no condition of Structured Text",
+            "not a condition in Structured Text",
         ),
         (
             with("[[never]]\nwhen = \"k.heat > 3\"\n"),
             11,
-            "no condition of Structured Text",
+            "not a condition in Structured Text",
         ),
         (
             with("[[never]]\nwhen = \"k.closed; DELETE\"\n"),
             11,
-            "no condition of Structured Text",
+            "not a condition in Structured Text",
         ),
         (with("[[never]]\ntext = \"x\"\n"), 10, "`when` is missing"),
         (
@@ -187,12 +187,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[goal]]\nwhen = \"k.closed\"\nwithin = \"3 weeks\"\n"),
             12,
-            "`within` is a number with its unit",
+            "`within` must be a number with a unit",
         ),
         (
             with("[[step]]\nat = \"2 min\"\nset = { b = 1 }\n"),
             11,
-            "`at` comes after the end, at 60 s",
+            "`at` is after the end, at 60 s",
         ),
         (
             with("[[step]]\nat = \"1 s\"\nset = { k = 1 }\n"),
@@ -212,7 +212,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[fault]]\npart = \"k\"\nis = \"welded\"\n"),
             10,
-            "this fault never comes",
+            "this fault never occurs",
         ),
         (
             with("[[draw]]\nkind = \"pipe\"\npoints = [[0]]\n"),
