@@ -341,7 +341,10 @@ fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
     let url = format!("mqtt://127.0.0.1:{}", broker.port);
     while server.line() != format!("{url}: connected") {}
     broker.kill();
-    while !server.line().starts_with(&format!("{url}: not reachable: ")) {}
+    while !server
+        .line()
+        .starts_with(&format!("{url}: not reachable: "))
+    {}
 }
 
 /// The signal that stops a service.

@@ -33,8 +33,8 @@ const LINE: &str = "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"x\"\n";
 fn mistakes() -> Vec<(String, usize, &'static str)> {
     let with = |more: &str| format!("{LINE}{more}");
     vec![
-        ("[[line]\n".into(), 1, "this is no TOML"),
-        (with("name = \"y\"\n"), 5, "this is no TOML"),
+        ("[[line]\n".into(), 1, "this is not TOML"),
+        (with("name = \"y\"\n"), 5, "this is not TOML"),
         (
             with("[mqqt]\n"),
             5,
@@ -224,7 +224,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             5,
             "5 is not a time from 10ms to 1h; write \"100ms\"",
         ),
-        (with("every = \"2h\"\n"), 5, "2h is not a time from 10ms to 1h"),
+        (
+            with("every = \"2h\"\n"),
+            5,
+            "2h is not a time from 10ms to 1h",
+        ),
         (
             with("[history]\nstore = \"h.db\"\nkeep = \"1m\"\n"),
             7,

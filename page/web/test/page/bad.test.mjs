@@ -55,7 +55,7 @@ const NO_CARD = /** @type {Said} */ ([/not a card image with FAT16 or FAT32. Mak
 /** @type {[string, (page: Page) => Promise<unknown>, Said][]} */
 const BAD = [
   ["a file that is no text", file("no.il", Buffer.from([0x7f, 0x45, 0x4c, 0x46, 0, 0, 0])), [/is not text. Your program is still here/, /não é um texto. O seu programa continua aqui/]],
-  ["a file of 5 MB", file("large.il", Buffer.alloc(5 << 20, "LD I1\n")), [/more than 1 MB; .* still here/, /mais de 1 MB; .* continua aqui/]],
+  ["a file of 5 MB", file("large.il", Buffer.alloc(5 << 20, "LD I1\n")), [/larger than 1 MB; .* still here/, /mais de 1 MB; .* continua aqui/]],
   ["5 MB of text put in", (page) => paste(page, "LD I1\n", 900_000), [/larger than 1 MB; .* Nothing was inserted/, /passaria de 1 MB; .* Nada foi inserido/]],
   ["a link of garbage", link("#p=%%%"), NO_PROGRAM],
   ["a link whose data break off", link(fragment(Buffer.from('["a.il","LD I1"]')).slice(0, -4)), NO_PROGRAM],
@@ -63,7 +63,7 @@ const BAD = [
   ["a link that inflates to 64 MB", link(fragment(Buffer.alloc(64 << 20))), NO_PROGRAM],
   ["an image that is no card", image(Buffer.alloc(1 << 20, 7)), NO_CARD],
   ["an image of half a block", image(Buffer.alloc(700)), NO_CARD],
-  ["an image of 9 MB", image(Buffer.alloc(9 << 20)), [/more than 8 MB.* Make one here/, /mais de 8 MB.* Crie um aqui/]],
+  ["an image of 9 MB", image(Buffer.alloc(9 << 20)), [/larger than 8 MB.* Make a card here/, /passa de 8 MB.* Crie um cartão aqui/]],
   ["a card that is full", full, [/This card is full. The board can read it/, /Este cartão está cheio. A placa consegue lê-lo/]],
 ];
 

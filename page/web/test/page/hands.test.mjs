@@ -157,7 +157,7 @@ const STEPS = [
     await hand.press(page, "#reset");
     await state(page, "RUN");
     await hand.press(page, "#pull-card");
-    await page.locator("#panel-card", { hasText: "No card is in the slot" }).waitFor();
+    await page.locator("#panel-card", { hasText: "The slot is empty" }).waitFor();
     await page.locator("#card-in:not(:checked)").waitFor();
     // Without a card it runs what its EEPROM keeps.
     await hand.press(page, "#reset");

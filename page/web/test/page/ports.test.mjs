@@ -53,7 +53,7 @@ test("a port that is busy is told, and opens once it is free", async () => {
 
 for (const [what, answer, english, portuguese] of /** @type {const} */ ([
   ["a device that is not unoclp", FOREIGN, "does not run unoclp", "não roda o unoclp"],
-  ["a board that answers nonsense", NONSENSE, "cannot be read", "não dá para ler"],
+  ["a board that answers nonsense", NONSENSE, "are unreadable", "são ilegíveis"],
 ])) {
   test(`${what} is told, and offered the firmware`, async () => {
     const page = await lab.open();

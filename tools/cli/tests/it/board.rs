@@ -81,7 +81,10 @@ fn what_is_no_board_is_told_apart() {
     let says = format!("{path} does not speak Modbus at 115200 baud, no parity");
     assert!(error.starts_with(&says), "{error}");
     let (mistaken, _) = message(Fake::with(Board::default(), |_, _| Fate::Mistaken));
-    assert!(mistaken.contains(" does not speak Modbus at "), "{mistaken}");
+    assert!(
+        mistaken.contains(" does not speak Modbus at "),
+        "{mistaken}"
+    );
 
     let (error, path) = message(Fake::new(Board {
         identity: ["ACME", "Meter", "3"],

@@ -195,10 +195,7 @@ fn a_card_with_another_program_has_the_last_word() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     assert_eq!(code, 2);
-    assert!(
-        err.contains("it loaded another PROGRAM.TXT"),
-        "{err}"
-    );
+    assert!(err.contains("it loaded another PROGRAM.TXT"), "{err}");
 }
 
 #[test]

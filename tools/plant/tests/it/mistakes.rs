@@ -22,8 +22,8 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         ))
     };
     vec![
-        ("[[part]\n".into(), 1, "this is no TOML"),
-        (with("by = \"Q2\"\n"), 10, "this is no TOML"),
+        ("[[part]\n".into(), 1, "this is not TOML"),
+        (with("by = \"Q2\"\n"), 10, "this is not TOML"),
         (
             with("[wheel]\n"),
             10,
@@ -109,7 +109,11 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             10,
             "Q1 is used both with and without PWM",
         ),
-        (part("dial", "to = \"I2\"\n"), 13, "I2 is not an analogue input"),
+        (
+            part("dial", "to = \"I2\"\n"),
+            13,
+            "I2 is not an analogue input",
+        ),
         (
             part("dial", "to = \"A7\"\n"),
             13,
