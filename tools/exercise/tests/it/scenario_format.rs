@@ -371,7 +371,7 @@ fn a_text_without_end_is_refused_at_once() {
     let program = program.display();
     let expected = format!("{}:2: the program {program} {says}", path.display());
     assert_eq!(error.to_string(), expected);
-    assert!(error.text(Lang::Pt).contains("tem mais de 1048576 bytes"));
+    assert!(error.text(Lang::Pt).contains("passa de 1048576 bytes"));
 
     // As one text it has the same limit as in parts.
     let text = format!("about = \"\"\ntext = \"{}\"\n", "/".repeat(1 << 20));
