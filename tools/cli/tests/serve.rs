@@ -34,16 +34,27 @@ impl Server {
 
     fn of(command: &mut Command) -> Server {
         let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
-        let mut says = BufReader::new(child.stdout.take().unwrap()).lines();
-        let first = says.next().unwrap().unwrap();
-        let (_, address) = first.split_once("://").unwrap();
-        let (address, fragment) = address.split_once('/').unwrap();
-        assert!(["", "#board"].contains(&fragment), "{first}");
-        Server {
+        let says = BufReader::new(child.stdout.take().unwrap()).lines();
+        // From here on it ends with the test, whatever it says.
+        let mut server = Server {
             child,
             says,
-            address: address.into(),
+            address: String::new(),
+        };
+        let mut said = Vec::new();
+        // A board may be told of before the page: its line is opened meanwhile.
+        while server.address.is_empty() {
+            let line = server.says.next().unwrap_or_else(|| panic!("{said:?}"));
+            said.push(line.unwrap());
+            let last = said.last().unwrap();
+            let Some((_, address)) = last.split_once("://") else {
+                continue;
+            };
+            let (address, fragment) = address.split_once('/').unwrap();
+            assert!(["", "#board"].contains(&fragment), "{said:?}");
+            server.address = address.into();
         }
+        server
     }
 
     fn line(&mut self) -> String {
