@@ -202,7 +202,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
             7,
-            "x has unit 1 too",
+            "x also has unit 1",
         ),
         (
             with("[modbus]\nlisten = \"127.0.0.1:8420\"\n"),

@@ -15,25 +15,25 @@ fn check_tells_how_old_a_kept_number_may_be() {
         (
             2,
             26,
-            "2 numbers, kept as of at most 1 minute ago",
+            "2 numbers, at most 1 minute old",
             "2 números, de no máximo 1 minuto antes",
         ),
         (
             1,
             516,
-            "1 number, kept as of at most 1 minute ago",
+            "1 number, at most 1 minute old",
             "1 número, de no máximo 1 minuto antes",
         ),
         (
             16,
             465,
-            "16 numbers, kept as of at most 9 minutes ago",
+            "16 numbers, at most 9 minutes old",
             "16 números, de no máximo 9 minutos antes",
         ),
         (
             16,
             733,
-            "16 numbers, kept as of at most 27 minutes ago",
+            "16 numbers, at most 27 minutes old",
             "16 números, de no máximo 27 minutos antes",
         ),
     ] {

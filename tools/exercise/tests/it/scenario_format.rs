@@ -377,7 +377,7 @@ fn a_text_without_end_is_refused_at_once() {
     let text = format!("about = \"\"\ntext = \"{}\"\n", "/".repeat(1 << 20));
     let error =
         Scenario::load(&file("long-text.toml", &text), unoclp_core::Board::UNO).unwrap_err();
-    assert!(error.to_string().contains("has more than 1048576 bytes"));
+    assert!(error.to_string().contains("is longer than 1048576 bytes"));
 }
 
 /// A step that expects Q1 to follow I1.

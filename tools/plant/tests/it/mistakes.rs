@@ -151,7 +151,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             part("feeder", "onto = \"k\"\nmost = \"many\"\n"),
             14,
-            "`most` is a whole number",
+            "`most` must be a whole number",
         ),
         (
             part("lamp", "by = \"Q2\"\ncolour = \"pink\"\n"),
