@@ -157,15 +157,15 @@ unoclp_words::messages! {
         "este PC não tem nenhuma porta serial: conecte a placa com um cabo que leve dados, e não só energia";
     ports(names) "this PC has {names}" "este PC tem {names}";
     port_denied(port, remedy)
-this user may not open         "{port}; {remedy}"
+        "this user may not open {port}; {remedy}"
         "este usuário não pode abrir {port}; {remedy}";
     join_group()
         "join its group, usually with `sudo usermod -aG dialout $USER`, and log in again"
         "entre no grupo dela, em geral com `sudo usermod -aG dialout $USER`, e inicie nova sessão";
     check_who() "check its permissions" "confira as permissões dela";
     port_busy(port)
-another program is using         "{port}; close its serial monitor"
-outro programa está usando         "{port}; feche o monitor serial dele";
+        "another program is using {port}; close its serial monitor"
+        "outro programa está usando {port}; feche o monitor serial dele";
     no_serial_port(port) "{port} is not a serial port" "{port} não é uma porta serial";
     port_not_opened(port, reason)
         "{port} cannot be opened: {reason}"
@@ -247,7 +247,7 @@ outro programa está usando         "{port}; feche o monitor serial dele";
         "this unoclp was built without the page; `cargo xtask dist` builds one with it, and `cargo xtask lab` serves the page from the source"
         "este unoclp foi compilado sem a página; `cargo xtask dist` compila um com ela, e `cargo xtask lab` serve a página a partir do código-fonte";
     not_served(address, error)
-cannot serve the page at         "{address}: {error}. Give another address with --http; --http 127.0.0.1:0 picks a free port"
+        "cannot serve the page at {address}: {error}. Give another address with --http; --http 127.0.0.1:0 picks a free port"
         "não é possível servir a página em {address}: {error}. Indique outro endereço com --http; --http 127.0.0.1:0 escolhe uma porta livre";
     watch_at(page) "to watch:   {page}" "acompanhar: {page}";
     control_at(page) "to control: {page}" "controlar:  {page}";
@@ -258,7 +258,7 @@ cannot serve the page at         "{address}: {error}. Give another address with 
         "the board at {port} is shared with this PC only"
         "a placa em {port} é compartilhada só com este PC";
     not_served_site(address, error)
-cannot listen at         "{address}: {error}. Set another address under `listen` in the site file"
+        "cannot listen at {address}: {error}. Set another address under `listen` in the site file"
         "não é possível usar o endereço {address}: {error}. Indique outro em `listen`, no arquivo de instalação";
     page_of_board(name)
         "board {name}: the same page with #board/{name} in place of #board"

@@ -137,18 +137,18 @@ fn a_port_that_cannot_be_used_says_why() {
         port: "/dev/ttyACM0".to_owned(),
     };
     assert!(
-            denied
-                .to_string()
-    this user may not open             .starts_with("/dev/ttyACM0; ")
-        );
+        denied
+            .to_string()
+            .starts_with("this user may not open /dev/ttyACM0; ")
+    );
 
     let _user = find(&fake.place(), PATIENT).unwrap();
     assert_eq!(
         at(fake.path()).to_string(),
         format!(
-        another program is using             "{}; close its serial monitor",
-                    fake.path()
-                )
+            "another program is using {}; close its serial monitor",
+            fake.path()
+        )
     );
 }
 
