@@ -9,10 +9,10 @@ unoclp_words::messages! {
         "{linked} de {room} bytes de memória de execução; pinos: {used}";
     kept_number(minutes)
         "after a power cut: 1 number, at most {minutes} old"
-        "após uma queda de energia: 1 número, de no máximo  antes{minutes}";
+        "após uma queda de energia: 1 número, de no máximo {minutes} antes";
     kept_numbers(count, minutes)
         "after a power cut: {count} numbers, at most {minutes} old"
-        "após uma queda de energia: {count} números, de no máximo  antes{minutes}";
+        "após uma queda de energia: {count} números, de no máximo {minutes} antes";
     minute() "1 minute" "1 minuto";
     minutes(count) "{count} minutes" "{count} minutos";
     code() "1 code" "1 código";

@@ -214,7 +214,7 @@ macro_rules! st_rows {
         "o índice {0} está fora de `{1}`, que vai de {2} a {3}"
         "use um de {2} a {3} ou declare uma matriz maior";
     157 StDimensions Error
-        "`{0}` takes {1}, but gets  here{2}"
+        "`{0}` takes {1}, but gets {2} here"
         "write {3}"
         "`{0}` recebe {1}, mas aqui são {2}"
         "escreva {3}";

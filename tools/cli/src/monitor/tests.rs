@@ -590,7 +590,7 @@ fn a_board_that_cannot_end_forcing_is_said_to_be_so_once() {
 fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
     for (program, says) in [
         (Some(program()), "Q3 stays on: no rung writes it"),
-        (None, "Q1 Q3 is on, and stays on unless"),
+        (None, "Q1 Q3 is on and stays on unless"),
     ] {
         let mut app = app(program);
         let mut now = reading();

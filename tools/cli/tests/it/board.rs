@@ -259,7 +259,7 @@ fn a_board_that_is_lost_is_found_again() {
         _ => None,
     };
     let why = next(&news, lost);
-    assert!(why.contains("no Modbus"), "{why}");
+    assert!(why.contains("not Modbus"), "{why}");
     next(&news, |news| {
         matches!(news, News::Found { .. }).then_some(())
     });

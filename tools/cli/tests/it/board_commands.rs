@@ -613,7 +613,7 @@ fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
         ..Board::default()
     });
     let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
-    let says = "RUN\nstill forced: I1=1 Q2=0; the board releases all 30 s after the last request, ";
+    let says = "RUN\nstill forced: I1=1 Q2=0; the board releases all 30 s after the last request; ";
     assert!(out.contains(says), "{out}");
 
     // What is refused changes nothing, and says so.

@@ -109,7 +109,7 @@ fn retaining(numbers: &str, contacts: usize) -> String {
 fn check_and_compile_tell_it_of_instruction_list_too() {
     let text = file("retaining.il", &retaining("a, b", 700));
     let english = "after a power cut: 2 numbers, at most 4 minutes old\n";
-    let portuguese = "após uma queda de energia: 2 números, de no máximo  antes4 minutos\n";
+    let portuguese = "após uma queda de energia: 2 números, de no máximo 4 minutos antes\n";
     for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
         let (code, out, _) = outcome_in(&["check", &text], lang);
         assert!(code == 0 && out.contains(&format!("\n  {told}")), "{out}");
@@ -128,12 +128,12 @@ fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking
         (
             "C",
             "; 28 bytes of program memory are lacking.",
-            "what is kept takes room for two records",
+            "retained variables need room for two records",
         ),
         (
             "pt_BR.UTF-8",
             "; faltam 28 bytes de memória de programa.",
-            "o que é retido precisa de lugar para duas gravações",
+            "variáveis retidas precisam de lugar para duas gravações",
         ),
     ] {
         for command in ["check", "compile"] {

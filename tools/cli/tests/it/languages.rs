@@ -124,7 +124,7 @@ fn what_is_no_program_is_told_what_it_is_in_every_command() {
             "C",
             " is not a program: its first lines match none",
             " is empty",
-            "no text",
+            "not text",
             "use --language",
         ),
         (

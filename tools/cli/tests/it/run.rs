@@ -127,7 +127,7 @@ fn a_loop_without_end_is_stopped() {
         ),
         (
             "pt_BR",
-            "o texto:2:1: esta varredura não termina: parou aqui depois de 20000000 passos. ",
+            "o texto:2:1: esta varredura não termina; o unoclp a parou aqui depois de 20000000 passos. ",
         ),
     ] {
         let (code, out, err) = outcome_in(&["run", "--text", text], lang);
