@@ -54,7 +54,7 @@ impl Condition {
 pub struct Judge<'c> {
     condition: &'c Condition,
     machine: Machine<'c>,
-    seen: Vec<i64>,
+    seen: Vec<Value>,
     holds: Option<bool>,
 }
 
@@ -64,20 +64,26 @@ impl<'c> Judge<'c> {
         Judge {
             condition,
             machine: Machine::new(&condition.tree),
-            seen: vec![0; condition.reads.len()],
+            seen: vec![Value::Int(0); condition.reads.len()],
             holds: None,
         }
     }
 
-    /// Whether it holds with these values, each by the number of its name.
+    /// Whether it holds with these whole numbers, each by the number of its name; of BOOL 0 and 1.
     pub fn holds(&mut self, value: impl Fn(usize) -> i64) -> bool {
+        self.holds_of(|name| Value::Int(value(name).into()))
+    }
+
+    /// Whether it holds with these values, each by the number of its name and of the type that the name has: of BOOL and whole
+    /// numbers [`Value::Int`], of REAL [`Value::Real`].
+    pub fn holds_of(&mut self, value: impl Fn(usize) -> Value) -> bool {
         let mut changed = self.holds.is_none();
         for ((name, cell), seen) in self.condition.reads.iter().zip(&mut self.seen) {
             let now = value(*name);
             if changed || now != *seen {
                 changed = true;
+                self.machine.set_cell(*cell, now.clone());
                 *seen = now;
-                self.machine.set_cell(*cell, Value::Int(now.into()));
             }
         }
         if changed {
@@ -118,6 +124,33 @@ mod tests {
             [480, 0, 0]
         ));
         assert!(holds("TRUE", [0, 0, 0]));
+    }
+
+    #[test]
+    fn a_condition_reads_reals_beside_whole_numbers() {
+        let names = [
+            ("oven.heat".to_owned(), Base::Real),
+            ("oven.step".to_owned(), Base::Dint),
+        ];
+        let text = "oven.heat > 80.0 AND oven.step = 3 OR DINT_TO_REAL(oven.step) * 0.5 < oven.heat - 100.0";
+        let condition = condition(text, &names, Board::PC).unwrap();
+        let mut judge = Judge::new(&condition);
+        for (heat, step, holds) in [
+            (80.0, 3, false),
+            (80.5, 3, true),
+            (80.5, 4, false),
+            (101.5, 4, false),
+            (102.5, 4, true),
+            (-1.0, 3, false),
+        ] {
+            let value = |name| match name {
+                0 => Value::Real(heat),
+                _ => Value::Int(step),
+            };
+            assert_eq!(judge.holds_of(value), holds, "{heat} {step}");
+        }
+        // A whole number does not become a REAL by itself.
+        assert!(super::condition("oven.heat > oven.step", &names, Board::PC).is_err());
     }
 
     #[test]

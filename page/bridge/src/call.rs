@@ -12,7 +12,7 @@ use crate::words::No;
 #[cfg(feature = "full")]
 use crate::words::{self, both};
 #[cfg(feature = "full")]
-use crate::{card, edit, edit::Drawing, exercise, machine, machine::Machine};
+use crate::{card, edit, edit::Drawing, exercise, machine, machine::Machine, replay};
 use serde::Serialize;
 
 /// Answers a request, in JSON. What there is to ask is in `ask`, what it takes beside that: `page/web/src/tools/answers.ts`
@@ -56,6 +56,10 @@ pub fn answer(mut given: Given, boards: &mut Boards) -> Result<String, No> {
     })
 }
 
+/// A trace has no more ms: ten minutes.
+#[cfg(feature = "full")]
+const LONGEST_TRACE: u32 = 600_000;
+
 /// What takes the module that has everything.
 #[cfg(feature = "full")]
 fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> {
@@ -88,6 +92,50 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             };
             json(exercise::exercise(text, &title, &scenario, machine)?)
         }
+        // Whether its program does what a machine asks, through the script of that.
+        "trial" => {
+            let text = Text::of(&mut given)?;
+            let (name, machine) = (given.text("plant")?, given.text("plantText")?);
+            json(exercise::trial(text, &name, &machine)?)
+        }
+        // A number for all that a machine is with it in each of so many ms.
+        "trace" => {
+            let text = Text::of(&mut given)?;
+            let (name, machine) = (given.text("plant")?, given.text("plantText")?);
+            let span: u32 = given.number("ms")?;
+            json(exercise::trace(
+                text,
+                &name,
+                &machine,
+                span.min(LONGEST_TRACE).into(),
+            )?)
+        }
+        // What a machine did with it about a time at which something went wrong.
+        "replay" => {
+            let text = Text::of(&mut given)?;
+            let (name, machine) = (given.text("plant")?, given.text("plantText")?);
+            let scenario = given.text_if("scenario")?;
+            let at: u32 = given.number("at")?;
+            let (why, speak) = (given.text("why")?, Speak::of(&mut given)?);
+            json(replay::replay(
+                text,
+                (&name, &machine),
+                scenario.as_deref(),
+                (at.into(), &why),
+                speak.into(),
+            )?)
+        }
+        // The picture of a machine that stands.
+        "picture" => {
+            let (name, text) = (given.text("name")?, given.text("text")?);
+            let lang = Speak::of(&mut given)?.into();
+            json(machine::standing(
+                &name,
+                &text,
+                facts::board(&mut given)?,
+                lang,
+            )?)
+        }
         // The image of a card with this PROGRAM.TXT.
         "card" => {
             let text = Text {
@@ -110,9 +158,15 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
                 Some(true) => boards.machine.take(),
                 _ => None,
             };
+            let find = given.text_if("find")?;
             let mut machine = match kept {
                 Some(machine) => machine,
-                None => Machine::open(&name, &text, facts::board(&mut given)?, lang)?,
+                None => {
+                    let board = facts::board(&mut given)?;
+                    let hidden = find.map(|find| exercise::hidden(&find, board));
+                    let hidden = hidden.transpose()?;
+                    Machine::open(&name, &text, board, lang, hidden.as_ref())?
+                }
             };
             let known = json(machine.known(lang));
             boards.machine = Some(machine);
@@ -144,6 +198,16 @@ fn more(ask: &str, mut given: Given, boards: &mut Boards) -> Result<String, No> 
             let is = given.truth("is")?;
             machine(boards)?.fault(part, &fault, is);
             json(())
+        }
+        // A person forces a point of the board: a step of a search.
+        "machineForced" => {
+            machine(boards)?.forced();
+            json(())
+        }
+        // A person names the fault that is hidden in it; how far they are.
+        "machineName" => {
+            let (part, fault) = (given.number("part")?, given.text("fault")?);
+            json(machine(boards)?.name(part, &fault))
         }
         // As it was at first.
         "machineReset" => {
@@ -213,11 +277,11 @@ fn drawing(boards: &mut Boards) -> Result<&mut Drawing, No> {
 #[cfg(not(feature = "full"))]
 fn more(ask: &str, _: Given, _: &mut Boards) -> Result<String, No> {
     match ask {
-        "list" | "pages" | "sheet" | "exercise" | "card" | "read" | "free" | "flash"
-        | "flashStep" | "flashLose" => Err(No::More),
+        "list" | "pages" | "sheet" | "exercise" | "trial" | "trace" | "replay" | "picture"
+        | "card" | "read" | "free" | "flash" | "flashStep" | "flashLose" => Err(No::More),
         "palette" | "draw" | "edit" | "drawn" | "find" => Err(No::More),
         "machine" | "machineStep" | "machineLook" | "machineHand" | "machineFault"
-        | "machineReset" | "machineClose" => Err(No::More),
+        | "machineForced" | "machineName" | "machineReset" | "machineClose" => Err(No::More),
         other => Err(wrong(other).into()),
     }
 }

@@ -5,20 +5,25 @@ use crate::program::Text;
 use crate::words::{self, Both, No, both};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::path::Path;
 use unoclp_core::Board;
 use unoclp_draw::edit::Row;
 use unoclp_exercise::diagram;
-use unoclp_exercise::machine::first_wrong;
+use unoclp_exercise::find::Hidden;
+use unoclp_exercise::machine::{self, Ended, WentWrong, with_chances};
 use unoclp_exercise::scenario::{self, Case, Exercise, ProgramFile, Verdict, grade};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::Plant;
 use unoclp_point::Address;
-use unoclp_program::{Lang, drawn};
+use unoclp_program::{Lang, WrittenIn, drawn};
 
 /// What an exercise says of itself.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Sheet {
+    kind: Kind,
+    /// The program that is to be written in another language.
+    given: Option<Given>,
     /// The name of its machine's file, where it has one.
     plant: Option<String>,
     title: Both,
@@ -31,6 +36,39 @@ pub struct Sheet {
     /// A text in Instruction List that names what is connected, and has no instruction yet.
     begin: Both,
     cases: Vec<Told>,
+}
+
+/// What an exercise asks for.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    /// A program.
+    Program,
+    /// The fault of a machine whose program is right.
+    Find,
+    /// The same program in another language.
+    Write,
+}
+
+/// A program that is to be written in another language.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Given {
+    text: String,
+    /// Its language, and the one to write it in, by the ends of the names of files.
+    language: &'static str,
+    answer_in: &'static str,
+}
+
+impl From<&scenario::Given> for Given {
+    fn from(given: &scenario::Given) -> Given {
+        let language = WrittenIn::of(Path::new("given"), given.text.as_bytes());
+        Given {
+            text: given.text.clone(),
+            language: language.map_or("il", WrittenIn::name),
+            answer_in: given.answer_in.name(),
+        }
+    }
 }
 
 /// What a student learns of a case before its turn.
@@ -53,10 +91,12 @@ pub struct Outcome {
 
 /// How a machine fared with a program.
 #[derive(Debug, Serialize)]
-struct Fared {
+pub struct Fared {
     passed: bool,
     /// What went wrong first: when, and which rule.
     why: Option<Both>,
+    /// When, ms after the first scan; none where the program did not run at all.
+    at: Option<u64>,
 }
 
 /// The first case that was not passed.
@@ -113,7 +153,14 @@ pub fn sheet(name: &str, text: &str, board: Board) -> Result<Sheet, No> {
     let exercise = read(name, text, board)?;
     let names = exercise.names.iter();
     let file = exercise.plant.as_ref().and_then(|file| file.file_name());
+    let kind = match (&exercise.find, &exercise.given) {
+        (Some(_), _) => Kind::Find,
+        (None, Some(_)) => Kind::Write,
+        (None, None) => Kind::Program,
+    };
     Ok(Sheet {
+        kind,
+        given: exercise.given.as_ref().map(Given::from),
         plant: file.map(|name| name.to_string_lossy().into_owned()),
         title: (&exercise.title).into(),
         task: exercise.task.as_ref().map(Both::from),
@@ -158,14 +205,23 @@ pub fn exercise(
     machine: Option<(String, String)>,
 ) -> Result<Outcome, No> {
     let board = text.board;
-    let program = text.program()?;
-    let program = ProgramFile {
-        name: program.name,
-        bytes: program.code,
-    };
+    let source = text.program()?;
     let exercise = read(name, scenario, board)?;
+    if let Some(given) = &exercise.given
+        && given.answer_in != source.language.written_in()
+    {
+        let language = given.answer_in.name();
+        return Err(both(|lang| words::other_language(lang, language)).into());
+    }
+    let program = ProgramFile {
+        name: source.name,
+        bytes: source.code,
+    };
     let machine = match machine {
-        Some((name, text)) => Some(fared(&plant(&name, &text, board)?, &program.bytes)),
+        Some((name, text)) => {
+            let plant = plant(&name, &text, board)?;
+            Some(fared(&plant, &exercise.seeds, &program.bytes))
+        }
         None => None,
     };
     let grade = grade(&exercise, &program, &mut HostEngine::new(board));
@@ -181,20 +237,68 @@ pub fn exercise(
     })
 }
 
-/// How the machine fares with this program.
-fn fared(plant: &Plant, program: &[u8]) -> Fared {
+/// How the machine fares with this program; of chances that are hidden nothing is told but that they are.
+fn fared(plant: &Plant, seeds: &[u32], program: &[u8]) -> Fared {
     let engine = &mut HostEngine::new(plant.board);
-    let why = match first_wrong(plant, plant.seed, program, engine) {
-        Ok(first) => first.map(|first| both(|lang| first.text(plant, lang))),
-        Err(ended) => Some(both(|lang| ended.text(lang))),
+    let (why, at) = match with_chances(plant, seeds, program, engine) {
+        Ok(None) => (None, None),
+        Ok(Some(WentWrong {
+            hidden: Some(_), ..
+        })) => (Some(both(words::hidden_chances)), None),
+        Ok(Some(WentWrong { first, .. })) => {
+            let why = both(|lang| first.text(plant, lang));
+            (Some(why), Some(first.at()))
+        }
+        Err(ended) => {
+            let at = match &ended {
+                Ended::Stopped(at, _) => Some(*at),
+                Ended::Refused(_) | Ended::Broken(_) => None,
+            };
+            (Some(both(|lang| ended.text(lang))), at)
+        }
     };
     Fared {
         passed: why.is_none(),
         why,
+        at,
     }
 }
 
-fn read(name: &str, text: &str, board: Board) -> Result<Exercise, No> {
+/// Whether a program does what the rules of a machine ask, through its script.
+///
+/// # Errors
+/// Where there is no program, or no machine.
+pub fn trial(text: Text, name: &str, machine: &str) -> Result<Fared, No> {
+    let plant = plant(name, machine, text.board)?;
+    Ok(fared(&plant, &[], &text.program()?.code))
+}
+
+/// A number for all that a machine is with a program in each of so many ms: the same everywhere.
+///
+/// # Errors
+/// Where there is no program or no machine, or the program ends before.
+pub fn trace(text: Text, name: &str, machine: &str, span: u64) -> Result<String, No> {
+    let plant = plant(name, machine, text.board)?;
+    let code = text.program()?.code;
+    let traced = machine::trace(&plant, &code, &mut HostEngine::new(plant.board), span);
+    let traced = traced.map_err(|ended| both(|lang| ended.text(lang)))?;
+    Ok(format!("{traced:016x}"))
+}
+
+/// The fault that an exercise hides in a machine.
+///
+/// # Errors
+/// Where its file is wrong, or hides none.
+pub fn hidden(scenario: &str, board: Board) -> Result<Hidden, No> {
+    let exercise = read("find.toml", scenario, board)?;
+    exercise.find.ok_or_else(|| both(words::no_find).into())
+}
+
+/// The exercise of a file.
+///
+/// # Errors
+/// What is wrong with it, with its line.
+pub fn read(name: &str, text: &str, board: Board) -> Result<Exercise, No> {
     let told = |error: scenario::LoadError| {
         both(|lang| words::no_scenario(lang, error.line.unwrap_or(0), error.text(lang)))
     };

@@ -12,6 +12,7 @@
 //! - `exercise`: scenarios as checks of a student's program
 //! - `card`: images of cards
 //! - `machine`: a machine beside the board
+//! - `replay`: what went wrong with a machine, to be seen again
 //! - `flash`: firmware on its way to a board
 //! - `board`: conversations with a board, simulated or real
 //! - `clock`: the times of a page
@@ -38,6 +39,8 @@ mod given;
 #[cfg(feature = "full")]
 mod machine;
 mod program;
+#[cfg(feature = "full")]
+mod replay;
 mod tell;
 mod words;
 

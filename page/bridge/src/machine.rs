@@ -8,6 +8,7 @@ use crate::words::{self, Both, both};
 use self_cell::self_cell;
 use serde::Serialize;
 use unoclp_core::{Board, Inputs, Point};
+use unoclp_exercise::find::{Hidden, Search};
 use unoclp_plant::{Broken, Change, Fault, Outputs, Picture, Plant, Run, Text, picture, read};
 use unoclp_program::Lang;
 
@@ -27,6 +28,8 @@ self_cell!(
 /// A machine in motion, and how a page has seen it last.
 pub struct Machine {
     moving: Moving,
+    /// Who looks for its fault, where that is the task.
+    search: Option<Search>,
     /// What a person there can change, by part and value.
     hands: Vec<(usize, usize)>,
     /// The analogue inputs that it sets.
@@ -44,7 +47,10 @@ pub struct Known {
     svg: String,
     /// What a person there can change.
     hands: Vec<Hand>,
-    /// What can fail: the part, the fault, and what to call it.
+    /// What people call its parts, and how the file names them.
+    parts: Vec<Both>,
+    names: Vec<String>,
+    /// How they can fail: the part, the fault, and what to call it.
     faults: Vec<(usize, &'static str, Both)>,
     /// What must never be, and what must come to be.
     rules: Vec<Both>,
@@ -80,19 +86,31 @@ pub struct Gives {
     analogue: Vec<(u8, u16)>,
 }
 
+/// A change of a picture: the element, its attribute or null for its text, and what that is now.
+pub type Shown = (String, Option<&'static str>, String);
+
+/// How far somebody is who looks for its fault.
+#[derive(Debug, Serialize)]
+pub struct Searched {
+    steps: u32,
+    tries: u32,
+    found: bool,
+}
+
 /// What has changed of it.
 #[derive(Debug, Serialize)]
 pub struct Look {
     /// ms since it began.
     at: u64,
-    /// The element, its attribute or null for its text, and what that is now.
-    changes: Vec<(String, Option<&'static str>, String)>,
+    changes: Vec<Shown>,
     /// The rules that broke, by number, and when.
     broken: Vec<(usize, u64)>,
     /// How often each goal was met.
     met: Vec<u32>,
     /// What can be changed by hand, as it stands.
     hands: Vec<i32>,
+    /// How far somebody is who looks for its fault, where that is the task.
+    search: Option<Searched>,
 }
 
 impl From<&Text> for Both {
@@ -102,21 +120,39 @@ impl From<&Text> for Both {
 }
 
 impl Machine {
-    /// The machine of this file, wired to this board where it names none, and drawn in this language.
+    /// The machine of this file, wired to this board where it names none, and drawn in this language. What is hidden in it
+    /// is to be found.
     ///
     /// # Errors
-    /// The first mistake in it, with its line.
-    pub fn open(name: &str, text: &str, board: Board, lang: Lang) -> Result<Machine, Both> {
+    /// The first mistake in it, with its line; that it cannot fail so.
+    pub fn open(
+        name: &str,
+        text: &str,
+        board: Board,
+        lang: Lang,
+        hidden: Option<&Hidden>,
+    ) -> Result<Machine, Both> {
         let plant = plant(name, text, board)?;
         let hands = hands(&plant);
         let [_, analogue, _] = plant.uses();
-        let moving = Moving::new(plant, |plant| Run::new(plant, SEED).by_hand());
+        let search = match hidden {
+            Some(hidden) => {
+                let told = || both(|lang| words::cannot_fail(lang, name));
+                Some(Search::new(&plant, hidden).ok_or_else(told)?)
+            }
+            None => None,
+        };
+        let mut moving = Moving::new(plant, |plant| Run::new(plant, SEED).by_hand());
+        if let Some(search) = &search {
+            moving.with_dependent_mut(|_, run| search.begin(run));
+        }
         Ok(Machine {
             hands: hands.iter().map(|hand| (hand.part, hand.value)).collect(),
             analogue,
             shown: picture(moving.borrow_dependent(), lang),
             lang,
             moving,
+            search,
         })
     }
 
@@ -133,17 +169,18 @@ impl Machine {
         let nevers = plant.nevers.iter().map(|never| &never.text);
         let rules = nevers.chain(plant.goals.iter().map(|goal| &goal.text));
         let faults = plant.parts.iter().enumerate().flat_map(|(part, own)| {
-            own.kind.faults.iter().map(move |fault| {
-                let say =
-                    |lang| format!("{}: {}", own.label.text(lang), words::fails(lang, *fault));
-                (part, fault.name(), both(say))
-            })
+            own.kind
+                .faults
+                .iter()
+                .map(move |fault| (part, fault.name(), both(|lang| words::fails(lang, *fault))))
         });
         Known {
             title: (&plant.title).into(),
             about: (&plant.about).into(),
             svg,
             hands: hands(plant),
+            parts: plant.parts.iter().map(|own| (&own.label).into()).collect(),
+            names: plant.parts.iter().map(|own| own.name.clone()).collect(),
             faults: faults.collect(),
             rules: rules.map(Both::from).collect(),
             uses: plant.uses(),
@@ -181,14 +218,10 @@ impl Machine {
         let changes = now.changes(&self.shown);
         self.shown = now;
         let run = self.run();
-        let told = |Change {
-                        id,
-                        attribute,
-                        value,
-                    }| (id, attribute, value);
         Look {
             at: run.now(),
-            changes: changes.into_iter().map(told).collect(),
+            changes: changes.into_iter().map(shown).collect(),
+            search: self.searched(),
             broken: run
                 .verdict()
                 .broken
@@ -206,22 +239,76 @@ impl Machine {
 
     /// A person there changes something.
     pub fn hand(&mut self, part: usize, value: usize, to: i32) {
-        self.moving
-            .with_dependent_mut(|_, run| run.hand(part, value, to));
+        let search = &mut self.search;
+        self.moving.with_dependent_mut(|plant, run| {
+            run.hand(part, value, to);
+            if let Some(search) = search {
+                search.touched(plant, part, value, to);
+            }
+        });
     }
 
-    /// A part fails, or is mended.
+    /// A person forces a point of the board.
+    pub fn forced(&mut self) {
+        if let Some(search) = &mut self.search {
+            search.forced();
+        }
+    }
+
+    /// A person names the fault that is hidden; how far they are then. None where none is hidden.
+    pub fn name(&mut self, part: usize, fault: &str) -> Option<Searched> {
+        if let (Some(search), Some(fault)) = (&mut self.search, Fault::named(fault)) {
+            search.name(part, fault);
+        }
+        self.searched()
+    }
+
+    fn searched(&self) -> Option<Searched> {
+        self.search.as_ref().map(|search| Searched {
+            steps: search.steps(),
+            tries: search.tries(),
+            found: search.is_found(),
+        })
+    }
+
+    /// A part fails, or is mended; one whose fault is to be found is mended by nobody.
     pub fn fault(&mut self, part: usize, fault: &str, is: bool) {
-        if let Some(fault) = Fault::named(fault) {
+        let is_free = self.search.as_ref().is_none_or(Search::is_found);
+        if let Some(fault) = Fault::named(fault).filter(|_| is_free) {
             self.moving
                 .with_dependent_mut(|_, run| run.fault(part, fault, is));
         }
     }
 
-    /// As it was before it moved; what has failed is mended.
+    /// As it was before it moved; what has failed is mended, but for what is to be found.
     pub fn reset(&mut self) {
-        self.moving.with_dependent_mut(|_, run| run.reset());
+        let search = self.search.as_ref();
+        self.moving.with_dependent_mut(|_, run| {
+            run.reset();
+            if let Some(search) = search {
+                search.begin(run);
+            }
+        });
     }
+}
+
+/// A change of a picture as a page takes it.
+pub fn shown(change: Change) -> Shown {
+    let Change {
+        id,
+        attribute,
+        value,
+    } = change;
+    (id, attribute, value)
+}
+
+/// The picture of a machine that stands, in this language.
+///
+/// # Errors
+/// The first mistake in it, with its line.
+pub fn standing(name: &str, text: &str, board: Board, lang: Lang) -> Result<String, Both> {
+    let plant = plant(name, text, board)?;
+    Ok(picture(&Run::new(&plant, plant.seed), lang).svg())
 }
 
 /// The plant of this file, for this board where it names none.

@@ -112,6 +112,16 @@ unoclp_words::messages! {
     no_scenario(line, why) "the check itself has an error in line {line}: {why}" "a própria verificação tem um erro na linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
     no_machine() "this file is not a machine" "este arquivo não é uma máquina";
+    other_language(language)
+        "this exercise asks for a program in `{language}`; give your file that ending"
+        "este exercício pede um programa em `{language}`; dê essa extensão ao seu arquivo";
+    hidden_chances()
+        "with other, hidden chances, the machine does not do what it should"
+        "com outros acasos, ocultos, a máquina não faz o que deve";
+    no_find() "this exercise has no hidden fault" "este exercício não tem uma falha escondida";
+    cannot_fail(name)
+        "the hidden fault of this exercise is none that the machine {name} can have"
+        "a falha escondida deste exercício não existe na máquina {name}";
     machine_first() "open a machine first" "abra uma máquina antes";
     fault_stuck() "stuck" "travado";
     fault_open() "wire broken" "fio partido";
@@ -197,7 +207,6 @@ pub fn failure(lang: Lang, failure: &Failure) -> String {
     }
 }
 
-/// Why a text is no program.
 /// How a part of a machine fails.
 #[cfg(feature = "full")]
 pub fn fails(lang: Lang, fault: unoclp_plant::Fault) -> String {
@@ -215,6 +224,7 @@ pub fn fails(lang: Lang, fault: unoclp_plant::Fault) -> String {
     told(lang)
 }
 
+/// Why a text is no program.
 pub fn no_program(lang: Lang, why: NoProgram) -> String {
     match why {
         NoProgram::Empty => program_empty(lang),

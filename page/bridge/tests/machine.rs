@@ -18,8 +18,12 @@ fn ok(boards: &mut Boards, request: Value) -> Value {
 }
 
 fn file(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants");
-    fs::read_to_string(folder.join(name)).unwrap()
+    programs(&format!("plants/{name}"))
+}
+
+fn programs(path: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs");
+    fs::read_to_string(folder.join(path)).unwrap()
 }
 
 fn open(boards: &mut Boards, name: &str) -> Value {
@@ -30,6 +34,12 @@ fn open(boards: &mut Boards, name: &str) -> Value {
 }
 
 /// Each that is shipped is drawn, and each of its symbols that a hand moves is found by its name.
+/// What a person can move of a machine, by its name.
+fn hand<'k>(known: &'k Value, name: &str) -> &'k Value {
+    let mut hands = known["hands"].as_array().unwrap().iter();
+    hands.find(|hand| hand["name"] == name).unwrap()
+}
+
 #[test]
 fn each_machine_is_shown() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants");
@@ -63,12 +73,7 @@ fn each_machine_is_shown() {
 fn a_hand_gives_an_input_and_outputs_move_it() {
     let mut boards = Boards::default();
     let known = open(&mut boards, "batch.toml");
-    let start = known["hands"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|hand| hand["name"] == "start")
-        .unwrap();
+    let start = hand(&known, "start");
     let step = |levels: u32, ms: u32| json!({ "ask": "machineStep", "levels": levels, "shares": [], "ms": ms });
     let before = ok(&mut boards, step(0, 1));
     assert!(
@@ -175,4 +180,185 @@ fn what_is_no_machine_is_told_with_its_line() {
     for ask in ["machineLook", "machineReset"] {
         assert!(told(&mut boards, json!({ "ask": ask }))["error"]["pt"].is_string());
     }
+}
+
+/// A fault is hidden in the machine: it shows, no list mends it, and it is found by its name alone.
+#[test]
+fn a_hidden_fault_is_looked_for() {
+    let mut boards = Boards::default();
+    let known = ok(
+        &mut boards,
+        json!({ "ask": "machine", "name": "motor.toml", "text": file("motor.toml"), "speak": "en", "find": programs("exercises/find/01-motor.toml") }),
+    );
+    let faults = known["faults"].as_array().unwrap();
+    let welded = faults.iter().find(|fault| fault[1] == "welded").unwrap();
+    let part = welded[0].as_u64().unwrap();
+    assert_eq!(
+        (&known["names"][part as usize], &welded[2]["pt"]),
+        (&json!("k1"), &json!("contatos soldados"))
+    );
+    let start = hand(&known, "start");
+    for to in [1, 0] {
+        ok(
+            &mut boards,
+            json!({ "ask": "machineHand", "part": start["part"], "value": start["value"], "to": to }),
+        );
+    }
+    ok(&mut boards, json!({ "ask": "machineForced" }));
+    let search =
+        |boards: &mut Boards| ok(boards, json!({ "ask": "machineLook" }))["search"].clone();
+    assert_eq!(
+        search(&mut boards),
+        json!({ "steps": 2, "tries": 0, "found": false })
+    );
+    // Once the contactor has pulled in, it stays so without its output.
+    let drop_out = |boards: &mut Boards| {
+        for levels in [1, 0] {
+            ok(
+                boards,
+                json!({ "ask": "machineStep", "levels": levels, "shares": [], "ms": 250 }),
+            );
+        }
+        ok(boards, json!({ "ask": "machineLook" }))["changes"].to_string()
+    };
+    ok(
+        &mut boards,
+        json!({ "ask": "machineFault", "part": part, "fault": "welded", "is": false }),
+    );
+    drop_out(&mut boards);
+    ok(&mut boards, json!({ "ask": "machineReset" }));
+    let name = |fault: &str| json!({ "ask": "machineName", "part": part, "fault": fault });
+    assert_eq!(ok(&mut boards, name("open"))["found"], false);
+    assert_eq!(
+        ok(&mut boards, name("rusty"))["tries"],
+        1,
+        "no fault, no try"
+    );
+    let found = ok(&mut boards, name("welded"));
+    assert_eq!(found, json!({ "steps": 2, "tries": 2, "found": true }));
+    // One that hides nothing, one that the machine cannot have.
+    for find in [
+        "until = 5\n".to_owned(),
+        programs("exercises/find/02-two-tanks.toml"),
+    ] {
+        let told = told(
+            &mut boards,
+            json!({ "ask": "machine", "name": "motor.toml", "text": file("motor.toml"), "speak": "en", "find": find }),
+        );
+        assert!(told["error"]["pt"].is_string(), "{told}");
+    }
+    // Without a search there is nothing to be named.
+    open(&mut boards, "motor.toml");
+    assert_eq!(ok(&mut boards, name("welded")), Value::Null);
+    assert_eq!(search(&mut boards), Value::Null);
+}
+
+/// What breaks a rule is seen again from two seconds before, and its points beneath.
+#[test]
+fn a_broken_rule_is_seen_again() {
+    let mut boards = Boards::default();
+    let with = |ask: &str, program: &str, more: Value| {
+        let mut request = json!({ "ask": ask, "name": "p.st", "text": programs(program), "plant": "reversing.toml", "plantText": file("reversing.toml") });
+        request
+            .as_object_mut()
+            .unwrap()
+            .extend(more.as_object().unwrap().clone());
+        request
+    };
+    let right = ok(&mut boards, with("trial", "plants/reversing.st", json!({})));
+    assert_eq!(right, json!({ "passed": true, "why": null, "at": null }));
+    let wrong = ok(
+        &mut boards,
+        with("trial", "plants/wrong/reversing-lock.st", json!({})),
+    );
+    let at = wrong["at"].as_u64().unwrap();
+    let why = wrong["why"]["en"].as_str().unwrap();
+    assert!(at > 0 && why.contains("a rule broke"), "{wrong}");
+    let again = with(
+        "replay",
+        "plants/wrong/reversing-lock.st",
+        json!({ "at": at, "why": why, "speak": "en", "scenario": programs("exercises/06-reverse.toml") }),
+    );
+    let replay = ok(&mut boards, again);
+    assert_eq!(replay["from"], at.saturating_sub(2000));
+    let frames = replay["frames"].as_array().unwrap();
+    let span = replay["until"].as_u64().unwrap() - replay["from"].as_u64().unwrap();
+    assert_eq!(
+        frames.len() as u64,
+        span / replay["every"].as_u64().unwrap()
+    );
+    assert!(
+        frames
+            .iter()
+            .any(|frame| !frame.as_array().unwrap().is_empty())
+    );
+    assert!(replay["svg"].as_str().unwrap().contains("data-part"));
+    let diagram = replay["diagram"].as_str().unwrap();
+    for part in ["class=\"cursor\"", "I1 ", "Q2", why] {
+        assert!(diagram.contains(part), "{part}: {diagram}");
+    }
+    // A time that never comes, and a program that does not run, are no panic.
+    let late = with(
+        "replay",
+        "plants/reversing.st",
+        json!({ "at": u32::MAX, "why": "", "speak": "pt" }),
+    );
+    assert!(ok(&mut boards, late)["svg"].is_string());
+    let none = told(
+        &mut boards,
+        with(
+            "replay",
+            "plants/reversing.toml",
+            json!({ "at": 1, "why": "", "speak": "pt" }),
+        ),
+    );
+    assert!(none["error"].is_object());
+}
+
+/// The exercises of the two other kinds say what they are; what is written again has to be in its language.
+#[test]
+fn each_kind_of_exercise_is_told() {
+    let mut boards = Boards::default();
+    let sheet = |boards: &mut Boards, path: &str| {
+        ok(
+            boards,
+            json!({ "ask": "sheet", "title": "x", "scenario": programs(path) }),
+        )
+    };
+    let find = sheet(&mut boards, "exercises/find/01-motor.toml");
+    assert_eq!(
+        (&find["kind"], &find["given"]),
+        (&json!("find"), &Value::Null)
+    );
+    assert!(
+        !find.to_string().contains("welded"),
+        "it gives nothing away"
+    );
+    let write = sheet(&mut boards, "exercises/write/01-into-text.toml");
+    assert_eq!(
+        (
+            &write["kind"],
+            &write["given"]["language"],
+            &write["given"]["answerIn"]
+        ),
+        (&json!("write"), &json!("il"), &json!("st"))
+    );
+    assert_eq!(
+        sheet(&mut boards, "exercises/01-contacts.toml")["kind"],
+        "program"
+    );
+    let mut answer = |name: &str, text: &str| {
+        told(
+            &mut boards,
+            json!({ "ask": "exercise", "name": name, "text": text, "title": "x", "scenario": programs("exercises/write/01-into-text.toml") }),
+        )
+    };
+    let right = answer("a.st", &programs("exercises/write/01-into-text.st"));
+    assert_eq!(right["ok"]["passed"], true, "{right}");
+    let given = write["given"]["text"].as_str().unwrap();
+    let same = answer("a.il", given);
+    assert!(
+        same["error"]["en"].as_str().unwrap().contains("`st`"),
+        "{same}"
+    );
 }

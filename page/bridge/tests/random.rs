@@ -60,6 +60,19 @@ fn requests() -> Vec<Value> {
         json!({ "ask": "machineLook" }),
         json!({ "ask": "machineReset" }),
         json!({ "ask": "machineClose" }),
+        json!({ "ask": "machine", "name": "m.toml", "text": include_str!("../../../programs/plants/motor.toml"), "speak": "pt", "find": include_str!("../../../programs/exercises/find/01-motor.toml") }),
+        json!({ "ask": "machineName", "part": 2, "fault": "welded" }),
+        json!({ "ask": "machineForced" }),
+        with(
+            json!({ "ask": "trial", "plant": "m.toml", "plantText": include_str!("../../../programs/exercises/machines/34-oscillator.toml") }),
+        ),
+        with(
+            json!({ "ask": "trace", "ms": 9, "plant": "m.toml", "plantText": include_str!("../../../programs/plants/motor.toml") }),
+        ),
+        with(
+            json!({ "ask": "replay", "at": 7, "why": "x", "speak": "en", "plant": "m.toml", "plantText": include_str!("../../../programs/plants/motor.toml") }),
+        ),
+        json!({ "ask": "picture", "name": "m.toml", "text": include_str!("../../../programs/plants/motor.toml"), "speak": "pt" }),
         json!({ "ask": "lose", "board": 1, "why": "gone" }),
         json!({ "ask": "close", "board": 1 }),
     ]

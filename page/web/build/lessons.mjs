@@ -49,19 +49,39 @@ export function lessons(root) {
   });
 }
 
-/** Each exercise without its solution: a student finds that. */
+/** The machine of the gallery beside which each exercise is listed, by their numbers; those of the two other kinds by their
+ * folders too. */
+const SHELVES = {
+  batch: "26", belts: "08 14 28", crossing: "17 34 35 43", cylinders: "24 25 find/03", elevator: "18", filling: "12 33 42",
+  garage: "41", level: "16 21 38 39 40", motor: "05 10 30 31 find/01", oven: "19", parking: "13 36", press: "02 22 29",
+  reversing: "06", sorting: "27 32", "star-delta": "15", "two-tanks": "23 37 find/02",
+};
+const SHELF = new Map(Object.entries(SHELVES).flatMap(([machine, all]) => all.split(" ").map((number) => [number, `${machine}.toml`])));
+
+/** Each exercise without its solution: a student finds that. Where a fault is to be found, the program is right and given. */
 export function exercises(root) {
   const folder = join(root, "programs/exercises");
-  const files = readdirSync(folder).sort();
-  const scenarios = files.filter((file) => file.endsWith(".toml"));
-  return scenarios.map((file) => {
-    const name = file.replace(/\.toml$/, "");
-    const model = files.find((one) => one !== file && one.startsWith(`${name}.`));
-    const scenario = readFileSync(join(folder, file), "utf8");
-    const [, plant] = /^plant = "([^"]+)"/m.exec(scenario) ?? [];
-    const machine = plant && { plant: { name: plant.split("/").pop(), text: readFileSync(join(folder, plant), "utf8") } };
-    return { name, language: model.split(".").pop(), scenario, ...machine };
-  });
+  const of = (under) => {
+    const files = readdirSync(join(folder, under)).sort();
+    return files.filter((file) => file.endsWith(".toml")).map((file) => exercise(folder, under, file, files));
+  };
+  const all = [...of("."), ...of("find"), ...of("write")];
+  const lost = all.filter(({ plant, shelf }) => plant && !shelf);
+  if (lost.length > 0) throw new Error(`the gallery has no place for ${lost.map(({ name }) => name).join(", ")}`);
+  return all;
+}
+
+function exercise(folder, under, file, files) {
+  const stem = file.replace(/\.toml$/, "");
+  const name = under === "." ? stem : `${under}/${stem}`;
+  const model = files.find((one) => one !== file && one.startsWith(`${stem}.`));
+  const read = (path) => readFileSync(join(folder, under, path), "utf8");
+  const scenario = read(file);
+  const [, plant] = /^plant = "([^"]+)"/m.exec(scenario) ?? [];
+  const machine = plant && { plant: { name: plant.split("/").pop(), text: read(plant) } };
+  const shelf = SHELF.get(name.replace(/-[^/]*$/, ""));
+  const program = /^\[find\]/m.test(scenario) && { program: { name: model, text: read(model) } };
+  return { name, language: model.split(".").pop(), scenario, ...machine, ...(shelf && { shelf }), ...program };
 }
 
 /** The programs of the tables in programs/README.md, each with what it does. */

@@ -27,36 +27,33 @@ pub struct Edge {
     pub high: bool,
 }
 
-/// The registers that decide on the levels. Compared after every instruction, so kept in one word.
+/// The registers that decide on the levels. Compared after every instruction, so they are one word: DDRB to PORTD as they
+/// lie in data space, and SPE in place of PINC; PIND is left out.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct PinRegisters(u64);
 
 impl PinRegisters {
     #[inline]
     pub fn of(avr: &Avr) -> PinRegisters {
-        // PORT follows DDR.
-        let [b, c, d] = [reg::DDRB, reg::DDRC, reg::DDRD].map(|ddr| avr.register_pair(ddr));
-        PinRegisters::new(b, c, d, avr.register(reg::SPCR))
+        PinRegisters::new(avr.eight_registers(reg::DDRB), avr.register(reg::SPCR))
     }
 
     /// The same from a copy of data space; registers that it lacks are 0.
     pub fn of_data(data: &[u8]) -> PinRegisters {
         let register = |address: u16| data.get(usize::from(address)).copied().unwrap_or(0);
-        let pair = |ddr| u16::from_le_bytes([register(ddr), register(ddr + 1)]);
-        let [b, c, d] = [reg::DDRB, reg::DDRC, reg::DDRD].map(pair);
-        PinRegisters::new(b, c, d, register(reg::SPCR))
+        let ports = std::array::from_fn(|n| register(reg::DDRB + n as u16));
+        PinRegisters::new(ports, register(reg::SPCR))
     }
 
     #[inline]
-    fn new(b: u16, c: u16, d: u16, spcr: u8) -> PinRegisters {
-        let spi_on = spcr & 0x40;
-        PinRegisters(
-            u64::from(b) | u64::from(d) << 16 | u64::from(c) << 32 | u64::from(spi_on) << 48,
-        )
+    fn new(ports: [u8; 8], spcr: u8) -> PinRegisters {
+        const DDR_AND_PORT: u64 = u64::from_le_bytes([0xFF, 0xFF, 0, 0xFF, 0xFF, 0, 0xFF, 0xFF]);
+        let spi_on = u64::from(spcr & 0x40) << 16;
+        PinRegisters(u64::from_le_bytes(ports) & DDR_AND_PORT | spi_on)
     }
 
     pub fn levels(self) -> Levels {
-        let [ddrb, portb, ddrd, portd, ddrc, portc, spi_on, _] = self.0.to_le_bytes();
+        let [ddrb, portb, spi_on, ddrc, portc, _, ddrd, portd] = self.0.to_le_bytes();
         let (high_b, high_d) = (ddrb & portb, ddrd & portd);
         Levels {
             outputs: high_d >> 6 | (high_b & 0x03) << 2,

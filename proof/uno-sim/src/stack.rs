@@ -62,7 +62,8 @@ impl StackWatch {
     }
 }
 
+/// Byte by byte, as simavr writes it: a processor waits where two bytes are read that were written one by one.
 #[inline]
 pub(crate) fn sp(avr: &Avr) -> u16 {
-    avr.register_pair(reg::SP)
+    u16::from_le_bytes([avr.register(reg::SP), avr.register(reg::SP + 1)])
 }

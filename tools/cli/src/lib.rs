@@ -3,9 +3,10 @@
 //! - [`panel`]: the simulator
 //! - [`monitor`]: a board at a serial port
 //! - [`port`]: the serial port
-//! - `broker`: what a broker is told of a site, with the same feature
+//! - `broker`: what a broker is told of a site, with the same feature; `alarms`: its alarms, and the record
 //! - `shared`: the page and the boards for browsers, with the feature `page`, until `ended` says so; [`site_file`]: which boards
 //! - `kept`: the journal and the history of a site; `archive`: the history for who asks over HTTP; `identity`: with which certificate; [`stores`]: where they are
+//! - `own`: a teacher's exercises and machines among those of the page
 //! - [`film`]: a run of a machine as a moving picture
 //! - [`screen`]: what holds for every screen
 //! - [`ascii`]: what stands for other characters where the locale has no UTF-8
@@ -13,6 +14,8 @@
 //!
 //! Owns the terminal, the serial port and files. Must not know simulators of the chip, nor what a program means.
 
+#[cfg(feature = "page")]
+mod alarms;
 #[cfg(feature = "page")]
 mod archive;
 pub mod ascii;
@@ -30,6 +33,8 @@ pub mod messages;
 #[cfg(feature = "page")]
 mod metrics;
 pub mod monitor;
+#[cfg(feature = "page")]
+pub mod own;
 pub mod panel;
 pub mod port;
 pub mod screen;

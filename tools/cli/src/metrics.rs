@@ -1,13 +1,18 @@
-//! What Prometheus is told of journal, history and broker. Its words are English everywhere, as those of the other metrics.
+//! What Prometheus is told of journal, history, broker and record. Its words are English everywhere, as those of the other metrics.
 
 use crate::kept::Kept;
 use std::sync::Arc;
 use unoclp_history::Keeper;
+use unoclp_record::Record;
 use unoclp_report::Reporter;
 use unoclp_serve::{Metric, Metrics};
 
 /// How it stands with what there is of them, in numbers.
-pub(crate) fn metrics(kept: Option<Arc<Kept>>, reporter: Option<Arc<Reporter>>) -> Metrics {
+pub(crate) fn metrics(
+    kept: Option<Arc<Kept>>,
+    reporter: Option<Arc<Reporter>>,
+    record: Option<Arc<Record>>,
+) -> Metrics {
     Arc::new(move || {
         let journal = kept.iter().flat_map(|kept| of_journal(kept));
         let history = kept
@@ -15,7 +20,8 @@ pub(crate) fn metrics(kept: Option<Arc<Kept>>, reporter: Option<Arc<Reporter>>) 
             .filter_map(|kept| Some(of_history(kept, kept.keeper.as_ref()?)))
             .flatten();
         let broker = reporter.iter().flat_map(|reporter| of_broker(reporter));
-        journal.chain(history).chain(broker).collect()
+        let record = record.iter().flat_map(|record| of_record(record));
+        journal.chain(history).chain(broker).chain(record).collect()
     })
 }
 
@@ -113,6 +119,30 @@ fn of_history(kept: &Kept, keeper: &Keeper) -> Vec<Metric> {
         number(
             "history_failing",
             "Whether the history takes nothing at present",
+            false,
+            state.failure.is_some().into(),
+        ),
+    ]
+}
+
+fn of_record(record: &Record) -> Vec<Metric> {
+    let state = record.state();
+    vec![
+        number(
+            "record_rows_total",
+            "What has become of alarms, and what was done, as far as it is recorded",
+            true,
+            state.written,
+        ),
+        number(
+            "record_dropped_total",
+            "The same, as far as it was given up, since the record took nothing for too long",
+            true,
+            state.dropped,
+        ),
+        number(
+            "record_failing",
+            "Whether the record takes nothing at present",
             false,
             state.failure.is_some().into(),
         ),

@@ -1,5 +1,6 @@
 //! The page inside this program, and the boards at lines of this PC as the gateway takes them.
 
+use crate::alarms;
 use crate::archive::Archive;
 use crate::broker;
 use crate::ended;
@@ -17,13 +18,14 @@ use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
+use unoclp_alarm::Alarms;
 use unoclp_client::{Failure, Patience};
 use unoclp_journal::Sample;
 use unoclp_modbus::client::Request;
 use unoclp_report::Reporter;
 use unoclp_serve::{
-    Absent, Board, Change, Keep, Line, Modbus, News, NoAnswer, Pages, Past, Remote, Server,
-    SharedBoard, Sharing, Tell, Tokens, Watched,
+    Absent, Board, Change, Guard, Keep, Line, Modbus, News, NoAnswer, Pages, Past, Remote, Server,
+    SharedBoard, Sharing, Tell, Tokens, Users, Watched,
 };
 use unoclp_site::{Site, Way};
 
@@ -41,7 +43,7 @@ pub fn page(path: &str) -> Option<Cow<'static, [u8]>> {
 ///
 /// # Errors
 /// Where the address cannot be served from.
-pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Result<()> {
+pub fn share(http: SocketAddr, place: Option<Place>, pages: impl Pages) -> anyhow::Result<()> {
     let wrong = |error| anyhow!(messages::not_served(http, messages::io(&error)));
     let server = Server::bind(http).map_err(wrong)?;
     let page = format!("http://{}/", server.address());
@@ -55,8 +57,8 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
     let sharing = match place {
         None => None,
         Some(place) => {
-            let tokens = tokens(&server, &page)?;
-            if tokens.is_none() {
+            let guard = guard(&server, &page)?;
+            if matches!(guard, Guard::ThisPc) {
                 println!("{}", messages::shared(&place.port));
             }
             let address = place.line.address;
@@ -70,11 +72,13 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
                     program: None,
                     watched: None,
                 }],
-                tokens,
+                guard,
                 modbus: None,
                 orders: None,
                 metrics: None,
                 past: None,
+                alarms: None,
+                record: None,
                 keep: None,
                 tell: None,
             })
@@ -83,24 +87,34 @@ pub fn share(http: SocketAddr, place: Option<Place>, pages: Pages) -> anyhow::Re
     server.run(pages, sharing, ended::asked()).map_err(wrong)
 }
 
-/// The tokens of a server that is open to the network, and says where they lead; none for this PC alone.
-fn tokens(server: &Server, page: &str) -> anyhow::Result<Option<Tokens>> {
+/// Who is let in: everybody on this PC, if it is served alone; else who has a token, and says where they lead.
+fn guard(server: &Server, page: &str) -> anyhow::Result<Guard> {
     if server.is_local() {
-        return Ok(None);
+        return Ok(Guard::ThisPc);
     }
     let tokens = Tokens::random().context("getrandom")?;
     let with = |token: &str| format!("{page}#board={token}");
     println!("{}", messages::watch_at(with(&tokens.watch)));
     println!("{}", messages::control_at(with(&tokens.control)));
     println!("{}", messages::open_to_network());
-    Ok(Some(tokens))
+    Ok(Guard::Tokens(tokens))
+}
+
+/// The same of a site, whose users go before all others.
+fn guard_of(site: &Site, server: &Server, page: &str) -> anyhow::Result<Guard> {
+    if site.users.is_empty() {
+        return guard(server, page);
+    }
+    let users = Users::new(site.users.clone()).map_err(|why| anyhow!(messages::no_key(why.0)))?;
+    println!("{}", messages::users_at(page));
+    Ok(Guard::Users(users))
 }
 
 /// Serves the page, and shares the boards of this site, until somebody ends it. Says where, and what becomes of the boards.
 ///
 /// # Errors
 /// Where an address cannot be served from.
-pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> {
+pub fn share_site(file: &Path, site: &Site, pages: impl Pages) -> anyhow::Result<()> {
     let wrong = |at, error| anyhow!(messages::not_served_site(at, messages::io(&error)));
     let listen = site.http.listen;
     let tls = identity::tls(file, site)?;
@@ -113,11 +127,7 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     let modbus = modbus.transpose()?;
     let kept = site.has_journal().then(|| Kept::begin(file, site));
     let kept = kept.transpose()?.map(Arc::new);
-    let broker = site.mqtt.as_ref().zip(kept.as_ref());
-    let broker = broker.map(|(mqtt, kept)| broker::begin(file, site, mqtt, &kept.journal));
-    let (reporter, ordered) = broker.transpose()?.unzip();
-    let metrics = metrics(kept.clone(), reporter.clone());
-    let keep = keep(kept.as_deref(), reporter.clone());
+    let record = alarms::record(file, site)?;
     // It ends here, behind the server: the client of a database must not end while a server runs on the same thread.
     let past = archive(file, site)?;
     let page = format!("{scheme}://{}/", server.address());
@@ -125,7 +135,7 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     if let Some(tls) = &tls {
         println!("{}", messages::fingerprint(tls.fingerprint()));
     }
-    let tokens = tokens(&server, &page)?;
+    let guard = guard_of(site, &server, &page)?;
     let server = server.encrypted(tls);
     for board in site.boards().skip(1) {
         println!("{}", messages::page_of_board(&board.name));
@@ -133,11 +143,19 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
     if let Some(modbus) = &modbus {
         println!("{}", messages::modbus_at(modbus.address()));
     }
+    // From here on others say something too.
+    let broker = site.mqtt.as_ref().zip(kept.as_ref());
+    let broker = broker.map(|(mqtt, kept)| broker::begin(file, site, mqtt, &kept.journal));
+    let (reporter, ordered) = broker.transpose()?.unzip();
+    let alarms = alarms::alarms(file, site, record.as_ref(), reporter.clone())?;
+    let metrics = metrics(kept.clone(), reporter.clone(), record.clone());
+    let keep = keep(kept.as_deref(), reporter.clone(), alarms.clone());
     let programs: BTreeMap<_, _> = site
         .boards()
         .cloned()
         .map(|of| (of.name, of.program))
         .collect();
+    let of_boards = alarms.clone();
     let tell: Tell = Arc::new(move |board: &str, news| {
         let program = programs.get(board).cloned().flatten().unwrap_or_default();
         match (&reporter, &news) {
@@ -145,21 +163,34 @@ pub fn share_site(file: &Path, site: &Site, pages: Pages) -> anyhow::Result<()> 
             (Some(reporter), News::Away(_)) => reporter.presence(board, false),
             _ => {}
         }
+        match (&of_boards, &news) {
+            (Some(alarms), News::Found) => alarms.presence(board, true),
+            (Some(alarms), News::Away(_)) => alarms.presence(board, false),
+            _ => {}
+        }
         println!("{}", told(board, &program, news));
     });
     let sharing = Sharing {
         boards: site.lines.iter().flat_map(boards).collect(),
-        tokens,
+        guard,
         modbus,
         orders: ordered,
         metrics: Some(metrics),
         past: past.clone(),
+        alarms: alarms.clone(),
+        record: record.clone(),
         keep: Some(keep),
         tell: Some(tell),
     };
     let ended = server.run(pages, Some(sharing), ended::asked());
     ended::at_once();
     drop(past);
+    if let Some(alarms) = alarms {
+        alarms.end();
+    }
+    if let Some(record) = record {
+        record.end();
+    }
     // The last of it tells the broker goodbye, and what has come is on disk.
     if let Some(kept) = kept {
         kept.end();
@@ -176,8 +207,8 @@ fn archive(file: &Path, site: &Site) -> anyhow::Result<Option<Arc<dyn Past>>> {
     Ok(archive.map(|archive| Arc::new(archive) as Arc<dyn Past>))
 }
 
-/// Puts what has changed into the journal, and tells it to the broker.
-fn keep(kept: Option<&Kept>, reporter: Option<Arc<Reporter>>) -> Keep {
+/// Puts what has changed into the journal, and tells it to the broker and the alarms.
+fn keep(kept: Option<&Kept>, reporter: Option<Arc<Reporter>>, alarms: Option<Arc<Alarms>>) -> Keep {
     let journal = kept.map(|kept| kept.journal.clone());
     let sample = |change: Change| Sample {
         board: change.board,
@@ -185,7 +216,15 @@ fn keep(kept: Option<&Kept>, reporter: Option<Arc<Reporter>>) -> Keep {
         at: change.at,
         value: change.value,
     };
+    let value = |change: &Change| unoclp_alarm::Value {
+        board: change.board.clone(),
+        point: change.point.clone(),
+        value: change.value,
+    };
     Arc::new(move |changes: Vec<Change>| {
+        if let Some(alarms) = &alarms {
+            alarms.changed(changes.iter().map(value).collect());
+        }
         let samples: Vec<Sample> = changes.into_iter().map(sample).collect();
         if let Some(journal) = &journal {
             journal.put(samples.clone());

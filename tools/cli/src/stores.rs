@@ -18,6 +18,11 @@ pub fn journal_file(file: &Path, site: &Site) -> PathBuf {
     }
 }
 
+/// The file of what happens at a site.
+pub fn record_file(file: &Path) -> PathBuf {
+    file.with_extension("record")
+}
+
 /// What the history of a site file is called.
 pub fn name(file: &Path, store: &Store) -> String {
     match store {

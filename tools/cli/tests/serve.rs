@@ -117,6 +117,19 @@ fn http(address: &str, path: &str) -> String {
     answer
 }
 
+/// The same of one that brings something, with this token.
+fn post(address: &str, path: &str, token: &str, body: &str) -> String {
+    let mut stream = TcpStream::connect(address).unwrap();
+    let length = body.len();
+    let head = format!(
+        "Host: {address}\r\nAuthorization: Bearer {token}\r\nContent-Length: {length}\r\nConnection: close\r\n"
+    );
+    write!(stream, "POST {path} HTTP/1.1\r\n{head}\r\n{body}").unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    answer
+}
+
 /// STOP by command (docs/modbus.md).
 fn stop() -> Request {
     Request::write_word(1, 400, 2)
@@ -367,7 +380,16 @@ fn terminate(server: &Server) {
 
 /// The files that a site keeps are those of the last time, if there was one.
 fn forget(file: &str) {
-    for end in ["journal", "journal-wal", "db", "db-wal", "db-shm"] {
+    for end in [
+        "journal",
+        "journal-wal",
+        "db",
+        "db-wal",
+        "db-shm",
+        "record",
+        "record-wal",
+        "record-shm",
+    ] {
         let _ = std::fs::remove_file(file.replace("toml", end));
     }
 }
@@ -684,4 +706,148 @@ fn an_address_that_is_taken_is_told_with_what_to_do() {
         said.contains(&address) && said.contains("--http 127.0.0.1:0"),
         "{said}"
     );
+}
+
+/// A teacher's exercises and machines stand before those of the page, as they are at that moment; solutions stay at home.
+#[test]
+fn a_teachers_folder_stands_in_the_page() {
+    let folder = format!("{}/own-exercises", env!("CARGO_TARGET_TMPDIR"));
+    drop(std::fs::remove_dir_all(&folder));
+    std::fs::create_dir(&folder).unwrap();
+    let put = |name: &str, text: &str| std::fs::write(format!("{folder}/{name}"), text).unwrap();
+    let programs = format!("{}/../../programs", env!("CARGO_MANIFEST_DIR"));
+    let ours = |name: &str| std::fs::read_to_string(format!("{programs}/{name}")).unwrap();
+    put("motor.toml", &ours("plants/motor.toml"));
+    put(
+        "welded.toml",
+        &ours("exercises/find/01-motor.toml").replace("../../plants/", ""),
+    );
+    put("01-motor.il", &ours("exercises/find/01-motor.il"));
+    let bell = "title = \"The bell\"\nprogram = \"bell.st\"\nuntil = 5\n";
+    put("bell.toml", bell);
+    put(
+        "bell.st",
+        "PROGRAM secret VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM",
+    );
+    put("broken.toml", "until = [\n");
+    put(
+        "no-machine.toml",
+        "title = \"x\"\nplant = \"gone.toml\"\nuntil = 5\n",
+    );
+    let mut command = unoclp("127.0.0.1:0");
+    command
+        .args(["--exercises", &folder])
+        .stderr(Stdio::piped());
+    let mut server = Server::of(&mut command);
+    let mut told = BufReader::new(server.child.stderr.take().unwrap()).lines();
+    let mut line = || told.next().unwrap().unwrap();
+    assert!(line().contains("broken.toml:"));
+    assert!(line().contains("gone.toml cannot be read"));
+    assert!(line().ends_with("adds to the page: exercises 2, machines 1"));
+
+    let page = http(&server.address, "/exercises.json");
+    let place = |what: &str| {
+        page.find(what)
+            .unwrap_or_else(|| panic!("{what} is not there"))
+    };
+    let (own, find, first) = (place("own/bell"), place("own/welded"), place("01-contacts"));
+    assert!(own < find && find < first);
+    assert!(page.contains("\"language\":\"st\"") && !page.contains("PROGRAM secret"));
+    // The program of a machine with a hidden fault is right, and given.
+    assert!(page[find..first].contains("\"program\":{\"name\":\"01-motor.il\""));
+    let machines = http(&server.address, "/machines.json");
+    assert!(machines.contains("\"isOwn\":true"));
+    assert!(machines.find("motor.toml") < machines.find("batch.toml"));
+    put("bell.toml", &bell.replace("The bell", "Two bells"));
+    assert!(http(&server.address, "/exercises.json").contains("Two bells"));
+    assert!(http(&server.address, "/index.html").contains("<title>"));
+
+    let none = unoclp("127.0.0.1:0")
+        .args(["--exercises", "/no/such/folder"])
+        .output()
+        .unwrap();
+    let told = String::from_utf8(none.stderr).unwrap();
+    assert!(
+        !none.status.success() && told.contains("/no/such/folder cannot be read"),
+        "{told}"
+    );
+}
+
+/// A user of this name, as `unoclp site key` makes one: the token, and what the site file has.
+fn user(name: &str, role: &str) -> (String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_unoclp"));
+    command.args(["site", "key", name, "--role", role]);
+    let output = command.env("LC_ALL", "C").output().unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    let (token, of_file) = said.split_once("\n").unwrap();
+    let (_, token) = token.rsplit_once(": ").unwrap();
+    let (_, of_file) = of_file.split_once("\n\n").unwrap();
+    (token.to_owned(), of_file.to_owned())
+}
+
+#[test]
+fn an_alarm_outlasts_a_gateway_that_is_killed_and_who_acknowledged_it_is_known() {
+    let broker = Broker::new();
+    let fake = Fake::new(Board::default());
+    let (ana, of_ana) = user("ana", "watch");
+    let (eva, of_eva) = user("eva", "operate");
+    let lines = format!(
+        "[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n{of_ana}{of_eva}\
+         [[alarm]]\nname = \"lit\"\nwhen = \"one.Q3\"\ntext = \"the lamp is on\"\n\
+         [[line]]\nport = {:?}\n[[line.board]]\nname = \"one\"\nevery = \"20ms\"\n",
+        broker.port,
+        fake.path()
+    );
+    let file = site("alarms", &lines);
+    forget(&file);
+    let listener = Listener::new(&broker, "unoclp/$alarm/lit");
+    let acknowledge = |server: &Server, token: &str| {
+        let path = "/api/alarms/acknowledge";
+        let answer = post(&server.address, path, token, r#"{"alarm":"lit"}"#);
+        answer.split(' ').nth(1).unwrap().to_owned()
+    };
+    let mut server = Server::of(&mut unoclp_site(&file));
+    assert!(server.line().starts_with("users: http://"));
+    listener.until("lit", r#""state":"normal""#);
+    fake.board().outputs = 4;
+    listener.until("lit", r#""state":"active""#);
+    while server.line() != "alarm lit: the lamp is on" {}
+    // Dropping it kills it (SIGKILL); it goes on as it was.
+    drop(server);
+    let server = Server::of(&mut unoclp_site(&file));
+    listener.until("lit", r#""state":"active""#);
+    assert_eq!(acknowledge(&server, ""), "401");
+    assert_eq!(acknowledge(&server, &ana), "403");
+    assert_eq!(acknowledge(&server, &eva), "200");
+    listener.until("lit", r#""state":"acknowledged""#);
+    assert_eq!(acknowledge(&server, &eva), "409");
+    drop(server);
+    fake.board().outputs = 0;
+    let mut server = Server::of(&mut unoclp_site(&file));
+    listener.until("lit", r#""state":"normal""#);
+    while server.line() != "alarm lit: gone" {}
+    terminate(&server);
+    assert!(server.child.wait().unwrap().success());
+    let server = Server::of(&mut unoclp_site(&file));
+    let csv = |path: &str| {
+        let mut stream = TcpStream::connect(&server.address).unwrap();
+        let head = format!(
+            "Host: {}\r\nAuthorization: Bearer {ana}\r\nConnection: close\r\n",
+            server.address
+        );
+        write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        let (_, csv) = answer.split_once("\r\n\r\n").unwrap();
+        let rows = csv.lines().skip(1);
+        let rows = rows.map(|row| row.split_once(',').unwrap().1.to_owned());
+        rows.collect::<Vec<_>>()
+    };
+    let expected = [
+        "lit,came,active,",
+        "lit,acknowledged,acknowledged,eva",
+        "lit,gone,normal,",
+    ];
+    assert_eq!(csv("/api/alarms/history.csv"), expected);
+    assert_eq!(csv("/api/deeds.csv"), ["eva,127.0.0.1,lit,acknowledge,"]);
 }

@@ -3,7 +3,7 @@
 //! Owns what is hidden, and how far somebody is who looks for it. Must not know how the machine is shown, nor who presses.
 
 use serde::Deserialize;
-use unoclp_plant::{Fault, Outputs, Plant, Run};
+use unoclp_plant::{Fault, Plant, Run};
 
 /// The fault that is to be found.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -26,43 +26,53 @@ impl Hidden {
 }
 
 /// Somebody looks for the fault: how often they have touched the machine, and what they have named.
-#[derive(Debug)]
-pub struct Search<'p> {
-    run: Run<'p>,
+#[derive(Clone, Debug)]
+pub struct Search {
     hidden: (usize, Fault),
+    /// The value that was changed last.
+    last: Option<(usize, usize)>,
     steps: u32,
     tries: u32,
     is_found: bool,
 }
 
-impl<'p> Search<'p> {
-    /// A machine with this fault from its first step on; none where it cannot fail so.
-    pub fn new(plant: &'p Plant, hidden: &Hidden) -> Option<Search<'p>> {
-        let hidden = hidden.of(plant)?;
-        let mut run = Run::new(plant, plant.seed).by_hand();
-        run.fault(hidden.0, hidden.1, true);
+impl Search {
+    /// Of this fault; none where the machine cannot fail so.
+    pub fn new(plant: &Plant, hidden: &Hidden) -> Option<Search> {
         Some(Search {
-            run,
-            hidden,
+            hidden: hidden.of(plant)?,
+            last: None,
             steps: 0,
             tries: 0,
             is_found: false,
         })
     }
 
-    /// The machine, to be watched.
-    pub fn run(&self) -> &Run<'p> {
-        &self.run
+    /// The machine begins: it fails from its first step on, until the fault has been found, which is mended then.
+    pub fn begin(&self, run: &mut Run<'_>) {
+        let (part, fault) = self.hidden;
+        run.fault(part, fault, !self.is_found);
     }
 
-    /// The next millisecond with these outputs.
-    pub fn step(&mut self, outputs: &Outputs) {
-        self.run.step(outputs);
+    /// Somebody presses, turns or opens something there: a step of the search. To let go of a button is none, and a knob
+    /// that is turned on is still the same step.
+    pub fn touched(&mut self, plant: &Plant, part: usize, value: usize, to: i32) {
+        let Some(own) = plant.parts.get(part) else {
+            return;
+        };
+        let (low, high) = own.range(value);
+        let is_let_go = own.kind.name == "button" && to <= low;
+        let is_same = high.saturating_sub(low) > 1 && self.last == Some((part, value));
+        if is_let_go || is_same {
+            return;
+        }
+        self.last = Some((part, value));
+        self.steps = self.steps.saturating_add(1);
     }
 
-    /// Somebody presses, turns or opens something there: a step of the search.
-    pub fn hand(&mut self, part: usize, value: usize, to: i32) {
-        self.run.hand(part, value, to);
+    /// Somebody forces a point of the board: a step too.
+    pub fn forced(&mut self) {
+        self.last = None;
         self.steps = self.steps.saturating_add(1);
     }
 
@@ -75,7 +85,7 @@ impl<'p> Search<'p> {
         self.hidden == (part, fault)
     }
 
-    /// How often somebody has touched the machine.
+    /// How often somebody has touched the machine or forced a point.
     pub fn steps(&self) -> u32 {
         self.steps
     }

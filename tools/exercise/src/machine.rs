@@ -4,6 +4,7 @@
 
 use crate::scenario::words;
 use std::fmt;
+use std::ops::RangeInclusive;
 use unoclp_core::Millis;
 use unoclp_host_sim::engine::{Engine, Refusal};
 use unoclp_plant::{Broken, Missed, Outputs, Plant, Run, Unit, Verdict};
@@ -60,10 +61,52 @@ pub fn control<E: Engine>(
     mut watch: impl FnMut(&Run<'_>),
 ) -> Result<Verdict, Ended> {
     let run = Run::new(plant, seed);
-    controlled(run, program, engine, |run| {
+    controlled(run, plant.until, program, engine, |run| {
         watch(run);
         true
     })
+}
+
+/// The same from one time to another alone, ms: `watch` sees the plant in each of them, and it runs no further. It may go
+/// on after its script has ended.
+///
+/// # Errors
+/// [`Ended`], where the program does not come so far.
+pub fn between<E: Engine>(
+    plant: &Plant,
+    program: &[u8],
+    engine: &mut E,
+    span: RangeInclusive<u64>,
+    mut watch: impl FnMut(&Run<'_>),
+) -> Result<(), Ended> {
+    let run = Run::new(plant, plant.seed);
+    let end = span.end().saturating_add(1);
+    controlled(run, end, program, engine, |run| {
+        if span.contains(&run.now()) {
+            watch(run);
+        }
+        true
+    })?;
+    Ok(())
+}
+
+/// A number for all that a plant is in each of so many ms while a program controls it: the same trace gives the same number.
+///
+/// # Errors
+/// [`Ended`], where the program does not come so far.
+pub fn trace<E: Engine>(
+    plant: &Plant,
+    program: &[u8],
+    engine: &mut E,
+    span: u64,
+) -> Result<u64, Ended> {
+    let run = Run::new(plant, plant.seed);
+    let mut trace = 0_u64;
+    controlled(run, span, program, engine, |run| {
+        trace = trace.rotate_left(5) ^ run.hash();
+        true
+    })?;
+    Ok(trace)
 }
 
 /// What goes wrong first with a machine.
@@ -76,6 +119,14 @@ pub enum First {
 }
 
 impl First {
+    /// When it went wrong, ms after the first step.
+    pub fn at(&self) -> u64 {
+        match self {
+            First::Broken(broken) => broken.at,
+            First::Missed(missed) => missed.at,
+        }
+    }
+
     /// It in a line: when, and which.
     pub fn text(&self, plant: &Plant, lang: Lang) -> String {
         let seconds = |at: u64| Unit::Ms.shown(at as i64);
@@ -108,15 +159,57 @@ pub fn first_wrong<E: Engine>(
     engine: &mut E,
 ) -> Result<Option<First>, Ended> {
     let run = Run::new(plant, seed);
-    let verdict = controlled(run, program, engine, |run| run.verdict().is_passed())?;
+    let goes_on = |run: &Run<'_>| run.verdict().is_passed();
+    let verdict = controlled(run, plant.until, program, engine, goes_on)?;
     let broken = verdict.broken.into_iter().next().map(First::Broken);
     let missed = verdict.missed.into_iter().next().map(First::Missed);
     Ok(broken.or(missed))
 }
 
-/// Lets a program control a plant until its script ends, or `goes_on` says that it shall not.
+/// What goes wrong with the machine of an exercise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WentWrong {
+    /// What goes wrong first.
+    pub first: First,
+    /// What chance began with, where that is hidden from the student; none with the plant's own.
+    pub hidden: Option<u32>,
+}
+
+impl WentWrong {
+    /// It in a line, with the chances that are hidden from a student.
+    pub fn text(&self, plant: &Plant, lang: Lang) -> String {
+        let why = self.first.text(plant, lang);
+        match self.hidden {
+            Some(seed) => words::hidden_chance(lang, seed, why),
+            None => why,
+        }
+    }
+}
+
+/// What goes wrong with a machine as its file says it, then with chances that begin with each of these; nothing, where all
+/// is well.
+///
+/// # Errors
+/// [`Ended`], where the program does not come so far.
+pub fn with_chances<E: Engine>(
+    plant: &Plant,
+    seeds: &[u32],
+    program: &[u8],
+    engine: &mut E,
+) -> Result<Option<WentWrong>, Ended> {
+    let hidden = seeds.iter().map(|seed| (u64::from(*seed), Some(*seed)));
+    for (seed, hidden) in std::iter::once((plant.seed, None)).chain(hidden) {
+        if let Some(first) = first_wrong(plant, seed, program, engine)? {
+            return Ok(Some(WentWrong { first, hidden }));
+        }
+    }
+    Ok(None)
+}
+
+/// Lets a program control a plant until this time, ms, or until `goes_on` says that it shall not.
 fn controlled<E: Engine>(
     mut run: Run<'_>,
+    until: u64,
     program: &[u8],
     engine: &mut E,
     mut goes_on: impl FnMut(&Run<'_>) -> bool,
@@ -128,7 +221,7 @@ fn controlled<E: Engine>(
         .map_err(broken)?
         .map_err(Ended::Refused)?;
     let mut outputs = Outputs::default();
-    while goes_on(&run) && run.now() < plant.until {
+    while goes_on(&run) && run.now() < until {
         let now = run.now();
         let scanned = engine.scan(run.inputs(), now as Millis).map_err(broken)?;
         outputs.points = scanned.map_err(|refusal| Ended::Stopped(now, refusal))?;

@@ -2,7 +2,7 @@
 //!
 //! Owns which mistakes those are. Must not know who finds them.
 
-use crate::machine::first_wrong;
+use crate::machine::with_chances;
 use crate::scenario::{Exercise, ProgramFile, passes};
 use std::collections::BTreeSet;
 use unoclp_core::Board;
@@ -89,7 +89,7 @@ pub fn passing(
     all.retain(|mutant| {
         plant.is_none_or(|plant| {
             let engine = &mut HostEngine::new(board);
-            first_wrong(plant, plant.seed, &mutant.code, engine) == Ok(None)
+            with_chances(plant, &exercise.seeds, &mutant.code, engine) == Ok(None)
         })
     });
     Passing {

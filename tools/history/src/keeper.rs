@@ -3,8 +3,8 @@
 use crate::store::Store;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
-use unoclp_journal::{Entry, Failure, Reader};
+use std::time::{Duration, Instant};
+use unoclp_journal::{Entry, Failure, Reader, now};
 
 /// Entries that are taken together at most.
 const AT_ONCE: usize = 10_000;
@@ -187,14 +187,6 @@ fn begin(store: &mut dyn Store, reader: &Reader) -> Result<u64, Failure> {
     }
     reader.take(taken);
     Ok(taken)
-}
-
-/// ms since 1970, by the clock of the PC.
-fn now() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |since| {
-        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
-    })
 }
 
 fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {

@@ -7,7 +7,7 @@
 //! - [`picture`]: a moment of it as a drawing
 //!
 //! The way of a file: `keys` (values with their places), `read`, `fields` (what a part is given), `order` (what needs
-//! what), `rules`. `kind` is the form of the table; `parts/` are its rows, by groups, each with what it does in a
+//! what), `rules`, `sentence` (a rule in words). `kind` is the form of the table; `parts/` are its rows, by groups, each with what it does in a
 //! `moment`; `draw/` their symbols.
 //!
 //! Owns machines. Must not know a PLC, a program, a board at a line, a file, a clock, a screen, a page.
@@ -29,6 +29,7 @@ mod plant;
 mod read;
 mod rules;
 mod run;
+mod sentence;
 mod signal;
 mod text;
 mod unit;

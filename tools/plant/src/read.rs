@@ -9,6 +9,7 @@ use crate::order::order;
 use crate::parts::{KINDS, named};
 use crate::plant::{Decoration, Part, Plant, Step, Trouble};
 use crate::rules::{Goal, Never};
+use crate::sentence;
 use crate::text::Text;
 use crate::unit::Unit;
 use std::collections::BTreeMap;
@@ -22,6 +23,8 @@ use unoclp_lang::{Condition, condition, is_name};
 pub const MOST_PARTS: usize = 100;
 /// Nor more rules, steps, faults and drawn lines, of each.
 const MOST_OTHERS: usize = 200;
+/// No more mistakes are told of a text that is no TOML.
+const FEW: usize = 3;
 /// A script goes on for a day at most.
 const DAY: i64 = 86_400_000;
 
@@ -37,7 +40,8 @@ pub fn read(text: &str, board: Board) -> Result<Plant, Vec<Mistake>> {
     let notes = Notes::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        for error in errors {
+        // What is no TOML at all would be told in each of its lines.
+        for error in errors.into_iter().take(FEW) {
             notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
         }
         return Err(notes.mistakes());
@@ -148,8 +152,8 @@ fn plant(keys: &Keys<'_>, usual: Board) -> Option<Plant> {
     let (known, at) = names(&plant);
     plant.places = at;
     let conditions = Conditions { known, board };
-    plant.nevers = nevers(keys, &conditions);
-    plant.goals = goals(keys, &conditions);
+    plant.nevers = nevers(keys, &conditions, &plant);
+    plant.goals = goals(keys, &conditions, &plant);
     plant.troubles = troubles(keys, &names_of, &conditions);
     plant.steps = steps(keys, &names_of, &plant);
     plant.decorations = decorations(keys, &names_of);
@@ -293,17 +297,18 @@ impl Conditions {
     }
 }
 
-/// What a rule says; its condition, where it says nothing else.
-fn rule_text(keys: &Keys<'_>) -> Text {
-    let written = || {
-        keys.value("when")
-            .and_then(|value| value.get_ref().as_str())
-    };
-    let text = keys.both("text").map(|at| at.value);
-    text.unwrap_or_else(|| Text::same(written().unwrap_or_default()))
+/// A condition as it is written.
+fn written<'a>(keys: &Keys<'a>, key: &str) -> Option<&'a str> {
+    keys.value(key).and_then(|value| value.get_ref().as_str())
 }
 
-fn nevers(keys: &Keys<'_>, conditions: &Conditions) -> Vec<Never> {
+/// What a rule says; its condition as a sentence, where it says nothing else.
+fn rule_text(keys: &Keys<'_>, sentence: impl FnOnce(&str) -> Text) -> Text {
+    let text = keys.both("text").map(|at| at.value);
+    text.unwrap_or_else(|| sentence(written(keys, "when").unwrap_or_default()))
+}
+
+fn nevers(keys: &Keys<'_>, conditions: &Conditions, plant: &Plant) -> Vec<Never> {
     let tables = some(
         keys,
         "never",
@@ -316,7 +321,7 @@ fn nevers(keys: &Keys<'_>, conditions: &Conditions) -> Vec<Never> {
         let lasts = keys.time("for", 0, DAY).map_or(0, |at| at.value);
         let when = conditions.needed(keys, "when")?;
         Some(Never {
-            text: rule_text(keys),
+            text: rule_text(keys, |when| sentence::never(when, after, lasts, plant)),
             when,
             after,
             lasts,
@@ -325,7 +330,7 @@ fn nevers(keys: &Keys<'_>, conditions: &Conditions) -> Vec<Never> {
     tables.iter().filter_map(never).collect()
 }
 
-fn goals(keys: &Keys<'_>, conditions: &Conditions) -> Vec<Goal> {
+fn goals(keys: &Keys<'_>, conditions: &Conditions, plant: &Plant) -> Vec<Goal> {
     let tables = some(
         keys,
         "goal",
@@ -340,8 +345,9 @@ fn goals(keys: &Keys<'_>, conditions: &Conditions) -> Vec<Goal> {
         }
         let within = keys.time("within", 1, DAY)?.value;
         let when = conditions.needed(keys, "when")?;
+        let each_time = written(keys, "each");
         Some(Goal {
-            text: rule_text(keys),
+            text: rule_text(keys, |when| sentence::goal(when, each_time, within, plant)),
             when,
             each,
             within,

@@ -111,6 +111,24 @@ unoclp_words::messages! {
     takes_value() "a value of a part" "um valor de um elemento";
     from_to(from, to) "{from} to {to}" "{from} a {to}";
     usual(value) "{value} if not given" "{value} se não for dado";
+    never(what) "Never: {what}" "Nunca: {what}";
+    longer_than(said, time) "{said}, for longer than {time}" "{said}, por mais de {time}";
+    from_then_on(said, time) "{said}, from {time} on" "{said}, a partir de {time}";
+    within(time, what) "Within {time}: {what}" "Em até {time}: {what}";
+    within_after(time, each, what)
+        "Each time (“{each}”), within {time}: {what}"
+        "A cada vez (“{each}”), em até {time}: {what}";
+    the_time() "the time" "o tempo";
+    and() "and" "e";
+    or() "or" "ou";
+    either() "or else" "ou então";
+    not() "not" "não";
+    more() "is more than" "é maior que";
+    at_least() "is at least" "é no mínimo";
+    less() "is less than" "é menor que";
+    at_most() "is at most" "é no máximo";
+    is() "is" "é";
+    is_not() "is not" "não é";
     panel_title() "Control panel" "Painel de comando";
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Each connection is a clean session: what a broker has not confirmed is said again from the journal, in order.
 
+use crate::alarm::Alarm;
 use crate::change::Change;
 use crate::command::{Command, Refusal};
 use crate::session::{Message, Now, Out, Session};
@@ -14,11 +15,11 @@ use std::collections::VecDeque;
 use std::future::{Future, pending};
 use std::pin::Pin;
 use std::sync::Arc;
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 use tokio::sync::mpsc::{Receiver, UnboundedReceiver, UnboundedSender, channel};
 use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
-use unoclp_journal::Reader;
+use unoclp_journal::{Reader, now};
 
 /// Messages that a broker has not confirmed, at most.
 const UNSURE: usize = 64;
@@ -39,6 +40,7 @@ const ENTRIES: usize = 256;
 pub(crate) enum Input {
     Changed(Arc<[Change]>),
     Presence(String, bool),
+    Alarm(Box<Alarm>),
     Stop,
 }
 
@@ -102,10 +104,8 @@ impl Link {
     }
 
     fn now(&self) -> Now {
-        let since_1970 = SystemTime::now().duration_since(UNIX_EPOCH);
-        let ms = since_1970.map_or(0, |since| since.as_millis());
         Now {
-            at: i64::try_from(ms).unwrap_or(i64::MAX),
+            at: now(),
             since: self.begin.elapsed(),
         }
     }
@@ -131,6 +131,7 @@ impl Link {
         let now = self.now();
         match input {
             Some(Input::Changed(changes)) => self.session.changed(&changes, now),
+            Some(Input::Alarm(alarm)) => self.session.alarm(&alarm),
             Some(Input::Presence(board, up)) => self.session.presence(&board, up, now),
             Some(Input::Stop) | None => return true,
         }

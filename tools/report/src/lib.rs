@@ -7,6 +7,7 @@
 //! - `plain`: a topic a point, commands, and what Home Assistant finds
 //! - `sparkplug`: the same as an edge node of Sparkplug B
 //! - `command`: a value that somebody has sent, and why it is refused
+//! - [`Alarm`]: how an alarm stands
 //! - `backlog`: what a board was while nobody could hear of it
 //! - `connection`: the connection itself, which comes back by itself; `tls`: whom it trusts
 //!
@@ -16,6 +17,7 @@
 
 #![forbid(unsafe_code)]
 
+mod alarm;
 mod backlog;
 mod boards;
 mod change;
@@ -28,6 +30,7 @@ mod shared;
 mod sparkplug;
 mod tls;
 
+pub use alarm::Alarm;
 pub use command::{Command, Refusal};
 pub use reporter::Reporter;
 pub use shared::{Carry, State, Tell, Trouble, Unready};

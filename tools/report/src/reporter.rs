@@ -1,5 +1,6 @@
 //! The thread that reports, and what comes in.
 
+use crate::alarm::Alarm;
 use crate::change::Change;
 use crate::connection::{Input, Link, limit};
 use crate::plain::Plain;
@@ -131,6 +132,14 @@ impl Reporter {
         for input in &self.inputs {
             // A thread that does not take it has more to do than it can.
             let _ = input.try_send(Input::Presence(board.to_owned(), up));
+        }
+    }
+
+    /// An alarm stands so from now on.
+    pub fn alarm(&self, alarm: &Alarm) {
+        for input in &self.inputs {
+            // A thread that does not take it has more to do than it can.
+            let _ = input.try_send(Input::Alarm(Box::new(alarm.clone())));
         }
     }
 

@@ -1,5 +1,6 @@
 //! What a connection to a broker says and hears, one connection after the other, without I/O.
 
+use crate::alarm::Alarm;
 use crate::change::Change;
 use crate::command::{Command, Refusal};
 use std::time::Duration;
@@ -58,6 +59,8 @@ pub(crate) trait Session: Send + Sync {
     fn changed(&mut self, changes: &[Change], now: Now);
     /// A board is there, or away.
     fn presence(&mut self, board: &str, up: bool, now: Now);
+    /// An alarm stands so from now on.
+    fn alarm(&mut self, alarm: &Alarm);
     /// A message has come.
     fn heard(&mut self, topic: &str, payload: &[u8], retained: bool, now: Now);
     /// What has become of a command.

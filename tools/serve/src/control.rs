@@ -2,11 +2,13 @@
 //! an upload of whoever has begun it.
 
 use crate::forcing::{Forcing, forces};
-use crate::tokens::{Role, Visitor};
+use crate::tokens::Visitor;
+use crate::written::needs;
 use std::time::{Duration, Instant};
 use unoclp_modbus::Exception;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{Command, holding};
+use unoclp_site::Role as May;
 
 /// How long nobody else may control after the last request of who does: an upload is over by then, and a visitor who
 /// has left without a word is forgotten.
@@ -26,7 +28,7 @@ impl Control {
     pub fn admit(
         &mut self,
         visitor: Visitor,
-        role: Role,
+        may: May,
         request: &Request,
         address: u8,
         now: Instant,
@@ -41,7 +43,7 @@ impl Control {
             }
             return Ok(());
         }
-        if role != Role::Control {
+        if may < needs(request) {
             return Err(Exception::IllegalFunction);
         }
         let is_block = request.written(holding::UPLOAD).is_some();
@@ -93,8 +95,9 @@ mod tests {
     use super::*;
     use unoclp_modbus::Table;
 
-    const WATCH: Role = Role::Watch;
-    const RULE: Role = Role::Control;
+    const WATCH: May = May::Watch;
+    const OPERATE: May = May::Operate;
+    const RULE: May = May::Engineer;
 
     fn s(seconds: u64) -> Duration {
         Duration::from_secs(seconds)
@@ -106,8 +109,9 @@ mod tests {
         let begin = Instant::now();
         let read = Request::read(1, Table::Coils, 0, 4);
         let write = Request::write_word(1, 400, 2);
+        let upload = Request::write_word(1, 400, 5);
         let elsewhere = Request::read(2, Table::Coils, 0, 4);
-        for (visitor, role, request, after, expected) in [
+        for (visitor, may, request, after, expected) in [
             (1, WATCH, &read, s(0), Ok(())),
             (1, WATCH, &write, s(0), Err(Exception::IllegalFunction)),
             (
@@ -117,7 +121,8 @@ mod tests {
                 s(0),
                 Err(Exception::GatewayPathUnavailable),
             ),
-            (2, RULE, &write, s(1), Ok(())),
+            (1, OPERATE, &upload, s(0), Err(Exception::IllegalFunction)),
+            (2, OPERATE, &write, s(1), Ok(())),
             (3, RULE, &write, s(2), Err(Exception::ServerDeviceBusy)),
             (3, RULE, &read, s(2), Ok(())),
             (2, RULE, &write, s(14), Ok(())),
@@ -125,7 +130,7 @@ mod tests {
             (3, RULE, &write, s(29), Ok(())),
             (2, RULE, &write, s(30), Err(Exception::ServerDeviceBusy)),
         ] {
-            let admitted = control.admit(visitor, role, request, 1, begin + after);
+            let admitted = control.admit(visitor, may, request, 1, begin + after);
             assert_eq!(admitted, expected, "visitor {visitor} after {after:?}");
         }
         control.leave(2);
@@ -141,7 +146,7 @@ mod tests {
         let read = Request::read(1, Table::Coils, 0, 4);
         let force = Request::write_word(1, 402, 1);
         let write = Request::write_word(1, 0, 1);
-        for (visitor, role, request, after, heard) in [
+        for (visitor, may, request, after, heard) in [
             (1, RULE, &force, 0, 0),
             (1, RULE, &read, 5, 5),
             (2, WATCH, &read, 6, 5),
@@ -152,7 +157,7 @@ mod tests {
             (1, RULE, &read, 42, 40),
             (2, RULE, &force, 43, 43),
         ] {
-            let admitted = control.admit(visitor, role, request, 1, begin + s(after));
+            let admitted = control.admit(visitor, may, request, 1, begin + s(after));
             assert_eq!(admitted, Ok(()), "after {after}");
             let since = control.forcing.heard();
             assert_eq!(since, Some(begin + s(heard)), "after {after}");

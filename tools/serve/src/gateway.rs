@@ -1,17 +1,20 @@
 //! One visitor's way to the board: a WebSocket, on which each binary message is a Modbus request or its answer, whole.
 //!
 //! The first message of the visitor is a text, the token, empty where none is asked for. The gateway's texts are JSON:
-//! `{"role": "watch", "address": 1, "name": "COM3"}` once the visitor is let in, and `{"board": true}` or `{"board": false, "why": "…"}` then and
+//! `{"role": "watch", "address": 1, "name": "COM3"}` once the visitor is let in, of a user of the site also who it is and what
+//! it may do (`"user": "ana", "may": "operate"`), and `{"board": true}` or `{"board": false, "why": "…"}` then and
 //! whenever that changes. A visitor has one request under way at a time.
 //!
 //! Until its token is seen, a visitor has the slot of a connection; from then on one of the board.
 
 use crate::control::Control;
+use crate::deeds::Deeds;
 use crate::forcing::forces;
+use crate::guard::{Guard, Stays, Who};
 use crate::line::Line;
 use crate::owner::Presence;
 use crate::slots::{Slot, Slots};
-use crate::tokens::{Role, Tokens, Visitor};
+use crate::tokens::{Role, Visitor};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, close_code};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -47,8 +50,10 @@ pub(crate) struct Gateway {
     pub forced: Notify,
     /// Held by who does so.
     pub forcing: tokio::sync::Mutex<()>,
-    /// None where only this PC is served: its user may do all.
-    pub tokens: Option<Tokens>,
+    /// Who is let in.
+    pub guard: Guard,
+    /// What is done to it is recorded there.
+    pub deeds: Arc<Deeds>,
     pub places: Places,
     values: Mutex<Values>,
 }
@@ -73,6 +78,8 @@ enum Left {
     Slow,
     /// Its token is none, or it says what is no request.
     Wrong,
+    /// There were too many tries from its address.
+    Often,
     /// There is no room for it, or its place is another's.
     Full,
 }
@@ -91,6 +98,7 @@ pub(crate) async fn serve(
         Left::Gone => return,
         Left::Slow => (close_code::POLICY, "too slow"),
         Left::Wrong => (close_code::POLICY, "not allowed"),
+        Left::Often => (close_code::AGAIN, "too many tries"),
         Left::Full => (close_code::AGAIN, "too many visitors"),
     };
     let reason = reason.into();
@@ -107,22 +115,28 @@ async fn welcome(
     slot: Arc<Slot>,
     socket: &mut WebSocket,
 ) -> Result<Infallible, Left> {
-    let role = tokio::select! {
-        role = role(gateway, socket) => role?,
+    let who = tokio::select! {
+        who = who(gateway, address, socket) => who?,
         () = slot.is_given_up() => return Err(Left::Full),
     };
-    let seat = gateway.slot(role, address).ok_or(Left::Full)?;
+    let seat = gateway.slot(who.role(), address).ok_or(Left::Full)?;
     drop(slot);
     tokio::select! {
-        left = visit(gateway, visitor, role, &seat, socket) => left,
+        left = visit(gateway, visitor, &who, address, &seat, socket) => left,
         () = seat.is_given_up() => Err(Left::Full),
     }
 }
 
-/// What a visitor may do by the token that it sends first.
-async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
+/// Who a visitor is by the token that it sends first.
+async fn who(gateway: &Gateway, from: IpAddr, socket: &mut WebSocket) -> Result<Who, Left> {
     match timeout(PROMPT, socket.recv()).await {
-        Ok(Some(Ok(Message::Text(token)))) => gateway.role(&token).ok_or(Left::Wrong),
+        Ok(Some(Ok(Message::Text(token)))) => {
+            let who = gateway.guard.who(&token, from).await;
+            who.map_err(|stays| match stays {
+                Stays::Wrong => Left::Wrong,
+                Stays::Often => Left::Often,
+            })
+        }
         Ok(Some(Ok(_))) => Err(Left::Wrong),
         Ok(_) => Err(Left::Gone),
         Err(_) => Err(Left::Slow),
@@ -131,14 +145,21 @@ async fn role(gateway: &Gateway, socket: &mut WebSocket) -> Result<Role, Left> {
 
 impl Gateway {
     /// A board that nobody visits yet.
-    pub fn new(line: Line, name: String, tokens: Option<Tokens>, places: Places) -> Gateway {
+    pub fn new(
+        line: Line,
+        name: String,
+        guard: Guard,
+        deeds: Arc<Deeds>,
+        places: Places,
+    ) -> Gateway {
         Gateway {
             line,
             name,
             control: Mutex::default(),
             forced: Notify::new(),
             forcing: tokio::sync::Mutex::default(),
-            tokens,
+            guard,
+            deeds,
             places,
             values: Mutex::default(),
         }
@@ -151,13 +172,6 @@ impl Gateway {
     /// What its points were when they were last read, where they are read.
     pub fn values(&self) -> std::sync::MutexGuard<'_, Values> {
         self.values.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    pub fn role(&self, token: &str) -> Option<Role> {
-        match &self.tokens {
-            None => Some(Role::Control),
-            Some(tokens) => tokens.role(token),
-        }
     }
 
     /// Room for a visitor, if there is some.
@@ -173,16 +187,12 @@ impl Gateway {
 async fn visit(
     gateway: &Gateway,
     visitor: Visitor,
-    role: Role,
+    who: &Who,
+    from: IpAddr,
     seat: &Slot,
     socket: &mut WebSocket,
 ) -> Result<Infallible, Left> {
-    let address = gateway.line.address();
-    say(
-        socket,
-        json!({ "role": role.name(), "address": address, "name": gateway.name }),
-    )
-    .await?;
+    say(socket, welcomed(gateway, who)).await?;
     let mut presence = gateway.line.presence();
     let mut signs = 0;
     loop {
@@ -204,7 +214,7 @@ async fn visit(
                         signs = 0;
                         seat.is_used();
                         let request = Request::forwarded(&frame).ok_or(Left::Wrong)?;
-                        let answer = answer(gateway, visitor, role, request).await;
+                        let answer = answer(gateway, visitor, who, from, request).await;
                         send(socket, Message::Binary(answer.into())).await?;
                     }
                     Ok(Some(Ok(Message::Ping(_) | Message::Pong(_)))) => signs = 0,
@@ -217,7 +227,14 @@ async fn visit(
 }
 
 /// The answer to a request: the board's, or why it does not reach it.
-async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Request) -> Vec<u8> {
+async fn answer(
+    gateway: &Gateway,
+    visitor: Visitor,
+    who: &Who,
+    from: IpAddr,
+    request: Request,
+) -> Vec<u8> {
+    let role = who.role();
     let forces = role == Role::Control && forces(&request);
     let _turn = match forces {
         true => Some(gateway.forcing.lock().await),
@@ -226,7 +243,7 @@ async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Reques
     let address = gateway.line.address();
     let admitted = gateway
         .control()
-        .admit(visitor, role, &request, address, Instant::now());
+        .admit(visitor, who.may, &request, address, Instant::now());
     if let Err(exception) = admitted {
         return request.refusal(exception).to_vec();
     }
@@ -237,6 +254,7 @@ async fn answer(gateway: &Gateway, visitor: Visitor, role: Role, request: Reques
     let reply = gateway.line.ask(request.clone(), role).await;
     if matches!(request.answer(&reply), Some(Ok(_))) {
         gateway.control().done(visitor, &request);
+        gateway.deeds.visitor(who, from, &gateway.name, &request);
     }
     reply
 }
@@ -260,6 +278,17 @@ pub(crate) async fn kept_by(gateway: &Gateway) -> Result<Kept, Exception> {
             sum,
         }),
         _ => Err(Exception::GatewayTargetSilent),
+    }
+}
+
+/// What a visitor is told once it is let in.
+fn welcomed(gateway: &Gateway, who: &Who) -> serde_json::Value {
+    let (role, address) = (who.role().name(), gateway.line.address());
+    match gateway.guard {
+        Guard::Users(_) => json!({
+            "role": role, "address": address, "name": gateway.name, "user": &*who.name, "may": who.may.word(),
+        }),
+        _ => json!({ "role": role, "address": address, "name": gateway.name }),
     }
 }
 

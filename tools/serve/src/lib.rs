@@ -1,7 +1,8 @@
 //! The page over HTTP, and the gateway that shares the boards at this PC among many (`docs/remote.md`, `docs/site.md`).
 //!
 //! - [`Pages`]: the files of the page, which somebody else has
-//! - [`Tokens`], `doors`: who may watch, who may control, and from which pages
+//! - [`Guard`]: who is let in, by [`Tokens`] or as one of the [`Users`]; `tries`: how often; `doors`: from which pages
+//! - `written`: what a request writes, and who may; `deeds`: what was done, for the record
 //! - [`Line`]: the way to a board, of which `owner` has the port; `turns`: whose request goes next
 //! - `control`, `forcing`: who controls, and who has forced points, which `release` lets go
 //! - `gateway`: one visitor's way to that line, a WebSocket
@@ -21,9 +22,11 @@
 
 mod api;
 mod control;
+mod deeds;
 mod doors;
 mod forcing;
 mod gateway;
+mod guard;
 mod line;
 mod modbus;
 mod news;
@@ -38,9 +41,12 @@ mod sharing;
 mod slots;
 mod tls;
 mod tokens;
+mod tries;
 mod turns;
+mod written;
 
 pub use api::{Metric, Metrics, Past};
+pub use guard::{Guard, Users};
 pub use line::Line;
 pub use modbus::Modbus;
 pub use news::{News, Tell};

@@ -83,7 +83,10 @@ async fn write(gateway: &Gateway, grant: &Grant, value: f64) -> Result<(), Excep
     may_write(gateway, grant.while_kept).await?;
     let reply = gateway.line.ask(request.clone(), Role::Control).await;
     match request.answer(&reply) {
-        Some(Ok(_)) => Ok(()),
+        Some(Ok(_)) => {
+            gateway.deeds.broker(&gateway.name, &grant.point, value);
+            Ok(())
+        }
         Some(Err(NoReply::Refused(exception))) => Err(exception),
         Some(Err(NoReply::Garbled)) | None => Err(Exception::GatewayTargetSilent),
     }

@@ -8,14 +8,16 @@ use axum::http::{HeaderValue, Response, StatusCode};
 use std::borrow::Cow;
 
 /// The content of a file of the page by its path, without a slash before it; `None` where there is none.
-pub type Pages = fn(&str) -> Option<Cow<'static, [u8]>>;
+pub trait Pages: Fn(&str) -> Option<Cow<'static, [u8]>> + Send + Sync + 'static {}
+
+impl<P: Fn(&str) -> Option<Cow<'static, [u8]>> + Send + Sync + 'static> Pages for P {}
 
 /// What the page may load: its own files, workers made of them, and no page may stand around it.
 const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
      img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self' data: blob:; frame-ancestors 'none'; base-uri 'none'";
 
 /// The file at this path of an address.
-pub(crate) fn file(pages: Pages, path: &str) -> Response<Body> {
+pub(crate) fn file(pages: &dyn Pages, path: &str) -> Response<Body> {
     let path = path.trim_start_matches('/');
     let path = if path.is_empty() { "index.html" } else { path };
     let Some(content) = pages(path) else {

@@ -6,11 +6,12 @@ use crate::gateway::{Gateway, Values, kept_by};
 use crate::tokens::Role;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 use tokio::time::{MissedTickBehavior, interval};
 use unoclp_modbus::Table;
 use unoclp_modbus::client::Request;
 use unoclp_modbus::map::{self, Width};
+use unoclp_record::now;
 use unoclp_site::{Kind, Place, Point, Points};
 
 /// The most addresses that one request reads here: whole values of 32 bits.
@@ -172,14 +173,6 @@ fn areas(points: &[Point]) -> Vec<Area> {
         }
     }
     areas
-}
-
-/// ms since 1970, by the clock of this PC.
-fn now() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.map_or(0, |since| {
-        i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The server: connections within limits, files, and visitors.
 
-use crate::api::{self, Api, Archive};
+use crate::api::{self, Api, Archive, Caller};
 use crate::doors::{self, Door};
 use crate::gateway::{self, Gateway, LONGEST, PROMPT};
 use crate::modbus;
@@ -51,7 +51,7 @@ pub struct Server {
 /// What every request is answered from.
 #[derive(Clone)]
 struct Shared {
-    pages: Pages,
+    pages: Arc<dyn Pages>,
     door: Door,
     gateways: Arc<[Arc<Gateway>]>,
     api: Api,
@@ -104,7 +104,7 @@ impl Server {
     /// Where the system takes the address away.
     pub fn run(
         self,
-        pages: Pages,
+        pages: impl Pages,
         sharing: Option<Sharing>,
         end: impl Future<Output = ()>,
     ) -> io::Result<()> {
@@ -118,6 +118,7 @@ impl Server {
             orders,
             metrics,
             past,
+            alarms,
             keep,
             tell,
         } = sharing.map(Sharing::wire).unwrap_or_default();
@@ -127,9 +128,10 @@ impl Server {
             door,
             metrics,
             archive: Archive::new(past),
+            alarms,
         };
         let shared = Shared {
-            pages,
+            pages: Arc::new(pages),
             api,
             door,
             gateways,
@@ -235,6 +237,7 @@ where
 {
     let service = routes.map_request(move |mut request: Request<Incoming>| {
         connection.slot.is_used();
+        request.extensions_mut().insert(Caller(connection.address));
         request.extensions_mut().insert(connection.clone());
         request
     });
@@ -252,7 +255,7 @@ async fn file(State(shared): State<Shared>, headers: HeaderMap, uri: Uri) -> Res
     if !doors::lets_in(&headers, shared.door) {
         return StatusCode::FORBIDDEN.into_response();
     }
-    page::file(shared.pages, uri.path())
+    page::file(&*shared.pages, uri.path())
 }
 
 /// A visitor of the first board.

@@ -1,16 +1,19 @@
-//! What is shared, and how it is wired: boards with their names and units, tokens, and places for visitors.
+//! What is shared, and how it is wired: boards with their names and units, who is let in, and places for visitors.
 
 use crate::api::{Metrics, Past};
+use crate::deeds::Deeds;
 use crate::gateway::{Gateway, Places};
+use crate::guard::Guard;
 use crate::line::Line;
 use crate::modbus::Modbus;
 use crate::news::Tell;
 use crate::orders::Ordered;
 use crate::poll::{Keep, Watched};
 use crate::slots::Slots;
-use crate::tokens::Tokens;
 use std::sync::Arc;
+use unoclp_alarm::Alarms;
 use unoclp_client::diagnostics::Kept;
+use unoclp_record::Record;
 
 /// Visitors of the board at a time, and those of one address; more are refused.
 const VISITORS: usize = 64;
@@ -20,8 +23,8 @@ const CONTROLLERS: usize = 8;
 pub struct Sharing {
     /// The boards. The first is the one of a page that names none.
     pub boards: Vec<SharedBoard>,
-    /// Who may do what; without them, everybody on this PC may do all. Only then is the server bound to this PC.
-    pub tokens: Option<Tokens>,
+    /// Who may do what.
+    pub guard: Guard,
     /// The server that shares them over Modbus TCP, if one does.
     pub modbus: Option<Modbus>,
     /// Values that others write, if any may come.
@@ -30,6 +33,10 @@ pub struct Sharing {
     pub metrics: Option<Metrics>,
     /// What points were, if that is kept.
     pub past: Option<Arc<dyn Past>>,
+    /// The alarms, if there are some.
+    pub alarms: Option<Arc<Alarms>>,
+    /// Where it is recorded who does what, if it is.
+    pub record: Option<Arc<Record>>,
     /// Who keeps what the points of boards that are watched were, if anybody does.
     pub keep: Option<Keep>,
     /// Who is told what becomes of them, if anybody is.
@@ -67,6 +74,7 @@ pub(crate) struct Wired {
     pub orders: Option<Ordered>,
     pub metrics: Option<Metrics>,
     pub past: Option<Arc<dyn Past>>,
+    pub alarms: Option<Arc<Alarms>>,
     pub keep: Option<Keep>,
     pub tell: Option<Tell>,
 }
@@ -75,14 +83,17 @@ impl Sharing {
     pub(crate) fn wire(self) -> Wired {
         let Sharing {
             boards,
-            tokens,
+            guard,
             modbus,
             orders,
             metrics,
             past,
+            alarms,
+            record,
             keep,
             tell,
         } = self;
+        let deeds = Arc::new(Deeds::new(record));
         let places = Places {
             watchers: Slots::new(VISITORS, VISITORS),
             controllers: Slots::new(CONTROLLERS, CONTROLLERS),
@@ -95,7 +106,7 @@ impl Sharing {
                 program,
                 watched,
             } = board;
-            let gateway = Gateway::new(line, name, tokens.clone(), places.clone());
+            let gateway = Gateway::new(line, name, guard.clone(), deeds.clone(), places.clone());
             Unit {
                 unit,
                 gateway: Arc::new(gateway),
@@ -109,6 +120,7 @@ impl Sharing {
             orders,
             metrics,
             past,
+            alarms,
             keep,
             tell,
         }

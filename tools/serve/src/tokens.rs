@@ -6,12 +6,12 @@ use subtle::ConstantTimeEq;
 /// A visitor: a number that no other has.
 pub(crate) type Visitor = u64;
 
-/// What a visitor may do.
+/// How a visitor's requests go to a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
-    /// Send requests that only read.
+    /// As those of one who only reads.
     Watch,
-    /// Send any request.
+    /// As those of one who may write: they go first.
     Control,
 }
 

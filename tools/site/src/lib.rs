@@ -10,6 +10,8 @@
 
 #![forbid(unsafe_code)]
 
+mod alarm;
+mod alarms;
 mod broker;
 mod database;
 mod duration;
@@ -20,14 +22,17 @@ mod keys;
 mod lines;
 mod mistake;
 mod mqtt;
+mod named;
 mod plan;
 mod points;
 mod read;
 mod site;
 mod size;
+mod users;
 mod values;
 mod words;
 
+pub use alarm::{Alarm, Reading, Severity, Sort, Text, UP, When};
 pub use broker::{Broker, Secret, Sparkplug};
 pub use database::Server;
 pub use duration::duration;
@@ -39,3 +44,4 @@ pub use read::read;
 pub use site::{
     Board, Encryption, Grant, History, Http, Journal, Line, Modbus, Mqtt, Site, Store, Way,
 };
+pub use users::{Role, User};

@@ -1,6 +1,7 @@
 //! What can be wrong with a site file, as values and in words.
 
 use crate::words;
+use unoclp_lang::Diagnostic;
 use unoclp_program::Lang;
 
 /// A mistake, and where it stands.
@@ -198,6 +199,37 @@ pub enum Wrong {
         /// Those that can be written.
         known: String,
     },
+    /// What no alarm and no user can be called.
+    NoName {
+        /// What was given.
+        given: String,
+    },
+    /// Two alarms are called the same.
+    TwoAlarms {
+        /// The name.
+        name: String,
+    },
+    /// An alarm's condition is none.
+    NoCondition {
+        /// What the language says of it.
+        told: Option<Box<Diagnostic>>,
+    },
+    /// An alarm's condition reads no point.
+    ReadsNothing,
+    /// An alarm's condition is too long.
+    LongCondition {
+        /// The most, characters.
+        most: usize,
+    },
+    /// An alarm says nothing.
+    NoText,
+    /// Two users are called the same.
+    TwoUsers {
+        /// The name.
+        name: String,
+    },
+    /// No key of a user.
+    NoKeyOfUser,
     /// A point cannot be written.
     ReadOnly {
         /// The point.
@@ -257,6 +289,20 @@ impl Wrong {
                 point,
                 known,
             } => words::no_such_point(lang, board, point, known),
+            Wrong::NoName { given } => words::no_name(lang, given),
+            Wrong::TwoAlarms { name } => words::two_alarms(lang, name),
+            Wrong::NoCondition { told } => {
+                let message = told.as_ref().map(|told| told.message(lang));
+                let help = told.as_ref().map(|told| told.help(lang));
+                let help = help.filter(|help| !help.is_empty());
+                let help = help.map(|help| format!("; {help}")).unwrap_or_default();
+                words::no_condition(lang, message.unwrap_or_default(), help)
+            }
+            Wrong::ReadsNothing => words::reads_nothing(lang),
+            Wrong::LongCondition { most } => words::long_condition(lang, most),
+            Wrong::NoText => words::no_text(lang),
+            Wrong::TwoUsers { name } => words::two_users(lang, name),
+            Wrong::NoKeyOfUser => words::no_key_of_user(lang),
             Wrong::ReadOnly { point, known } => words::read_only(lang, point, known),
         }
     }

@@ -1,9 +1,11 @@
 //! What a gateway would do by a site file, in words.
 
+use crate::alarm::{Alarm, Severity};
 use crate::broker::Sparkplug;
 use crate::duration::written;
 use crate::site::{Board, Encryption, Grant, Journal, Line, Modbus, Mqtt, Site, Store, Way};
 use crate::size;
+use crate::users::{Role, User};
 use crate::words;
 use unoclp_modbus::map::Parity;
 use unoclp_program::Lang;
@@ -43,6 +45,8 @@ pub fn plan(site: &Site, lang: Lang) -> String {
     if let Some(of) = &site.mqtt {
         lines.extend(mqtt(of, lang));
     }
+    lines.extend(site.alarms.iter().map(|of| alarm(of, lang)));
+    lines.extend(site.users.iter().map(|of| user(of, lang)));
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
@@ -110,4 +114,24 @@ fn mqtt(of: &Mqtt, lang: Lang) -> Vec<String> {
         });
     }
     lines
+}
+
+fn alarm(of: &Alarm, lang: Lang) -> String {
+    let severity = match of.severity {
+        Severity::Low => words::severity_low(lang),
+        Severity::Medium => words::severity_medium(lang),
+        Severity::High => words::severity_high(lang),
+    };
+    match of.lasts.is_zero() {
+        true => words::alarm(lang, &of.name, severity, &of.when.text),
+        false => words::alarm_for(lang, &of.name, severity, &of.when.text, written(of.lasts)),
+    }
+}
+
+fn user(of: &User, lang: Lang) -> String {
+    match of.role {
+        Role::Watch => words::user_watch(lang, &of.name),
+        Role::Operate => words::user_operate(lang, &of.name),
+        Role::Engineer => words::user_engineer(lang, &of.name),
+    }
 }

@@ -1,5 +1,6 @@
 //! From the text of a site file to a site.
 
+use crate::alarms::alarms;
 use crate::files::Files;
 use crate::grants::grants;
 use crate::kept::{history, journal};
@@ -8,8 +9,12 @@ use crate::lines::lines;
 use crate::mistake::{Mistake, Wrong};
 use crate::mqtt::mqtt;
 use crate::site::{Encryption, Http, Modbus, Site};
+use crate::users::users;
 use std::net::{Ipv4Addr, SocketAddr};
 use toml::de::DeTable;
+
+/// No more mistakes are told of a text that is no TOML.
+const FEW: usize = 3;
 
 /// Reads the text of a site file.
 ///
@@ -19,12 +24,15 @@ pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
     let notes = Notes::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        for error in errors {
+        // What is no TOML at all would be told in each of its lines.
+        for error in errors.into_iter().take(FEW) {
             notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
         }
         return Err(notes.mistakes());
     }
-    let known = ["http", "line", "modbus", "mqtt", "history", "journal"];
+    let known = [
+        "http", "line", "modbus", "mqtt", "history", "journal", "alarm", "user",
+    ];
     let keys = Keys::new(table.get_ref(), 0..0, &notes, &known);
     let site = site(&keys, files);
     let mistakes = notes.mistakes();
@@ -41,6 +49,7 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
     let modbus = modbus(keys, &lines, &http);
     let mqtt = mqtt(keys, &lines);
     let history = history(keys);
+    let alarms = alarms(keys, &lines);
     Site {
         http: Http {
             listen: http.value,
@@ -51,6 +60,8 @@ fn site(keys: &Keys<'_>, files: &dyn Files) -> Site {
         mqtt,
         journal: journal(keys, history.as_ref()),
         history,
+        alarms,
+        users: users(keys),
     }
 }
 

@@ -1,8 +1,10 @@
 //! What a site file says.
 
+use crate::alarm::Alarm;
 use crate::broker::{Broker, Secret, Sparkplug};
 use crate::database::Server;
 use crate::points::{Kind, Place, Points};
+use crate::users::User;
 use std::net::SocketAddr;
 use std::time::Duration;
 use unoclp_client::diagnostics::Kept;
@@ -23,6 +25,10 @@ pub struct Site {
     pub history: Option<History>,
     /// What was read of the boards, until history and broker have it.
     pub journal: Journal,
+    /// The alarms, each with a name of its own.
+    pub alarms: Vec<Alarm>,
+    /// Who may do what; nobody: tokens say so.
+    pub users: Vec<User>,
 }
 
 /// Where the page is served.
@@ -206,6 +212,11 @@ impl Site {
     /// Whether samples wait on disk: for a history, or a broker.
     pub fn has_journal(&self) -> bool {
         self.history.is_some() || self.mqtt.is_some()
+    }
+
+    /// Whether it is recorded what happens: alarms, and who does what.
+    pub fn has_record(&self) -> bool {
+        !self.alarms.is_empty() || !self.users.is_empty()
     }
 
     /// All boards, line by line.

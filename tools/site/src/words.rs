@@ -111,6 +111,30 @@ unoclp_words::messages! {
     read_only(point, known)
         "{point} cannot be written; you can write {known}"
         "não se pode escrever em {point}; você pode escrever em {known}";
+    no_name(given)
+        "{given} is not a valid name; start with a letter, then use letters, digits, - or _, at most 32 characters"
+        "{given} não é um nome válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
+    two_alarms(name)
+        "two alarms are called {name}; give each its own name"
+        "dois alarmes se chamam {name}; dê a cada um um nome próprio";
+    no_condition(told, help)
+        "this is not a condition in Structured Text: {told}{help}; write one like \"estufa.temperature > 80.0 AND NOT estufa.fan\""
+        "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"estufa.temperature > 80.0 AND NOT estufa.fan\"";
+    reads_nothing()
+        "this condition reads no point, so it never changes; name one, \"estufa.temperature > 80.0\""
+        "esta condição não lê nenhum ponto, e por isso nunca muda; indique um, \"estufa.temperature > 80.0\"";
+    long_condition(most)
+        "this condition is longer than {most} characters; let the program of a board compute a part of it"
+        "esta condição tem mais de {most} caracteres; deixe o programa de uma placa calcular uma parte dela";
+    no_text()
+        "this alarm has no text; write `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, or one text for both languages"
+        "este alarme não tem texto; escreva `text = {{ en = \"too hot\", pt = \"quente demais\" }}`, ou um só texto para as duas línguas";
+    two_users(name)
+        "two users are called {name}; give each its own name"
+        "dois usuários se chamam {name}; dê a cada um um nome próprio";
+    no_key_of_user()
+        "this is not a user's key; `unoclp site key NAME` makes one"
+        "isto não é uma chave de usuário; `unoclp site key NOME` cria uma";
 
     page_here(address)
         "page: http://{address}/, for this PC only"
@@ -169,6 +193,22 @@ unoclp_words::messages! {
     sparkplug_host(group, node, host)
         "  Sparkplug B: group {group}, edge node {node}, while host {host} is online"
         "  Sparkplug B: grupo {group}, nó {node}, enquanto o host {host} estiver on-line";
+    alarm(name, severity, when)
+        "alarm {name} ({severity}): {when}"
+        "alarme {name} ({severity}): {when}";
+    alarm_for(name, severity, when, time)
+        "alarm {name} ({severity}): {when}, for {time}"
+        "alarme {name} ({severity}): {when}, por {time}";
+    severity_low() "low" "baixa";
+    severity_medium() "medium" "média";
+    severity_high() "high" "alta";
+    user_watch(name) "user {name}: watches" "usuário {name}: observa";
+    user_operate(name)
+        "user {name}: operates, and acknowledges alarms"
+        "usuário {name}: opera e reconhece alarmes";
+    user_engineer(name)
+        "user {name}: operates, and changes programs and settings"
+        "usuário {name}: opera e muda programas e ajustes";
     modbus_writes(address, points)
         "Modbus TCP: {address}; anyone who reaches it may write {points}"
         "Modbus TCP: {address}; quem chegar até ele pode escrever em {points}";

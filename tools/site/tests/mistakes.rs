@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::mem::discriminant;
 use unoclp_program::Lang;
-use unoclp_site::{Files, Mistake, Site, Wrong, plan, read};
+use unoclp_site::{Files, Mistake, Site, Sort, Wrong, plan, read};
 
 /// The folder of the site file.
 struct Folder;
@@ -38,7 +38,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqqt]\n"),
             5,
-            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`",
+            "no key `mqqt` here; there is `http`, `line`, `modbus`, `mqtt`, `history`, `journal`, `alarm`, `user`",
         ),
         (
             with("[mqtt]\n"),
@@ -306,7 +306,115 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
             8,
             "level cannot be written; you can write target, valve",
         ),
+        (with("alarm = 5\n"), 5, "there is no key `alarm` here"),
+        (
+            format!("alarm = 5\n{LINE}"),
+            1,
+            "`alarm` takes another kind of value; write `alarm = [{",
+        ),
+        (
+            with("[[alarm]]\nwhen = \"x.I1\"\ntext = \"a\"\n"),
+            5,
+            "`name` is missing",
+        ),
+        (
+            with("[[alarm]]\nname = \"a b\"\nwhen = \"x.I1\"\ntext = \"a\"\n"),
+            6,
+            "\"a b\" cannot be a name here; take a letter",
+        ),
+        (
+            with(&(alarm("x.I1") + &alarm("x.I2"))),
+            10,
+            "two alarms are called a; give each its own name",
+        ),
+        (
+            with("[[alarm]]\nname = \"a\"\ntext = \"a\"\n"),
+            5,
+            "`when` is missing; write `when = \"estufa.temperature > 80.0\"`",
+        ),
+        (
+            with(&alarm("x.A0")),
+            7,
+            "this is not a condition in Structured Text: ",
+        ),
+        (
+            with(&alarm("y.A0 > 5")),
+            7,
+            "this is not a condition in Structured Text: ",
+        ),
+        (
+            with(&alarm("x.level > 5")),
+            7,
+            "this is not a condition in Structured Text: ",
+        ),
+        (
+            with(&alarm("TRUE")),
+            7,
+            "this condition reads no point, so it never changes",
+        ),
+        (
+            with(&alarm(&format!("x.I1{}", " OR x.I1".repeat(200)))),
+            7,
+            "this condition is longer than 1000 characters",
+        ),
+        (
+            with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = {}\n"),
+            8,
+            "this alarm has no text; write `text = {",
+        ),
+        (
+            with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = \" \"\n"),
+            8,
+            "this alarm says nothing",
+        ),
+        (
+            with(&(alarm("x.I1") + "for = \"2d\"\n")),
+            9,
+            "2d is no time from 0s to 1d",
+        ),
+        (
+            with(&(alarm("x.I1") + "severity = \"fatal\"\n")),
+            9,
+            "`severity` cannot be fatal; give \"low\", \"medium\", \"high\"",
+        ),
+        (
+            with(&(user(KEY) + &user(KEY))),
+            10,
+            "two users are called u; give each its own name",
+        ),
+        (
+            with(
+                "[[user]]\nname = \"u\"\nrole = \"root\"\nkey = \"KEY\"\n"
+                    .replace("KEY", KEY)
+                    .as_str(),
+            ),
+            7,
+            "`role` cannot be root; give \"watch\", \"operate\", \"engineer\"",
+        ),
+        (
+            with(&user("secret")),
+            8,
+            "this is not a user's key; `unoclp site key NAME` makes one",
+        ),
+        (
+            with("[[user]]\nname = \"u\"\nrole = \"watch\"\n"),
+            5,
+            "`key` is missing",
+        ),
     ]
+}
+
+/// The key of a token that nobody has.
+const KEY: &str = "$argon2id$v=19$m=19456,t=2,p=1$L3hEO3slRORTRquJ6rc2NQ$xsOcju+puetB/lz7kXih3imyoiHWTWIncXuvq3xL00s";
+
+/// An alarm with this condition.
+fn alarm(when: &str) -> String {
+    format!("[[alarm]]\nname = \"a\"\nwhen = \"{when}\"\ntext = \"it is so\"\n")
+}
+
+/// A user with this key.
+fn user(key: &str) -> String {
+    format!("[[user]]\nname = \"u\"\nrole = \"operate\"\nkey = \"{key}\"\n")
 }
 
 /// A file that lets write this point.
@@ -342,7 +450,7 @@ fn each_mistake_is_refused_with_line_reason_and_remedy() {
 }
 
 /// The kinds of [`Wrong`]: a new one has its case above.
-const KINDS: usize = 36;
+const KINDS: usize = 44;
 
 #[test]
 fn all_mistakes_are_told_at_once_in_the_order_of_the_lines() {
@@ -420,6 +528,39 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
         told.ends_with("below unoclp\n  it can write nothing\n"),
         "{told}"
     );
+}
+
+#[test]
+fn a_plan_says_when_alarms_come_and_what_users_may() {
+    let more = alarm("X.i1 AND NOT x.UP").replace("\"a\"", "\"door\"")
+        + "for = \"90s\"\nseverity = \"high\"\n";
+    let site = of(&format!("{LINE}{more}{}{}", alarm("x.A4 > 5"), user(KEY))).unwrap();
+    let told = plan(&site, Lang::En);
+    for part in [
+        "alarm door (high): X.i1 AND NOT x.UP, for 90s\n",
+        "alarm a (medium): x.A4 > 5\n",
+        "user u: operates, and acknowledges alarms\n",
+    ] {
+        assert!(told.contains(part), "{part}\n{told}");
+    }
+    assert!(!format!("{site:?}{told}").contains(KEY));
+    let [door, level] = &site.alarms[..] else {
+        panic!("{:?}", site.alarms);
+    };
+    let reads = |of: &unoclp_site::Alarm| -> Vec<_> {
+        let reads = of.when.reads.iter();
+        reads.map(|(_, of)| (of.point.clone(), of.sort)).collect()
+    };
+    assert_eq!(
+        reads(door),
+        [("I1".into(), Sort::Bit), ("up".into(), Sort::Up)]
+    );
+    assert_eq!(reads(level), [("A4".into(), Sort::Whole)]);
+    assert_eq!((&*level.text.en, &*level.text.pt), ("it is so", "it is so"));
+    // Each text that is given in one language is said in the other too.
+    let one = alarm("x.I1").replace("\"it is so\"", "{ pt = \"\u{e9} assim\" }");
+    let site = of(&format!("{LINE}{one}")).unwrap();
+    assert_eq!(site.alarms[0].text.of(Lang::En), "\u{e9} assim");
 }
 
 #[test]

@@ -38,11 +38,12 @@ fn the_steps_of_the_page_make_one_site() {
     assert_eq!(site.boards().count(), 5);
     let told = plan(&site, Lang::En);
     assert!(told.contains("may write estufa.target, bomba.M1"), "{told}");
+    assert_eq!((site.alarms.len(), site.users.len()), (2, 1));
 }
 
 #[test]
 fn each_key_has_its_row() {
-    let known = "[other]\n[mqtt]\nx = 1\nsparkplug = { x = 1 }\n[[line]]\nx = 1\n[http]\nx = 1\ntls = { x = 1 }\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n[history]\nx = 1\n[journal]\nx = 1\n";
+    let known = "[other]\n[mqtt]\nx = 1\nsparkplug = { x = 1 }\n[[line]]\nx = 1\n[http]\nx = 1\ntls = { x = 1 }\n[modbus]\nx = 1\n[[line.board]]\nx = 1\n[history]\nx = 1\n[journal]\nx = 1\n[[alarm]]\nx = 1\ntext = { x = 1 }\n[[user]]\nx = 1\n";
     let told = read(known, &Folder).unwrap_err();
     let told: Vec<String> = told
         .iter()
@@ -53,7 +54,7 @@ fn each_key_has_its_row() {
         .filter_map(|told| told.split_once("there is `"))
         .flat_map(|(_, keys)| keys.split('`').step_by(2))
         .collect();
-    assert!(keys.len() >= 38, "{keys:?}");
+    assert!(keys.len() >= 50, "{keys:?}");
     for name in ["site.md", "site.pt-BR.md"] {
         let page = page(name);
         let rows: String = page.lines().filter(|line| line.starts_with("| ")).collect();

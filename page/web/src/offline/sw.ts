@@ -12,6 +12,8 @@ interface Scope {
 }
 const scope = self as unknown as Scope;
 const NAME = `unoclp-${VERSION}`;
+/** What a teacher changes while the page is served: asked for anew where there is a network. */
+const FRESH = /\/(?:exercises|machines)\.json$/;
 
 scope.addEventListener("install", (event) => {
   const load = async (): Promise<void> => {
@@ -35,6 +37,10 @@ scope.addEventListener("fetch", (event) => {
   if (event.request.method !== "GET") return;
   const answer = async (): Promise<Response> => {
     const cache = await caches.open(NAME);
+    if (FRESH.test(new URL(event.request.url).pathname)) {
+      const fresh = await fetch(event.request).catch(() => null);
+      if (fresh?.ok) return fresh;
+    }
     return (await cache.match(event.request, { ignoreSearch: true })) ?? fetch(event.request);
   };
   event.respondWith(answer());

@@ -17,7 +17,7 @@ export class CardTab {
   constructor(private readonly slot: CardSlot) {
     const state = h("input", { type: "checkbox", checked: true });
     const make = h("button", { type: "button", id: "make-card", click: () => void slot.make(state.checked) }, h("span", { "data-say": "cardMake" }));
-    const open = h("button", { type: "button", id: "open-card", click: () => pick((file) => void slot.load(file), ".img,.bin,.dd") }, h("span", { "data-say": "cardOpen" }));
+    const open = h("button", { type: "button", id: "open-card", click: () => pick(([file]) => file && void slot.load(file), ".img,.bin,.dd") }, h("span", { "data-say": "cardOpen" }));
     this.panel = h("div", {}, h("div", { class: "row" }, make, open, h("label", { class: "row" }, state, h("span", { "data-say": "cardState" }))), this.files);
     slot.image.follow(() => void this.show());
     speak.follow(() => {

@@ -83,7 +83,8 @@ export class DeskMachine implements Machines {
       this.last = null;
       return;
     }
-    const passed = this.last === null ? 0 : seen.at - this.last;
+    // Who begins to watch another program counts its time anew.
+    const passed = Math.max(0, seen.at - (this.last ?? seen.at));
     this.last = seen.at;
     if (passed > 0) this.interval.value = Math.round(((this.interval.value ?? passed) * (READINGS - 1) + passed) / READINGS);
     const levels = bitsOf(seen.outputs);
@@ -114,7 +115,7 @@ export class DeskMachine implements Machines {
       const seen = this.board.seen.value;
       // A board that is away is told of elsewhere, and its machine waits.
       if (!seen) return;
-      this.refusing ??= seen.at;
+      if (this.refusing === null || this.refusing > seen.at) this.refusing = seen.at;
       if (seen.at - this.refusing >= PATIENCE) this.fail(error.both);
     } finally {
       this.ordered.delete(number);

@@ -1,14 +1,20 @@
-// The exercises: a list, and of the chosen one its task, its hints one after the other, and the check.
+// The exercises: a list by kinds, and of the chosen one its task, its hints one after the other, and the check.
 
-import type { Sheet, Text } from "../tools/answers";
+import type { Both, Sheet, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
+import { say as sayHere } from "../words/learn";
 import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
 import { byId, h } from "./dom";
+import { fetched } from "./fetched";
+import { FindForm } from "./findform";
+import { GivenView } from "./givenview";
+import { icon } from "./icons";
 import { keep, kept } from "./kept";
 import type { MachineArea } from "./machine";
 import { announce, note } from "./notes";
+import { copyLink } from "./share";
 import { Verdict } from "./verdict";
 
 /** An exercise as the build has put it into the page. */
@@ -19,6 +25,12 @@ interface File {
   readonly scenario: string;
   /** Its machine, by the name of the file. */
   readonly plant?: Text;
+  /** The program that is right, where a fault is to be found. */
+  readonly program?: Text;
+  /** The machine of the gallery beside which it is listed. */
+  readonly shelf?: string;
+  /** Whether a teacher has brought it. */
+  readonly isOwn?: boolean;
 }
 
 /** An exercise, and how far the student has come. */
@@ -29,7 +41,18 @@ interface Exercise extends File {
   passed: boolean;
 }
 
+/** An exercise as others list it. */
+export interface Listed {
+  readonly name: string;
+  readonly title: Both;
+  readonly passed: boolean;
+  /** The machine beside which it is listed, by the name of its file. */
+  readonly shelf: string | null;
+}
+
 const KEPT = "exercises";
+/** The groups of the list. */
+const GROUPS = { own: "kindOwn", program: "kindProgram", find: "kindFind", write: "kindWrite" } as const;
 
 /** What the browser keeps of the exercises: names, since a later page may have others. */
 interface Progress {
@@ -42,6 +65,8 @@ export class Exercises {
   private at = 0;
   /** Whether the machine beside the board is that of an exercise. */
   private hasOpened = false;
+  private readonly find: FindForm;
+  private readonly given: GivenView;
 
   constructor(
     private readonly root: HTMLElement,
@@ -52,17 +77,22 @@ export class Exercises {
     private readonly closed: (inputs: readonly number[]) => void,
     private readonly machine: MachineArea,
   ) {
+    this.find = new FindForm(machine, () => this.chosen(), () => this.pass());
+    this.given = new GivenView(tools);
     speak.follow(() => {
       if (!this.root.hidden) this.show();
     });
   }
 
-  /** Opens a file of a teacher beside the others; tells what it is, and why it is none. */
-  async take({ name, text }: Text): Promise<boolean> {
-    const file = { name: name.replace(/\.toml$/i, ""), language: "il", scenario: text };
+  /** Opens a file of a teacher beside the others, with its machine, if that is among these; tells what it is, and why it is
+   * none. */
+  async take({ name, text }: Text, machines: readonly Text[]): Promise<boolean> {
+    const file = { name: name.replace(/\.toml$/i, ""), language: "il", scenario: text, isOwn: true };
     let exercise: Exercise;
     try {
-      exercise = await this.read(file, false);
+      const read = await this.read(file, false);
+      const plant = machines.find((machine) => machine.name === read.sheet.plant);
+      exercise = plant ? { ...read, plant } : read;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       note(say("fileNoExercise", { why: told(error.both) }));
@@ -76,6 +106,20 @@ export class Exercises {
     return true;
   }
 
+  /** Opens the exercise of this name. */
+  async choose(name: string): Promise<void> {
+    await this.load();
+    this.at = Math.max(0, this.all.findIndex((exercise) => exercise.name === name));
+    this.keep();
+    this.appear();
+  }
+
+  /** All of them, and which of them a student has passed. */
+  async listed(): Promise<readonly Listed[]> {
+    await this.load();
+    return this.all.map(({ name, sheet, passed, shelf, plant }) => ({ name, title: sheet.title, passed, shelf: shelf ?? plant?.name ?? null }));
+  }
+
   /** Opens the exercise that was open last. */
   async start(): Promise<void> {
     await this.load();
@@ -84,14 +128,17 @@ export class Exercises {
 
   private async load(): Promise<void> {
     if (this.all.length === 0) {
-      const files = (await (await fetch("exercises.json")).json()) as File[];
+      const files = await fetched<File>("exercises.json");
+      if (!files) return;
       const { open, passed } = progress();
-      this.all = await Promise.all(files.map((file) => this.read(file, passed.includes(file.name))));
+      const all = await Promise.all(files.map((file) => this.read(file, passed.includes(file.name)).catch(refused)));
+      this.all = all.filter((exercise) => exercise !== null);
       this.at = Math.max(0, this.all.findIndex(({ name }) => name === open));
     }
   }
 
   private appear(): void {
+    if (this.all.length === 0) return;
     this.root.hidden = false;
     this.chosen();
     this.root.querySelector("select")?.focus();
@@ -99,6 +146,8 @@ export class Exercises {
 
   close(): void {
     this.root.hidden = true;
+    // A machine with a hidden fault is of no use but to this.
+    if (this.machine.opened?.find !== undefined) void this.machine.close();
   }
 
   private async read(file: File, passed: boolean): Promise<Exercise> {
@@ -119,7 +168,11 @@ export class Exercises {
     const exercise = this.all[this.at];
     this.closed(exercise?.sheet.normallyClosed ?? []);
     const machine = exercise && this.machineOf(exercise);
-    if (machine) void this.machine.open(machine);
+    this.find.begin();
+    if (exercise && machine) {
+      const more = { isOwn: exercise.isOwn === true, ...(exercise.sheet.kind === "find" ? { find: exercise.scenario } : {}) };
+      void this.machine.open({ name: machine.name, text: machine.text, ...more });
+    }
     else if (this.hasOpened) void this.machine.close();
     this.hasOpened = Boolean(machine);
   }
@@ -138,32 +191,44 @@ export class Exercises {
     const names = Object.entries(sheet.names);
     const points = names.map(([point, name]) => h("li", {}, h("code", {}, point), ` ${told(name)}`,
       sheet.normallyClosed.some((input) => point === `I${input}`) ? h("span", { class: "note" }, `: ${say("exerciseClosed")}`) : null));
+    const isFind = sheet.kind === "find";
+    if (isFind) this.find.show();
+    if (sheet.given) this.given.show(sheet.given);
     const hints = sheet.hints.slice(0, exercise.hints).map((hint) => h("li", {}, told(hint)));
     const next = exercise.hints < sheet.hints.length;
-    this.root.replaceChildren(
-      h("div", { class: "row" }, this.list(), h("span", { style: "flex:1" }),
+    const parts = [
+      h("div", { class: "row" }, this.list(),
+        exercise.isOwn ? h("button", { type: "button", class: "quiet", id: "exercise-link", "aria-label": sayHere("exerciseLink"), title: sayHere("exerciseLink"), click: () => void this.share(exercise) }, icon("share")) : null,
+        h("span", { style: "flex:1" }),
         h("button", { type: "button", class: "quiet", "aria-label": say("close"), click: () => this.close() }, "×")),
-      h("h3", {}, told(sheet.title)),
+      h("h3", {}, told(sheet.title), sheet.kind === "program" ? null : h("span", { class: "chip" }, sayHere(GROUPS[sheet.kind]))),
       h("p", { class: "task" }, sheet.task ? told(sheet.task) : ""),
+      sheet.given ? this.given.element : null,
       h("ul", { class: "names", "aria-label": say("exerciseNames") }, ...points),
       h("ol", { class: "hints", "aria-label": say("exerciseHints"), hidden: hints.length === 0 }, ...hints),
       h("div", { class: "row" },
-        h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
-        h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
+        isFind ? null : h("button", { type: "button", class: "primary", id: "exercise-check", click: () => void this.check(exercise) }, say("exerciseCheck")),
+        isFind ? null : h("button", { type: "button", id: "exercise-begin", click: () => this.open(begun(exercise)) }, say("exerciseBegin")),
+        isFind && exercise.program ? h("button", { type: "button", id: "find-open", click: () => exercise.program && this.open(exercise.program) }, sayHere("findOpen")) : null,
         next ? h("button", { type: "button", id: "exercise-hint", click: () => this.hint(exercise) }, say("exerciseHint", { n: exercise.hints + 1, all: sheet.hints.length })) : null),
-      verdict.element);
+      isFind ? this.find.element : verdict.element,
+    ];
+    this.root.replaceChildren(...parts.filter((part) => part !== null));
   }
 
   private list(): HTMLElement {
-    const options = this.all.map(({ sheet, passed }, index) =>
-      h("option", { value: index, selected: index === this.at }, `${index + 1}. ${told(sheet.title)}${passed ? " ✓" : ""}`));
+    const groups = (Object.keys(GROUPS) as (keyof typeof GROUPS)[]).map((group) => {
+      const options = this.all.map(({ sheet, passed, isOwn }, index) => ((isOwn ? "own" : sheet.kind) === group
+        ? h("option", { value: index, selected: index === this.at }, `${isOwn ? "" : `${index + 1}. `}${told(sheet.title)}${passed ? " ✓" : ""}`) : null)).filter((option) => option !== null);
+      return options.length > 0 ? h("optgroup", { label: sayHere(GROUPS[group]) }, ...options) : null;
+    });
     const change = (event: Event): void => {
       this.at = Number((event.target as HTMLSelectElement).value);
       this.keep();
       this.chosen();
       this.root.querySelector("select")?.focus();
     };
-    return h("select", { id: "exercise-list", "aria-label": say("exercises"), change }, ...options);
+    return h("select", { id: "exercise-list", "aria-label": say("exercises"), change }, ...groups);
   }
 
   private hint(exercise: Exercise): void {
@@ -180,11 +245,29 @@ export class Exercises {
     if (exercise.sheet.plant && !machine) note(say("noMachineFile", { name: exercise.sheet.plant }));
     const passed = await exercise.verdict.check(this.program, exercise.scenario, exercise.name, machine);
     if (!passed || exercise.passed) return;
+    this.pass(exercise);
+    this.root.querySelector<HTMLElement>("#exercise-check")?.focus();
+  }
+
+  /** It is solved: that is kept. */
+  private pass(exercise = this.all[this.at]): void {
+    if (!exercise || exercise.passed) return;
     exercise.passed = true;
     this.keep();
     this.show();
-    this.root.querySelector<HTMLElement>("#exercise-check")?.focus();
   }
+
+  private async share(exercise: Exercise): Promise<void> {
+    const machine = this.machineOf(exercise);
+    await copyLink("x", [`${exercise.name}.toml`, exercise.scenario, ...(machine ? [machine.name, machine.text] : [])]);
+  }
+}
+
+/** A file of a teacher that is wrong is left out, and told. */
+function refused(error: unknown): null {
+  if (!(error instanceof Refusal)) throw error;
+  note(say("fileNoExercise", { why: told(error.both) }));
+  return null;
 }
 
 /** How far the student had come before. */
@@ -198,8 +281,11 @@ function progress(): Progress {
 }
 
 /** A program that says what is connected, and does nothing yet; whoever draws begins to draw it. */
-function begun({ name, language, sheet }: Exercise): Text {
-  if (language === "il" || byId("views").dataset["view"] === "draw") return { name: `${name}.il`, text: told(sheet.begin) };
+function begun({ name: whole, language: own, sheet }: Exercise): Text {
+  const name = whole.split("/").pop() ?? whole;
+  const language = sheet.given?.answerIn ?? own;
+  const isDrawn = sheet.given === null && byId("views").dataset["view"] === "draw";
+  if (language === "il" || isDrawn) return { name: `${name}.il`, text: told(sheet.begin) };
   const points = Object.entries(sheet.names).map(([point, connected]) => `   ${point}  ${told(connected)}\n`);
   return { name: `${name}.${language}`, text: `(* ${told(sheet.title)}\n\n${points.join("")}*)\n` };
 }

@@ -41,13 +41,10 @@ function decode(bytes: Uint8Array): string | null {
   }
 }
 
-/** Lets a person pick a file. */
-export function pick(take: (file: File) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,text/plain"): void {
-  const input = h("input", { type: "file", accept });
-  input.addEventListener("change", () => {
-    const file = input.files?.[0];
-    if (file) take(file);
-  });
+/** Lets a person pick files. */
+export function pick(take: (files: readonly File[]) => void, accept = ".il,.st,.scl,.iscl,.lce,.xml,.txt,.toml,text/plain"): void {
+  const input = h("input", { type: "file", accept, multiple: true });
+  input.addEventListener("change", () => take([...(input.files ?? [])]));
   input.click();
 }
 
@@ -59,7 +56,7 @@ export function download(name: string, content: string | Uint8Array, type = "tex
 }
 
 /** Opens what is dropped anywhere on the page. */
-export function takeDrops(cover: HTMLElement, take: (file: File) => void): void {
+export function takeDrops(cover: HTMLElement, take: (files: readonly File[]) => void): void {
   let depth = 0;
   const show = (by: number): void => {
     depth = Math.max(0, depth + by);
@@ -73,11 +70,11 @@ export function takeDrops(cover: HTMLElement, take: (file: File) => void): void 
     if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
   });
   addEventListener("drop", (event) => {
-    const file = event.dataTransfer?.files[0];
+    const files = [...(event.dataTransfer?.files ?? [])];
     depth = 0;
     cover.hidden = true;
-    if (!file) return;
+    if (files.length === 0) return;
     event.preventDefault();
-    take(file);
+    take(files);
   }, { capture: true });
 }

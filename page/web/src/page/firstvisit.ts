@@ -29,7 +29,7 @@ interface Shown {
 
 export async function greet({ bench, machine, machines, isUntouched, put, run }: Shown): Promise<void> {
   const listed = (await machines).find(({ name }) => name === SHOWN);
-  if (!listed || !isUntouched()) return;
+  if (!listed?.solution || !isUntouched()) return;
   keep(KEY, "yes");
   put(listed.solution);
   await machine.open(listed);

@@ -10,7 +10,7 @@ import type { MachineArea } from "./machine";
 
 export class Learning {
   private readonly lessons: Lessons;
-  private readonly exercises: Exercises;
+  readonly exercises: Exercises;
 
   constructor(
     tools: RemoteTools,
@@ -24,9 +24,15 @@ export class Learning {
     this.exercises = new Exercises(byId("exercise"), tools, program, open, closed, machine);
   }
 
-  /** Opens a file of a teacher as an exercise. */
-  async take(file: Text): Promise<void> {
-    if (await this.exercises.take(file)) this.lessons.close();
+  /** Opens a file of a teacher as an exercise; its machine may be among these. */
+  async take(file: Text, machines: readonly Text[]): Promise<void> {
+    if (await this.exercises.take(file, machines)) this.lessons.close();
+  }
+
+  /** Opens the exercise of this name. */
+  async choose(name: string): Promise<void> {
+    this.lessons.close();
+    await this.exercises.choose(name);
   }
 
   /** Opens one of them in the place of the other. */

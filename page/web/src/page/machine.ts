@@ -1,7 +1,7 @@
 // The machine beside the board: seen, touched, and judged. It is drawn by Rust; here its changes are applied, and what a
 // person does to it is told.
 
-import type { Both, Hand, MachineFacts, MachineLook } from "../tools/answers";
+import type { Both, Hand, MachineFacts, MachineLook, Searched, Seen } from "../tools/answers";
 import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import type { Bench, Where } from "./bench";
@@ -9,11 +9,19 @@ import { h } from "./dom";
 import { icon } from "./icons";
 import type { Machines } from "./machines";
 import { announce, note } from "./notes";
+import { Scene } from "./scene";
+import { seconds } from "./seconds";
+import { copyLink } from "./share";
+import { Signal } from "./signal";
 
 /** A machine as a file. */
 export interface MachineFile {
   readonly name: string;
   readonly text: string;
+  /** The exercise whose fault is hidden in it. */
+  readonly find?: string;
+  /** Whether it is somebody's own: then a link can carry it. */
+  readonly isOwn?: boolean;
 }
 
 export class MachineArea {
@@ -21,13 +29,19 @@ export class MachineArea {
   private readonly title = h("span", { id: "machine-title" });
   private readonly about = h("p", { class: "note" });
   private readonly age = h("p", { class: "note", id: "machine-age", hidden: true });
-  private readonly picture = h("div", { class: "machine-picture", id: "machine-picture" });
-  private readonly inside = this.picture.attachShadow({ mode: "open" });
+  private readonly scene = new Scene("machine-picture");
   private readonly below = h("div", { class: "row machine-hands" });
   private readonly verdict = h("ul", { class: "machine-rules", id: "machine-rules" });
   private readonly faults = h("div", { class: "machine-faults" });
+  private readonly failing = h("details", { id: "machine-failing" }, h("summary", { "data-say": "machineFaults" }), this.faults);
+  private readonly judged = h("div", { id: "machine-judged" });
+  private readonly judging = h("button", { type: "button", class: "small", id: "machine-judge", click: () => this.file && this.judgeBy(this.file, this.judged) }, icon("tick"), h("span", { "data-say": "machineJudge" }));
+  private readonly link = h("button", { type: "button", class: "small quiet", id: "machine-link", "data-say-label": "machineLink", click: () => void this.share() }, icon("share"));
+  /** How far somebody is who looks for its fault; null: none is hidden. */
+  readonly search = new Signal<Searched | null>(null);
   private file: MachineFile | null = null;
   private facts: MachineFacts | null = null;
+  private forced = "";
   private beside: Where = "simulated";
   private mover: Machines | null = null;
   private broken = 0;
@@ -39,11 +53,13 @@ export class MachineArea {
     private readonly bench: Bench,
     /** What the machine is wired to; null: there is none. */
     private readonly wired: (facts: MachineFacts | null) => void,
+    /** Has the program judged by the rules of the machine, and shows in this element what came of it. */
+    private readonly judgeBy: (file: MachineFile, into: HTMLElement) => void,
   ) {
     const reset = h("button", { type: "button", class: "small", id: "machine-reset", click: () => void this.reset() }, icon("reset"), h("span", { "data-say": "machineReset" }));
     const close = h("button", { type: "button", class: "small quiet", id: "machine-close", "data-say-label": "machineClose", click: () => void this.close() }, "×");
-    this.root.append(h("h3", {}, this.title, close), this.about, this.age, this.picture, this.below, h("div", { class: "row" }, reset), this.verdict,
-      h("details", {}, h("summary", { "data-say": "machineFaults" }), this.faults));
+    this.root.append(h("h3", {}, this.title, close), this.about, this.age, this.scene.root, this.below, h("div", { class: "row" }, reset, this.judging, this.link), this.verdict,
+      this.judged, this.failing);
     speak.follow(() => {
       if (this.file) void this.open(this.file, true);
     });
@@ -51,6 +67,7 @@ export class MachineArea {
       this.age.hidden = ms === null;
       if (ms !== null) this.age.textContent = say("machineAge", { ms });
     });
+    bench.seen.follow((seen) => this.countForced(seen));
     // Beside another board it begins again.
     bench.joined.add((where) => {
       if (this.file && where !== this.beside) void this.open(this.file);
@@ -62,7 +79,7 @@ export class MachineArea {
     const { machines } = this.bench;
     this.beside = this.bench.where.value;
     try {
-      const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id });
+      const facts = await machines.ask("machine", { name: file.name, text: file.text, speak: speak.value, keep, board: this.bench.board.value.id, ...(file.find === undefined ? {} : { find: file.find }) });
       const before = this.mover;
       this.mover = machines;
       // The one before stands.
@@ -86,29 +103,25 @@ export class MachineArea {
     this.facts = facts;
     this.title.textContent = told(facts.title);
     this.about.textContent = told(facts.about);
-    const drawn = new DOMParser().parseFromString(facts.svg, "image/svg+xml").documentElement;
-    // A sheet that is adopted, and not written into the page: a page may forbid the latter.
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(`${drawn.querySelector("style")?.textContent ?? ""} svg { width: 100%; height: auto; display: block; } .touch { cursor: pointer; outline: none; } .touch:focus-visible { outline: 3px solid #0b6e65; }`);
-    drawn.querySelector("style")?.remove();
     // It is no picture alone: one can press what is in it.
-    drawn.setAttribute("role", "group");
-    drawn.setAttribute("aria-label", told(facts.title));
-    this.inside.adoptedStyleSheets = [sheet];
-    this.inside.replaceChildren(document.adoptNode(drawn));
+    this.scene.show(facts.svg, told(facts.title)).setAttribute("role", "group");
     this.below.replaceChildren();
     const taken = new Set<string>();
     this.shows = facts.hands.map((hand) => {
-      const symbol = taken.has(hand.name) || !isFlag(hand) ? null : this.inside.querySelector<SVGElement>(`[data-part="${CSS.escape(hand.name)}"]`);
+      const symbol = taken.has(hand.name) || !isFlag(hand) ? null : this.scene.symbolOf(hand.name);
       taken.add(hand.name);
       return symbol ? this.touch(symbol, hand) : this.lever(hand);
     });
     this.below.hidden = this.below.children.length === 0;
     this.verdict.removeAttribute("data-shown");
     this.judge({ broken: [], met: [] });
+    this.link.hidden = this.file?.isOwn !== true;
+    // What is hidden is found by looking, and not by a list.
+    this.failing.hidden = this.judging.hidden = this.file?.find !== undefined;
+    this.judged.replaceChildren();
     this.faults.replaceChildren(...facts.faults.map(([part, fault, name]) => {
       const box = h("input", { type: "checkbox", change: () => void this.ask("machineFault", { part, fault, is: box.checked }) });
-      return h("label", { class: "switch" }, box, h("span", {}, told(name)));
+      return h("label", { class: "switch" }, box, h("span", {}, `${partName(facts, part)}: ${told(name)}`));
     }));
     this.root.hidden = false;
     this.wired(facts);
@@ -123,6 +136,7 @@ export class MachineArea {
 
   private forget(): void {
     this.file = this.facts = this.mover = null;
+    this.search.value = null;
     this.root.hidden = true;
     this.wired(null);
   }
@@ -140,16 +154,44 @@ export class MachineArea {
       await new Promise<void>((go) => requestAnimationFrame(() => go()));
       const seen = this.facts && (await this.ask("machineLook", {}));
       if (!seen) break;
-      for (const [id, attribute, value] of seen.changes) {
-        const element = this.inside.getElementById(id);
-        if (attribute === null) {
-          if (element) element.textContent = value;
-        } else element?.setAttribute(attribute, value);
-      }
+      this.scene.apply(seen.changes);
       seen.hands.forEach((value, at) => this.shows[at]?.(value));
       this.judge(seen);
+      this.tell(seen.search);
     }
     this.looking = false;
+  }
+
+  private tell(search: Searched | null): void {
+    if (JSON.stringify(search) !== JSON.stringify(this.search.value)) this.search.value = search;
+  }
+
+  /** How its parts can fail; null: there is no machine. */
+  get ways(): MachineFacts | null {
+    return this.facts;
+  }
+
+  /** Somebody names the fault that is hidden in it. */
+  async name(part: number, fault: string): Promise<void> {
+    try {
+      this.tell((await this.mover?.ask("machineName", { part, fault })) ?? null);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      note(told(error.both));
+    }
+  }
+
+  /** Each point that somebody forces is a step of a search. A board on the desk has its inputs forced by the machine. */
+  private countForced(seen: Seen | null): void {
+    const forced = JSON.stringify(seen ? [seen.forcedOutputs, this.bench.where.value === "desk" ? [] : seen.forcedInputs] : []);
+    if (forced === this.forced) return;
+    const isMore = /true|false/.test(forced);
+    this.forced = forced;
+    if (isMore && this.search.value) void this.ask("machineForced", {});
+  }
+
+  private async share(): Promise<void> {
+    if (this.file) await copyLink("m", [this.file.name, this.file.text]);
   }
 
   /** Which rules hold: each is said once as it breaks. */
@@ -227,7 +269,7 @@ export class MachineArea {
     };
   }
 
-  private async ask<K extends "machineLook" | "machineHand" | "machineFault" | "machineReset" | "machineClose">(
+  private async ask<K extends "machineLook" | "machineHand" | "machineFault" | "machineForced" | "machineReset" | "machineClose">(
     what: K, request: Parameters<Machines["ask"]>[1],
   ): Promise<MachineLook | null> {
     try {
@@ -241,10 +283,14 @@ export class MachineArea {
   }
 }
 
-function isFlag({ low, high }: Hand): boolean {
-  return low === 0 && high === 1;
+/** What a part is called; where another is called the same, its name in the file too. */
+export function partName({ parts, names }: MachineFacts, part: number): string {
+  const label = parts[part];
+  if (!label) return "";
+  const same = parts.filter((other) => told(other) === told(label)).length > 1;
+  return same ? `${told(label)} (${names[part] ?? ""})` : told(label);
 }
 
-function seconds(ms: number): string {
-  return (ms / 1000).toLocaleString(speak.value === "pt" ? "pt-BR" : "en-US", { minimumFractionDigits: 1, maximumFractionDigits: 1 });
+function isFlag({ low, high }: Hand): boolean {
+  return low === 0 && high === 1;
 }

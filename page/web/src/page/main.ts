@@ -24,7 +24,7 @@ import { moveOn } from "./place";
 import { pointsOf } from "./points";
 import { whyNot } from "./problems";
 import { ProgramView } from "./programview";
-import { programOf } from "./share";
+import { carriedBy } from "./share";
 import { startControl } from "./start";
 import { Tabs } from "./tabs";
 import { toolbar } from "./toolbar";
@@ -67,12 +67,14 @@ async function load(): Promise<void> {
     note(say(back ? "restored" : "replaced"), { text: say(back ? "redo" : "undo"), take: () => open(before, !back) });
   };
   const learning = later(async () => new (await import("./learning")).Learning(remote, program, open, (inputs) => panel.normallyClosed(inputs), machine));
-  const take = async (file: File): Promise<void> => {
-    const text = await read(file);
-    if (!text) return;
-    if (isMachine(text)) await machine.open(text);
-    else if (isScenario(text)) await (await learning())?.take(text);
-    else open(text);
+  /** Opens files: machines first, which the exercises beside them may need. */
+  const take = async (files: readonly File[]): Promise<void> => {
+    const texts = (await Promise.all(files.map(read))).filter((text) => text !== null);
+    const machines = texts.filter(isMachine);
+    const scenarios = texts.filter((text) => !isMachine(text) && isScenario(text));
+    for (const text of machines) await machine.open({ ...text, isOwn: true });
+    for (const text of scenarios) await (await learning())?.take(text, machines);
+    for (const text of texts) if (!machines.includes(text) && !scenarios.includes(text)) open(text);
   };
 
   const trend = new Trend(bench);
@@ -99,12 +101,31 @@ async function load(): Promise<void> {
     { id: "settings", title: "tabSettings", panel: settings, shown: () => void settingsTab().then((tab) => tab?.read()) },
   ]);
   const view = new ProgramView(program, editor, remote, bench, problems, tabs, open, forBoard);
-  const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null));
+  const judged = later(() => import("./judged"));
+  const machine = new MachineArea(bench, (facts) => panel.fold(facts !== null), (file, into) => void judged().then((part) => part?.judge(remote, program, file, into)));
   const start = startControl(bench, program, forBoard, tabs, () => view.goDraw());
   const panel = new Panel(byId("board"), bench, slot, start.control, new Desk(bench, modules).control, machine.root);
   const learn = (what: "lessons" | "exercises"): void => void learning().then((them) => them?.start(what));
-  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, machine });
-  takeDrops(byId("drop"), (file) => void take(file));
+  const shown = later(async () => {
+    const them = await learning();
+    return them && new (await import("./gallery")).Gallery(remote, them, machine, open);
+  });
+  const loadMenus = toolbar(byId("tools"), { program, open, take, view, slot, remote, learn, showMachines: () => void shown().then((gallery) => gallery?.show()) });
+  takeDrops(byId("drop"), (files) => void take(files));
+  /** A program of a link gets a place of its own: what stood here is kept where it was. The others stand beside it. */
+  const fromLink = async (): Promise<void> => {
+    const carried = await carriedBy(location.hash);
+    if (carried === undefined) return;
+    history.replaceState(null, "", location.pathname + location.search);
+    const [text, plant] = carried ? pairs(carried.parts) : [];
+    if (!carried || !text) return note(say("linkBroken"));
+    if (carried.kind === "p") {
+      moveOn();
+      put(text);
+      note(say("linkOpened"));
+    } else if (carried.kind === "m") await machine.open({ ...text, isOwn: true });
+    else await (await learning())?.take(text, plant ? [plant] : []);
+  };
   document.addEventListener("too-large", () => open(tooLarge(bench.board.value)));
 
   new OnBoard(bench, program, remote).shown.follow((made) => {
@@ -117,8 +138,8 @@ async function load(): Promise<void> {
   speakIn(document);
   translate(document);
   bench.simulated.start(new Uint8Array(await firmware));
-  await fromLink(put);
-  addEventListener("hashchange", () => void fromLink(put));
+  await fromLink();
+  addEventListener("hashchange", () => void fromLink());
   document.documentElement.dataset["ready"] = "yes";
   performance.mark("ready");
   setTimeout(() => {
@@ -132,16 +153,10 @@ async function load(): Promise<void> {
   }
 }
 
-/** The program of a link, in a place of its own: what stood here is kept where it was. */
-async function fromLink(put: (text: Text) => void): Promise<void> {
-  const text = await programOf(location.hash);
-  if (text === undefined) return;
-  history.replaceState(null, "", location.pathname + location.search);
-  if (text) {
-    moveOn();
-    put(text);
-  }
-  note(say(text ? "linkOpened" : "linkBroken"));
+/** Texts, each by its name and what it says. */
+function pairs(parts: readonly string[]): Text[] {
+  const at = parts.map((_, index) => index).filter((index) => index % 2 === 0 && index + 1 < parts.length);
+  return at.map((index) => ({ name: parts[index] ?? "", text: parts[index + 1] ?? "" }));
 }
 
 /** The page cannot run here: its HTML says why. What was written is given back as a file. */

@@ -1,26 +1,46 @@
-// A link that carries a program in its fragment, which no server sees.
+// A link that carries a program, an exercise or a machine in its fragment, which no server sees.
 
-import type { Text } from "../tools/answers";
+import { say } from "../words/words";
+import { note } from "./notes";
 
 /** What is inflated at most: a link may be a bomb. */
 const MOST = 1 << 20;
 
-export async function linkOf(text: Text, page: string): Promise<string> {
-  const bytes = new TextEncoder().encode(JSON.stringify([text.name, text.text]));
-  const packed = await all(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")), Number.POSITIVE_INFINITY);
-  const digits = btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
-  return `${page.split("#")[0] ?? ""}#p=${digits}`;
+/** What a link carries, each with its name and text: a program, an exercise with its machine behind it, a machine. */
+export type Kind = "p" | "x" | "m";
+export interface Carried {
+  readonly kind: Kind;
+  readonly parts: readonly string[];
 }
 
-/** The program of a fragment: undefined where it carries none, null where what it carries is no program. */
-export async function programOf(fragment: string): Promise<Text | null | undefined> {
-  const digits = /^#p=(.*)$/.exec(fragment)?.[1];
-  if (digits === undefined) return undefined;
+export async function linkOf(kind: Kind, parts: readonly string[], page: string): Promise<string> {
+  const bytes = new TextEncoder().encode(JSON.stringify(parts));
+  const packed = await all(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")), Number.POSITIVE_INFINITY);
+  const digits = btoa(String.fromCharCode(...packed)).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return `${page.split("#")[0] ?? ""}#${kind}=${digits}`;
+}
+
+/** Puts a link where one can paste it from, or shows it. */
+export async function copyLink(kind: Kind, parts: readonly string[]): Promise<void> {
+  const link = await linkOf(kind, parts, location.href);
+  try {
+    await navigator.clipboard.writeText(link);
+    note(say(kind === "p" ? "shared" : "sharedOther"));
+  } catch {
+    prompt(say("sharedShown"), link);
+  }
+}
+
+/** What a fragment carries: undefined where it carries nothing, null where that is none of these. */
+export async function carriedBy(fragment: string): Promise<Carried | null | undefined> {
+  const [, kind, digits] = /^#([pxm])=(.*)$/.exec(fragment) ?? [];
+  if (kind === undefined || digits === undefined) return undefined;
   try {
     const packed = Uint8Array.from(atob(digits.replaceAll("-", "+").replaceAll("_", "/")), (one) => one.charCodeAt(0));
     const bytes = await all(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw")), MOST);
-    const [name, text] = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)) as unknown[];
-    return typeof name === "string" && typeof text === "string" ? { name: name.slice(0, 100), text } : null;
+    const parts = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)) as unknown;
+    const isRight = Array.isArray(parts) && parts.length >= 2 && parts.every((part) => typeof part === "string");
+    return isRight ? { kind: kind as Kind, parts: (parts as string[]).map((part, at) => (at % 2 === 0 ? part.slice(0, 100) : part)) } : null;
   } catch {
     return null;
   }

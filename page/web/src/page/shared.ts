@@ -7,7 +7,7 @@ const NAME = "board-name";
 /** The token for the board behind this page: empty where none is asked for, null where there is no board. A reload of the
  * page knows it still; the address does not show it. */
 export function sharedToken(): string | null {
-  const token = /^#board(?:\/([\w-]+))?(?:=([0-9a-f]*))?$/.exec(location.hash);
+  const token = /^#board(?:\/([\w-]+))?(?:=([\w.-]*))?$/.exec(location.hash);
   if (token) {
     sessionStorage.setItem(KEY, token[2] ?? "");
     sessionStorage.setItem(NAME, token[1] ?? "");

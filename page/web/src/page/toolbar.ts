@@ -11,12 +11,11 @@ import { download, pick } from "./files";
 import { icon } from "./icons";
 import { keep, kept } from "./kept";
 import { type ListedMachine, listedMachines } from "./listed";
-import type { MachineArea } from "./machine";
 import { entry, menu } from "./menu";
 import { note } from "./notes";
 import { isLetter } from "./paper";
 import { others } from "./place";
-import { linkOf } from "./share";
+import { copyLink } from "./share";
 import type { ProgramView } from "./programview";
 
 const SVG = "image/svg+xml";
@@ -26,13 +25,13 @@ const KEPT = 6;
 interface Parts {
   readonly program: ProgramDocument;
   readonly open: (text: Text) => void;
-  readonly take: (file: File) => Promise<void>;
+  readonly take: (files: readonly File[]) => Promise<void>;
   readonly view: ProgramView;
   readonly slot: CardSlot;
   readonly remote: RemoteTools;
-  readonly machine: MachineArea;
   /** Opens the tutorial or the exercises. */
   learn(what: "lessons" | "exercises"): void;
+  showMachines(): void;
 }
 
 interface Example {
@@ -41,34 +40,28 @@ interface Example {
   readonly text: string;
 }
 
-async function start({ machine, open }: Parts, listed: ListedMachine): Promise<void> {
-  await machine.open(listed);
-  note(told(listed.title), { text: say("machineSolve"), take: () => open(listed.solution) });
-}
-
 /** Puts the bar together; what it gives loads what its menus list, which nobody sees before they are opened. */
 export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly ListedMachine[]> {
   const { program, open } = parts;
   let examples: readonly Example[] = [];
-  let machines: readonly ListedMachine[] = [];
   const tongue = h("select", { id: "speak", "data-say-label": "language" }, h("option", { value: "en", lang: "en" }, "English"), h("option", { value: "pt", lang: "pt-BR" }, "Português"));
   tongue.addEventListener("change", () => setSpeak(tongue.value === "pt" ? "pt" : "en"));
   speak.follow((language) => {
     tongue.value = language;
   });
+  const machines = h("button", { type: "button", id: "machines", "aria-haspopup": "dialog", click: () => parts.showMachines() }, icon("machine"), h("span", { "data-say": "machines" }));
   const lessons = h("button", { type: "button", id: "lessons", click: () => parts.learn("lessons") }, icon("book"), h("span", { "data-say": "lessons" }));
   const exercises = h("button", { type: "button", id: "exercises", click: () => parts.learn("exercises") }, icon("tick"), h("span", { "data-say": "exercises" }));
   const share = h("button", { type: "button", id: "share", "data-say-label": "share", click: () => void shareLink(program) }, icon("share"));
   root.append(
     menu("fileMenu", "folder", () => files(parts)),
     menu("examples", "examples", () => examples.map((one) => entry(one.name, () => open({ name: one.name, text: one.text }), told(one.about)))),
-    menu("machines", "machine", () => machines.map((one) => entry(told(one.title), () => void start(parts, one), told(one.about)))),
-    lessons, exercises, share, theme(), tongue,
+    machines, lessons, exercises, share, theme(), tongue,
   );
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey)) return;
     if (event.key === "s") save(program);
-    else if (event.key === "o") pick((file) => void parts.take(file));
+    else if (event.key === "o") pick((files) => void parts.take(files));
     else return;
     event.preventDefault();
   });
@@ -76,11 +69,7 @@ export function toolbar(root: HTMLElement, parts: Parts): () => Promise<readonly
     void fetch("examples.json").then(async (answer) => {
       examples = (await answer.json()) as Example[];
     });
-    const listed = listedMachines();
-    void listed.then((all) => {
-      machines = all;
-    });
-    return listed;
+    return listedMachines();
   };
 }
 
@@ -107,7 +96,7 @@ function files({ program, open, take, slot, remote }: Parts): HTMLElement[] {
       open({ name: "program.il", text: "" });
       write();
     }),
-    entry(say("openFile"), () => pick((file) => void take(file))),
+    entry(say("openFile"), () => pick((files) => void take(files))),
     entry(say("saveFile"), () => save(program)),
     ...saved,
     ...others().slice(0, KEPT).map(({ name, text, at }) => entry(say("keptBefore", { name }), () => open({ name, text }), new Date(at).toLocaleString(document.documentElement.lang))),
@@ -129,13 +118,7 @@ function save(program: ProgramDocument): void {
 async function shareLink(program: ProgramDocument): Promise<void> {
   const text = program.text.value;
   if (program.lacks.value > 0) note(say("savedUnfinished"));
-  const link = await linkOf(text, location.href);
-  try {
-    await navigator.clipboard.writeText(link);
-    note(say("shared"));
-  } catch {
-    prompt(say("sharedShown"), link);
-  }
+  await copyLink("p", [text.name, text.text]);
 }
 
 function theme(): HTMLElement {

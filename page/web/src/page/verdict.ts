@@ -1,17 +1,22 @@
-// What came of a check: the cases, and of the first that was not passed the timing diagram.
+// What came of a check: the cases, of the first that was not passed the timing diagram, and of a machine what went wrong,
+// seen again.
 
 import type { Outcome, Text } from "../tools/answers";
 import type { RemoteTools } from "../tools/remote";
 import { Refusal } from "../tools/tools";
-import { say, told } from "../words/words";
+import { say, speak, told } from "../words/words";
 import type { ProgramDocument } from "./document";
 import { h } from "./dom";
 import { announce, note } from "./notes";
 import { whyNot } from "./problems";
+import { Replay } from "./replay";
 
 export class Verdict {
   readonly element = h("div", { class: "outcome" });
   private came: Outcome | Refusal | null = null;
+  private replay: Replay | null = null;
+  /** The language in which it was told last. */
+  private spoken = speak.value;
 
   constructor(private readonly tools: RemoteTools) {}
 
@@ -22,12 +27,20 @@ export class Verdict {
       note(whyNot(program));
       return false;
     }
+    const text = program.text.value;
+    this.replay = null;
     try {
-      this.came = await this.tools.ask("exercise", { ...program.text.value, scenario, title, plant: machine?.name, plantText: machine?.text });
+      this.came = await this.tools.ask("exercise", { ...text, scenario, title, plant: machine?.name, plantText: machine?.text });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       this.came = error;
     }
+    const fared = this.came instanceof Refusal ? null : this.came.machine;
+    if (machine && fared?.why && fared.at !== null) {
+      this.replay = new Replay(this.tools, { ...text, plant: machine.name, plantText: machine.text, scenario, at: fared.at, why: fared.why });
+      void this.replay.load(true);
+    }
+    this.spoken = speak.value;
     this.show();
     announce(this.text());
     this.element.scrollIntoView({ block: "nearest" });
@@ -37,6 +50,10 @@ export class Verdict {
   /** Shows it in the language of now. */
   show(): void {
     if (!this.came) return;
+    if (this.spoken !== speak.value) {
+      this.spoken = speak.value;
+      void this.replay?.load(false);
+    }
     const line = h("p", { class: `verdict ${this.passed() ? "good" : "bad"}`, id: "verdict", role: "status" }, this.text());
     if (this.came instanceof Refusal) {
       this.element.replaceChildren(line);
@@ -51,7 +68,7 @@ export class Verdict {
     if (shown) diagram.innerHTML = told(shown.svg);
     const { machine } = this.came;
     const fared = machine && h("p", { class: machine.passed ? "good" : "bad", id: "machine-verdict" }, `${machine.passed ? "✓" : "✗"} ${say("theMachine")}${machine.why ? `: ${told(machine.why)}` : ""}`);
-    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), ...(fared ? [fared] : []), diagram);
+    this.element.replaceChildren(line, h("ul", { class: "cases" }, ...cases), diagram, ...(fared ? [fared] : []), ...(this.replay ? [this.replay.element] : []));
   }
 
   private passed(): boolean {

@@ -123,8 +123,14 @@ export interface Case {
   readonly hidden: boolean;
 }
 
+/** What an exercise asks for: a program, the fault of a machine, the same program in another language. */
+export type ExerciseKind = "program" | "find" | "write";
+
 /** What an exercise says of itself. */
 export interface Sheet {
+  readonly kind: ExerciseKind;
+  /** The program that is to be written in another language; both by the ends of the names of files. */
+  readonly given: { readonly text: string; readonly language: string; readonly answerIn: string } | null;
   /** The name of its machine's file. */
   readonly plant: string | null;
   readonly title: Both;
@@ -145,8 +151,30 @@ export interface Outcome {
   readonly cases: readonly (readonly [Case, boolean])[];
   /** The first that was not passed; of a hidden one nothing is shown. */
   readonly failing: { readonly case: number; readonly shown: Shown | null } | null;
-  /** How the machine fared, where the exercise has one: what went wrong first. */
-  readonly machine: { readonly passed: boolean; readonly why: Both | null } | null;
+  /** How the machine fared, where the exercise has one. */
+  readonly machine: Fared | null;
+}
+
+/** How a machine fared with a program: what went wrong first, and when, in ms. */
+export interface Fared {
+  readonly passed: boolean;
+  readonly why: Both | null;
+  readonly at: number | null;
+}
+
+/** What a machine did about the time at which something went wrong. */
+export interface Replayed {
+  readonly from: number;
+  readonly until: number;
+  readonly at: number;
+  /** From one picture to the next, ms. */
+  readonly every: number;
+  /** The first picture, and what changes with each of the others. */
+  readonly svg: string;
+  readonly frames: readonly MachineLook["changes"][];
+  readonly diagram: string;
+  /** Where its times are in the diagram: the place of the first, and how far it is to the last. */
+  readonly plot: readonly [number, number];
 }
 
 /** What is shown of a case that was not passed. */
@@ -348,7 +376,10 @@ export interface MachineFacts {
   readonly about: Both;
   readonly svg: string;
   readonly hands: readonly Hand[];
-  /** The part, the fault, and what to call it. */
+  /** What people call its parts, and how the file names them. */
+  readonly parts: readonly Both[];
+  readonly names: readonly string[];
+  /** How they can fail: the part, the fault, and what to call it. */
   readonly faults: readonly (readonly [number, string, Both])[];
   /** What must never be, and what must come to be. */
   readonly rules: readonly Both[];
@@ -368,6 +399,14 @@ export interface MachineLook {
   readonly met: readonly number[];
   /** What can be changed by hand, as it stands. */
   readonly hands: readonly number[];
+  readonly search: Searched | null;
+}
+
+/** How far somebody is who looks for the fault of a machine. */
+export interface Searched {
+  readonly steps: number;
+  readonly tries: number;
+  readonly found: boolean;
 }
 
 /** What may be asked, and what is answered. */
@@ -380,13 +419,23 @@ export interface Asks {
   pages: { ask: Text & { letter: boolean; width: number; speak: Speak }; answer: readonly string[] };
   sheet: { ask: { scenario: string; title: string }; answer: Sheet };
   exercise: { ask: Text & { scenario: string; title: string; plant?: string | undefined; plantText?: string | undefined }; answer: Outcome };
+  /** Whether a program does what a machine asks. */
+  trial: { ask: Text & { plant: string; plantText: string }; answer: Fared };
+  /** A number for all that a machine is with a program in each of so many ms. */
+  trace: { ask: Text & { plant: string; plantText: string; ms: number }; answer: string };
+  replay: { ask: Text & { plant: string; plantText: string; scenario?: string; at: number; why: string; speak: Speak }; answer: Replayed };
+  /** The picture of a machine that stands. */
+  picture: { ask: Text & { speak: Speak }; answer: string };
   card: { ask: { program: string; state: boolean }; answer: CardImage };
   /** A file of a card, from the blocks that are not empty. */
   read: { ask: { blocks: CardImage["blocks"]; name: string }; answer: string | null };
   /** Bytes that are free on a card; null where it has no FAT16 or FAT32. */
   free: { ask: { blocks: CardImage["blocks"] }; answer: number | null };
   /** `keep`: the one that is open goes on, and is told in this language. */
-  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean; board?: string }; answer: MachineFacts };
+  machine: { ask: { name: string; text: string; speak: Speak; keep?: boolean; board?: string; find?: string }; answer: MachineFacts };
+  /** Somebody forces a point of the board: a step of a search. */
+  machineForced: { ask: object; answer: null };
+  machineName: { ask: { part: number; fault: string }; answer: Searched | null };
   machineStep: { ask: { levels: number; shares: readonly number[]; ms: number }; answer: { readonly inputs: readonly number[]; readonly analogue: readonly (readonly [number, number])[] } };
   machineLook: { ask: object; answer: MachineLook };
   machineHand: { ask: { part: number; value: number; to: number }; answer: null };

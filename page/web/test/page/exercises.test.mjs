@@ -40,7 +40,8 @@ test("an exercise shows its task and hints, and the first failing case as a timi
   };
   await check("wrong/05-motor.il");
   await exercise.locator("#verdict.bad", { hasText: "At 400 ms Q1 is 0; it should be 1." }).waitFor();
-  const diagram = exercise.locator(".diagram svg");
+  // What went wrong with the machine plays beneath, with a diagram of its own.
+  const diagram = exercise.locator(".diagram:not(#replay .diagram) svg");
   for (const text of ["Start and let go", "I1 start", "Q1 motor", "expected", "came"]) await diagram.getByText(text, { exact: true }).first().waitFor();
 
   // Of a hidden case nothing is seen but its title.
@@ -93,7 +94,7 @@ test("on a phone the timing diagram scrolls and stays readable, and axe-core fin
   await page.tap("#exercises");
   await page.selectOption("#exercise-list", { index: 5 });
   await page.tap("#exercise-check");
-  const diagram = page.locator("#exercise .diagram");
+  const diagram = page.locator("#exercise .diagram:not(#replay .diagram)");
   await diagram.locator("svg").waitFor();
   assert.ok(await diagram.evaluate((it) => it.scrollWidth > it.clientWidth && it.scrollWidth >= 640));
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);

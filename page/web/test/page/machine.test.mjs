@@ -21,7 +21,7 @@ after(() => lab.end());
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** Opens a machine of the menu. @param {Page} page @param {RegExp} name */
+/** Opens a machine of the gallery. @param {Page} page @param {RegExp} name */
 async function open(page, name) {
   await pick(page, name);
   await page.locator("#machine").waitFor();
@@ -29,8 +29,8 @@ async function open(page, name) {
 
 /** The same, where it may be refused. @param {Page} page @param {RegExp} name */
 async function pick(page, name) {
-  await page.click("#menu-machines");
-  await page.locator("#menu-machines + div button", { hasText: name }).click();
+  await page.click("#machines");
+  await page.locator("#gallery .gallery-card", { has: page.locator("h3", { hasText: name }) }).locator("[data-machine]").click();
 }
 
 /** Presses a symbol of the machine for as long as `act` takes. @param {Page} page @param {string} part @param {() => Promise<unknown>} act */

@@ -3,39 +3,8 @@
 // @ts-check
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { test } from "node:test";
-import { built } from "../../serve.mjs";
-
-/** A module, and how it is asked: bytes in, text out.
- * @param {string} file */
-async function load(file) {
-  const { instance } = await WebAssembly.instantiate(readFileSync(join(built, file)), {});
-  const rust = /** @type {any} */ (instance.exports);
-  return (/** @type {Uint8Array} */ request) => {
-    const room = rust.unoclp_room(request.length);
-    new Uint8Array(rust.memory.buffer, room, request.length).set(request);
-    const length = rust.unoclp_call();
-    return new TextDecoder("utf-8", { fatal: true }).decode(new Uint8Array(rust.memory.buffer, rust.unoclp_answer(), length));
-  };
-}
-
-/** @typedef {Awaited<ReturnType<typeof load>>} Call */
-/** @param {Call} call @param {unknown} request */
-function ask(call, request) {
-  return JSON.parse(call(new TextEncoder().encode(JSON.stringify(request))));
-}
-
-/** Numbers below a limit, always the same ones (mulberry32). @param {number} seed */
-function random(seed) {
-  return (/** @type {number} */ limit) => {
-    seed = (seed + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(seed ^ (seed >>> 15), 1 | seed);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return Math.floor((((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32) * limit);
-  };
-}
+import { ask, load, random } from "./module.mjs";
 
 const IL = { name: "a.il", text: "LD I1\nTON T1, 20\nST Q1\n" };
 const ST = { name: "a.st", text: "PROGRAM p VAR q AT %QX1 : BOOL; END_VAR q := TRUE; END_PROGRAM" };

@@ -6,10 +6,11 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { DRAW } from "../../src/words/drawtable";
 import { EDITOR } from "../../src/words/editortable";
+import { LEARN } from "../../src/words/learntable";
 import { TABLE } from "../../src/words/table";
 
-/** That of the page, and that of the drawing screen, which is loaded later. */
-const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...DRAW };
+/** That of the page, and those of its parts that are loaded later. */
+const ALL: Readonly<Record<string, readonly [string, string]>> = { ...TABLE, ...DRAW, ...LEARN };
 
 /** The files of a folder and of those in it. */
 const below = (folder: string): string[] => readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.\w+$/.test(name)).map((name) => join(folder, name));
@@ -22,7 +23,8 @@ const SAME: readonly string[] = ["commandRun", "commandStop", "viewLadder", "lan
 const values = (text: string): string[] => [...text.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? "").sort();
 
 test("no table takes the words of another", () => {
-  assert.deepEqual(Object.keys(DRAW).filter((key) => key in TABLE), []);
+  const keys = [TABLE, DRAW, LEARN].flatMap((table) => Object.keys(table));
+  assert.deepEqual(keys.filter((key, at) => keys.indexOf(key) !== at), []);
 });
 
 test("no text is without its twin", () => {
@@ -59,7 +61,7 @@ test("the rates that the page offers are those of Rust", () => {
 
 test("no text is without a use", () => {
   const folders = ["src/page", "src/words", "static"].map((folder) => join(lab, folder));
-  const tables = ["src/words/table.ts", "src/words/drawtable.ts"].map((file) => join(lab, file));
+  const tables = ["src/words/table.ts", "src/words/drawtable.ts", "src/words/learntable.ts"].map((file) => join(lab, file));
   const all = folders.flatMap(below).filter((file) => !tables.includes(file)).map((file) => readFileSync(file, "utf8")).join("\n");
   const idle = Object.keys(ALL).filter((key) => !all.includes(`"${key}"`));
   assert.deepEqual(idle, []);

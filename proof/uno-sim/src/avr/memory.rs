@@ -34,19 +34,15 @@ impl Avr {
         unsafe { *(*avr.as_ptr()).data.add(usize::from(address)) = value };
     }
 
-    /// Two registers, `address` the low byte.
+    /// The bytes of data space from this address on.
     #[inline]
-    pub fn register_pair(&self, address: u16) -> u16 {
-        debug_assert!(u32::from(address) < RAM_END);
-        // SAFETY: as in `register_of`, for two bytes; they need not be aligned.
-        let bytes = unsafe {
-            (*self.avr.as_ptr())
-                .data
-                .add(usize::from(address))
-                .cast::<[u8; 2]>()
-                .read()
-        };
-        u16::from_le_bytes(bytes)
+    pub fn eight_registers(&self, address: u16) -> [u8; 8] {
+        debug_assert!(u32::from(address) + 7 <= RAM_END);
+        // SAFETY: as in `register_of`, for eight bytes; they need not be aligned.
+        unsafe {
+            let data = (*self.avr.as_ptr()).data.add(usize::from(address));
+            data.cast::<[u8; 8]>().read()
+        }
     }
 
     /// Sets a register, without the side effects of a write by the program.

@@ -8,6 +8,7 @@ use crate::common;
 use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::{Board, Millis};
+use unoclp_exercise::scenario::Exercise;
 use unoclp_host_sim::engine::{Engine, HostEngine};
 use unoclp_plant::{Outputs, Plant, Run, read};
 use unoclp_program::Written;
@@ -22,8 +23,36 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../programs/plants")
 }
 
-/// Each machine with its model solution.
-fn plants() -> Vec<(String, Plant, Vec<u8>)> {
+/// A machine with its model solution.
+type Solved = (String, Plant, Vec<u8>);
+
+/// The machines of the exercises that are none of the gallery, each with the model solution of its exercise.
+fn of_exercises() -> Vec<Solved> {
+    let folder = folder().join("../exercises");
+    let entries = fs::read_dir(&folder).unwrap();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_some_and(|end| end == "toml"));
+    files.sort();
+    let load = |file: PathBuf| {
+        let exercise = Exercise::load(&file, Board::UNO).unwrap();
+        let plant = exercise
+            .plant
+            .filter(|plant| plant.starts_with(folder.join("machines")))?;
+        let plant = read(&fs::read_to_string(&plant).unwrap(), Board::UNO);
+        let program = exercise.program.unwrap();
+        Some((plant.unwrap(), program))
+    };
+    let solved = |(plant, program): (Plant, PathBuf)| {
+        let name = program.display().to_string();
+        let written = Written::new(name.clone(), fs::read(&program).unwrap(), Board::UNO);
+        let source = written.check(None).unwrap_or_else(|_| panic!("{name}"));
+        (name, plant, source.code)
+    };
+    files.into_iter().filter_map(load).map(solved).collect()
+}
+
+/// Each machine of the gallery with its model solution.
+fn plants() -> Vec<Solved> {
     let entries = fs::read_dir(folder()).unwrap();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|file| file.extension().is_some_and(|end| end == "toml"));
@@ -43,12 +72,10 @@ fn plants() -> Vec<(String, Plant, Vec<u8>)> {
 }
 
 /// Compares the firmware with the core for so long, ms.
-fn compare<S: Simulated>(span: u64) {
+fn compare<S: Simulated>(plants: &[Solved], span: u64) {
     let mut uno = FirmwareEngine::<S>::new(common::firmware(), Clock::Lockstep).unwrap();
     let mut moved = 0;
-    let plants = plants();
-    assert_eq!(plants.len(), 16);
-    for (name, plant, code) in &plants {
+    for (name, plant, code) in plants {
         let mut core = HostEngine::new(Board::UNO);
         assert_eq!(core.load(code), Ok(Ok(())), "{name}");
         uno.load(code)
@@ -92,10 +119,19 @@ fn compare<S: Simulated>(span: u64) {
 
 #[test]
 fn the_firmware_controls_machines_as_the_core_does() {
-    compare::<Uno>(6000);
+    let plants = plants();
+    assert_eq!(plants.len(), 16);
+    compare::<Uno>(&plants, 6000);
+}
+
+#[test]
+fn the_firmware_controls_the_machines_of_the_exercises() {
+    let plants = of_exercises();
+    assert_eq!(plants.len(), 28);
+    compare::<Uno>(&plants, 2500);
 }
 
 #[test]
 fn the_firmware_on_avr8js_controls_machines_as_the_core_does() {
-    compare::<Avr8js>(3000);
+    compare::<Avr8js>(&plants(), 3000);
 }

@@ -73,6 +73,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "Copia o histórico de um arquivo para o banco de dados que o arquivo de instalação indica; nada pode servir a instalação enquanto isso",
     ),
     (
+        "site key",
+        "Cria um token para um usuário, e a chave que o arquivo de instalação tem dele",
+    ),
+    (
         "site history",
         "Mostra o que um ponto foi, para uma planilha: valores separados por vírgula",
     ),
@@ -292,6 +296,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ),
     (
         "serve",
+        "exercises",
+        "Mostra na página também os exercícios e as máquinas desta pasta",
+    ),
+    (
+        "serve",
         "site",
         "Compartilha as placas deste arquivo de instalação, como ele diz",
     ),
@@ -305,6 +314,16 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
         "site move",
         "from",
         "O arquivo em que o histórico estava até agora",
+    ),
+    (
+        "site key",
+        "name",
+        "O usuário: uma letra, depois letras, algarismos, - ou _",
+    ),
+    (
+        "site key",
+        "role",
+        "O que o usuário pode: watch (observar), operate (operar) ou engineer (mudar programas também) [padrão: operate]",
     ),
     ("site history", "site", "O arquivo de instalação (.toml)"),
     ("site history", "point", "Placa e ponto: estufa.level"),

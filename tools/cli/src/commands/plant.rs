@@ -10,7 +10,7 @@ use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use unoclp_cli::{film, messages};
 use unoclp_core::Board;
-use unoclp_exercise::machine::{First, control, first_wrong};
+use unoclp_exercise::machine::{First, control, with_chances};
 use unoclp_host_sim::engine::HostEngine;
 use unoclp_plant::{Picture, Plant, Run, Unit, Verdict, picture};
 use unoclp_program::shown;
@@ -285,9 +285,14 @@ fn say_verdict(plant: &Plant, verdict: &Verdict) {
 }
 
 /// What went wrong first with a machine that this program controls; nothing, where all is well.
-pub(super) fn what_first(plant: &Plant, program: &[u8], board: Board) -> Option<String> {
+pub(super) fn what_first(
+    plant: &Plant,
+    seeds: &[u32],
+    program: &[u8],
+    board: Board,
+) -> Option<String> {
     let lang = messages::spoken();
-    match first_wrong(plant, plant.seed, program, &mut HostEngine::new(board)) {
+    match with_chances(plant, seeds, program, &mut HostEngine::new(board)) {
         Ok(first) => Some(first?.text(plant, lang)),
         Err(ended) => Some(ended.text(lang)),
     }

@@ -15,6 +15,9 @@ pub struct Doors {
     /// Share the board at this serial port: /dev/ttyACM0, /dev/ttyUSB0, COM3 …
     #[arg(long)]
     port: Option<String>,
+    /// Have the exercises and machines of this folder in the page too
+    #[arg(long, value_name = "FOLDER")]
+    exercises: Option<PathBuf>,
     /// Share the boards of this site file, as it says
     #[arg(long, value_name = "SITE.toml", conflicts_with_all = ["http", "port", "address", "rate", "parity"])]
     site: Option<PathBuf>,
@@ -25,14 +28,25 @@ pub struct Doors {
 /// Serves the page until Ctrl-C, and shares the boards if there are some.
 #[cfg(feature = "page")]
 pub fn serve(doors: Doors) -> Outcome {
+    use unoclp_cli::own::Own;
     use unoclp_cli::shared::{page, share, share_site};
     use unoclp_cli::site_file;
     let Doors {
         http,
         port,
+        exercises,
         site,
         spoken,
     } = doors;
+    let open = |folder: &std::path::Path| Own::open(folder, unoclp_client::AT_A_LINE);
+    let own = exercises.as_deref().map(open).transpose()?;
+    let page = move |path: &str| {
+        let file = page(path)?;
+        Some(match &own {
+            Some(own) => own.among(path, file),
+            None => file,
+        })
+    };
     let Some(path) = site else {
         let place = port.map(|port| spoken.at(port));
         share(http, place, page)?;
@@ -58,10 +72,11 @@ pub fn serve(doors: Doors) -> Outcome {
     let Doors {
         http,
         port,
+        exercises,
         site,
         spoken,
     } = doors;
     // What was asked for waits for a program that has the page.
-    drop((http, port.map(|port| spoken.at(port)), site));
+    drop((http, port.map(|port| spoken.at(port)), exercises, site));
     Err(anyhow::anyhow!(unoclp_cli::messages::no_page()))
 }

@@ -4,10 +4,10 @@ use crate::outcome::Outcome;
 use anyhow::anyhow;
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 use unoclp_cli::{messages, site_file, stores};
 use unoclp_history::{Database, Failure, NotMoved, Postgres, Query, Sqlite, csv};
-use unoclp_journal::File;
+use unoclp_journal::{File, now};
 use unoclp_program::shown;
 use unoclp_site::{Site, Store, duration, plan};
 
@@ -28,6 +28,15 @@ pub enum OfSite {
         /// The file in which the history was until now
         #[arg(value_name = "HISTORY.db")]
         from: PathBuf,
+    },
+    /// Make a token for a user, and the key that the site file has of it
+    Key {
+        /// The user: a letter, then letters, digits, - or _
+        #[arg(value_name = "NAME")]
+        name: String,
+        /// What the user may do: watch, operate or engineer
+        #[arg(long, default_value = "operate", value_parser = ["watch", "operate", "engineer"])]
+        role: String,
     },
     /// Print what a point was, for a spreadsheet: comma-separated values
     History {
@@ -58,6 +67,7 @@ pub fn site(of: &OfSite) -> Outcome {
     match of {
         OfSite::Check { site } => check(site),
         OfSite::Move { site, from } => move_history(site, from),
+        OfSite::Key { name, role } => key(name, role),
         OfSite::History { asked } => history(asked),
     }
 }
@@ -118,6 +128,20 @@ fn move_history(path: &Path, from: &Path) -> Outcome {
     Ok(true)
 }
 
+/// Makes a token and its key.
+fn key(name: &str, role: &str) -> Outcome {
+    let may_be = |ch: char| ch.is_ascii_alphanumeric() || matches!(ch, '-' | '_');
+    let is_name = name.len() <= 32
+        && name.starts_with(|ch: char| ch.is_ascii_alphabetic())
+        && name.chars().all(may_be);
+    if !is_name {
+        anyhow::bail!(messages::no_user_name(name));
+    }
+    let made = unoclp_key::make(name).map_err(|why| anyhow!(messages::no_key(why.0)))?;
+    say!("{}", messages::user_key(made.token, name, role, made.key));
+    Ok(true)
+}
+
 fn history(asked: &Asked) -> Outcome {
     let Some(site) = open(&asked.site)? else {
         return Ok(false);
@@ -144,7 +168,7 @@ fn history(asked: &Asked) -> Outcome {
             .collect();
         anyhow::bail!(messages::not_in_history(&asked.point, names.join(", ")));
     }
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, ms);
+    let now = now();
     let rows = store.rows(&Query {
         board: board.to_owned(),
         point: point.to_owned(),

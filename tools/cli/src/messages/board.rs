@@ -144,6 +144,20 @@ pub fn journal_failure(file: &Path, failure: &unoclp_history::Failure) -> String
     }
 }
 
+/// Why the record in this file cannot be used.
+pub fn record_failure(file: &Path, failure: &unoclp_history::Failure) -> String {
+    use unoclp_history::Failure::{Busy, Foreign, Full, Other, ReadOnly, Version};
+    let file = shown(file);
+    match failure {
+        Foreign => record_foreign(file),
+        Version(version) => record_version(file, version),
+        Full => record_full(file),
+        ReadOnly => history_read_only(file),
+        Busy => history_fails(file, held()),
+        Other(why) => history_fails(file, why),
+    }
+}
+
 /// What stays forced at a board that is left, and how long.
 pub fn left_forced(forced: Forced) -> String {
     match forced.seconds() {

@@ -11,8 +11,8 @@ mod spoken;
 mod table;
 
 pub use board::{
-    broken, failure, foreign, journal_failure, left_forced, lock, parity, pass, settings,
-    spoken_line, stage, start, store_failure, trouble, volts,
+    broken, failure, foreign, journal_failure, left_forced, lock, parity, pass, record_failure,
+    settings, spoken_line, stage, start, store_failure, trouble, volts,
 };
 #[cfg(test)]
 pub(crate) use spoken::SPOKEN_HERE;

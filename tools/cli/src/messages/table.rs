@@ -249,6 +249,12 @@ unoclp_words::messages! {
     not_served(address, error)
         "cannot serve the page at {address}: {error}. Give another address with --http; --http 127.0.0.1:0 picks a free port"
         "não é possível servir a página em {address}: {error}. Indique outro endereço com --http; --http 127.0.0.1:0 escolhe uma porta livre";
+    own(folder, exercises, machines)
+        "{folder} adds to the page: exercises {exercises}, machines {machines}"
+        "{folder} acrescenta à página: exercícios {exercises}, máquinas {machines}";
+    own_too_long(file, most)
+        "{file} is not a file, or is larger than {most} bytes; the page leaves it out"
+        "{file} não é um arquivo ou passa de {most} bytes; a página o deixa de fora";
     watch_at(page) "to watch:   {page}" "acompanhar: {page}";
     control_at(page) "to control: {page}" "controlar:  {page}";
     open_to_network()
@@ -356,6 +362,32 @@ unoclp_words::messages! {
     moved(file, points, rows, database)
         "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
         "{file}: {points} pontos com {rows} linhas estão também em {database}; inicie unoclp serve de novo";
+    alarm_came(name, text) "alarm {name}: {text}" "alarme {name}: {text}";
+    alarm_gone(name) "alarm {name}: gone" "alarme {name}: passou";
+    alarm_acknowledged(name, who)
+        "alarm {name}: acknowledged by {who}"
+        "alarme {name}: reconhecido por {who}";
+    record_foreign(file)
+        "{file} is not a record of unoclp, and was not changed; move it away"
+        "{file} não é um livro de ocorrências do unoclp e não foi alterado; tire-o dali";
+    record_version(file, version)
+        "{file} is a record of a later version of unoclp (form {version}), and was not changed; use that version, or move the file away"
+        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}) e não foi alterado; use essa versão ou tire o arquivo dali";
+    record_full(file)
+        "{file} cannot grow: the disk is full. New entries wait in memory; free some space"
+        "{file} não pode crescer: o disco está cheio. As novas entradas esperam na memória; libere espaço";
+    user_key(token, name, role, key)
+        "token for {name} only, shown this once: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
+        "token só para {name}, mostrado só esta vez: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
+    no_user_name(name)
+        "{name} is not a valid user name; start with a letter, then use letters, digits, - or _, at most 32 characters"
+        "{name} não é um nome de usuário válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
+    no_key(why)
+        "cannot make a key: {why}"
+        "não foi possível criar uma chave: {why}";
+    users_at(page)
+        "users: {page}#board=TOKEN, each with the token that `unoclp site key` printed"
+        "usuários: {page}#board=TOKEN, cada um com o token que `unoclp site key` mostrou";
     history_again(file) "{file}: written again" "{file}: gravado de novo";
     port_gone(why) "the port has disappeared: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";

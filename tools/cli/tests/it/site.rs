@@ -129,3 +129,32 @@ fn the_history_of_a_point_is_printed_for_a_spreadsheet() {
     assert_eq!(code, 2);
     assert!(told.contains("não é um histórico do unoclp"), "{told}");
 }
+
+#[test]
+fn a_key_is_made_for_a_user_and_the_token_is_shown_once() {
+    let (code, said, _) = outcome(&["site", "key", "ana"]);
+    assert_eq!(code, 0);
+    let token = said.lines().next().unwrap().rsplit_once(' ').unwrap().1;
+    assert!(token.starts_with("ana.") && token.len() == 36, "{said}");
+    let of_file = said.split_once("\n\n").unwrap().1;
+    assert!(
+        of_file.contains("role = \"operate\"\nkey = \"$argon2id$"),
+        "{said}"
+    );
+    assert!(!of_file.contains(token));
+    let folder = empty_folder("key");
+    let file = folder.join("site.toml");
+    let board = "[[line]]\nport = \"/dev/ttyACM0\"\n[[line.board]]\nname = \"estufa\"\n";
+    fs::write(&file, format!("{board}{of_file}")).unwrap();
+    let (code, said, _) = outcome(&["site", "check", file.to_str().unwrap()]);
+    assert_eq!(code, 0, "{said}");
+    assert!(
+        said.contains("user ana: operates, and acknowledges alarms"),
+        "{said}"
+    );
+    let (code, _, told) = outcome(&["site", "key", "a.b"]);
+    assert_eq!(code, 2);
+    assert!(told.contains("a.b cannot be a user's name"), "{told}");
+    let (code, _, _) = outcome(&["site", "key", "ana", "--role", "root"]);
+    assert_eq!(code, 2);
+}

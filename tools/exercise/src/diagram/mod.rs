@@ -1,6 +1,7 @@
 //! A run of a scenario as a picture: what was pressed, and for each output what was expected above what came.
 //!
 //! - `lanes`: what there is to show
+//! - `moment`: what passed between a program and its machine about a moment
 //! - `stroke`: a course over time as lines and boxes
 //! - `words`: the words in it
 //!
@@ -8,8 +9,11 @@
 //! What differs is told by words and by place too, never by colour alone.
 
 mod lanes;
+mod moment;
 mod stroke;
 mod words;
+
+pub use moment::Moment;
 
 use crate::scenario::{Both, Report, Scenario};
 use lanes::{Lane, lanes};
@@ -60,7 +64,11 @@ pub fn svg(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> Stri
         ));
     }
     page = page.add(label(MARGIN, y + 12.0, &words::legend(lang), PALE));
-    let height = y + 12.0 + MARGIN;
+    document(page, y + 12.0 + MARGIN, &about.join("\n"))
+}
+
+/// A page of this height as a document.
+fn document(page: Group, height: f32, about: &str) -> String {
     let paper = Rectangle::new()
         .set("width", WIDTH)
         .set("height", height)
@@ -72,7 +80,7 @@ pub fn svg(runs: &[Run<'_>], names: &BTreeMap<String, Both>, lang: Lang) -> Stri
         .set("role", "img")
         .set("font-family", "Helvetica, Arial, 'DejaVu Sans', sans-serif")
         .set("font-size", 13)
-        .add(Title::new(about.join("\n")))
+        .add(Title::new(about))
         .add(paper)
         .add(page)
         .to_string()
@@ -92,6 +100,7 @@ fn drawn(run: Run<'_>, names: &BTreeMap<String, Both>, lang: Lang, y: f32) -> (G
     let scale = Scale {
         left: LEFT,
         width: PLOT,
+        from: 0,
         until: plan.until.max(1),
     };
     let (mut drawn, mut bottom) = (Group::new(), top);
@@ -173,10 +182,13 @@ fn cut(text: &str) -> String {
 /// The times below the lanes, and thin lines up from them.
 fn axis(scale: Scale, top: f32, bottom: f32, lang: Lang) -> Group {
     let steps = (0..9).flat_map(|power| [1, 2, 5].map(|step: Millis| step * 10_u32.pow(power)));
-    let is_wide = |step: &Millis| scale.until / step <= 10;
-    let step = steps.into_iter().find(is_wide).unwrap_or(Millis::MAX);
+    let span = scale.until.saturating_sub(scale.from);
+    let is_wide = |step: &Millis| span / step <= 10;
+    let mut steps = steps.into_iter();
+    let step = steps.find(is_wide).unwrap_or(Millis::MAX);
+    let first = scale.from.div_ceil(step).saturating_mul(step);
     let mut group = Group::new();
-    for at in (0..=scale.until).step_by(step as usize) {
+    for at in (first..=scale.until).step_by(step as usize) {
         let x = scale.x(at);
         let time = match step % 100 {
             0 => words::seconds(lang, at / 1000, at % 1000 / 100),

@@ -12,18 +12,22 @@ pub(super) const ROW: f32 = 24.0;
 /// Where a time stands on the page.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
-    /// The time 0.
+    /// The place of the beginning.
     pub left: f32,
     /// From there to the end.
     pub width: f32,
-    /// The end, 1 ms or more.
+    /// The beginning.
+    pub from: Millis,
+    /// The end, 1 ms or more after it.
     pub until: Millis,
 }
 
 impl Scale {
     /// The place of a time.
     pub fn x(self, at: Millis) -> f32 {
-        self.left + self.width * (at.min(self.until) as f32 / self.until as f32)
+        let at = at.min(self.until).saturating_sub(self.from);
+        let span = self.until.saturating_sub(self.from).max(1);
+        self.left + self.width * (at as f32 / span as f32)
     }
 }
 

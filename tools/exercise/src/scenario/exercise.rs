@@ -13,6 +13,9 @@ use toml::Spanned;
 use unoclp_core::Board;
 use unoclp_host_sim::engine::Refusal;
 
+/// A machine has no more runs with hidden chances.
+const MOST_SEEDS: usize = 20;
+
 /// A scenario file whose every value has passed its checks.
 #[derive(Clone, Debug)]
 pub struct Exercise {
@@ -34,6 +37,8 @@ pub struct Exercise {
     pub program: Option<PathBuf>,
     /// The file of the machine that a program controls, where one is named.
     pub plant: Option<PathBuf>,
+    /// What chance begins with in further runs of the machine, which a student does not see.
+    pub seeds: Vec<u32>,
     /// The program that is to be written in another language, where one is given.
     pub given: Option<Given>,
     /// The fault that is to be found, where that is the task.
@@ -110,7 +115,18 @@ impl Exercise {
         if let (Some(find), None) = (&keys.find, &keys.plant) {
             return Err(slip(Some(find.span()), Wrong::FindWithout));
         }
+        if let (Some(seeds), None) = (&keys.seeds, &keys.plant) {
+            return Err(slip(Some(seeds.span()), Wrong::SeedsWithout));
+        }
+        let seeds = keys.seeds.as_ref().map(Spanned::get_ref);
+        if let (Some(place), Some(true)) = (&keys.seeds, seeds.map(|all| all.len() > MOST_SEEDS)) {
+            return Err(slip(
+                Some(place.span()),
+                Wrong::ManySeeds { most: MOST_SEEDS },
+            ));
+        }
         Ok(Exercise {
+            seeds: seeds.cloned().unwrap_or_default(),
             name: name.to_owned(),
             cases: cases(
                 keys,

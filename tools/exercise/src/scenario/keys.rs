@@ -61,6 +61,7 @@ pub(super) struct FileKeys {
     pub(super) equivalent: Vec<Equivalent>,
     pub(super) program: Option<Spanned<String>>,
     pub(super) plant: Option<Spanned<String>>,
+    pub(super) seeds: Option<Spanned<Vec<u32>>>,
     pub(super) text: Option<Spanned<TextKey>>,
     pub(super) given: Option<Spanned<String>>,
     pub(super) answer_in: Option<Spanned<String>>,

@@ -108,6 +108,8 @@ fn wrong(wrong: &Wrong, lang: Lang) -> String {
         Wrong::NoLanguage => no_language(lang),
         Wrong::FaultyGiven => faulty_given(lang),
         Wrong::FindWithout => find_without(lang),
+        Wrong::SeedsWithout => seeds_without(lang),
+        Wrong::ManySeeds { most } => many_seeds(lang, most),
         Wrong::TwoPrograms => two_programs(lang),
         Wrong::LongText { most } => long_text(lang, most),
         Wrong::FaultAndSteps => fault_and_steps(lang),

@@ -49,6 +49,15 @@ unoclp_words::messages! {
     find_without()
         "[find] hides a fault in a machine; name one with `plant`"
         "[find] esconde uma falha em uma máquina; indique uma com `plant`";
+    seeds_without()
+        "`seeds` are further chances of a machine; name one with `plant`"
+        "`seeds` são outros acasos de uma máquina; indique uma com `plant`";
+    many_seeds(most)
+        "`seeds` has more than {most}; leave some out"
+        "`seeds` tem mais de {most}; tire alguns";
+    hidden_chance(seed, why)
+        "with hidden chances ({seed}): {why}"
+        "com acasos ocultos ({seed}): {why}";
     two_programs()
         "`program` and `text` both give a program; keep one of them"
         "`program` e `text` dão cada um um programa; deixe só um dos dois";

@@ -55,6 +55,13 @@ pub enum Wrong {
     FaultyGiven,
     /// It hides a fault in no machine.
     FindWithout,
+    /// There are seeds, and no machine.
+    SeedsWithout,
+    /// There are too many seeds.
+    ManySeeds {
+        /// So many there may be.
+        most: usize,
+    },
     /// It gives two programs.
     TwoPrograms,
     /// The text of its program is too long.

@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use unoclp_core::Board;
 use unoclp_exercise::find::{Answer, Search};
-use unoclp_exercise::machine::{First, first_wrong};
+use unoclp_exercise::machine::{First, first_wrong, with_chances};
 use unoclp_exercise::mutants::passing;
 use unoclp_exercise::scenario::{Exercise, ProgramFile, grade, passes};
 use unoclp_host_sim::engine::HostEngine;
-use unoclp_plant::{Plant, read};
+use unoclp_plant::{Plant, Run, read};
 use unoclp_program::Lang;
 
 /// The machine of an exercise.
@@ -38,16 +38,20 @@ fn first(plant: &Plant, code: &[u8]) -> Option<String> {
 
 #[test]
 fn each_model_solution_controls_its_machine() {
-    let mut count = 0;
+    let (mut count, mut hidden) = (0, 0);
     for (name, exercise) in exercises() {
         let Some(plant) = plant(&exercise) else {
             continue;
         };
         count += 1;
         let code = program(exercise.program.as_deref().unwrap()).bytes;
-        assert_eq!(first(&plant, &code), None, "{name}");
+        let engine = &mut HostEngine::new(plant.board);
+        let wrong = with_chances(&plant, &exercise.seeds, &code, engine).unwrap();
+        let told = wrong.map(|wrong| wrong.text(&plant, Lang::En));
+        assert_eq!(told, None, "{name}");
+        hidden += exercise.seeds.len();
     }
-    assert!(count >= 36, "{count}");
+    assert!(count >= 36 && hidden > 4, "{count}, {hidden}");
 }
 
 #[test]
@@ -221,12 +225,24 @@ fn each_hidden_fault_shows_and_can_be_named() {
         assert!(first(&broken, &code).is_some(), "{name}: nobody sees it");
 
         let mut search = Search::new(&plant, hidden).unwrap();
-        assert!(search.run().fails(part, fault));
+        let mut run = Run::new(&plant, plant.seed).by_hand();
+        search.begin(&mut run);
+        assert!(run.fails(part, fault));
+        let button = plant.parts.iter().position(|own| own.kind.name == "button");
+        let button = button.unwrap();
+        let pressed = plant.parts[button].kind.value("pressed").unwrap();
+        // Pressed and let go, twice, and a point is forced.
+        for to in [1, 0, 1, 0] {
+            search.touched(&plant, button, pressed, to);
+        }
+        search.forced();
         let other = (0..plant.parts.len()).find(|one| *one != part).unwrap();
-        search.hand(other, 0, 1);
         assert!(!search.name(other, fault) && !search.is_found());
         assert!(search.name(part, fault) && search.is_found());
-        assert_eq!((search.steps(), search.tries()), (1, 2));
+        assert_eq!((search.steps(), search.tries()), (3, 2));
+        // What is found is mended with the next beginning.
+        search.begin(&mut run);
+        assert!(!run.fails(part, fault));
         let answer = format!("{} {}", hidden.part, hidden.is);
         assert!(Answer::of(&answer, hidden).is_found);
     }

@@ -8,3 +8,4 @@ mod plants;
 mod scenario_check;
 mod scenario_format;
 mod suite;
+mod traces;

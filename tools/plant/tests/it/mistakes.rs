@@ -284,3 +284,64 @@ fn a_damaged_file_is_refused_in_words() {
         }
     }
 }
+
+/// A rule without words of its own is a sentence about its parts, with their units.
+#[test]
+fn a_rule_without_words_is_a_sentence() {
+    let text = r#"
+title = "t"
+[[part]]
+name = "t1"
+kind = "tank"
+label = { en = "Tank", pt = "Tanque" }
+holds = "50 l"
+[[part]]
+name = "start"
+kind = "button"
+label = { en = "Start", pt = "Liga" }
+to = "I1"
+[[never]]
+when = "t1.level >= 950 AND NOT (start.pressed OR clock < 2500) (* full *)"
+for = "400 ms"
+after = "2 s"
+[[goal]]
+each = "start.pressed"
+when = "t1.level > 500"
+within = "1 min"
+"#;
+    let plant = read(text).unwrap();
+    let [never, goal] = [&plant.nevers[0].text, &plant.goals[0].text];
+    assert_eq!(
+        never.en,
+        "Never: Tank (how full it is) is at least 95% and not (Start (somebody presses it) or the time is less than 2.5 s), \
+         for longer than 0.4 s, from 2 s on"
+    );
+    assert!(
+        never
+            .pt
+            .starts_with("Nunca: Tanque (quanto está cheio) é no mínimo 95%"),
+        "{}",
+        never.pt
+    );
+    assert!(
+        goal.en
+            .ends_with("within 60 s: Tank (how full it is) is more than 50%"),
+        "{}",
+        goal.en
+    );
+    assert!(goal.pt.starts_with("A cada vez (“Liga ("), "{}", goal.pt);
+}
+
+/// A text that is no TOML at all is told in a few lines.
+#[test]
+fn what_is_no_toml_is_told_briefly() {
+    let page = std::fs::read_to_string(crate::folder("README.md")).unwrap();
+    for text in [
+        page.as_str(),
+        "<html>\n<body>\n<p>\n",
+        &"x\n".repeat(10_000),
+    ] {
+        let told = read(text).unwrap_err();
+        assert!((1..=3).contains(&told.len()), "{}", told.len());
+    }
+}

@@ -1,5 +1,6 @@
 //! A value as it is told: `{"v":21.5,"t":1764266400000,"q":"good","n":17}`.
 
+use crate::alarm::Alarm;
 use crate::boards::{Sample, Shape, shape};
 use crate::command::Refusal;
 use serde_json::{Number, Value, json};
@@ -17,6 +18,21 @@ pub(super) fn sample(point: &Point, sample: Sample) -> String {
 /// Which command is refused, and why.
 pub(super) fn refused(point: &str, refusal: Refusal) -> String {
     json!({ "point": point, "why": refusal.word() }).to_string()
+}
+
+/// How an alarm stands.
+pub(super) fn alarm(alarm: &Alarm) -> String {
+    let Alarm {
+        state,
+        severity,
+        text,
+        since,
+        who,
+        ..
+    } = alarm;
+    let text = json!({ "en": text.en, "pt": text.pt });
+    json!({ "state": state, "severity": severity, "t": since, "who": who, "text": text })
+        .to_string()
 }
 
 fn told(shape: Shape, value: f64) -> Value {

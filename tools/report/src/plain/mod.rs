@@ -10,12 +10,13 @@ mod json;
 mod tests;
 mod topics;
 
+use crate::alarm::Alarm;
 use crate::boards::{Board, Boards, News, Sample};
 use crate::change::Change;
 use crate::command::{Command, Refusal, Rights, WAITING, value};
 use crate::session::{Message, Now, Out, Session};
 use home::Home;
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 use topics::{Asked, Topics};
 use unoclp_journal::Entry;
@@ -49,6 +50,8 @@ pub(crate) struct Plain {
     is_due: bool,
     /// Commands that boards have not answered yet.
     under_way: usize,
+    /// The alarms of the site, each once somebody has said how it stands.
+    alarms: BTreeMap<String, Option<Alarm>>,
 }
 
 impl Plain {
@@ -67,6 +70,11 @@ impl Plain {
             read,
             is_due: false,
             under_way: 0,
+            alarms: site
+                .alarms
+                .iter()
+                .map(|alarm| (alarm.name.clone(), None))
+                .collect(),
         }
     }
 
@@ -109,7 +117,15 @@ impl Plain {
             }
             self.tell_home(&name);
         }
+        for alarm in self.alarms.values().flatten().cloned().collect::<Vec<_>>() {
+            self.tell_alarm(&alarm);
+        }
         self.is_due = true;
+    }
+
+    fn tell_alarm(&mut self, alarm: &Alarm) {
+        let topic = self.topics.alarm(&alarm.name);
+        self.say(topic, json::alarm(alarm), true);
     }
 
     fn tell_values(&mut self) {
@@ -209,6 +225,7 @@ impl Session for Plain {
         self.is_connected = true;
         self.urgent
             .push_back(Out::Subscribe(self.topics.commands()));
+        self.urgent.push_back(Out::Subscribe(self.topics.alarms()));
         if let Some(home) = &self.home {
             self.urgent.push_back(Out::Subscribe(home.status()));
         }
@@ -262,7 +279,19 @@ impl Session for Plain {
         }
     }
 
+    fn alarm(&mut self, alarm: &Alarm) {
+        self.alarms.insert(alarm.name.clone(), Some(alarm.clone()));
+        self.tell_alarm(alarm);
+    }
+
     fn heard(&mut self, topic: &str, payload: &[u8], retained: bool, _: Now) {
+        if let Some(alarm) = self.topics.alarm_of(topic) {
+            // The broker has kept it from a site that had this alarm.
+            if retained && !payload.is_empty() && !self.alarms.contains_key(alarm) {
+                self.say(topic.to_owned(), Vec::new(), true);
+            }
+            return;
+        }
         if let Some(home) = &self.home
             && topic == home.status()
         {

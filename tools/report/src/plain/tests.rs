@@ -101,7 +101,8 @@ fn while_a_broker_is_away_or_slow_the_journal_is_not_read_on() {
     assert_eq!(session.told(), None);
     // Each state once, and as many samples as are enough.
     let out = all(&mut session);
-    assert_eq!(out.len(), 1 + 2 + ENOUGH);
+    // Commands and alarms are asked for, too.
+    assert_eq!(out.len(), 2 + 2 + ENOUGH);
     assert_eq!(session.wants(), Some(ENOUGH as u64));
     assert_eq!(session.told(), Some(ENOUGH as u64));
 }
@@ -155,5 +156,46 @@ fn of_too_many_commands_the_further_ones_are_refused() {
     assert!(matches!(session.next(), Some(Out::Carry(_))));
     // Of boards that there are not, nothing is said.
     session.heard("unoclp/nobody/Q1/set", b"true", false, at(0));
+    assert_eq!(session.next(), None);
+}
+
+#[test]
+fn alarms_are_told_to_each_broker_and_those_of_before_are_removed() {
+    let mut session = session("[[alarm]]\nname = \"hot\"\nwhen = \"x.A0 > 900\"\ntext = \"hot\"\n");
+    let hot = Alarm {
+        name: "hot".into(),
+        state: "active",
+        severity: "medium",
+        text: unoclp_site::Text {
+            en: "hot".into(),
+            pt: "quente".into(),
+        },
+        since: Some(5),
+        who: None,
+    };
+    session.alarm(&hot);
+    session.connected(at(0));
+    let told = all(&mut session);
+    assert_eq!(topics(&told), ["unoclp/$status", "unoclp/$alarm/hot"]);
+    let Some(Out::Publish(message)) = told.last() else {
+        panic!("{told:?}");
+    };
+    let payload = String::from_utf8_lossy(&message.payload);
+    assert_eq!(
+        payload,
+        r#"{"severity":"medium","state":"active","t":5,"text":{"en":"hot","pt":"quente"},"who":null}"#
+    );
+    assert!(message.retain && message.sure);
+    // What it has said itself comes back, and what a site of before has said.
+    session.heard("unoclp/$alarm/hot", &message.payload, true, at(1));
+    session.heard("unoclp/$alarm/cold", b"{}", false, at(1));
+    assert_eq!(session.next(), None);
+    session.heard("unoclp/$alarm/cold", b"{}", true, at(1));
+    let told = all(&mut session);
+    assert_eq!(topics(&told), ["unoclp/$alarm/cold"]);
+    assert!(
+        matches!(&told[..], [Out::Publish(message)] if message.payload.is_empty() && message.retain)
+    );
+    session.heard("unoclp/$alarm/cold", b"", true, at(1));
     assert_eq!(session.next(), None);
 }

@@ -35,6 +35,22 @@ impl Topics {
         format!("{}/{board}/$refused", self.above)
     }
 
+    /// How an alarm stands.
+    pub fn alarm(&self, alarm: &str) -> String {
+        format!("{}/$alarm/{alarm}", self.above)
+    }
+
+    /// All of them.
+    pub fn alarms(&self) -> String {
+        self.alarm("+")
+    }
+
+    /// Of which alarm a topic speaks; none of another topic.
+    pub fn alarm_of<'t>(&self, topic: &'t str) -> Option<&'t str> {
+        let below = topic.strip_prefix(&*self.above)?;
+        below.strip_prefix("/$alarm/")
+    }
+
     /// What a point is.
     pub fn point(&self, board: &str, point: &str) -> String {
         format!("{}/{board}/{}", self.above, level(point))

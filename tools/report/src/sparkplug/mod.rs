@@ -12,6 +12,7 @@ mod host;
 mod payload;
 mod topics;
 
+use crate::alarm::Alarm;
 use crate::backlog::{Backlog, MOST};
 use crate::boards::{Boards, News};
 use crate::change::Change;
@@ -339,6 +340,9 @@ impl Session for Node {
             }
         }
     }
+
+    /// A host of Sparkplug has alarms of its own.
+    fn alarm(&mut self, _: &Alarm) {}
 
     fn presence(&mut self, board: &str, up: bool, now: Now) {
         let Some(of) = self.boards.of_mut(board) else {

@@ -63,9 +63,77 @@ pub(crate) struct PastRow {
     pub last: Option<f64>,
 }
 
+/// How an alarm stands.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct AlarmNow {
+    /// What it is called.
+    pub name: String,
+    /// `normal`, `active`, `acknowledged`, `gone`.
+    pub state: &'static str,
+    /// `low`, `medium`, `high`.
+    pub severity: &'static str,
+    /// What is said of it.
+    pub text: Texts,
+    /// Since when it stands so, ms since 1970; null where that was always so.
+    pub since: Option<i64>,
+    /// Who has acknowledged it last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(nullable = false)]
+    pub who: Option<String>,
+}
+
+/// The same in both languages.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Texts {
+    /// In English.
+    pub en: String,
+    /// In Portuguese.
+    pub pt: String,
+}
+
+/// What became of an alarm.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct AlarmPast {
+    /// When, ms since 1970.
+    pub at: i64,
+    /// Which.
+    pub alarm: String,
+    /// `came`, `gone`, `acknowledged`.
+    pub change: String,
+    /// How it stood from then on.
+    pub state: String,
+    /// Who has acknowledged it, if that is it.
+    pub who: Option<String>,
+}
+
+/// What was done.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct DeedOf {
+    /// When, ms since 1970.
+    pub at: i64,
+    /// By whom: a user; `$local` on this PC, `$control` with a token, `$modbus`, `$mqtt`.
+    pub who: String,
+    /// From which address.
+    pub from: Option<String>,
+    /// To which board, or alarm.
+    pub of: String,
+    /// What: `run`, `stop`, `single scan`, `restart`, `force`, `write`, `settings`, `upload`, `acknowledge`.
+    pub what: String,
+    /// Where, and with which values.
+    pub detail: String,
+}
+
+/// How an alarm stands once it is acknowledged.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Done {
+    /// `acknowledged`, or `normal` where its condition holds no more.
+    pub state: &'static str,
+}
+
 /// Why there is no answer.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct Wrong {
-    /// One of `no history`, `no point`, `no time`, `no number`, `busy`, `failing`.
+    /// One of `no history`, `no point`, `no time`, `no number`, `no value`, `no alarm`, `no record`, `not allowed`,
+    /// `nothing to acknowledge`, `busy`, `failing`.
     pub why: &'static str,
 }

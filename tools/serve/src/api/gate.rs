@@ -2,18 +2,22 @@
 
 use super::answers::{BoardNow, Health};
 use super::past::{Archive, No};
-use super::text::{JSON, text, wrong};
+use super::text::{JSON, guarded, text, wrong};
 
 use crate::doors::{self, Door};
 use crate::gateway::Gateway;
-use crate::tokens::Role;
+use crate::guard::{Stays, Who};
 use axum::body::Body;
+use axum::extract::{Request, State};
 use axum::http::header::AUTHORIZATION;
 use axum::http::{HeaderMap, Response, StatusCode};
+use axum::middleware::Next;
 use axum::response::IntoResponse;
 use serde::Serialize;
 use std::fmt::Write;
+use std::net::{IpAddr, Ipv4Addr};
 use std::sync::Arc;
+use unoclp_alarm::Alarms;
 
 /// A number of the gateway itself, for `/metrics`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +42,40 @@ pub(crate) struct Api {
     pub door: Door,
     pub metrics: Option<Metrics>,
     pub archive: Archive,
+    pub alarms: Option<Arc<Alarms>>,
+}
+
+/// The address that a request comes from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Caller(pub IpAddr);
+
+impl Caller {
+    /// What stands for one that is not known.
+    pub(super) fn nowhere() -> Caller {
+        Caller(Ipv4Addr::UNSPECIFIED.into())
+    }
+
+    /// That of a request.
+    fn of(request: &Request) -> Caller {
+        let from = request.extensions().get::<Caller>().copied();
+        from.unwrap_or(Caller::nowhere())
+    }
+}
+
+/// Lets a request pass whose sender may watch; who that is goes with it.
+pub(super) async fn enter(
+    State(api): State<Api>,
+    mut request: Request,
+    next: Next,
+) -> Response<Body> {
+    let answer = match api.who(request.headers(), Caller::of(&request)).await {
+        Ok(who) => {
+            request.extensions_mut().insert(who);
+            next.run(request).await
+        }
+        Err(status) => status.into_response(),
+    };
+    guarded(answer)
 }
 
 /// As Prometheus asks for it.
@@ -59,44 +97,21 @@ impl Api {
     }
 
     /// The same, and the numbers of the gateway, as Prometheus reads them.
-    pub(super) fn metrics(&self, headers: &HeaderMap) -> Response<Body> {
-        match self.refused(headers) {
-            Some(refused) => refused,
-            None => text(PROMETHEUS, self.text()),
-        }
+    pub(super) fn metrics(&self) -> Response<Body> {
+        text(PROMETHEUS, self.text())
     }
 
-    /// An answer for whoever may watch.
-    pub(super) async fn json<T: Serialize>(
-        &self,
-        headers: &HeaderMap,
-        answer: impl Future<Output = Result<T, No>>,
-    ) -> Response<Body> {
-        if let Some(refused) = self.refused(headers) {
-            return refused;
+    /// Who sends these headers, from this address; else why it is told nothing.
+    async fn who(&self, headers: &HeaderMap, Caller(from): Caller) -> Result<Who, StatusCode> {
+        if !doors::lets_in(headers, self.door) {
+            return Err(StatusCode::FORBIDDEN);
         }
-        match answer.await {
-            Ok(answer) => match serde_json::to_string(&answer) {
-                Ok(answer) => text(JSON, answer),
-                Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
-            },
-            Err(no) => wrong(no),
-        }
-    }
-
-    /// Why whoever sends these headers is told nothing.
-    pub(super) fn refused(&self, headers: &HeaderMap) -> Option<Response<Body>> {
-        let status = if !doors::lets_in(headers, self.door) {
-            StatusCode::FORBIDDEN
-        } else if let Some(first) = self.gateways.first() {
-            match role(headers, first) {
-                Some(_) => return None,
-                None => StatusCode::UNAUTHORIZED,
-            }
-        } else {
-            StatusCode::NOT_FOUND
-        };
-        Some(status.into_response())
+        let first = self.gateways.first().ok_or(StatusCode::NOT_FOUND)?;
+        let who = first.guard.who(token(headers), from).await;
+        who.map_err(|stays| match stays {
+            Stays::Wrong => StatusCode::UNAUTHORIZED,
+            Stays::Often => StatusCode::TOO_MANY_REQUESTS,
+        })
     }
 
     fn text(&self) -> String {
@@ -120,6 +135,7 @@ impl Api {
                 }
             }
         }
+        self.alarms_to(&mut text);
         let more = self.metrics.as_ref().map(|metrics| metrics());
         for Metric {
             name,
@@ -133,15 +149,50 @@ impl Api {
         }
         text
     }
+
+    fn alarms_to(&self, text: &mut String) {
+        let Some(alarms) = &self.alarms else {
+            return;
+        };
+        let standing = alarms.standing();
+        let mut tell = |name, help, is: fn(unoclp_alarm::State) -> bool| {
+            head(text, name, help, false);
+            for of in &standing {
+                let labels = [("alarm", &*of.name), ("severity", of.severity.word())];
+                line(text, name, &labels, u8::from(is(of.state)));
+            }
+        };
+        tell(
+            "alarm_active",
+            "Whether the condition of an alarm holds",
+            unoclp_alarm::State::holds,
+        );
+        tell(
+            "alarm_unacknowledged",
+            "Whether somebody should acknowledge an alarm",
+            unoclp_alarm::State::waits,
+        );
+    }
 }
 
-/// What whoever sends these headers may do: `Authorization: Bearer TOKEN`, where a token is asked for.
-fn role(headers: &HeaderMap, gateway: &Gateway) -> Option<Role> {
+/// An answer as JSON.
+pub(super) fn json<T: Serialize>(answer: Result<T, No>) -> Response<Body> {
+    match answer {
+        Ok(answer) => match serde_json::to_string(&answer) {
+            Ok(answer) => text(JSON, answer),
+            Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+        },
+        Err(no) => wrong(no),
+    }
+}
+
+/// The token of these headers: `Authorization: Bearer TOKEN`, where a token is asked for.
+fn token(headers: &HeaderMap) -> &str {
     let given = headers
         .get(AUTHORIZATION)
         .and_then(|value| value.to_str().ok());
     let token = given.and_then(|given| given.strip_prefix("Bearer "));
-    gateway.role(token.unwrap_or_default())
+    token.unwrap_or_default()
 }
 
 fn board(gateway: &Gateway) -> BoardNow {

@@ -5,16 +5,17 @@
 use super::answers::{PastOf, PastRow, PointOf};
 use serde::Deserialize;
 use std::sync::Arc;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 use tokio::sync::Semaphore;
 use unoclp_history::{Failure, Query, Row};
+use unoclp_record::now;
 use unoclp_site::duration;
 
 /// As many ask at once; others are told to come again.
 const AT_ONCE: usize = 4;
 /// Rows of an answer, unless it is said how many; and at most.
-const ROWS: usize = 10_000;
-const MOST: usize = 100_000;
+pub(super) const ROWS: usize = 10_000;
+pub(super) const MOST: usize = 100_000;
 /// How far back, unless it is said.
 const LAST: Duration = Duration::from_secs(3_600);
 
@@ -51,6 +52,11 @@ pub(crate) enum No {
     Point,
     Time,
     Number,
+    Value,
+    Alarm,
+    Record,
+    Role,
+    Acknowledged,
     Busy,
     Failing,
 }
@@ -63,6 +69,11 @@ impl No {
             No::Point => "no point",
             No::Time => "no time",
             No::Number => "no number",
+            No::Value => "no value",
+            No::Alarm => "no alarm",
+            No::Record => "no record",
+            No::Role => "not allowed",
+            No::Acknowledged => "nothing to acknowledge",
             No::Busy => "busy",
             No::Failing => "failing",
         }
@@ -131,11 +142,19 @@ impl Archive {
         ask: impl FnOnce(&dyn Past) -> Result<T, Failure> + Send + 'static,
     ) -> Result<T, No> {
         let past = self.past.clone().ok_or(No::History)?;
+        self.when_free(move || ask(&*past)).await
+    }
+
+    /// Reads from a disk, if not too many do.
+    pub async fn when_free<T: Send + 'static>(
+        &self,
+        ask: impl FnOnce() -> Result<T, Failure> + Send + 'static,
+    ) -> Result<T, No> {
         let free = self.free.clone().try_acquire_owned();
         let free = free.map_err(|_| No::Busy)?;
         let asked = tokio::task::spawn_blocking(move || {
             let _free = free;
-            ask(&*past)
+            ask()
         });
         let answer = asked.await.map_err(|_| No::Failing)?;
         answer.map_err(|_| No::Failing)
@@ -173,10 +192,6 @@ impl Asked {
     }
 }
 
-fn ms(time: Duration) -> i64 {
+pub(super) fn ms(time: Duration) -> i64 {
     i64::try_from(time.as_millis()).unwrap_or(i64::MAX)
-}
-
-fn now() -> i64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, ms)
 }

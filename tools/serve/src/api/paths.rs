@@ -1,17 +1,21 @@
 //! What is asked over HTTP, and the page that describes it.
 
-use super::answers::{BoardNow, Health, PastOf, PastRow, PointOf, Wrong};
-use super::gate::Api;
+use super::alarms::{LONGEST, Span};
+use super::answers::{
+    AlarmNow, AlarmPast, BoardNow, DeedOf, Done, Health, PastOf, PastRow, PointOf, Texts, Wrong,
+};
+use super::gate::{Api, Caller, enter, json};
 use super::past::{Asked, No};
-use super::text::{CSV, text, wrong};
-use axum::Router;
-use axum::body::Body;
-use axum::extract::rejection::QueryRejection;
-use axum::extract::{Query, State};
-use axum::http::header::CONTENT_DISPOSITION;
-use axum::http::{HeaderMap, HeaderValue, Response};
-use axum::routing::get;
+use super::text::{csv_file, wrong};
+use crate::guard::Who;
+use axum::body::{Body, Bytes};
+use axum::extract::rejection::{BytesRejection, QueryRejection};
+use axum::extract::{DefaultBodyLimit, Query, State};
+use axum::http::Response;
+use axum::routing::{get, post};
+use axum::{Extension, Router, middleware};
 use unoclp_history::{Row, csv};
+use unoclp_record::{csv_of_alarms, csv_of_deeds};
 use utoipa::OpenApi;
 
 /// The page that describes what is asked.
@@ -21,8 +25,24 @@ use utoipa::OpenApi;
         title = "unoclp serve",
         description = "The boards of a site. See docs/site.md."
     ),
-    paths(health, boards, points, history, history_csv, metrics, description),
-    components(schemas(Health, BoardNow, PointOf, PastOf, PastRow, Wrong))
+    paths(
+        health,
+        boards,
+        points,
+        history,
+        history_csv,
+        alarms,
+        alarms_past,
+        alarms_csv,
+        acknowledge,
+        deeds,
+        deeds_csv,
+        metrics,
+        description
+    ),
+    components(schemas(
+        Health, BoardNow, PointOf, PastOf, PastRow, AlarmNow, AlarmPast, DeedOf, Done, Texts, Wrong
+    ))
 )]
 struct Description;
 
@@ -35,37 +55,44 @@ pub(crate) fn routes(api: Api) -> Router {
         .route("/api/points", get(points))
         .route("/api/history", get(history))
         .route("/api/history.csv", get(history_csv))
+        .route("/api/alarms", get(alarms))
+        .route("/api/alarms/history", get(alarms_past))
+        .route("/api/alarms/history.csv", get(alarms_csv))
+        .route("/api/alarms/acknowledge", post(acknowledge))
+        .route("/api/deeds", get(deeds))
+        .route("/api/deeds.csv", get(deeds_csv))
         .route("/api/openapi.json", get(description))
+        .layer(DefaultBodyLimit::max(LONGEST))
+        .route_layer(middleware::from_fn_with_state(api.clone(), enter))
         .with_state(api)
 }
 
 #[utoipa::path(get, path = "/health", responses((status = 200, description = "How many boards answer", body = Health)))]
-async fn health(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
-    api.json(&headers, async { Ok(api.health()) }).await
+async fn health(State(api): State<Api>) -> Response<Body> {
+    json(Ok(api.health()))
 }
 
 #[utoipa::path(get, path = "/api/boards", responses((status = 200, description = "Each board, and what its points are", body = Vec<BoardNow>)))]
-async fn boards(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
-    api.json(&headers, async { Ok(api.boards()) }).await
+async fn boards(State(api): State<Api>) -> Response<Body> {
+    json(Ok(api.boards()))
 }
 
 #[utoipa::path(get, path = "/metrics", responses((status = 200, description = "The same for Prometheus", content_type = "text/plain")))]
-async fn metrics(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
-    api.metrics(&headers)
+async fn metrics(State(api): State<Api>) -> Response<Body> {
+    api.metrics()
 }
 
 #[utoipa::path(get, path = "/api/openapi.json", responses((status = 200, description = "This description", content_type = "application/json")))]
-async fn description(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
-    api.json(&headers, async { Ok(Description::openapi()) })
-        .await
+async fn description() -> Response<Body> {
+    json(Ok(Description::openapi()))
 }
 
 #[utoipa::path(get, path = "/api/points", responses(
     (status = 200, description = "The points that the history has", body = Vec<PointOf>),
     (status = 404, description = "The site keeps no history", body = Wrong),
     (status = 503, description = "The history cannot be read now", body = Wrong)))]
-async fn points(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
-    api.json(&headers, api.archive.points()).await
+async fn points(State(api): State<Api>) -> Response<Body> {
+    json(api.archive.points().await)
 }
 
 #[utoipa::path(get, path = "/api/history", params(
@@ -83,10 +110,9 @@ async fn points(State(api): State<Api>, headers: HeaderMap) -> Response<Body> {
     (status = 503, description = "The history cannot be read now", body = Wrong)))]
 async fn history(
     State(api): State<Api>,
-    headers: HeaderMap,
     asked: Result<Query<Asked>, QueryRejection>,
 ) -> Response<Body> {
-    api.json(&headers, past(&api, asked)).await
+    json(past(&api, asked).await)
 }
 
 #[utoipa::path(get, path = "/api/history.csv", params(
@@ -104,12 +130,8 @@ async fn history(
     (status = 503, description = "The history cannot be read now", body = Wrong)))]
 async fn history_csv(
     State(api): State<Api>,
-    headers: HeaderMap,
     asked: Result<Query<Asked>, QueryRejection>,
 ) -> Response<Body> {
-    if let Some(refused) = api.refused(&headers) {
-        return refused;
-    }
     match past(&api, asked).await {
         Err(no) => wrong(no),
         Ok(PastOf {
@@ -122,17 +144,7 @@ async fn history_csv(
                 last: row.last,
             };
             let rows: Vec<Row> = rows.iter().map(row).collect();
-            let mut response = text(CSV, csv(&rows));
-            let plain = |ch: char| match ch.is_ascii_alphanumeric() || "-_.".contains(ch) {
-                true => ch,
-                false => '_',
-            };
-            let name: String = format!("{board}.{point}").chars().map(plain).collect();
-            let file = format!("attachment; filename=\"{name}.csv\"");
-            if let Ok(file) = HeaderValue::from_str(&file) {
-                response.headers_mut().insert(CONTENT_DISPOSITION, file);
-            }
-            response
+            csv_file(&format!("{board}.{point}"), csv(&rows))
         }
     }
 }
@@ -140,4 +152,112 @@ async fn history_csv(
 async fn past(api: &Api, asked: Result<Query<Asked>, QueryRejection>) -> Result<PastOf, No> {
     let Query(asked) = asked.map_err(|_| No::Point)?;
     api.archive.rows(asked).await
+}
+
+#[utoipa::path(get, path = "/api/alarms", responses((status = 200, description = "How each alarm stands", body = Vec<AlarmNow>)))]
+async fn alarms(State(api): State<Api>) -> Response<Body> {
+    json(Ok(api.alarms_now()))
+}
+
+#[utoipa::path(get, path = "/api/alarms/history", params(
+    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
+    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
+    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    responses(
+    (status = 200, description = "What became of alarms", body = Vec<AlarmPast>),
+    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 503, description = "The record cannot be read now", body = Wrong)))]
+async fn alarms_past(
+    State(api): State<Api>,
+    span: Result<Query<Span>, QueryRejection>,
+) -> Response<Body> {
+    let rows = api.alarms_past(of(span)).await;
+    json(rows.map(|rows| rows.into_iter().map(AlarmPast::from).collect::<Vec<_>>()))
+}
+
+#[utoipa::path(get, path = "/api/alarms/history.csv", params(
+    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
+    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
+    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    responses(
+    (status = 200, description = "The same as comma-separated values", content_type = "text/csv"),
+    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 503, description = "The record cannot be read now", body = Wrong)))]
+async fn alarms_csv(
+    State(api): State<Api>,
+    span: Result<Query<Span>, QueryRejection>,
+) -> Response<Body> {
+    match api.alarms_past(of(span)).await {
+        Ok(rows) => csv_file("alarms", csv_of_alarms(&rows)),
+        Err(no) => wrong(no),
+    }
+}
+
+#[utoipa::path(post, path = "/api/alarms/acknowledge",
+    request_body(content = String, content_type = "application/json", description = "{\"alarm\": NAME}"),
+    responses(
+    (status = 200, description = "It is acknowledged, and how it stands", body = Done),
+    (status = 400, description = "This names no alarm", body = Wrong),
+    (status = 403, description = "This needs the role operate", body = Wrong),
+    (status = 404, description = "There is no such alarm", body = Wrong),
+    (status = 409, description = "There is nothing to acknowledge", body = Wrong),
+    (status = 503, description = "Alarms are not judged now", body = Wrong)))]
+async fn acknowledge(
+    State(api): State<Api>,
+    Extension(who): Extension<Who>,
+    from: Option<Extension<Caller>>,
+    body: Result<Bytes, BytesRejection>,
+) -> Response<Body> {
+    let from = from.map_or(Caller::nowhere(), |Extension(from)| from);
+    match body {
+        Ok(body) => json(api.acknowledge(who, from, &body).await),
+        // It is too long.
+        Err(_) => wrong(No::Value),
+    }
+}
+
+#[utoipa::path(get, path = "/api/deeds", params(
+    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
+    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
+    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    responses(
+    (status = 200, description = "Who did what", body = Vec<DeedOf>),
+    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 503, description = "The record cannot be read now", body = Wrong)))]
+async fn deeds(
+    State(api): State<Api>,
+    span: Result<Query<Span>, QueryRejection>,
+) -> Response<Body> {
+    let rows = api.deeds(of(span)).await;
+    json(rows.map(|rows| rows.into_iter().map(DeedOf::from).collect::<Vec<_>>()))
+}
+
+#[utoipa::path(get, path = "/api/deeds.csv", params(
+    ("from" = Option<i64>, Query, description = "From this moment on, ms since 1970"),
+    ("to" = Option<i64>, Query, description = "Until before this moment, ms since 1970"),
+    ("last" = Option<String>, Query, description = "In place of `from`: how far back, 90s, 15m, 1h, 30d; all without both"),
+    ("most" = Option<u32>, Query, description = "The latest of so many rows, 1 to 100000; 10000 without it")),
+    responses(
+    (status = 200, description = "The same as comma-separated values", content_type = "text/csv"),
+    (status = 400, description = "What is asked makes no sense", body = Wrong),
+    (status = 404, description = "The site records nothing of it", body = Wrong),
+    (status = 503, description = "The record cannot be read now", body = Wrong)))]
+async fn deeds_csv(
+    State(api): State<Api>,
+    span: Result<Query<Span>, QueryRejection>,
+) -> Response<Body> {
+    match api.deeds(of(span)).await {
+        Ok(rows) => csv_file("deeds", csv_of_deeds(&rows)),
+        Err(no) => wrong(no),
+    }
+}
+
+fn of(span: Result<Query<Span>, QueryRejection>) -> Result<Span, No> {
+    span.map(|Query(span)| span).map_err(|_| No::Time)
 }

@@ -17,7 +17,7 @@ use crate::tokens::Role;
 use frame::Head;
 use rights::Rights;
 use std::io::{self, ErrorKind};
-use std::net::{SocketAddr, TcpListener};
+use std::net::{IpAddr, SocketAddr, TcpListener};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -84,7 +84,7 @@ pub(crate) async fn serve(modbus: Modbus, units: Vec<(u8, Arc<Gateway>)>) -> io:
                 tokio::spawn(async move {
                     tokio::select! {
                         // How a connection has ended is nobody's concern.
-                        _ = units.answer_all(stream, &slot) => {}
+                        _ = units.answer_all(stream, from.ip(), &slot) => {}
                         () = slot.is_given_up() => {}
                     }
                 });
@@ -97,7 +97,7 @@ pub(crate) async fn serve(modbus: Modbus, units: Vec<(u8, Arc<Gateway>)>) -> io:
 
 impl Units {
     /// Answers one request after the other, until the client leaves, is slow, or says what is no frame.
-    async fn answer_all(&self, mut stream: TcpStream, slot: &Slot) -> io::Result<()> {
+    async fn answer_all(&self, mut stream: TcpStream, from: IpAddr, slot: &Slot) -> io::Result<()> {
         loop {
             let mut head = [0; frame::HEAD];
             let (first, rest) = head.split_at_mut(1);
@@ -108,13 +108,13 @@ impl Units {
             let mut request = vec![0; head.length];
             timeout(PROMPT, stream.read_exact(&mut request)).await??;
             slot.is_used();
-            let answer = head.frame(&self.answer(head.unit, &request).await);
+            let answer = head.frame(&self.answer(from, head.unit, &request).await);
             timeout(PROMPT, stream.write_all(&answer)).await??;
         }
     }
 
     /// The answer to a request, both without unit and check sum.
-    async fn answer(&self, unit: u8, request: &[u8]) -> Vec<u8> {
+    async fn answer(&self, from: IpAddr, unit: u8, request: &[u8]) -> Vec<u8> {
         let board = self.units.iter().find(|(of, _)| *of == unit);
         let address = board.map_or(unit, |(_, gateway)| gateway.line.address());
         let Some(request) = frame::to_board(address, request) else {
@@ -122,13 +122,13 @@ impl Units {
             return frame::refusal(request, Exception::IllegalDataValue);
         };
         let reply = match board {
-            Some((_, gateway)) => self.ask(unit, gateway, request).await,
+            Some((_, gateway)) => self.ask(from, unit, gateway, request).await,
             None => request.refusal(Exception::GatewayPathUnavailable).to_vec(),
         };
         frame::from_board(&reply)
     }
 
-    async fn ask(&self, unit: u8, gateway: &Gateway, request: Request) -> Vec<u8> {
+    async fn ask(&self, from: IpAddr, unit: u8, gateway: &Gateway, request: Request) -> Vec<u8> {
         if request.only_reads() {
             return gateway.line.ask(request, Role::Watch).await;
         }
@@ -137,7 +137,13 @@ impl Units {
             Err(exception) => Err(exception),
         };
         match allowed {
-            Ok(()) => gateway.line.ask(request, Role::Control).await,
+            Ok(()) => {
+                let reply = gateway.line.ask(request.clone(), Role::Control).await;
+                if matches!(request.answer(&reply), Some(Ok(_))) {
+                    gateway.deeds.client(from, &gateway.name, &request);
+                }
+                reply
+            }
             Err(exception) => request.refusal(exception).to_vec(),
         }
     }

@@ -1,9 +1,10 @@
 //! What may be written over Modbus TCP: the points that a site names, and nothing else.
 
+use crate::written::written;
 use std::ops::Range;
 use unoclp_client::diagnostics::Kept;
+use unoclp_modbus::Exception;
 use unoclp_modbus::client::Request;
-use unoclp_modbus::{Exception, Table};
 use unoclp_site::Grant;
 
 /// The points of all units that may be written.
@@ -20,7 +21,7 @@ impl Rights {
     /// # Errors
     /// The exception that refuses it.
     pub fn of(&self, unit: u8, request: &Request) -> Result<Option<Kept>, Exception> {
-        let (table, addresses) = written(request.bytes())?;
+        let (table, addresses) = written(request)?;
         let mut while_kept = None;
         for address in addresses {
             let of_unit = self.0.iter().filter(|grant| grant.unit == unit);
@@ -43,42 +44,11 @@ impl Rights {
     }
 }
 
-/// The addresses that a request with a check sum writes.
-fn written(frame: &[u8]) -> Result<(Table, Range<u16>), Exception> {
-    let &[_, function, a, b, c, d, ref rest @ ..] = frame else {
-        return Err(Exception::IllegalDataValue);
-    };
-    let [first, count] = [[a, b], [c, d]].map(u16::from_be_bytes);
-    let (table, is_several) = match function {
-        5 => (Table::Coils, false),
-        6 => (Table::HoldingRegisters, false),
-        15 => (Table::Coils, true),
-        16 => (Table::HoldingRegisters, true),
-        _ => return Err(Exception::IllegalFunction),
-    };
-    let bytes = match table {
-        Table::Coils => count.div_ceil(8),
-        _ => count.saturating_mul(2),
-    };
-    let is_whole = match (is_several, rest) {
-        (false, rest) => rest.len() == 2,
-        (true, &[told, ref data @ ..]) => {
-            u16::from(told) == bytes && data.len() == usize::from(told) + 2
-        }
-        (true, []) => false,
-    };
-    let count = if is_several { count } else { 1 };
-    let end = first.checked_add(count);
-    match end {
-        Some(end) if is_whole && count > 0 => Ok((table, first..end)),
-        _ => Err(Exception::IllegalDataValue),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::modbus::frame::to_board;
+    use unoclp_modbus::Table;
     use unoclp_modbus::map::Width;
     use unoclp_site::Place;
 

@@ -11,7 +11,7 @@ use tungstenite::protocol::CloseFrame;
 use tungstenite::{Error, Message, WebSocket};
 use unoclp_modbus::client::Request;
 use unoclp_modbus::{Crc, Table};
-use unoclp_serve::{Board, Line, NoAnswer, Server, SharedBoard, Sharing, Tokens};
+use unoclp_serve::{Board, Guard, Line, NoAnswer, Server, SharedBoard, Sharing, Tokens};
 
 /// A board in memory: its holding registers, and whether it is there.
 #[derive(Clone)]
@@ -107,11 +107,13 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
             program: None,
             watched: None,
         }],
-        tokens,
+        guard: tokens.map_or(Guard::ThisPc, Guard::Tokens),
         modbus: None,
         orders: None,
         metrics: None,
         past: None,
+        alarms: None,
+        record: None,
         keep: None,
         tell: None,
     });
@@ -121,8 +123,21 @@ pub fn serve(board: Option<Memory>, tokens: Option<Tokens>) -> SocketAddr {
 
 /// The answer to a request over HTTP, whose head ends with these lines.
 pub fn http(address: SocketAddr, path: &str, head: &str) -> String {
+    said(
+        address,
+        &format!("GET {path} HTTP/1.1\r\n{head}Connection: close\r\n\r\n"),
+    )
+}
+
+/// The same of one that brings something.
+pub fn post(address: SocketAddr, path: &str, head: &str, body: &str) -> String {
+    let length = body.len();
+    let head = format!("{head}Content-Length: {length}\r\nConnection: close\r\n\r\n");
+    said(address, &format!("POST {path} HTTP/1.1\r\n{head}{body}"))
+}
+
+fn said(address: SocketAddr, request: &str) -> String {
     let mut stream = TcpStream::connect(address).unwrap();
-    let request = format!("GET {path} HTTP/1.1\r\n{head}Connection: close\r\n\r\n");
     stream.write_all(request.as_bytes()).unwrap();
     let mut answer = Vec::new();
     stream.read_to_end(&mut answer).unwrap();

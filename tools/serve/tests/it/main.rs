@@ -1,8 +1,10 @@
 //! Visitors of a server, with boards in memory.
 
+mod alarms;
 mod attacks;
 mod clients;
 mod common;
+mod examples;
 mod modbus;
 mod openapi;
 mod orders;
@@ -12,4 +14,5 @@ mod poll;
 mod remote;
 mod simulated;
 mod site;
+mod users;
 mod visitors;

@@ -52,12 +52,17 @@ fn fits(page: &Value, schema: &Value, value: &Value) -> bool {
 
 #[test]
 fn each_path_answers_as_it_is_described() {
-    let site = Site::new(Vec::new());
+    let (site, _folder) = crate::alarms::site(None);
     let page: Value = serde_json::from_str(&get(&site, "/api/openapi.json").1).unwrap();
     assert!(page["openapi"].as_str().unwrap().starts_with("3.1"));
     let paths = page["paths"].as_object().unwrap();
     let mut checked = 0;
     for (path, of) in paths {
+        if of["get"].is_null() {
+            // What is brought, and answered, has tests of its own.
+            assert_eq!(path, "/api/alarms/acknowledge");
+            continue;
+        }
         let responses = of["get"]["responses"].as_object().unwrap();
         for query in [
             "",
@@ -84,9 +89,10 @@ fn each_path_answers_as_it_is_described() {
             .flatten()
             .map(|parameter| parameter["name"].as_str().unwrap())
             .collect();
-        assert_eq!(names.is_empty(), !path.contains("history"), "{path}");
+        let takes_some = path.contains("history") || path.contains("deeds");
+        assert_eq!(names.is_empty(), !takes_some, "{path}");
     }
-    assert!(checked >= 18, "{checked}");
+    assert!(checked >= 39, "{checked}");
     // A value of another kind does not fit.
     let schema = &page["components"]["schemas"]["Health"];
     assert!(!fits(&page, schema, &serde_json::json!({ "boards": 1 })));

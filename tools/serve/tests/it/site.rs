@@ -7,12 +7,15 @@ use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::Arc;
 use std::thread;
+use unoclp_alarm::Alarms;
 use unoclp_client::diagnostics::Kept;
 use unoclp_history::{Failure, Query, Row};
 use unoclp_modbus::Table;
 use unoclp_modbus::map::Width;
+use unoclp_record::Record;
 use unoclp_serve::{
-    Keep, Line, Metric, Metrics, Modbus, Orders, Past, Server, SharedBoard, Sharing, Tell, Watched,
+    Guard, Keep, Line, Metric, Metrics, Modbus, Orders, Past, Server, SharedBoard, Sharing, Tell,
+    Watched,
 };
 use unoclp_site::{Grant, Kind, Place};
 
@@ -22,6 +25,17 @@ pub struct Site {
     pub page: SocketAddr,
     pub modbus: SocketAddr,
     pub orders: Orders,
+    /// None where the site has none.
+    pub alarms: Option<Arc<Alarms>>,
+    pub record: Option<Arc<Record>>,
+}
+
+/// What a site has beside its boards.
+#[derive(Default)]
+pub struct More {
+    pub guard: Option<Guard>,
+    pub alarms: Option<Arc<Alarms>>,
+    pub record: Option<Arc<Record>>,
 }
 
 pub const LISTEN: &str = "127.0.0.1:0";
@@ -33,6 +47,13 @@ impl Site {
         Site::of(boards, lines, write, None, None)
     }
 
+    /// The same with users, alarms and a record.
+    pub fn with(write: Vec<Grant>, more: More) -> Site {
+        let boards = Simulated::at(&[3, 4]);
+        let lines = Line::begin_shared(boards.clone(), &[3, 4]);
+        Site::all(boards, lines, write, None, None, more)
+    }
+
     pub fn of(
         boards: Simulated,
         lines: Vec<Line>,
@@ -40,6 +61,22 @@ impl Site {
         tell: Option<Tell>,
         keep: Option<(Watched, Keep)>,
     ) -> Site {
+        Site::all(boards, lines, write, tell, keep, More::default())
+    }
+
+    fn all(
+        boards: Simulated,
+        lines: Vec<Line>,
+        write: Vec<Grant>,
+        tell: Option<Tell>,
+        keep: Option<(Watched, Keep)>,
+        more: More,
+    ) -> Site {
+        let More {
+            guard,
+            alarms,
+            record,
+        } = more;
         let (watched, keep) = keep.unzip();
         let (orders, ordered) = Orders::new();
         let server = Server::bind(LISTEN.parse().unwrap()).unwrap();
@@ -55,11 +92,13 @@ impl Site {
         });
         let sharing = Sharing {
             boards: shared.collect(),
-            tokens: None,
+            guard: guard.unwrap_or(Guard::ThisPc),
             modbus: Some(bound),
             orders: Some(ordered),
             metrics: Some(numbers()),
             past: Some(Arc::new(Seconds)),
+            alarms: alarms.clone(),
+            record: record.clone(),
             keep,
             tell,
         };
@@ -69,6 +108,8 @@ impl Site {
             page,
             modbus,
             orders,
+            alarms,
+            record,
         };
         // All of them have been found.
         for unit in [1, 2] {

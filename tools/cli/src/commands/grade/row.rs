@@ -89,7 +89,8 @@ impl Row {
         };
         let grade = grade(exercise, &program, &mut HostEngine::new(board));
         Row {
-            machine: plant.and_then(|plant| what_first(plant, &program.bytes, board)),
+            machine: plant
+                .and_then(|plant| what_first(plant, &exercise.seeds, &program.bytes, board)),
             passed: grade.count(),
             tries: None,
             fail: grade.failing.map(|failing| Fail {

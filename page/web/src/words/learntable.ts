@@ -1,0 +1,28 @@
+// The texts of exercises and of the gallery that are loaded with them, in English and in Brazilian Portuguese.
+
+export const LEARN = {
+  kindOwn: ["Of your class", "Da sua turma"],
+  kindProgram: ["Write a program", "Escreva um programa"],
+  kindFind: ["Find the fault", "Ache a falha"],
+  kindWrite: ["Write it again", "Escreva de novo"],
+  findOpen: ["Open its program", "Abrir o programa dela"],
+  findPart: ["Part", "Peça"],
+  findFault: ["Fault", "Falha"],
+  findName: ["This is the fault", "Esta é a falha"],
+  findCount: ["Steps: {steps} · Tries: {tries}", "Passos: {steps} · Tentativas: {tries}"],
+  findRight: ["Found: {part}, {fault}. Steps: {steps}, tries: {tries}. Reset the machine, and it is mended.", "Achou: {part}, {fault}. Passos: {steps}, tentativas: {tries}. Reinicie a máquina, e ela está consertada."],
+  findWrong: ["No: “{part}, {fault}” is not the fault. Go on looking.", "Não: “{part}, {fault}” não é a falha. Continue procurando."],
+  findMachine: ["Open its machine", "Abrir a máquina dela"],
+  givenLadder: ["The ladder that is given", "O ladder dado"],
+  givenText: ["The text that is given", "O texto dado"],
+  givenAsText: ["The same as text", "O mesmo em texto"],
+  givenIn: ["Write it in {language}.", "Escreva em {language}."],
+  exerciseLink: ["Copy a link to this exercise", "Copiar um link para este exercício"],
+  judgedWell: ["All went well, to the end of the machine's own course.", "Tudo correu bem, até o fim do roteiro da máquina."],
+  replayOf: ["The machine, from two seconds before", "A máquina, desde dois segundos antes"],
+  replayPlay: ["Play again", "Repetir"],
+  replayTime: ["Time", "Tempo"],
+  galleryOpen: ["Open the machine", "Abrir a máquina"],
+  galleryDone: ["{done} of {all} exercises done", "{done} de {all} exercícios feitos"],
+  galleryNone: ["To try out freely", "Para experimentar à vontade"],
+} as const satisfies Readonly<Record<string, readonly [string, string]>>;

@@ -1,0 +1,137 @@
+//! The part of a gateway that keeps and reports, without boards: its one point counts.
+
+use std::io::BufRead;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use unoclp_history::{Address, Database, Failure, Keeper};
+use unoclp_journal::{File, Journal, Policy, Sample};
+use unoclp_report::Reporter;
+use unoclp_site::{Files, Site};
+
+/// Samples of one commit.
+const BATCH: u64 = 3;
+/// Who takes the entries for the history.
+const HISTORY: &str = "history";
+
+/// Where a gateway keeps, and to whom it reports.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Its files.
+    pub folder: PathBuf,
+    /// The port of its broker.
+    pub broker: u16,
+    /// The port and the database of PostgreSQL, if the history is there.
+    pub postgres: Option<(u16, String)>,
+}
+
+struct NoFiles;
+
+impl Files for NoFiles {
+    fn bytes(&self, _: &str) -> Result<Vec<u8>, String> {
+        Err("no such file".into())
+    }
+}
+
+impl Place {
+    /// Where the history is.
+    pub fn database(&self) -> Database {
+        match &self.postgres {
+            None => Database::File(self.folder.join("h.db")),
+            Some((port, database)) => Database::Server(Address {
+                host: "127.0.0.1".into(),
+                port: *port,
+                user: "unoclp".into(),
+                database: database.clone(),
+                password: None,
+                tls: None,
+            }),
+        }
+    }
+
+    fn site(&self) -> Site {
+        let text = format!(
+            "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"b\"\n[mqtt]\nbroker = \"mqtt://127.0.0.1:{}\"\n",
+            self.broker
+        );
+        unoclp_site::read(&text, &NoFiles).unwrap_or_else(|wrong| panic!("{wrong:?}"))
+    }
+}
+
+/// Counts on from what is there: the value of each sample is its number. Says after each commit how far it is, and when the
+/// disk takes nothing, and does again. At `end` from its standard input it ends as a service does; at `finish` it counts no more, waits until
+/// history and broker have all, and says so.
+pub fn count(place: &Place) {
+    let file = File::open(&place.folder.join("j")).expect("the journal is there");
+    let mut next = file.last() + 1;
+    let site = place.site();
+    let mqtt = site.mqtt.as_ref().expect("there is one");
+    let readers = [&[HISTORY][..], &Reporter::readers(mqtt)].concat();
+    let policy = Policy {
+        every: Duration::from_millis(5),
+        bound: u64::MAX,
+    };
+    let failing = Box::new(|why: Option<&Failure>| {
+        println!("{}", if why.is_some() { "failing" } else { "again" });
+    });
+    let journal = Journal::begin(file, policy, &readers, failing).expect("the journal begins");
+    let database = place.database();
+    let open = Box::new(move || database.open());
+    let history = journal.reader(HISTORY);
+    let keep = Duration::from_secs(36_500 * 86_400);
+    let keeper = Keeper::begin(None, open, history.clone(), keep, Box::new(|_| ()));
+    let keeper = keeper.expect("a thread begins");
+    let carry = Arc::new(|_, _: Box<dyn FnOnce(_) + Send>| ());
+    let reporter = Reporter::begin(&site, mqtt, None, &journal, carry, Arc::new(|_| ()));
+    let reporter = reporter.unwrap_or_else(|why| panic!("{why:?}"));
+    let (ends, finishes) = told();
+    while !ends.load(Ordering::Relaxed) && !finishes.load(Ordering::Relaxed) {
+        let last = next + BATCH;
+        journal.put((next..last).map(sample).collect());
+        next = last;
+        while history.last() + 1 < next && !ends.load(Ordering::Relaxed) {
+            std::thread::yield_now();
+        }
+        println!("committed {}", history.last());
+    }
+    if finishes.load(Ordering::Relaxed) {
+        let waits = || history.place() < history.last() || reporter.state().waiting > 0;
+        while waits() && !ends.load(Ordering::Relaxed) {
+            std::thread::yield_now();
+        }
+        if !waits() {
+            println!("done {}", history.last());
+        }
+    }
+    drop(reporter);
+    journal.end();
+    keeper.end();
+}
+
+fn sample(number: u64) -> Sample {
+    Sample {
+        board: "b".into(),
+        point: "A0".into(),
+        at: number as i64,
+        value: Some(number as f64),
+    }
+}
+
+/// What is said on the standard input: to end, to finish.
+fn told() -> (Arc<AtomicBool>, Arc<AtomicBool>) {
+    let (ends, finishes) = (Arc::<AtomicBool>::default(), Arc::<AtomicBool>::default());
+    let (end, finish) = (ends.clone(), finishes.clone());
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            match &*line {
+                "end" => end.store(true, Ordering::Relaxed),
+                "finish" => finish.store(true, Ordering::Relaxed),
+                _ => {}
+            }
+        }
+        // Whoever began it is gone.
+        end.store(true, Ordering::Relaxed);
+    });
+    (ends, finishes)
+}

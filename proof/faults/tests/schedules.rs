@@ -1,0 +1,314 @@
+//! Seeded schedules of faults: gateway, mosquitto and PostgreSQL are killed, and the disk is full, one after the other and
+//! together. From its commit to the journal on, each sample reaches the history exactly once, and the broker at least once,
+//! in order.
+#![cfg(target_os = "linux")]
+
+#[path = "../../../tools/report/tests/it/broker.rs"]
+#[allow(dead_code, reason = "each test uses its part")]
+mod broker;
+#[path = "../../../tools/history/tests/it/server.rs"]
+#[allow(dead_code, reason = "each test uses its part")]
+mod database;
+
+use broker::Broker;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+use unoclp_faults::{Place, Tap, count};
+use unoclp_history::Query;
+use unoclp_testing::{Random, rounds};
+
+/// As `BROKER:FOLDER`, or `BROKER:FOLDER:PORT:DATABASE`: what the gateway below is told.
+const PLACE: &str = "UNOCLP_FAULTS";
+/// No test waits for longer: what has not come by then does not come. A busy disk makes a commit wait for a minute.
+const PATIENCE: Duration = Duration::from_secs(300);
+/// Schedules that run beside each other: they mostly wait.
+const BESIDE: usize = 6;
+
+/// What is killed below.
+#[test]
+fn a_gateway_counts() {
+    let Ok(told) = std::env::var(PLACE) else {
+        return;
+    };
+    let mut parts = told.split(':');
+    let mut next = || parts.next().map(str::to_owned);
+    count(&Place {
+        broker: next().unwrap().parse().unwrap(),
+        folder: next().unwrap().into(),
+        postgres: next().map(|port| (port.parse().unwrap(), next().unwrap())),
+    });
+}
+
+/// A gateway that counts.
+struct Gateway {
+    /// In which schedule.
+    seed: u64,
+    child: Child,
+    stdin: ChildStdin,
+    says: Receiver<String>,
+}
+
+impl Gateway {
+    fn begin(seed: u64, place: &Place) -> Gateway {
+        let (broker, folder) = (place.broker, place.folder.display());
+        let told = match &place.postgres {
+            None => format!("{broker}:{folder}"),
+            Some((port, database)) => format!("{broker}:{folder}:{port}:{database}"),
+        };
+        // A file that must not grow is an error to it, as a disk that is full; not its end.
+        let mut child = Command::new("env")
+            .arg("--ignore-signal=XFSZ")
+            .arg(std::env::current_exe().unwrap())
+            .args(["--exact", "a_gateway_counts", "--nocapture"])
+            .env(PLACE, told)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        let (send, says) = channel();
+        thread::spawn(move || {
+            for line in lines.map_while(Result::ok) {
+                // After the end of a schedule nobody listens.
+                let _ = send.send(line);
+            }
+        });
+        let stdin = child.stdin.take().unwrap();
+        Gateway {
+            seed,
+            child,
+            stdin,
+            says,
+        }
+    }
+
+    /// The next line that has this word: what is behind it.
+    fn hears(&self, word: &str) -> String {
+        loop {
+            let line = self.says.recv_timeout(PATIENCE);
+            let line = line.unwrap_or_else(|why| panic!("schedule {}: {word}: {why}", self.seed));
+            if let Some((_, rest)) = line.split_once(word) {
+                return rest.trim().to_owned();
+            }
+        }
+    }
+
+    /// It has committed so often more; gives how far it is.
+    fn commits(&self, times: usize) -> u64 {
+        let once = |_: u64, _| self.hears("committed ").parse().unwrap();
+        (0..times).fold(0, once)
+    }
+
+    /// No file may grow, or each may again.
+    fn disk(&self, is_full: bool) {
+        let limit = if is_full {
+            "--fsize=0:unlimited"
+        } else {
+            "--fsize=unlimited"
+        };
+        let pid = self.child.id().to_string();
+        let set = Command::new("prlimit")
+            .args(["--pid", &pid, limit])
+            .status();
+        assert!(set.unwrap().success());
+    }
+
+    fn kill(mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
+    }
+
+    fn tell(&mut self, what: &str) {
+        writeln!(self.stdin, "{what}").unwrap();
+    }
+
+    /// It ends as a service does.
+    fn end(mut self) {
+        self.tell("end");
+        assert!(self.child.wait().unwrap().success());
+    }
+}
+
+/// A server of PostgreSQL for one schedule at a time.
+struct Postgres {
+    server: Mutex<database::Server>,
+    databases: AtomicU32,
+}
+
+/// What a schedule does next.
+#[derive(Clone, Copy, Debug)]
+enum Fault {
+    /// The gateway is killed at the moment at which it has committed,
+    Boundary,
+    /// or at any moment.
+    Anywhere,
+    /// The gateway ends in order.
+    End,
+    /// The broker is killed, and begun again later.
+    Broker,
+    /// So is the database.
+    Database,
+    /// The disk is full for a while.
+    Disk,
+    /// Broker and gateway are killed together.
+    Both,
+}
+
+const FAULTS: [Fault; 7] = [
+    Fault::Boundary,
+    Fault::Anywhere,
+    Fault::End,
+    Fault::Broker,
+    Fault::Database,
+    Fault::Disk,
+    Fault::Both,
+];
+
+fn schedule(seed: u64, postgres: &Postgres) {
+    let mut random = Random(seed);
+    let folder = tempfile::tempdir().unwrap();
+    let mut broker = Broker::new();
+    let tap = Tap::new(broker.port).unwrap();
+    // Each third schedule has its history in PostgreSQL.
+    let mut server = seed
+        .is_multiple_of(3)
+        .then(|| postgres.server.lock().unwrap());
+    let database = server.as_ref().map(|server| {
+        let name = format!("s{}", postgres.databases.fetch_add(1, Ordering::Relaxed));
+        server.database(&name);
+        (server.port, name)
+    });
+    let place = Place {
+        folder: folder.path().to_owned(),
+        broker: tap.port,
+        postgres: database,
+    };
+    let mut gateway = Gateway::begin(seed, &place);
+    let mut least = 0;
+    let mut done = Vec::new();
+    for _ in 0..3 + random.below(4) {
+        let fault = random.pick(&FAULTS);
+        done.push(fault);
+        least = gateway.commits(1 + random.below(4)).max(least);
+        match (fault, &mut server) {
+            (Fault::Boundary, _) => {
+                gateway.kill();
+                gateway = Gateway::begin(seed, &place);
+            }
+            (Fault::Anywhere, _) => {
+                for _ in 0..random.below(2_000) {
+                    thread::yield_now();
+                }
+                gateway.kill();
+                gateway = Gateway::begin(seed, &place);
+            }
+            (Fault::End, _) => {
+                gateway.end();
+                gateway = Gateway::begin(seed, &place);
+            }
+            (Fault::Broker, _) => {
+                broker.kill();
+                least = gateway.commits(2).max(least);
+                broker.begin();
+            }
+            (Fault::Both, _) => {
+                broker.kill();
+                gateway.kill();
+                broker.begin();
+                gateway = Gateway::begin(seed, &place);
+            }
+            (Fault::Database, Some(server)) => {
+                server.kill();
+                least = gateway.commits(2).max(least);
+                server.begin();
+            }
+            (Fault::Disk | Fault::Database, _) => {
+                gateway.disk(true);
+                gateway.hears("failing");
+                gateway.disk(false);
+                // Or the next disk that is full would be the same one to it.
+                gateway.hears("again");
+            }
+        }
+    }
+    gateway.tell("finish");
+    let last: u64 = gateway.hears("done ").parse().unwrap();
+    assert!(gateway.child.wait().unwrap().success());
+    let story = format!("schedule {seed}: {done:?}");
+    assert!(last >= least, "{story}: {last} < {least}");
+    exactly_once(&place, last, &story);
+    in_order(&tap, last, &story);
+}
+
+/// The history has each sample once.
+fn exactly_once(place: &Place, last: u64, story: &str) {
+    let mut store = place.database().read().unwrap();
+    let rows = store.rows(&Query {
+        board: "b".into(),
+        point: "A0".into(),
+        from: 0,
+        to: i64::MAX,
+        step: 0,
+        most: usize::MAX,
+    });
+    let values: Vec<u64> = rows
+        .unwrap()
+        .iter()
+        .map(|row| row.last.unwrap_or(0.0) as u64)
+        .collect();
+    assert_eq!(values, (1..=last).collect::<Vec<_>>(), "{story}");
+}
+
+/// A broker has confirmed each sample, none before the one that comes before it, and each with its number.
+fn in_order(tap: &Tap, last: u64, story: &str) {
+    let mut seen = 0;
+    for (topic, payload) in tap.confirmed() {
+        if !topic.ends_with("/b/A0") {
+            continue;
+        }
+        let text = String::from_utf8(payload).unwrap();
+        let part = |key: &str| -> u64 {
+            let (_, rest) = text.split_once(key).unwrap();
+            let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+            digits.parse().unwrap()
+        };
+        let (value, number) = (part("\"v\":"), part("\"n\":"));
+        assert_eq!(value, number, "{story}");
+        assert!(number <= seen + 1, "{story}: {number} after {seen}");
+        seen = seen.max(number);
+    }
+    assert_eq!(seen, last, "{story}");
+}
+
+#[test]
+fn under_random_schedules_nothing_is_lost_doubled_or_out_of_order() {
+    assert!(
+        Path::new("/usr/bin/prlimit").exists(),
+        "util-linux brings it"
+    );
+    let all = u64::from(rounds(30));
+    let postgres = Postgres {
+        server: Mutex::new(database::Server::new()),
+        databases: AtomicU32::new(0),
+    };
+    let next = AtomicU32::new(0);
+    thread::scope(|scope| {
+        for _ in 0..BESIDE {
+            scope.spawn(|| {
+                loop {
+                    let seed = u64::from(next.fetch_add(1, Ordering::Relaxed));
+                    if seed >= all {
+                        return;
+                    }
+                    schedule(seed, &postgres);
+                }
+            });
+        }
+    });
+}

@@ -1,0 +1,201 @@
+//! A file that is open: who puts rows, and who asks for them.
+
+use crate::file::File;
+use crate::row::{Asked, Deed, Happening, Row};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+use unoclp_journal::Failure;
+
+/// Rows that wait in memory for a file that takes nothing; of more, the newest are given up and counted.
+const WAITING: usize = 10_000;
+/// How often a file that takes nothing is tried again.
+const AGAIN: Duration = Duration::from_secs(1);
+
+/// Hears when the file takes nothing, and why; and when it does again.
+pub type Tell = Box<dyn Fn(Option<&Failure>) + Send>;
+
+/// How it stands with a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct State {
+    /// Rows that are written.
+    pub written: u64,
+    /// Rows that were given up.
+    pub dropped: u64,
+    /// Why the file takes nothing at present.
+    pub failure: Option<Failure>,
+}
+
+/// A file that is open. With the last of it all is written that can be.
+pub struct Record {
+    path: PathBuf,
+    rows: Mutex<Option<SyncSender<Row>>>,
+    state: Arc<Mutex<State>>,
+    thread: Mutex<Option<JoinHandle<()>>>,
+}
+
+impl std::fmt::Debug for Record {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Record {}", self.path.display())
+    }
+}
+
+impl Record {
+    /// Opens this file, and makes it where it is not there. `tell` hears when it takes nothing.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn begin(path: &Path, tell: Tell) -> Result<Record, Failure> {
+        let file = File::open(path)?;
+        let (send, rows) = sync_channel(WAITING);
+        let state = Arc::new(Mutex::new(State::default()));
+        let writer = Writer {
+            file,
+            state: state.clone(),
+            tell,
+            waiting: Vec::new(),
+        };
+        let thread = thread::Builder::new().name("record".to_owned());
+        let thread = thread.spawn(move || writer.run(&rows));
+        let thread = thread.map_err(|why| Failure::Other(why.to_string()))?;
+        Ok(Record {
+            path: path.to_owned(),
+            rows: Mutex::new(Some(send)),
+            state,
+            thread: Mutex::new(Some(thread)),
+        })
+    }
+
+    /// Something has become of an alarm.
+    pub fn alarm(&self, happening: Happening) {
+        self.put(Row::Alarm(happening));
+    }
+
+    /// Somebody has done something.
+    pub fn deed(&self, deed: Deed) {
+        self.put(Row::Deed(deed));
+    }
+
+    fn put(&self, row: Row) {
+        let is_put = match &*lock(&self.rows) {
+            Some(rows) => rows.try_send(row).is_ok(),
+            None => false,
+        };
+        if !is_put {
+            lock(&self.state).dropped += 1;
+        }
+    }
+
+    /// What has become of each alarm last.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn last(&self) -> Result<Vec<Happening>, Failure> {
+        File::read(&self.path)?.last()
+    }
+
+    /// What became of alarms.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn alarms(&self, asked: &Asked) -> Result<Vec<Happening>, Failure> {
+        File::read(&self.path)?.alarms(asked)
+    }
+
+    /// What was done.
+    ///
+    /// # Errors
+    /// [`Failure`].
+    pub fn deeds(&self, asked: &Asked) -> Result<Vec<Deed>, Failure> {
+        File::read(&self.path)?.deeds(asked)
+    }
+
+    /// How it stands.
+    pub fn state(&self) -> State {
+        lock(&self.state).clone()
+    }
+
+    /// All that has come is written, where the file takes it.
+    pub fn end(&self) {
+        lock(&self.rows).take();
+        if let Some(thread) = lock(&self.thread).take() {
+            // One that has failed has said so.
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Drop for Record {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+struct Writer {
+    file: File,
+    state: Arc<Mutex<State>>,
+    tell: Tell,
+    waiting: Vec<Row>,
+}
+
+impl Writer {
+    fn run(mut self, rows: &Receiver<Row>) {
+        let mut next = Instant::now();
+        loop {
+            match rows.recv_timeout(AGAIN) {
+                Ok(row) => self.take(row),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+            while let Ok(row) = rows.try_recv() {
+                self.take(row);
+            }
+            if Instant::now() >= next && !self.write() {
+                next = Instant::now() + AGAIN;
+            }
+        }
+        self.write();
+    }
+
+    fn take(&mut self, row: Row) {
+        match self.waiting.len() < WAITING {
+            true => self.waiting.push(row),
+            false => lock(&self.state).dropped += 1,
+        }
+    }
+
+    /// Writes what waits; false where the file takes nothing.
+    fn write(&mut self) -> bool {
+        if self.waiting.is_empty() {
+            return true;
+        }
+        let written = self.file.append(&self.waiting);
+        let mut state = lock(&self.state);
+        let before = state.failure.take();
+        match written {
+            Ok(()) => {
+                state.written += self.waiting.len() as u64;
+                drop(state);
+                self.waiting.clear();
+                if before.is_some() {
+                    (self.tell)(None);
+                }
+                true
+            }
+            Err(why) => {
+                state.failure = Some(why.clone());
+                drop(state);
+                if before.is_none() {
+                    (self.tell)(Some(&why));
+                }
+                false
+            }
+        }
+    }
+}
+
+fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
+    of.lock().unwrap_or_else(PoisonError::into_inner)
+}

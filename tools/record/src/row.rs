@@ -1,0 +1,53 @@
+//! A row of the file, and what is asked of it.
+
+/// A row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// Something has become of an alarm.
+    Alarm(Happening),
+    /// Somebody has done something.
+    Deed(Deed),
+}
+
+/// What has become of an alarm.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Happening {
+    /// The moment: ms since 1970, by the clock of the PC.
+    pub at: i64,
+    /// The alarm.
+    pub alarm: String,
+    /// What has become of it: `came`, `gone`, `acknowledged`.
+    pub change: String,
+    /// How it stands from then on.
+    pub state: String,
+    /// Who has done it, where somebody has.
+    pub who: Option<String>,
+}
+
+/// What somebody did.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Deed {
+    /// The moment: ms since 1970, by the clock of the PC.
+    pub at: i64,
+    /// Who: a user, or by which way.
+    pub who: String,
+    /// The address that it came from, where it came over a network.
+    pub from: Option<String>,
+    /// The board, or the alarm.
+    pub of: String,
+    /// What: `run`, `stop`, `force`, `write` …
+    pub what: String,
+    /// With which values.
+    pub detail: String,
+}
+
+/// Which rows are asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Asked {
+    /// From this moment on, ms since 1970,
+    pub from: i64,
+    /// and until before this one.
+    pub to: i64,
+    /// At most so many, the latest.
+    pub most: usize,
+}
