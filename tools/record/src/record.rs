@@ -28,10 +28,17 @@ pub struct State {
     pub failure: Option<Failure>,
 }
 
+/// What the writer is given.
+enum Put {
+    Row(Row),
+    /// Somebody waits until all rows before this one have been tried.
+    Waits(SyncSender<()>),
+}
+
 /// A file that is open. With the last of it all is written that can be.
 pub struct Record {
     path: PathBuf,
-    rows: Mutex<Option<SyncSender<Row>>>,
+    puts: Mutex<Option<SyncSender<Put>>>,
     state: Arc<Mutex<State>>,
     thread: Mutex<Option<JoinHandle<()>>>,
 }
@@ -49,7 +56,7 @@ impl Record {
     /// [`Failure`].
     pub fn begin(path: &Path, tell: Tell) -> Result<Record, Failure> {
         let file = File::open(path)?;
-        let (send, rows) = sync_channel(WAITING);
+        let (send, puts) = sync_channel(WAITING);
         let state = Arc::new(Mutex::new(State::default()));
         let writer = Writer {
             file,
@@ -58,11 +65,11 @@ impl Record {
             waiting: Vec::new(),
         };
         let thread = thread::Builder::new().name("record".to_owned());
-        let thread = thread.spawn(move || writer.run(&rows));
+        let thread = thread.spawn(move || writer.run(&puts));
         let thread = thread.map_err(|why| Failure::Other(why.to_string()))?;
         Ok(Record {
             path: path.to_owned(),
-            rows: Mutex::new(Some(send)),
+            puts: Mutex::new(Some(send)),
             state,
             thread: Mutex::new(Some(thread)),
         })
@@ -78,13 +85,26 @@ impl Record {
         self.put(Row::Deed(deed));
     }
 
+    /// Waits until the file has taken all that was put, or has refused it; a process that is killed after this has lost
+    /// nothing that the file could take.
+    pub fn settle(&self) {
+        let (settled, wait) = sync_channel(1);
+        if self.send(Put::Waits(settled)) {
+            // A writer that has ended has written.
+            let _ = wait.recv();
+        }
+    }
+
     fn put(&self, row: Row) {
-        let is_put = match &*lock(&self.rows) {
-            Some(rows) => rows.try_send(row).is_ok(),
-            None => false,
-        };
-        if !is_put {
+        if !self.send(Put::Row(row)) {
             lock(&self.state).dropped += 1;
+        }
+    }
+
+    fn send(&self, put: Put) -> bool {
+        match &*lock(&self.puts) {
+            Some(puts) => puts.try_send(put).is_ok(),
+            None => false,
         }
     }
 
@@ -119,7 +139,7 @@ impl Record {
 
     /// All that has come is written, where the file takes it.
     pub fn end(&self) {
-        lock(&self.rows).take();
+        lock(&self.puts).take();
         if let Some(thread) = lock(&self.thread).take() {
             // One that has failed has said so.
             let _ = thread.join();
@@ -141,19 +161,27 @@ struct Writer {
 }
 
 impl Writer {
-    fn run(mut self, rows: &Receiver<Row>) {
+    fn run(mut self, puts: &Receiver<Put>) {
         let mut next = Instant::now();
+        let mut waits = Vec::new();
         loop {
-            match rows.recv_timeout(AGAIN) {
-                Ok(row) => self.take(row),
-                Err(RecvTimeoutError::Timeout) => {}
+            let first = match puts.recv_timeout(AGAIN) {
+                Ok(put) => Some(put),
+                Err(RecvTimeoutError::Timeout) => None,
                 Err(RecvTimeoutError::Disconnected) => break,
-            }
-            while let Ok(row) = rows.try_recv() {
-                self.take(row);
+            };
+            for put in first.into_iter().chain(puts.try_iter()) {
+                match put {
+                    Put::Row(row) => self.take(row),
+                    Put::Waits(settled) => waits.push(settled),
+                }
             }
             if Instant::now() >= next && !self.write() {
                 next = Instant::now() + AGAIN;
+            }
+            for settled in waits.drain(..) {
+                // Who no longer waits need not hear it.
+                let _ = settled.try_send(());
             }
         }
         self.write();
@@ -198,4 +226,36 @@ impl Writer {
 
 fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_settled_is_in_the_file_while_it_is_open() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("r");
+        let record = Record::begin(&path, Box::new(|_| ())).unwrap();
+        for at in 0..20 {
+            record.deed(Deed {
+                at,
+                who: "ana".into(),
+                from: None,
+                of: "hot".into(),
+                what: "acknowledge".into(),
+                detail: String::new(),
+            });
+            record.settle();
+            // As a program sees it that starts after this one was killed.
+            let asked = Asked {
+                from: at,
+                to: i64::MAX,
+                most: 1,
+            };
+            assert_eq!(File::read(&path).unwrap().deeds(&asked).unwrap().len(), 1);
+        }
+        record.end();
+        record.settle();
+    }
 }

@@ -80,6 +80,14 @@ impl Deeds {
         self.put(&who.name, Some(from), alarm, "acknowledge", String::new());
     }
 
+    /// Waits until what was done is in the file, or the file takes nothing. What boards do never waits for this.
+    pub async fn settle(&self) {
+        if let Some(record) = self.record.clone() {
+            // One that has failed has said so.
+            let _ = tokio::task::spawn_blocking(move || record.settle()).await;
+        }
+    }
+
     /// What was done.
     pub fn past(&self) -> Option<Arc<Record>> {
         self.record.clone()

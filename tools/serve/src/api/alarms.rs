@@ -83,6 +83,7 @@ impl Api {
         };
         if let Some(first) = self.gateways.first() {
             first.deeds.acknowledged(&who, from, &asked.alarm);
+            first.deeds.settle().await;
         }
         Ok(Done {
             state: state.word(),
