@@ -14,7 +14,7 @@ unoclp_words::messages! {
     select_one() "select one element first" "selecione um elemento primeiro";
     no_name(name) "{name} cannot be a name; use letters, digits and _, and not an address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";
     no_address(text) "{text} is not an address; write one such as I1, Q1, M1, T1" "{text} não é um endereço; escreva um como I1, Q1, M1, T1";
-    no_such_point(name) "no point is called {name}; write an address, such as I1, and the name after it: I1 {name}name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
+    no_such_point(name) "no point is called {name}; write an address, such as I1, and the name after it: I1 {name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
     system_marker(name) "{name} is a system marker of the board, not a button. Which one do you mean?" "{name} é uma memória de sistema da placa, não um botão. Qual dos dois você quer?";
     is_system_marker(name) "{name}, the system marker" "{name}, a memória de sistema";
     timer_drives(name) "{name} is the timer itself, and its number comes from its place. It must drive an output or a marker" "{name} é o próprio temporizador, que recebe o número pela posição. Ele precisa acionar uma saída ou uma memória";
