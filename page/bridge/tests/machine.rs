@@ -273,7 +273,7 @@ fn a_broken_rule_is_seen_again() {
     );
     let at = wrong["at"].as_u64().unwrap();
     let why = wrong["why"]["en"].as_str().unwrap();
-    assert!(at > 0 && why.contains("a rule broke"), "{wrong}");
+    assert!(at > 0 && why.contains("a rule was broken"), "{wrong}");
     let again = with(
         "replay",
         "plants/wrong/reversing-lock.st",

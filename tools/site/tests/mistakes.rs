@@ -320,7 +320,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a b\"\nwhen = \"x.I1\"\ntext = \"a\"\n"),
             6,
-            "\"a b\" cannot be a name here; take a letter",
+            "\"a b\" is not a valid name; start with a letter",
         ),
         (
             with(&(alarm("x.I1") + &alarm("x.I2"))),
@@ -370,7 +370,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&(alarm("x.I1") + "for = \"2d\"\n")),
             9,
-            "2d is no time from 0s to 1d",
+            "2d is not a time from 0s to 1d",
         ),
         (
             with(&(alarm("x.I1") + "severity = \"fatal\"\n")),

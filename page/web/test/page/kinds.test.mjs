@@ -195,7 +195,7 @@ test("without an exercise a program is judged by the machine's own course", asyn
   await judge("plants/reversing.st");
   await page.locator("#machine-judged-verdict.good").waitFor();
   await judge("plants/wrong/reversing-lock.st");
-  await page.locator("#machine-judged-verdict.bad", { hasText: "a rule broke" }).waitFor();
+  await page.locator("#machine-judged-verdict.bad", { hasText: "a rule was broken" }).waitFor();
   await page.locator("#machine-judged #replay svg .cursor").waitFor({ state: "attached" });
   assert.deepEqual(await findings(page), []);
   await page.context().close();

@@ -154,7 +154,7 @@ fn a_key_is_made_for_a_user_and_the_token_is_shown_once() {
     );
     let (code, _, told) = outcome(&["site", "key", "a.b"]);
     assert_eq!(code, 2);
-    assert!(told.contains("a.b cannot be a user's name"), "{told}");
+    assert!(told.contains("a.b is not a valid user name"), "{told}");
     let (code, _, _) = outcome(&["site", "key", "ana", "--role", "root"]);
     assert_eq!(code, 2);
 }
