@@ -143,8 +143,9 @@ impl Uno {
             stop: Some(pc),
         };
         loop {
-            let moved = self.hurry(end.saturating_add(1), Some(pc));
-            if !(moved && self.is_over(pc, end)) && !self.advance() {
+            let is_there = self.hurry(end.saturating_add(1), Some(pc)) && self.is_over(pc, end);
+            let goes_on = is_there || self.advance();
+            if !goes_on {
                 return self.check_halt();
             }
             if self.avr.pc() == pc {
