@@ -18,6 +18,8 @@ const SPANS = [2, 5, 10, 30, 120];
 const LEAST = 1;
 /** Height of a lane, CSS pixels. */
 const LANE = 30;
+/** From one picture to the next at least, ms: each is drawn whole, and a slow computer has a board to simulate. */
+const PICTURE = 50;
 
 export class Trend {
   readonly panel = h("div");
@@ -42,6 +44,8 @@ export class Trend {
   private span = 10;
   private follows = true;
   private asked = false;
+  /** When it was last drawn, ms of the page. */
+  private drawnAt = -PICTURE;
 
   constructor(private readonly bench: Bench) {
     bench.events.add((event) => {
@@ -233,10 +237,12 @@ export class Trend {
   private redraw(): void {
     if (this.asked || this.panel.hidden || this.points.length === 0) return;
     this.asked = true;
-    requestAnimationFrame(() => {
+    const draw = (): void => {
       this.asked = false;
+      this.drawnAt = performance.now();
       void this.draw();
-    });
+    };
+    setTimeout(() => requestAnimationFrame(draw), Math.max(this.drawnAt + PICTURE - performance.now(), 0));
   }
 
   private async draw(): Promise<void> {

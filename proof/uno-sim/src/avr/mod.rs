@@ -4,11 +4,13 @@
 //! registered with [`Avr::on`] run, and may raise IRQs. So this type gives out no reference that could outlive a call.
 
 mod memory;
+mod quick;
 pub mod reg;
 mod wait;
 mod wires;
 
 use crate::Error;
+pub use quick::Far;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
 pub use wait::Leave;
