@@ -365,7 +365,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = \" \"\n"),
             8,
-            "this alarm says nothing",
+            "this alarm has no text",
         ),
         (
             with(&(alarm("x.I1") + "for = \"2d\"\n")),
