@@ -95,7 +95,7 @@ fn a_hand_gives_an_input_and_outputs_move_it() {
     let look = ok(&mut boards, json!({ "ask": "machineLook" }));
     assert_eq!(look["broken"][0][0], 0, "it overflows: {look}");
     assert!(!look["changes"].as_array().unwrap().is_empty());
-    // In another language it goes on; anew, it begins.
+    // In another language it goes on; again, it begins.
     let again = json!({ "ask": "machine", "name": "batch.toml", "text": file("batch.toml"), "speak": "pt", "keep": true });
     assert_eq!(
         ok(&mut boards, again)["title"]["pt"],
@@ -387,7 +387,7 @@ fn what_is_hidden_of_an_exercise_is_not_told() {
     let fared = &came["machine"];
     assert_eq!(fared["at"], Value::Null, "{came}");
     let why = fared["why"].to_string();
-    assert!(why.contains("how they come is hidden"), "{why}");
+    assert!(why.contains("other, hidden chances"), "{why}");
     for told in ["metal", "2.599", "(2)"] {
         assert!(!came.to_string().contains(told), "{told}: {came}");
     }

@@ -1,7 +1,7 @@
 //! Edges and counters that a text calls more than once: each call is another evaluation of one instance.
 //!
 //! A code of the board remembers for itself, so an edge that is called once is one code. Which ones are
-//! called again is known only behind the last call: a text that has such calls is run through a second time.
+//! called again is known only after the last call: a text that has such calls is run through a second time.
 
 use super::{Acc, Lower};
 use crate::diagnostics::Span;

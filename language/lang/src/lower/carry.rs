@@ -17,7 +17,7 @@ pub(crate) enum Carry {
     Register(u8),
 }
 
-/// The labels behind which the accumulator is used before anything is loaded.
+/// The labels after which the accumulator is used before anything is loaded.
 pub(super) fn needs(body: &[Stmt]) -> HashSet<String> {
     let mut needs = HashSet::new();
     let mut used = false;
@@ -112,7 +112,7 @@ impl Lower<'_, '_> {
         }
     }
 
-    /// The accumulator behind a label that needs it. Where no way above leads there, it is taken for a bit.
+    /// The accumulator after a label that needs it. Where no way above leads there, it is taken for a bit.
     pub(super) fn carried(&mut self, label: usize, span: Span) -> Acc {
         let carry = match self.labels[label].carry {
             Some(carry) => carry,

@@ -80,7 +80,7 @@ impl Lower<'_, '_> {
         self.acc = self.carried(index, word.span);
     }
 
-    /// Whether the accumulator is needed behind this label.
+    /// Whether the accumulator is needed after this label.
     fn is_needed(&self, label: &str) -> bool {
         self.scopes
             .last()

@@ -68,7 +68,7 @@ impl Lower<'_, '_> {
         };
         let Some(count) = count else {
             let needs = (
-                "what it counts, and then what resets it, each behind an LD",
+                "what it counts, and then what resets it, each after an LD",
                 "o que contar e depois o que o zera, cada um depois de um LD",
             );
             let name = self.spelled(counter);
@@ -190,7 +190,7 @@ impl Lower<'_, '_> {
     }
 }
 
-/// What is left of a result behind what has used it.
+/// What is left of a result after what has used it.
 fn settled(acc: Acc) -> Acc {
     match acc {
         Acc::Bit(expr) if expr.is_first() => Acc::Empty,

@@ -77,7 +77,7 @@ struct Scope {
     labels: HashMap<String, usize>,
     /// Labels that a jump of the unit leads to.
     wanted: HashSet<String>,
-    /// Labels behind which the accumulator is used as it comes.
+    /// Labels after which the accumulator is used as it comes.
     needs: HashSet<String>,
     /// Where RET leads; of the program it ends the scan.
     end: Option<usize>,
@@ -90,7 +90,7 @@ pub(crate) struct Label {
     /// What its name asks for: `L07` is label 07.
     pub number: Option<u8>,
     pub span: Span,
-    /// Where the accumulator is, if it is needed behind the label.
+    /// Where the accumulator is, if it is needed after the label.
     carry: Option<carry::Carry>,
 }
 
@@ -126,7 +126,7 @@ pub(crate) struct Lower<'a, 'f> {
     unused: Option<Span>,
     /// Nothing comes here.
     unreachable: bool,
-    /// N behind a parenthesis, for the load that follows.
+    /// N after a parenthesis, for the load that follows.
     invert_load: bool,
     called: HashSet<usize>,
     /// Calls of functions and function blocks so far.
@@ -229,7 +229,7 @@ impl<'a> Lower<'a, '_> {
     }
 
     fn reachable(&mut self, instr: &Instr) {
-        // What begins a part or stands behind it is reached in another way.
+        // What begins a part or stands after it is reached in another way.
         let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
         if std::mem::take(&mut self.unreachable) && !part {
             self.found.tell(Code::Unreachable, instr.whole, []);

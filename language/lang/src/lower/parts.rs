@@ -45,7 +45,7 @@ impl Lower<'_, '_> {
     pub(super) fn end_of_ifs(&mut self) {
         for (span, _) in std::mem::take(&mut self.ifs) {
             let word = self.names.written(span);
-            let why = ("write END_IF behind it", "escreva END_IF depois dele");
+            let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.found
                 .tell(Code::Structure, span, [word.into(), why.into()]);
         }

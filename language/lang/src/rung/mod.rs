@@ -179,7 +179,7 @@ impl Rungs {
         self.changes(Written::Plain(Opcode::CloseBranch), span);
     }
 
-    /// An instruction behind which the accumulator is no longer 1 for certain.
+    /// An instruction after which the accumulator is no longer 1 for certain.
     pub(crate) fn changes(&mut self, written: Written, span: Span) {
         self.write(written, span);
         self.holds = Holds::Other;

@@ -184,7 +184,7 @@ export class Panel {
     });
     speak.follow(show);
     const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
-    // STOP begins the program anew: scans of a program that runs are its own.
+    // STOP begins the program again: scans of a program that runs are its own.
     const offer = (): void => {
       const runs = bench.seen.value?.state === "RUN";
       scan.disabled = runs;

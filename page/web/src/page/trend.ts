@@ -35,7 +35,7 @@ export class Trend {
   private readonly hidden = new Set<string>();
   private points: readonly Point[] = [];
   private chart: uPlot | null = null;
-  /** The channels of the chart; none: it is to be made anew. */
+  /** The channels of the chart; none: it is to be made again. */
   private drawn: string[] = [];
   /** The channels that the chart was made with. */
   private made: readonly string[] = [];
@@ -99,7 +99,7 @@ export class Trend {
     for (const point of this.points) {
       // The simulated board tells its pins by itself, to the microsecond.
       if (point.hand === "force") continue;
-      // A timer that begins to run has its cause behind it, one that has come to its end has its effect before it.
+      // A timer that begins to run has its cause after it, one that has come to its end has its effect before it.
       const runs = point.kind === "meter" && recorder.last(point.name) === 0 && point.value(seen) < (point.preset?.(seen) ?? 0);
       recorder.note(point.name, runs ? at : moment, point.value(seen), point.kind === "bit");
     }

@@ -145,7 +145,7 @@ impl Avr {
         unsafe { ffi::avr_reset(self.avr.as_ptr()) };
     }
 
-    /// Starts the watchdog's time anew where the watchdog is on, as the instruction `wdr` does.
+    /// Starts the watchdog's time again where the watchdog is on, as the instruction `wdr` does.
     pub fn restart_watchdog(&mut self) {
         // SAFETY: this request takes no parameter.
         unsafe { self.ioctl(*b"wdtr", std::ptr::null_mut()) };

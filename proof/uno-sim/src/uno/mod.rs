@@ -177,7 +177,7 @@ impl Uno {
         let cpu = self.avr.step();
         let next = self.avr.pc();
         if self.avr.cycle() < cycle {
-            // The watchdog has reset the chip, and simavr counts anew.
+            // The watchdog has reset the chip, and simavr counts again.
             self.wired.cycles_before += cycle;
             self.settle_after_reset();
             if self.wired.power_cut {

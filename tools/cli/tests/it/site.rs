@@ -21,12 +21,12 @@ fn a_site_file_is_told_or_its_mistakes_are() {
     assert_eq!(code, 0, "{said}");
     assert!(
         said.starts_with(
-            "page: http://127.0.0.1:8420/, for this PC alone\nline /dev/ttyACM0: 115200"
+            "page: http://127.0.0.1:8420/, for this PC only\nline /dev/ttyACM0: 115200"
         ),
         "{said}"
     );
     assert!(
-        said.contains("    program lamp.st: its names (1) hold while the board keeps check sum "),
+        said.contains("    program lamp.st: its names (1) apply while the board has check sum "),
         "{said}"
     );
 
