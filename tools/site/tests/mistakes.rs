@@ -579,3 +579,12 @@ fn a_point_of_every_board_is_written_whichever_program_it_keeps() {
         Wrong::ReadOnly { .. }
     ));
 }
+
+/// A text that is no TOML at all is told once: it is one mistake.
+#[test]
+fn what_is_no_toml_is_told_once() {
+    for text in ["<html>\n<body>\n<p>\n", &"x\n".repeat(1000)] {
+        let told = of(text).unwrap_err();
+        assert_eq!((told.len(), told[0].line), (1, 1), "{told:?}");
+    }
+}

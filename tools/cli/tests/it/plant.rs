@@ -163,3 +163,61 @@ fn an_exercise_with_a_machine_has_two_verdicts() {
         "{said}"
     );
 }
+
+/// A machine whose one part is plastic with its own chance, and metal with the hidden chance 2.
+const BY_CHANCE: &str = r#"title = "Belt"
+until = "12 s"
+seed = 4
+[[part]]
+name = "belt"
+kind = "belt"
+run = "Q1"
+onto = "rest"
+long = "1 m"
+speed = "400 mm/s"
+[[part]]
+name = "feeder"
+kind = "feeder"
+onto = "belt"
+every = "400 mm"
+things = "mixed"
+most = 1
+[[part]]
+name = "rest"
+kind = "bin"
+wants = "plastic"
+[[never]]
+when = "rest.wrong > 0"
+text = { en = "No metal", pt = "Nenhum metal" }
+"#;
+
+/// What chance brings is hidden from a student, whose page tells nothing of it (`page/bridge/tests/machine.rs`), and told to
+/// the teacher who grades.
+#[test]
+fn hidden_chances_are_told_to_the_teacher() {
+    let folder = empty_folder("plant-seeds");
+    let put = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    put("belt.toml", BY_CHANCE);
+    let exercise = |seeds: &str| {
+        let text = format!(
+            "title = \"Belt\"\nplant = \"belt.toml\"\n{seeds}[[case]]\ntitle = \"It runs\"\nuntil = 20\nstep = [{{ at = 10, expect = {{ Q1 = 1 }} }}]\n"
+        );
+        put("exercise.toml", &text)
+    };
+    let program = put("runs.il", "LDN M1\nST Q1\n");
+    let (code, said, told) = outcome(&["grade", &exercise(""), &program]);
+    assert_eq!(code, 0, "its own chance alone: {said}{told}");
+    let (code, said, _) = outcome(&["grade", &exercise("seeds = [5, 6]\n"), &program]);
+    assert_eq!(code, 0, "{said}");
+    let hidden = exercise("seeds = [5, 2]\n");
+    let (code, said, _) = outcome(&["grade", &hidden, &program, "--csv"]);
+    assert_eq!(code, 1, "{said}");
+    assert!(
+        said.contains(",no,1,1,,with hidden chances (2): at 2.599 s a rule was broken: No metal"),
+        "{said}"
+    );
+}
