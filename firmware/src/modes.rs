@@ -256,7 +256,7 @@ fn take_coils(work: &mut Work<'_>, plc: &Linked<'_>) {
 /// STOP, until RUN begins, or a single scan or an upload is to be made: outputs off, program kept.
 ///
 /// # Errors
-/// Where the program cannot begin anew.
+/// Where the program cannot begin again.
 #[inline(never)]
 fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>, numbers: &mut Numbers) -> Result<(), Cause> {
     let board = work.board;
@@ -284,7 +284,7 @@ fn stop(work: &mut Work<'_>, plc: &mut Linked<'_>, numbers: &mut Numbers) -> Res
 /// Begins RUN or STOP, with the program as after power-up, unless that has begun.
 ///
 /// # Errors
-/// Where the program cannot begin anew.
+/// Where the program cannot begin again.
 #[inline(never)]
 fn enter(
     work: &mut Work<'_>,

@@ -44,7 +44,7 @@ impl Numbers {
             size: numbers::record(stored.numbers),
             places: 0,
             first,
-            // Behind this one stands the first.
+            // After this one stands the first.
             address: END,
             sequence: 0,
             at: 0,
@@ -118,7 +118,7 @@ impl Numbers {
         if self.at == self.size {
             self.at = 0;
         } else {
-            // Behind the numbers the check sum itself, which makes it 0.
+            // After the numbers the check sum itself, which makes it 0.
             let number = plc.snapshot().get(usize::from(self.at) - 1).copied();
             byte = number.unwrap_or(self.sum.to_be_bytes()[0]);
             self.sum = self.sum.then(byte);
@@ -128,7 +128,7 @@ impl Numbers {
         eeprom.write(address, byte);
     }
 
-    /// Before the program begins anew or goes: ends what is being written, and takes the snapshot.
+    /// Before the program begins again or goes: ends what is being written, and takes the snapshot.
     #[inline(never)]
     pub fn finish(&mut self, plc: &mut Linked<'_>, eeprom: &Eeprom) {
         while self.at != 0 {

@@ -1,4 +1,4 @@
-//! The page: 512 bytes of RAM with two lives; and run memory, which stands right behind. While a card is read the page
+//! The page: 512 bytes of RAM with two lives; and run memory, which stands right after. While a card is read the page
 //! holds a block of it; from then on the frame of the Modbus server, the settings, and the data of the running program.
 
 use crate::engine::Data;

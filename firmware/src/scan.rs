@@ -12,7 +12,7 @@ use core::mem::{self, offset_of};
 use unoclp_core::Millis;
 
 /// How far a scan is: it is to begin; what comes before the program is done, or to be done; the same of what comes
-/// behind it.
+/// after it.
 const BEGINS: u8 = 0;
 const PREPARED: u8 = 1;
 
@@ -28,7 +28,7 @@ pub struct Scans {
     begun: Moment,
     /// What there is to do before the program but to read inputs 01 to 04: [`FIRST`] and [`PREPARES`].
     before: u8,
-    /// What there is to do behind it but to write outputs: [`DUE`] and [`FINISHES`].
+    /// What there is to do after it but to write outputs: [`DUE`] and [`FINISHES`].
     behind: u8,
 }
 
@@ -144,7 +144,7 @@ impl Scans {
         // In this order: an input is never seen with a time stamp from before it changed (NC-5).
         let levels = board.pins.levels();
         // Fed only then, the watchdog sees too that the clock goes on. Before the clock is read: a millisecond that
-        // begins behind that is one for the next scan.
+        // begins after that is one for the next scan.
         if watchdog::is_hungry() {
             watchdog::feed();
             self.behind |= DUE;
@@ -167,7 +167,7 @@ impl Scans {
         millis
     }
 
-    /// What comes behind it.
+    /// What comes after it.
     #[inline(never)]
     fn finish(&mut self, board: &Board, plc: &mut Linked<'_>) -> Result<(), TooManyJumps> {
         if plc.jumps_too_often() {

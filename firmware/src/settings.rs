@@ -75,7 +75,7 @@ impl Settings {
         eeprom.read(slot) == VALID && self.read(eeprom, slot + 1, BYTES)
     }
 
-    /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings behind it
+    /// Takes what stands here, so many bytes with their check sum; says whether it is sound. Settings after it
     /// are 0.
     #[inline(never)]
     fn read(&mut self, eeprom: &Eeprom, address: u16, bytes: usize) -> bool {

@@ -14,7 +14,7 @@ use unoclp_modbus::eeprom::program::{
     self, BLANK, HEAD, HEAD_BYTES, INVALID, LENGTH, MARK, STORED, SUM, VALID,
 };
 
-/// Bytes of the head and the check sum behind it.
+/// Bytes of the head and the check sum after it.
 const HEADER: usize = HEAD_BYTES + 2;
 
 /// Keeps a program, unless it is the one that is kept. Only bytes that differ are written.
@@ -36,7 +36,7 @@ pub fn save(eeprom: &Eeprom, stored: &[u8]) -> Result<(), Cause> {
     Ok(())
 }
 
-/// Writes all behind the mark, or tells whether it stands there.
+/// Writes all after the mark, or tells whether it stands there.
 #[inline(never)]
 fn whole(eeprom: &Eeprom, header: &[u8; HEADER], stored: &[u8], write: bool) -> bool {
     pass(eeprom, HEAD, header, write) && pass(eeprom, STORED, stored, write)

@@ -1,5 +1,7 @@
-//! `cargo xtask bench`: measures the firmware on a simulated UNO, and the compiler on this PC, and writes
-//! `docs/benchmarks.md` and `docs/compile-benchmarks.md`.
+//! `cargo xtask bench`: measures the firmware on a simulated UNO, the compiler and the machines on this PC, and writes
+//! `docs/benchmarks.md`, `docs/compile-benchmarks.md` and `docs/machine-benchmarks.md`.
+
+mod machines;
 
 use std::path::Path;
 use std::process::Command;
@@ -30,7 +32,9 @@ pub fn run() -> Result<()> {
     say("bench: measuring; this takes a minute or two");
     shell::run(&mut bench(&firmware, &shell::root().join(PAGE)))?;
     say("bench: measuring the compiler");
-    shell::run(&mut compiler_bench(&shell::root().join(COMPILER_PAGE)))
+    shell::run(&mut compiler_bench(&shell::root().join(COMPILER_PAGE)))?;
+    say("bench: measuring the machines");
+    machines::run()
 }
 
 /// The program that measures the compiler, built as users build theirs.

@@ -40,7 +40,7 @@ impl Target {
     }
 }
 
-/// The words behind `cargo xtask fuzz`.
+/// The words after `cargo xtask fuzz`.
 #[derive(clap::Args)]
 pub struct Args {
     /// What to fuzz
@@ -117,7 +117,7 @@ fn build(target: &str) -> Result<PathBuf> {
     Ok(folder.join(host).join("release").join(target))
 }
 
-/// Makes the corpus anew from what it holds and what has been found.
+/// Makes the corpus again from what it holds and what has been found.
 fn keep(program: &PathBuf, work: &PathBuf, corpus: &PathBuf) -> Result<()> {
     say("fuzz: choosing what to keep");
     let old = corpus.with_extension("old");

@@ -12,7 +12,7 @@ use crate::{setup, wasm};
 /// Where the tests of the page are.
 const TESTS: &str = "page/web/test/page";
 
-/// The words behind `cargo xtask lab`.
+/// The words after `cargo xtask lab`.
 #[derive(clap::Args)]
 pub struct Args {
     /// Where to serve it, on this computer alone; 0 takes a free port

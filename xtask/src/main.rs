@@ -21,7 +21,7 @@ enum Task {
     Fuzz(fuzz::Args),
     /// Build the firmware of the UNO and of Nanos: target/firmware/unoclp.hex and unoclp-nano.hex
     Firmware(firmware::Args),
-    /// Measure the firmware on a simulated UNO and the compiler, and write docs/benchmarks.md and compile-benchmarks.md
+    /// Measure the firmware on a simulated UNO, the compiler and the machines, and write their pages in docs
     Bench,
     /// Put a program on the image of a memory card
     Card(card::Args),

@@ -26,7 +26,7 @@ const BUILT: [&str; 4] = [
     "suite::every_scenario_in_lockstep_before_the_firmware_is_shortened",
 ];
 
-/// The words behind `cargo xtask test`.
+/// The words after `cargo xtask test`.
 #[derive(clap::Args)]
 pub struct TestArgs {
     /// Leave out clippy, the documentation and its examples, and ten of eleven random rounds and cases
@@ -37,7 +37,7 @@ pub struct TestArgs {
     kept: bool,
 }
 
-/// The words behind `cargo xtask soak`.
+/// The words after `cargo xtask soak`.
 #[derive(clap::Args)]
 pub struct SoakArgs {
     /// How many times the rounds of `cargo xtask test` to make
@@ -186,7 +186,7 @@ fn check_and_compile(steps: &Steps) -> Result<(programs::Programs, Count)> {
     Ok((programs, examples))
 }
 
-/// Where xtask stands, asked before anything is compiled: behind that another program may stand in its place, and the
+/// Where xtask stands, asked before anything is compiled: after that another program may stand in its place, and the
 /// system calls the one that runs deleted.
 fn itself() -> Result<PathBuf> {
     std::env::current_exe().context("cannot find xtask itself")

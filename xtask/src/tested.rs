@@ -1,7 +1,7 @@
 //! The tested firmware: the files in `firmware/` that users write to their boards.
 //!
 //! The suite has run on this firmware and on no other. So the symbols of each file stand beside it, for the suite to run
-//! on the very file, and the sums of all; a test builds it anew, and `cargo xtask firmware` says where the result is
+//! on the very file, and the sums of all; a test builds it again, and `cargo xtask firmware` says where the result is
 //! another.
 
 use std::fs;

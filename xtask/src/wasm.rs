@@ -36,7 +36,7 @@ pub fn build(toolchain: &Toolchain, folder: &Path) -> Result<()> {
         // Beside an rlib cargo would optimize nothing across crates.
         build.args(["--crate-type", "cdylib"]);
         build.args(["--target-dir", "target/wasm"]).args(features);
-        // A cdylib has no fingerprint of its own features else, and each module would be linked anew after the other.
+        // A cdylib has no fingerprint of its own features else, and each module would be linked again after the other.
         build.env("__CARGO_DEFAULT_LIB_METADATA", "page");
         if !Toolchain::has_wasm() {
             build.arg("-Zbuild-std-features=optimize_for_size");

@@ -80,7 +80,7 @@ fn does_the_same(board: Model) {
     assert!(100 * run >= LEAST * all, "too little of the code was run");
 }
 
-/// The runs must find a mistake: in each function one instruction is left out behind the pass.
+/// The runs must find a mistake: in each function one instruction is left out after the pass.
 #[test]
 fn an_instruction_that_is_lost_is_found() {
     let (before, after) = units(Model::Uno);

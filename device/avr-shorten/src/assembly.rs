@@ -146,7 +146,7 @@ impl Unit {
     }
 }
 
-/// The function whose label is line `n`, and the line behind it. Its directives are taken from `between`.
+/// The function whose label is line `n`, and the line after it. Its directives are taken from `between`.
 fn function_at(lines: &[&str], n: usize, between: &mut Vec<String>) -> Option<(Function, usize)> {
     let name = label(lines.get(n)?)?;
     let kind = format!("\t.type\t{name},@function");

@@ -36,7 +36,7 @@ pub fn references(unit: &Unit) -> BTreeMap<String, usize> {
     found
 }
 
-/// The instruction on line `n` or behind it, if no label stands before it.
+/// The instruction on line `n` or after it, if no label stands before it.
 pub fn code_from(body: &[Line], n: usize) -> Option<(usize, &Code)> {
     let (at, line) = body
         .iter()
@@ -46,7 +46,7 @@ pub fn code_from(body: &[Line], n: usize) -> Option<(usize, &Code)> {
     Some((at, line.instruction()?))
 }
 
-/// The first instruction behind a label.
+/// The first instruction after a label.
 pub fn code_at<'a>(body: &'a [Line], label: &str) -> Option<&'a Code> {
     let at = body
         .iter()
@@ -64,7 +64,7 @@ pub fn may_be_skipped(body: &[Line], n: usize) -> bool {
 }
 
 /// Whether the instruction on line `n` belongs to the one before it: that one may skip it, or turns
-/// interrupts on, which takes effect only behind line `n`, where the stack pointer is whole again.
+/// interrupts on, which takes effect only after line `n`, where the stack pointer is whole again.
 pub fn is_bound(body: &[Line], n: usize) -> bool {
     let before = body.iter().take(n).rev().find_map(Line::instruction);
     let turns_on =
@@ -108,7 +108,7 @@ pub fn labels(body: &[Line]) -> BTreeMap<&str, usize> {
         .collect()
 }
 
-/// The functions that find arguments on the stack, behind their return address: how far it is to them
+/// The functions that find arguments on the stack, after their return address: how far it is to them
 /// depends on what they and their callers push.
 pub fn with_stack_arguments(unit: &Unit) -> BTreeSet<String> {
     unit.functions()

@@ -18,7 +18,7 @@ use super::effects::{CARRY, FLAGS, Flow, flow, register};
 use super::liveness::needed_behind;
 use super::values::Walk;
 
-/// A label behind which a register is compared with 0, and a branch follows.
+/// A label after which a register is compared with 0, and a branch follows.
 struct Decision<'a> {
     /// The line of the label.
     label: usize,
@@ -93,7 +93,7 @@ fn decisions(function: &Function) -> Vec<Decision<'_>> {
         }
         if code.is(&format!("cpi r{number}, 0")) {
             (at, code) = code_from(body, at + 1)?;
-        // Behind `andi` it may have been dropped as superfluous.
+        // After `andi` it may have been dropped as superfluous.
         } else if !lowest {
             return None;
         }

@@ -6,10 +6,10 @@
 //!   they may look at, in order;
 //! - at the end r1 to r25, r28, r29 and the stack pointer, which is all that a caller may look at; at a return
 //!   from an interrupt all registers and flags;
-//! - timed writes: none stands further behind another than it did.
+//! - timed writes: none stands further after another than it did.
 //!
 //! What nobody may look at differs between the versions from the start: r0, r26, r27, r30, r31 at the entry and
-//! behind each call. What a function pushes is its own, so pushes are not in the trace. A shared entry may push
+//! after each call. What a function pushes is its own, so pushes are not in the trace. A shared entry may push
 //! a register more; the version after begins that much higher on the stack, so that frames have equal addresses.
 
 use std::fmt;

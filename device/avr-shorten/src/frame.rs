@@ -88,7 +88,7 @@ fn exit(body: &[Line], ret: usize, frame: &Frame) -> Option<Range<usize>> {
     (at == ret).then_some(start..ret + 1)
 }
 
-/// The line behind these instructions, if they stand from line `at` on.
+/// The line after these instructions, if they stand from line `at` on.
 fn expect(body: &[Line], mut at: usize, codes: &[&str]) -> Option<usize> {
     for expected in codes {
         let (n, code) = code_from(body, at)?;
@@ -100,7 +100,7 @@ fn expect(body: &[Line], mut at: usize, codes: &[&str]) -> Option<usize> {
     Some(at)
 }
 
-/// By how much Y is moved at line `at`, modulo 65,536, and the line behind that.
+/// By how much Y is moved at line `at`, modulo 65,536, and the line after that.
 fn y_moved(body: &[Line], at: usize) -> Option<(usize, u16)> {
     moved(body, at, 28)
 }

@@ -40,7 +40,7 @@ fn drop_labels(function: &mut Function, references: &BTreeMap<String, usize>) ->
     function.body.len() < before
 }
 
-/// What stands behind the end of a path, without a label, is dropped.
+/// What stands after the end of a path, without a label, is dropped.
 fn drop_unreachable(function: &mut Function) -> bool {
     let mut reachable = true;
     let mut dropped = false;

@@ -1,10 +1,10 @@
-//! Which registers and flags are still needed behind each line of a function.
+//! Which registers and flags are still needed after each line of a function.
 
 use super::assembly::{Code, Function, Line};
 use super::body::{code_from, is_end, labels};
 use super::effects::{ALL, Flow, RETURNED, Set, effects, flow};
 
-/// For each line, what may be read behind it before it is written.
+/// For each line, what may be read after it before it is written.
 pub fn needed_behind(function: &Function) -> Vec<Set> {
     let body = &function.body;
     let labels = labels(body);
@@ -41,12 +41,12 @@ pub fn needed_behind(function: &Function) -> Vec<Set> {
     }
 }
 
-/// What is needed behind an instruction that may be skipped, on top of what it needs itself.
+/// What is needed after an instruction that may be skipped, on top of what it needs itself.
 fn skipped(body: &[Line], n: usize, next: Set) -> Set {
     if is_end(body, n) { 0 } else { next }
 }
 
-/// What is needed before an instruction, by what is needed behind it.
+/// What is needed before an instruction, by what is needed after it.
 fn needs(line: &Line, code: &Code, behind: Set) -> Set {
     let effects = effects(code);
     let certain = match line {

@@ -103,7 +103,7 @@ fn leave(room: u16, first: u32) -> Vec<String> {
     exit
 }
 
-/// The bytes on the stack from r29 to this register, and where it stands behind Y.
+/// The bytes on the stack from r29 to this register, and where it stands after Y.
 fn kept(first: u32) -> u32 {
     20 - first
 }

@@ -126,7 +126,7 @@ impl Image {
     }
 
     /// A file in the root folder. The name is any FAT name, long ones too. Its clusters lie one
-    /// after the other, behind those of the files before it.
+    /// after the other, after those of the files before it.
     pub fn file(self, name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Image {
         self.entry(name, bytes, Kind::Whole)
     }

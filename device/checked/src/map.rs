@@ -35,7 +35,7 @@ pub struct Place {
 }
 
 impl SourceMap {
-    /// What the rung that begins with this step is about: the comments before it, or behind its first code.
+    /// What the rung that begins with this step is about: the comments before it, or after its first code.
     pub fn about(&self, first: usize) -> impl Iterator<Item = &str> {
         let places = self.steps.iter().skip(first).take(2);
         let comments = places.map(|place| &place.comments);

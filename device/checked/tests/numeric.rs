@@ -5,7 +5,7 @@ use unoclp_core::{Board, Cause, Plc};
 
 #[test]
 fn a_file_has_a_title_and_each_step_its_place() {
-    // A mark, line ends of both kinds, blanks, a rule, comments behind codes, and no end of the last line.
+    // A mark, line ends of both kinds, blanks, a rule, comments after codes, and no end of the last line.
     let file = "\u{FEFF}/ Pump\r\n/ ------\r\n//\r\n/   I1  start\r\n/\r\n\t 0 / here\r\n\r\n/ Fill\n/\n/\n\
         / slowly\n  827301/ RI\n\n/ for 5 s\n847978\n/ the preset\n 5000 / ms\n  7901\n/ the end\n\t-787984";
     let faults = numeric(file.as_bytes(), Board::UNO).unwrap_err();

@@ -63,7 +63,7 @@ impl Program<'_> {
         self.kept
     }
 
-    /// How old a kept number may be behind a power cut, minutes: as often as the board's memory stands. None
+    /// How old a kept number may be after a power cut, minutes: as often as the board's memory stands. None
     /// where nothing is kept.
     pub fn kept_within(&self) -> Option<u16> {
         let numbers = usize::from(self.kept_count());

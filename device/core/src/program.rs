@@ -73,7 +73,7 @@ impl<'m> Program<'m> {
     }
 
     /// Lends the program together with its memory, to run it there. Once it has run, run memory holds its
-    /// data and no longer what is behind the stored form.
+    /// data and no longer what is after the stored form.
     pub fn lend(&mut self) -> Program<'_> {
         Program {
             memory: self.memory,

@@ -14,7 +14,7 @@ pub enum Part {
     Code,
     /// A comment, its first `/` included.
     Comment,
-    /// Nothing that can be read: the rest of a line behind a fault.
+    /// Nothing that can be read: the rest of a line after a fault.
     Faulty,
 }
 
@@ -53,7 +53,7 @@ pub(crate) struct Text {
     magnitude: u32,
 }
 
-/// The largest magnitude that another digit can be put behind without a wrap.
+/// The largest magnitude that another digit can be put after without a wrap.
 const BEFORE_LAST_DIGIT: u32 = i32::MIN.unsigned_abs() / 10;
 
 impl Text {

@@ -90,7 +90,7 @@ impl Request {
         [body[0], body[1], body[2], low, high]
     }
 
-    /// Puts the check sum behind the bytes, which leave room for it.
+    /// Puts the check sum after the bytes, which leave room for it.
     fn of(bytes: impl IntoIterator<Item = u8>) -> Request {
         let mut frame = [0; FRAME_BYTES];
         let (body, _) = frame.split_at_mut(FRAME_BYTES - 2);

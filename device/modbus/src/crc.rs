@@ -3,7 +3,7 @@
 /// CRC-16/MODBUS (polynomial 0x8005 reflected, start value 0xFFFF), a byte at a time. Over
 /// `123456789` it is 0x4B37.
 ///
-/// It is sent behind the frame, low byte first. Over a frame and its CRC it is 0.
+/// It is sent after the frame, low byte first. Over a frame and its CRC it is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Crc {
     low: u8,

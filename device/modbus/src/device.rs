@@ -98,12 +98,12 @@ pub trait Device {
     fn has(&self, addresses: &Addresses) -> bool;
 
     /// Reads the first of these bits, 1 to 8 of them, the first as bit 0; or writes them to coils. What it
-    /// gives for a write, and the bits behind the last, mean nothing.
+    /// gives for a write, and the bits after the last, mean nothing.
     fn bits(&mut self, addresses: &Addresses, count: u8, bits: u8) -> u8;
 
     /// Reads these words, as many as `words` has; or writes `words` to holding registers, which
     /// [`check_words`](Device::check_words) has accepted, and leaves them as they are. Gives how many
-    /// it has done, at least one; the others follow in other calls, before or behind a scan.
+    /// it has done, at least one; the others follow in other calls, before or after a scan.
     fn words(&mut self, addresses: &Addresses, words: &mut [Word]) -> u8;
 
     /// Whether the holding registers from `first` on may take these words: all of a request.
@@ -126,7 +126,7 @@ pub trait Device {
     }
 
     /// Byte `index` of an identification text: `object` is 0 for the vendor's name, 1 for the product
-    /// code, 2 for the version. `None` behind its end. It is asked byte by byte, so texts need not stand
+    /// code, 2 for the version. `None` after its end. It is asked byte by byte, so texts need not stand
     /// in RAM; of a text, the first 80 bytes are sent.
     fn identification(&self, object: u8, index: u8) -> Option<u8>;
 }

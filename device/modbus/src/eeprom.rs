@@ -3,7 +3,7 @@
 //!
 //! | bytes | |
 //! | --- | --- |
-//! | 0 … 907 | [`program`], and behind it [`numbers`] |
+//! | 0 … 907 | [`program`], and after it [`numbers`] |
 //! | 908 … 917 | [`settings`] of 0.1.0 |
 //! | 918 … | [`settings`] |
 //! | 960 … 1023 | [`markers`] |
@@ -47,7 +47,7 @@ pub mod program {
     pub const SUM: u16 = HEAD + HEAD_BYTES as u16;
     /// Where the stored form begins.
     pub const STORED: u16 = SUM + 2;
-    /// The first byte behind the longest program.
+    /// The first byte after the longest program.
     pub const END: u16 = STORED + Board::UNO.stored_bytes;
 
     /// The head of a program of this length.
@@ -66,7 +66,7 @@ pub mod program {
     }
 }
 
-/// The numbers that a program keeps (NC-21): a ring of as many records as there is room for behind the program.
+/// The numbers that a program keeps (NC-21): a ring of as many records as there is room for after the program.
 ///
 /// | byte | |
 /// | --- | --- |
@@ -76,7 +76,7 @@ pub mod program {
 ///
 /// The CRC-16 of a whole record is 0. The sequence number is written last: until then the record does not count. Of
 /// those that count, the newest is the one whose number is ahead of the others by less than 128. The next record goes
-/// to the place behind it, and to the first place where none counts or no more fits before [`program::END`].
+/// to the place after it, and to the first place where none counts or no more fits before [`program::END`].
 pub mod numbers {
     use super::*;
     use unoclp_core::{NUMBER_BYTES, RECORD_BYTES};
@@ -124,7 +124,7 @@ pub mod settings {
     pub const FIRST: u16 = OLD + OLD_BYTES as u16;
     /// Where the second does.
     pub const SECOND: u16 = FIRST + SLOT_BYTES;
-    /// The first byte behind it.
+    /// The first byte after it.
     pub const END: u16 = SECOND + SLOT_BYTES;
     /// The mark of a slot that was written.
     pub const VALID: u8 = 0x5A;
@@ -141,7 +141,7 @@ pub mod markers {
     pub const PLACES: u8 = 32;
     /// Bytes of a place.
     pub const PLACE_BYTES: u16 = 2;
-    /// The first byte behind it.
+    /// The first byte after it.
     pub const END: u16 = FIRST + PLACE_BYTES * PLACES as u16;
 }
 

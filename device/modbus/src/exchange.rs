@@ -80,7 +80,7 @@ impl Exchange {
         let byte = &mut frame[usize::from(self.at)];
         let bits = device.bits(&self.addresses, count, *byte);
         if self.addresses.access == Access::Read {
-            // Those behind the last are 0.
+            // Those after the last are 0.
             *byte = bits & u8::MAX >> 8_u8.wrapping_sub(count);
         }
         (count, 1)

@@ -5,7 +5,7 @@ use crate::Exception;
 /// The longest frame of Modbus RTU: address, 253 bytes, CRC.
 pub const FRAME_BYTES: usize = 256;
 
-/// Where a frame stands without its CRC: byte 0 the address, byte 1 the function code. Whatever is behind
+/// Where a frame stands without its CRC: byte 0 the address, byte 1 the function code. Whatever is after
 /// the request may be anything.
 ///
 /// It holds the request first, and then, in its place, the reply.

@@ -69,7 +69,7 @@ impl Span {
         }
     }
 
-    /// The first address behind it.
+    /// The first address after it.
     pub const fn end(self) -> u16 {
         self.first + self.addresses()
     }
@@ -323,7 +323,7 @@ pub enum Command {
     Stop = 2,
     /// One single scan, in STOP.
     SingleScan = 3,
-    /// The whole start-up anew.
+    /// The whole start-up again.
     Restart = 4,
     /// Begin an upload.
     Upload = 5,

@@ -16,7 +16,7 @@ impl Exchange {
     ///
     /// Of the device it calls [`take`](Device::take), [`has`](Device::has) and
     /// [`check_words`](Device::check_words), each once at most and in this order, or
-    /// [`identification`](Device::identification) for each byte of its texts and once behind each.
+    /// [`identification`](Device::identification) for each byte of its texts and once after each.
     #[inline(never)]
     pub fn begin<D: Device>(
         &mut self,

@@ -20,7 +20,7 @@ const CENTIVOLTS: u32 = 110 * 1024;
 /// with.
 const REFERENCE: u8 = 0b1110;
 const SUPPLY: u8 = 1 << 6;
-/// Behind the last analogue input comes the reference.
+/// After the last analogue input comes the reference.
 const LAST: u8 = BOARD.analogue;
 
 // Static, so that nobody has to carry a pointer to them along.
@@ -40,7 +40,7 @@ pub struct Analogue {
 }
 
 impl Analogue {
-    /// Measures the supply, which takes 0.3 ms, and begins anew with that.
+    /// Measures the supply, which takes 0.3 ms, and begins again with that.
     pub fn start(adc: ADC) -> Analogue {
         adc.adcsra()
             .write(|w| w.aden().set_bit().adps().prescaler_128());

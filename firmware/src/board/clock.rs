@@ -50,7 +50,7 @@ pub fn start(timer: &TC1) {
     unsafe { interrupt::enable() };
 }
 
-/// Whether the clock is on: at the start that is so only where the firmware has begun anew without
+/// Whether the clock is on: at the start that is so only where the firmware has begun again without
 /// a reset of the chip, which switches everything off.
 pub fn is_on(timer: &TC1) -> bool {
     timer.timsk1().read().toie1().bit_is_set()

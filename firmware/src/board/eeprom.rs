@@ -14,7 +14,7 @@ impl Eeprom {
         Eeprom { registers }
     }
 
-    /// The byte at an address; addresses beyond the last begin anew.
+    /// The byte at an address; addresses beyond the last begin again.
     pub fn read(&self, address: u16) -> u8 {
         self.wait();
         self.registers.eear().write(|w| w.set(address));

@@ -20,7 +20,7 @@ static PAIRS_IN_FLASH: InFlash<{ 2 * PAIRS.len() }> =
 pub struct InFlash<const N: usize>([u8; N]);
 
 impl<const N: usize> InFlash<N> {
-    /// These codes, and a NUL behind them.
+    /// These codes, and a NUL after them.
     pub const fn new(codes: &Codes) -> InFlash<N> {
         let mut bytes = [0; N];
         let (place, _) = bytes.split_at_mut(N - 1);

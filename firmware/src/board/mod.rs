@@ -113,7 +113,7 @@ impl Board {
         bus
     }
 
-    /// Begins anew, as after a reset, once all has been sent.
+    /// Begins again, as after a reset, once all has been sent.
     pub fn restart(&self) -> ! {
         while !self.serial.is_quiet() {}
         self.watchdog.restart()

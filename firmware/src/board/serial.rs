@@ -28,7 +28,7 @@ const SILENCE_PER_DIVIDER: u16 = 77;
 /// Up to this divider, which is that above 19200 baud, silence is 1.75 ms whatever the rate.
 const FAST: u8 = 91;
 /// That in such counts, since the last stop bit's middle; the first is shorter. A frame that follows at once has
-/// come to its first stop bit 1.837 ms behind that, at 115200 baud.
+/// come to its first stop bit 1.837 ms after that, at 115200 baud.
 const SHORTEST_SILENCE: u8 = 27;
 
 // The words are touched only while no interrupt of the port is enabled.
@@ -106,7 +106,7 @@ impl Serial {
         timer.ocr2a().write(|w| w.set(silence));
         timer.tccr2b().write(|w| w.cs2().prescale_1024());
         // Nothing is compared with OCR2B, so it holds the address: a scan that goes astray writes to RAM, and
-        // the board is asked for its fault behind that.
+        // the board is asked for its fault after that.
         timer.ocr2b().write(|w| w.set(line.address));
     }
 
@@ -149,7 +149,7 @@ impl Serial {
     /// The length of a frame for this server that has ended, without its check sum: it stands in the
     /// frame, and the port is deaf until [`send`](Serial::send). Any other frame that has ended is dropped.
     ///
-    /// The receiver goes on meanwhile, so a frame that has just begun behind another station's loses
+    /// The receiver goes on meanwhile, so a frame that has just begun after another station's loses
     /// nothing: it holds two bytes while its interrupt waits.
     pub fn received(&self) -> Option<u8> {
         let has_ended = || self.timer.tifr2().read().bits() & SILENCE != 0;

@@ -7,7 +7,7 @@ const PAINT: u8 = 0xC5;
 /// Bytes below the stack pointer that are left alone.
 const NEAR: u8 = 8;
 
-// SAFETY: the linker defines it: the first byte behind the statics. Only its address is used.
+// SAFETY: the linker defines it: the first byte after the statics. Only its address is used.
 unsafe extern "C" {
     #[link_name = "_end"]
     safe static END: u8;

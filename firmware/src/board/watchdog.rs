@@ -168,7 +168,7 @@ pub fn is_hungry() -> bool {
     AGE.get() != 0
 }
 
-/// The watchdog waits anew, and the age of the scan is 0.
+/// The watchdog waits again, and the age of the scan is 0.
 #[inline(always)]
 pub fn feed() {
     AGE.set(0);

@@ -30,7 +30,7 @@ pub struct Data {
     pub readings: [u32; 2],
     /// M 01 … M 64.
     pub markers: [Cell; BOARD.markers as usize],
-    /// D 01 … D 32, low byte first. Run memory, where the others stand, comes right behind.
+    /// D 01 … D 32, low byte first. Run memory, where the others stand, comes right after.
     pub registers: [[u8; REGISTER_BYTES]; BOARD.engine.near_registers as usize],
 }
 

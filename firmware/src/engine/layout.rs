@@ -30,7 +30,7 @@ pub struct Layout<'m> {
 }
 
 impl Layout<'_> {
-    /// The address behind the last of own data.
+    /// The address after the last of own data.
     pub fn own_end(&self) -> u16 {
         self.kept.as_ptr() as usize as u16
     }

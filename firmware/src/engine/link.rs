@@ -24,14 +24,14 @@ pub(super) struct Job {
     pub(super) limit: u16,
     /// The lowest own data so far.
     pub(super) own: u16,
-    /// The data of the next timer, of the first, and behind the last.
+    /// The data of the next timer, of the first, and after the last.
     pub(super) timer: u16,
     pub(super) timers: u16,
     pub(super) timers_end: u16,
-    /// The data of the first counter, and behind the last.
+    /// The data of the first counter, and after the last.
     pub(super) counters: u16,
     pub(super) counters_end: u16,
-    /// Where the address of the next number that is kept is put, and behind that of the last.
+    /// Where the address of the next number that is kept is put, and after that of the last.
     pub(super) kept: u16,
     pub(super) kept_end: u16,
     /// How many stored bytes have been read, each constant counted as 4 (NC-19).
@@ -76,7 +76,7 @@ unsafe extern "C" fn engine_next(reader: *mut c_void) -> i16 {
 }
 
 /// One passage through the stored form, which sets up timers and counters too. The registers hold labels
-/// meanwhile, the places of each in the linked and in the stored form; behind the first passage they have
+/// meanwhile, the places of each in the linked and in the stored form; after the first passage they have
 /// all of them, and no later one finds others. Only what fits is written to `code`.
 ///
 /// # Errors
@@ -137,7 +137,7 @@ pub fn forget_labels(data: &mut Data) {
     data.registers.as_flattened_mut().fill(AHEAD);
 }
 
-/// Behind a passage: whether it has found any.
+/// After a passage: whether it has found any.
 pub fn has_labels(data: &Data) -> bool {
     data.registers
         .as_flattened()

@@ -100,7 +100,7 @@ impl<'a> Memory<'a> {
         let how = u8::from(write) << WRITTEN | u8::from(elapsed) << ELAPSED;
         // SAFETY: it reads or writes no more words than there are, and values from the first to the end of their data;
         // each of them that begins there is whole, since the data of each timer and counter are. Run memory comes
-        // right behind the registers of `data`, and begins with the others that the program has.
+        // right after the registers of `data`, and begins with the others that the program has.
         unsafe {
             engine_words(
                 words.as_mut_ptr(),

@@ -150,7 +150,7 @@ impl<'m> Linked<'m> {
         &mut self.layout.memory
     }
 
-    /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
+    /// Starts again, as after power-up: all outputs 0 (NC-7), no timer started, presets as the program has
     /// them; but retentive markers keep their states, and the numbers of the snapshot come back.
     ///
     /// # Errors
@@ -256,7 +256,7 @@ impl<'m> Linked<'m> {
     }
 
     /// What a scan runs: the linked code, and the data of its first timer. The handlers go from one to the next
-    /// until that of the end returns; they read the code and no byte behind it, and write the data of its
+    /// until that of the end returns; they read the code and no byte after it, and write the data of its
     /// timers, counters and other instructions, and `Data`: all are reached from `self`.
     #[inline(always)]
     pub fn entry(&mut self) -> (*const u8, *mut u8) {

@@ -15,7 +15,7 @@ use map::Map;
 use unoclp_modbus::{Exception, Exchange, Frame, lock, refuse};
 use upload::Upload;
 
-/// Where the text of a block of an upload stands in the frame: behind the head of function 16, and the
+/// Where the text of a block of an upload stands in the frame: after the head of function 16, and the
 /// block's own.
 const TEXT: usize = 9;
 
@@ -60,7 +60,7 @@ impl Server {
     }
 
     /// Does at most one thing: takes a request that has come, or does a slice of it, or answers. Where an
-    /// upload is under way it comes along.
+    /// upload is in progress it comes along.
     #[inline(never)]
     pub fn step(
         &mut self,

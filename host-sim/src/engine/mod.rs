@@ -21,7 +21,7 @@ pub trait Engine {
     /// Why the machine could not do its work, such as a chip that hangs.
     type Error: fmt::Display;
 
-    /// Starts anew with this program file: all outputs 0, no timer started, nothing kept of a program
+    /// Starts again with this program file: all outputs 0, no timer started, nothing kept of a program
     /// before. Gives the refusal of a faulty program; after one, and before the first load, nothing is
     /// scanned.
     fn load(&mut self, file: &[u8]) -> Result<Result<(), Refusal>, Self::Error>;
@@ -29,7 +29,7 @@ pub trait Engine {
     /// One scan with these inputs, at this reading of the millisecond clock.
     fn scan(&mut self, inputs: &Inputs, now: Millis) -> Result<Outcome, Self::Error>;
 
-    /// A power cut between two scans: the program starts anew, and retentive markers and numbers are
+    /// A power cut between two scans: the program starts again, and retentive markers and numbers are
     /// kept (NC-12, NC-21).
     fn restart(&mut self) -> Result<(), Self::Error>;
 

@@ -34,7 +34,7 @@ pub fn random_program_on(random: &mut Random, board: Board) -> String {
 }
 
 /// Inputs for the next scan of a program that needs this: mostly as they were, sometimes with one
-/// changed, seldom all anew.
+/// changed, seldom all again.
 pub fn random_inputs(random: &mut Random, needs: Needs, before: Inputs) -> Inputs {
     random_inputs_on(random, (needs, Board::UNO), before)
 }

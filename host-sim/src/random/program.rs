@@ -40,7 +40,7 @@ pub(super) fn random_rungs(random: &mut Random, board: Board) -> Vec<Rung> {
     let mut begins = draft.random.percent(80);
     while draft.taken + 1 < draft.size {
         let bracket = draft.bracket();
-        // At the head of a program, and behind a bracket, a rung needs no code to begin it.
+        // At the head of a program, and after a bracket, a rung needs no code to begin it.
         if begins && !bracket {
             draft.put(Instruction::plain(Opcode::NewRung));
         }
@@ -265,7 +265,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Has acc follow an input again: behind a few contacts in series it is 0 for ever.
+    /// Has acc follow an input again: after a few contacts in series it is 0 for ever.
     fn enliven(&mut self) {
         let Some(input) = self.xx(Kind::Input) else {
             return;
@@ -415,7 +415,7 @@ impl Draft<'_> {
             _ if opcode == Opcode::StoreTable => self.pushed > 0,
             Class::OpenOr | Class::OpenAnd | Class::OpenXor => self.depth < isa::DEEPEST,
             Class::Close => self.depth > 0,
-            // Right behind an opening code this would recall.
+            // Right after an opening code this would recall.
             Class::StorePoint => !opened,
             // Returns end the scan, so they are seldom.
             Class::Leave => {

@@ -6,7 +6,7 @@ use unicode_width::UnicodeWidthChar;
 /// A character of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// The character, with light lines. NUL right behind one that is two columns wide.
+    /// The character, with light lines. NUL right after one that is two columns wide.
     pub ch: char,
     /// The net that it belongs to; none for names, notes and blanks.
     pub net: Option<Net>,
@@ -88,7 +88,7 @@ impl Block {
         Block::row(cells(text, Some(net), None))
     }
 
-    /// Puts another block behind this one, the wires in line.
+    /// Puts another block after this one, the wires in line.
     pub(crate) fn append(&mut self, other: Block) {
         if self.rows.is_empty() {
             *self = other;

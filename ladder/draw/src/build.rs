@@ -226,7 +226,7 @@ impl Frame {
 
     /// It as one path, and where that begins.
     fn into_path(self) -> (Origin, Path) {
-        // The step behind which acc is what the path begins with: the last before the close.
+        // The step after which acc is what the path begins with: the last before the close.
         let entry = self.steps.iter().rev().nth(1).copied().unwrap_or(0);
         let path = Path {
             start: Start::At(self.origin, entry),
@@ -261,7 +261,7 @@ impl Frame {
     }
 }
 
-/// Where in a series a path from this origin branches off: behind what has stored it.
+/// Where in a series a path from this origin branches off: after what has stored it.
 fn place(series: &Series, origin: Origin) -> Option<usize> {
     let stored = |node: &Node| match node {
         Node::Store(store) => origin == Origin::Store(store.step),

@@ -7,7 +7,7 @@ use crate::wrap::Wrap;
 use crate::{Element, Ladder, Names};
 use std::fmt;
 
-/// The narrowest drawing: the longest box between the rails, with room to go on behind it.
+/// The narrowest drawing: the longest box between the rails, with room to go on after it.
 pub const NARROWEST: usize = 56;
 
 /// How a ladder is drawn.

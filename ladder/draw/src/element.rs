@@ -15,9 +15,9 @@ pub struct Element {
     pub point: Option<Address>,
     /// How it may be arranged.
     pub(crate) role: Role,
-    /// The net behind it.
+    /// The net after it.
     pub(crate) net: Net,
-    /// The step behind which acc tells whether it conducts.
+    /// The step after which acc tells whether it conducts.
     pub(crate) conducts: usize,
 }
 
@@ -96,7 +96,7 @@ impl Element {
         Element::new(step, role, Symbol::Box { text, notes }, point)
     }
 
-    /// Whether it is an output that what follows may leave behind on a branch.
+    /// Whether it is an output that what follows may leave after on a branch.
     pub(crate) fn is_output(&self) -> bool {
         self.role == Role::Output
     }

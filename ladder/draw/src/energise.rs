@@ -4,7 +4,7 @@ use crate::Element;
 use crate::power::{Feed, Net, Nets};
 use crate::tree::{Gate, Node, Series, Start};
 
-/// Gives every wire its net; gives the one at the end. `block` is the net that an AND block stands behind,
+/// Gives every wire its net; gives the one at the end. `block` is the net that an AND block stands after,
 /// whose elements know only of acc inside it.
 pub(crate) fn energise(
     series: &mut Series,

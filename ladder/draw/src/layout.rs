@@ -15,7 +15,7 @@ const MEET: [char; 3] = ['┬', '┤', '┘'];
 /// Where a series stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Place {
-    /// Right behind the left rail, which joins the paths of a join that begins there.
+    /// Right after the left rail, which joins the paths of a join that begins there.
     at_rail: bool,
     /// Before the right rail.
     at_end: bool,
@@ -40,7 +40,7 @@ impl Wrap<'_> {
         block
     }
 
-    /// A series, and the net behind it.
+    /// A series, and the net after it.
     fn series(&self, series: &Series, mut net: Net, place: Place) -> (Block, Net) {
         let mut block = Block::default();
         let mut at_rail = place.at_rail;
@@ -240,7 +240,7 @@ impl Wrap<'_> {
     }
 }
 
-/// Joins the wires in these rows by a vertical one behind all that is there.
+/// Joins the wires in these rows by a vertical one after all that is there.
 fn vertical(block: &mut Block, axes: &[usize], [first, between, last]: [char; 3], net: Net) {
     let (Some(&top), Some(&bottom)) = (axes.first(), axes.last()) else {
         return;

@@ -14,7 +14,7 @@
 //! - **Contacts and comparisons** stand in series. A load right before a comparison is drawn with it:
 //!   `[ A0 >= 500 ]`. Where the source of the value is not known, it is called `V`.
 //! - **`40` … `41`** is a path beside all that its rung, or the branch around it, holds so far; with a recall,
-//!   beside what stands behind the stored point. Paths of one beginning and one end are one join, however they
+//!   beside what follows the stored point. Paths of one beginning and one end are one join, however they
 //!   were nested.
 //! - **`6540` … `41`** is its contents in series. Where they look at what stands before them – an edge, a NOT, a
 //!   timer, a recalled point – the two results meet in a box, `[ AND ]`, the second from below. **`8840` …
@@ -26,12 +26,12 @@
 //! - **Coils, jumps and returns** leave acc as it is. One that is not the last of its rung gets a branch of its
 //!   own, one below the other at the right rail; but between other elements of a path it stands in series.
 //!   Paths that end a rung and all end in outputs do not come together again.
-//! - **A timer** is its box, and behind it the coil that it drives, which is the same step.
+//! - **A timer** is its box, and after it the coil that it drives, which is the same step.
 //! - **Functions** of numbers stand in series, as boxes in the order in which they are done.
 //! - **A rung that is too wide** goes on in another line: `→a`, `a→`. Ends of the same name join.
 //!
 //! Each step of a program is shown exactly once: as a symbol, as a joint of wires, or at the head of its rung. The
-//! power of a wire is found from acc behind the steps of a scan ([`Nets::power`]); it flows to the right, and up
+//! power of a wire is found from acc after the steps of a scan ([`Nets::power`]); it flows to the right, and up
 //! and down, never back.
 
 #![forbid(unsafe_code)]

@@ -1,4 +1,4 @@
-//! Which wires carry power: each is a net, whose state follows from acc behind the steps of a scan.
+//! Which wires carry power: each is a net, whose state follows from acc after the steps of a scan.
 
 /// A net of a ladder: all wires of it carry power together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,9 +16,9 @@ impl Net {
 pub(crate) enum Feed {
     /// The left rail: power in every scan.
     Rail,
-    /// acc behind this step.
+    /// acc after this step.
     Step(usize),
-    /// Both nets at once: an element that stands behind the first, and whose own condition is the second.
+    /// Both nets at once: an element that stands after the first, and whose own condition is the second.
     Both(Net, Net),
     /// Either net, or both: paths that join.
     Either(Net, Net),
@@ -41,7 +41,7 @@ impl Nets {
         Net(self.0.len() as u32 - 1)
     }
 
-    /// Which nets carry power after a scan: `flow` is acc behind each step of the program, none for steps
+    /// Which nets carry power after a scan: `flow` is acc after each step of the program, none for steps
     /// that were not run, and empty before the first scan.
     pub fn power(&self, flow: &[Option<bool>]) -> Power {
         let mut power = Power(Vec::with_capacity(self.0.len()));

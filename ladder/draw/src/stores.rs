@@ -20,7 +20,7 @@ pub(crate) fn name(series: &mut Series) {
     mark_stores(series, &named, &joined);
 }
 
-/// The stores right behind which paths part.
+/// The stores right after which paths part.
 fn followed_by_join(series: &Series, joined: &mut Vec<usize>) {
     for (index, node) in series.iter().enumerate() {
         if let Node::Store(store) = node {

@@ -49,11 +49,11 @@ pub enum Gate {
 pub(crate) struct Join {
     pub(crate) gate: Gate,
     pub(crate) paths: Vec<Path>,
-    /// The last step of it: acc behind it is what a box gives.
+    /// The last step of it: acc after it is what a box gives.
     pub(crate) close: usize,
     /// The box.
     pub(crate) element: Option<usize>,
-    /// The net behind it.
+    /// The net after it.
     pub(crate) net: Net,
 }
 
@@ -73,7 +73,7 @@ pub(crate) struct Path {
 pub(crate) enum Start {
     /// Where the other paths begin too.
     Here,
-    /// Somewhere else; the step behind which acc tells its power.
+    /// Somewhere else; the step after which acc tells its power.
     At(Origin, usize),
     /// Where this name is; what is shown of it.
     Named(String),

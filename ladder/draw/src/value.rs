@@ -10,7 +10,7 @@ pub(crate) fn asks_for_value(opcode: Opcode) -> bool {
     matches!(opcode.class(), Class::Comparison | Class::ValueContact)
 }
 
-/// What the value accumulator holds behind an instruction.
+/// What the value accumulator holds after an instruction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Load {
     /// What it was loaded from: `A0`, `D12`, `-5`.
@@ -33,7 +33,7 @@ impl Load {
         format!("LD {source}")
     }
 
-    /// Whether it is still what the value holds behind an instruction that is no load.
+    /// Whether it is still what the value holds after an instruction that is no load.
     pub(crate) fn survives(&self, element: &Element, opcode: Opcode) -> bool {
         let changes_nothing = asks_for_value(opcode)
             || matches!(element.symbol, Symbol::Contact { .. } | Symbol::Inline(_));

@@ -198,7 +198,7 @@ impl Wrap<'_> {
             .fold(net, |net, node| self.behind(node, net))
     }
 
-    /// The net behind a node.
+    /// The net after a node.
     pub(crate) fn behind(&self, node: &Node, before: Net) -> Net {
         match node {
             Node::Element(index) => self.element(*index).map_or(Nets::RAIL, |e| e.net),

@@ -85,7 +85,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         }
     }
 
-    /// The circuit of a variable behind an output.
+    /// The circuit of a variable after an output.
     pub(crate) fn assigned(&mut self, at: usize) -> Option<Circuit> {
         let network = self.network;
         let element = &network.elements[at];

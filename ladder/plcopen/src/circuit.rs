@@ -241,7 +241,7 @@ pub(crate) fn within(into: &mut Circuit, outputs: &mut Circuit) -> bool {
     let Some(Item::Parallel { ways, .. }) = into.get_mut(at) else {
         return false;
     };
-    // Outputs behind the first ways of it alone: those come together before.
+    // Outputs after the first ways of it alone: those come together before.
     if let Some(Item::Parallel { ways: own, .. }) = outputs.get(of_other)
         && own.len() < ways.len()
         && own
@@ -267,7 +267,7 @@ pub(crate) fn within(into: &mut Circuit, outputs: &mut Circuit) -> bool {
     is_done
 }
 
-/// A circuit, and this behind it.
+/// A circuit, and this after it.
 pub(crate) fn followed(mut circuit: Circuit, leaf: Leaf) -> Circuit {
     circuit.push(Item::Leaf(leaf));
     circuit

@@ -57,7 +57,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         Some(circuit)
     }
 
-    /// The circuit with a coil of what is written at this element, behind an edge.
+    /// The circuit with a coil of what is written at this element, after an edge.
     pub(crate) fn coil(&mut self, at: usize, mut circuit: Circuit, edge: &str) -> Option<Circuit> {
         let element = &self.network.elements[at];
         let written = &element.written;

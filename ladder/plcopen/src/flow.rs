@@ -50,7 +50,7 @@ pub(crate) struct Flow<'f, 'a, 'x> {
     pub calls: HashMap<usize, Call>,
     /// The numbers of the labels of this network, by their names.
     pub labels: HashMap<String, u8>,
-    /// The label behind the program, where others follow.
+    /// The label after the program, where others follow.
     pub end: Option<u8>,
     /// How many pieces of circuits have been looked at.
     pub work: usize,
@@ -101,7 +101,7 @@ impl<'f, 'a, 'x: 'a> Flow<'f, 'a, 'x> {
         }
     }
 
-    /// The jump or the return of this element; behind a program that others follow, a return is a jump.
+    /// The jump or the return of this element; after a program that others follow, a return is a jump.
     fn leave(&mut self, at: usize) -> Option<Step> {
         let drawn = &self.network.elements[at];
         let negated = says(drawn.node, "negated");

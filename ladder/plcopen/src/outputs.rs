@@ -41,8 +41,8 @@ struct Made {
     effects: Vec<Effects>,
     /// Those that begin with an element.
     by_head: HashMap<usize, Vec<usize>>,
-    /// What is drawn behind a label or a jump stands behind it: in no circuit before this one, and where that has the
-    /// jump, behind that.
+    /// What is drawn after a label or a jump stands after it: in no circuit before this one, and where that has the
+    /// jump, after that.
     since: usize,
     jump: Option<usize>,
 }
@@ -152,7 +152,7 @@ fn effects(circuit: &Circuit, flow: &Flow<'_, '_, '_>) -> Effects {
     Effects::of(circuit, |at| flow.all.timers.get(&(flow.pou, at)).copied())
 }
 
-/// Makes one of two circuits that begin alike, where the output comes behind this jump; else it leaves both as they are.
+/// Makes one of two circuits that begin alike, where the output comes after this jump; else it leaves both as they are.
 fn join(into: &mut Circuit, circuit: &mut Circuit, sink: usize, jump: Option<usize>) -> bool {
     let before = jump.map(|jump| (jump, into.clone(), circuit.clone()));
     let mut joined = below(into, circuit);

@@ -173,7 +173,7 @@ impl Rungs {
                 Opcode::MarkerCoil => unoclp_core::isa::MARKER_OPERAND,
                 _ => 0,
             };
-            // A coil right behind a timer is what that drives.
+            // A coil right after a timer is what that drives.
             if drives > 0
                 && let Some(Node::Element(timer)) = series.last_mut()
                 && timer.step.class() == Class::Timer

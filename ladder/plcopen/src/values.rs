@@ -133,7 +133,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         })
     }
 
-    /// Puts an operation with this right operand behind what computes the left one.
+    /// Puts an operation with this right operand after what computes the left one.
     fn apply(&self, steps: &mut Vec<Step>, opcode: Opcode, right: Vec<Step>) {
         match &right[..] {
             [load] if load.opcode() == Opcode::Load => {
@@ -201,7 +201,7 @@ impl<'a, 'x: 'a> Flow<'_, 'a, 'x> {
         Some(parts)
     }
 
-    /// The instructions that compute what a block gives and store it in the variables behind it.
+    /// The instructions that compute what a block gives and store it in the variables after it.
     pub(crate) fn stores(&mut self, at: usize) -> Option<Vec<Part>> {
         let network = self.network;
         let mut parts: Vec<Part> = Vec::new();

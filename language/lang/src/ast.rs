@@ -23,7 +23,7 @@ pub(crate) struct Unit {
     pub body: Vec<Stmt>,
     /// The word that it begins with.
     pub span: Span,
-    /// The byte of the text behind its last line.
+    /// The byte of the text after its last line.
     pub end: u32,
 }
 
@@ -104,7 +104,7 @@ pub(crate) struct Param {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Open {
     pub span: Span,
-    /// N behind the parenthesis: the first operand is inverted.
+    /// N after the parenthesis: the first operand is inverted.
     pub negated: bool,
 }
 
@@ -137,7 +137,7 @@ pub(crate) enum Stmt {
     Instr(Box<Instr>),
     /// `)`
     Close(Span),
-    /// A line that could not be read, and has been told; so many parentheses stay open behind it.
+    /// A line that could not be read, and has been told; so many parentheses stay open after it.
     Wrong {
         open: usize,
     },

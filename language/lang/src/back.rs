@@ -1,7 +1,7 @@
 //! From the numeric code to Instruction List.
 //!
 //! A rung is written as Instruction List would say it, where that compiles to the same codes again; else its
-//! codes stand in the text as they are, with CODE. Which of the two is found by compiling. What stands behind the last
+//! codes stand in the text as they are, with CODE. Which of the two is found by compiling. What stands after the last
 //! that a rung drives has no effect, so no compiler would write it: it alone stands there as codes.
 
 use crate::spell::rung;

@@ -49,7 +49,7 @@ impl Comments {
         lines.filter_map(|line| some(&line.words)).collect()
     }
 
-    /// Those right above this line, behind the title. Each is given once only.
+    /// Those right above this line, after the title. Each is given once only.
     pub(crate) fn take_above(&mut self, line: usize) -> Vec<String> {
         let before = self.0.get_mut(..line.saturating_sub(1)).unwrap_or_default();
         let Some(code) = before.iter().rposition(|line| line.code) else {

@@ -49,7 +49,7 @@ impl Condition {
     }
 }
 
-/// A condition that is asked again and again; it is computed anew only where a value that it reads has changed.
+/// A condition that is asked again and again; it is computed again only where a value that it reads has changed.
 #[derive(Debug)]
 pub struct Judge<'c> {
     condition: &'c Condition,

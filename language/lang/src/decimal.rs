@@ -27,11 +27,11 @@ pub(crate) fn is_decimal(text: &str) -> bool {
     Decimal::read(text).is_some()
 }
 
-/// More digits than this decide nothing: half way between two neighbours has fewer. One behind them stands for all others.
+/// More digits than this decide nothing: half way between two neighbours has fewer. One after them stands for all others.
 const MOST: usize = 120;
 
 impl Decimal {
-    /// Digits, perhaps with a point among or behind them, and perhaps an exponent.
+    /// Digits, perhaps with a point among or after them, and perhaps an exponent.
     fn read(text: &str) -> Option<Decimal> {
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
             Some((mantissa, exponent)) => (mantissa, whole(exponent)?),

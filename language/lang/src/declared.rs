@@ -1,4 +1,4 @@
-//! What the declarations of a text in Instruction List say of the board's points, whatever stands behind them.
+//! What the declarations of a text in Instruction List say of the board's points, whatever stands after them.
 
 use crate::ast::Var;
 use crate::comments::{Comments, words};
@@ -24,7 +24,7 @@ pub struct DeclaredPoint {
     pub point: Address,
     /// As the text writes it.
     pub name: String,
-    /// The comment behind it in its line; empty without one.
+    /// The comment after it in its line; empty without one.
     pub comment: String,
 }
 
@@ -63,7 +63,7 @@ pub fn declared(text: &str) -> Declared {
     }
 }
 
-/// The comment behind a declaration, in the same line.
+/// The comment after a declaration, in the same line.
 fn behind(text: &str, var: &Var, comments: &[Span]) -> String {
     let from = var.name.span.range().start;
     let begins = |span: &&Span| {

@@ -40,12 +40,12 @@ impl From<(String, String)> for Word {
     }
 }
 
-/// Bytes of the text, from the first to behind the last.
+/// Bytes of the text, from the first to after the last.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Span {
     /// The first byte.
     pub start: u32,
-    /// Behind the last.
+    /// After the last.
     pub end: u32,
 }
 

@@ -121,8 +121,8 @@ pub(crate) fn check(
             cause @ Cause::UnknownCode if !board.real => {
                 let letters = lines.get(index).map_or("", |line| &line.letters);
                 let both = (
-                    format!("{letters}: the firmware of Nanos has no REAL numbers"),
-                    format!("{letters}: o firmware dos Nanos não tem números REAL"),
+                    format!("{letters}: the firmware of a Nano has no REAL numbers"),
+                    format!("{letters}: o firmware de um Nano não tem números REAL"),
                 );
                 let words = [cause.number().to_string().into(), both.into()];
                 found.tell(Code::Refused, span, words);

@@ -293,7 +293,7 @@ impl Lexer<'_, '_> {
         }
     }
 
-    /// A comma within a time, `1,5s`, belongs to its number: behind it stand digits and a unit.
+    /// A comma within a time, `1,5s`, belongs to its number: after it stand digits and a unit.
     fn decimal_comma(&mut self) {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let [b',', behind @ ..] = rest else { return };
@@ -331,7 +331,7 @@ impl Lexer<'_, '_> {
         sign == b'#' && before.is_ascii_digit() && behind.is_ascii_alphanumeric()
     }
 
-    /// A comment, from behind its `(`. It may go over lines. One that the line closes by `* )` is meant to
+    /// A comment, from after its `(`. It may go over lines. One that the line closes by `* )` is meant to
     /// be closed there: else it would swallow the next instructions without a word.
     fn comment(&mut self, start: usize) {
         if let Some(&end) = self.nested.get(&start) {
@@ -393,7 +393,7 @@ impl Lexer<'_, '_> {
         self.found.tell(Code::StrayCharacter, span, [text.into()]);
     }
 
-    /// Behind the character that begins here.
+    /// After the character that begins here.
     fn character_end(&self, start: usize) -> usize {
         let rest = self.text.get(start..).unwrap_or_default();
         start + rest.chars().next().map_or(1, char::len_utf8)

@@ -7,12 +7,12 @@ use crate::diagnostics::Span;
 /// A place in a text.
 pub(crate) struct Scanner<'t> {
     pub text: &'t str,
-    /// The next byte; what is behind it is never the middle of a character that a method has skipped.
+    /// The next byte; what is after it is never the middle of a character that a method has skipped.
     pub at: usize,
 }
 
 impl<'t> Scanner<'t> {
-    /// At the beginning of a text, behind the mark of its bytes' order.
+    /// At the beginning of a text, after the mark of its bytes' order.
     pub fn new(text: &'t str) -> Scanner<'t> {
         let mark = '\u{FEFF}';
         let at = if text.starts_with(mark) {
@@ -28,7 +28,7 @@ impl<'t> Scanner<'t> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// A byte from here on; 0 behind the end.
+    /// A byte from here on; 0 after the end.
     pub fn peek(&self, ahead: usize) -> u8 {
         let byte = self.text.as_bytes().get(self.at + ahead);
         byte.copied().unwrap_or(0)

@@ -88,7 +88,7 @@ impl<'c> Speller<'_, 'c> {
         before.is_some_and(|step| comparison(*step))
     }
 
-    /// From behind an opening code to its `41`.
+    /// From after an opening code to its `41`.
     fn branch(&mut self, opening: Opcode) -> Option<()> {
         let operator = operator(opening);
         let head = self.next()?;

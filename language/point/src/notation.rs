@@ -1,4 +1,4 @@
-//! How texts count points: the number behind the letters, there and back.
+//! How texts count points: the number after the letters, there and back.
 
 use crate::Kind;
 
@@ -114,7 +114,7 @@ impl Count {
         }
     }
 
-    /// A number as it is written behind the letters; none of what is not counted so.
+    /// A number as it is written after the letters; none of what is not counted so.
     pub fn written(self, number: u16) -> Option<String> {
         let from_zero = number.checked_sub(1);
         Some(match self {

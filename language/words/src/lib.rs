@@ -17,7 +17,7 @@ pub enum Lang {
 /// Makes a function of each row `name(value, …) "English" "Portuguese";`, and for tests the table `ALL` of name, English
 /// and Portuguese, which [`gaps`] looks through.
 ///
-/// The functions take the language before the values; behind `in spoken;` they ask `spoken()` for it.
+/// The functions take the language before the values; after `in spoken;` they ask `spoken()` for it.
 #[macro_export]
 macro_rules! messages {
     (in $spoken:ident; $($name:ident($($value:ident),*) $english:literal $portuguese:literal;)*) => {

@@ -104,24 +104,24 @@ pub fn told(diagnostic: &Diagnostic, lang: Lang) -> String {
 }
 
 unoclp_words::messages! {
-    no_request(why) "the page has asked what cannot be understood: {why}" "a página pediu algo incompreensível: {why}";
+    no_request(why) "the page sent a request that cannot be understood: {why}" "a página enviou um pedido incompreensível: {why}";
     no_such_board(name) "there is no board {name}: ask for uno, nano or pc" "não existe a placa {name}: peça uno, nano ou pc";
     no_board(session) "there is no conversation {session}" "não existe a conversa {session}";
     too_long(most) "the text is longer than {most} bytes" "o texto passa de {most} bytes";
-    faulty() "the program has errors; the problems say which" "o programa tem erros; veja os problemas";
-    no_scenario(line, why) "the check itself is wrong, line {line}: {why}" "a própria verificação está errada, linha {line}: {why}";
+    faulty() "the program has errors; see the problems" "o programa tem erros; veja os problemas";
+    no_scenario(line, why) "the check itself has an error in line {line}: {why}" "a própria verificação tem um erro na linha {line}: {why}";
     no_card(why) "the card cannot be made: {why}" "não é possível criar o cartão: {why}";
-    no_machine() "this file is no machine" "este arquivo não é uma máquina";
+    no_machine() "this file is not a machine" "este arquivo não é uma máquina";
     other_language(language)
-        "this exercise asks for a program in `{language}`; let the name of yours end so"
-        "este exercício pede um programa em `{language}`; o nome do seu deve terminar assim";
+        "this exercise asks for a program in `{language}`; give your file that ending"
+        "este exercício pede um programa em `{language}`; dê essa extensão ao seu arquivo";
     hidden_chances()
-        "when other things come by chance, the machine does not do what it should; how they come is hidden"
-        "quando o acaso traz outras coisas, a máquina não faz o que deve; quais são, é oculto";
-    no_find() "this exercise hides no fault" "este exercício não esconde uma falha";
+        "with other, hidden chances, the machine does not do what it should"
+        "com outros acasos, ocultos, a máquina não faz o que deve";
+    no_find() "this exercise has no hidden fault" "este exercício não tem uma falha escondida";
     cannot_fail(name)
-        "the exercise hides a fault that the machine {name} cannot have"
-        "o exercício esconde uma falha que a máquina {name} não pode ter";
+        "the hidden fault of this exercise is none that the machine {name} can have"
+        "a falha escondida deste exercício não existe na máquina {name}";
     machine_first() "open a machine first" "abra uma máquina antes";
     fault_stuck() "stuck" "travado";
     fault_open() "wire broken" "fio partido";
@@ -131,50 +131,50 @@ unoclp_words::messages! {
     fault_slow() "slow" "lento";
     fault_leaking() "leaks" "com vazamento";
     fault_bouncing() "bounces" "trepida";
-    own_contacts() "the board has contacts of its own; force the input instead" "a placa tem contatos próprios; force a entrada";
+    own_contacts() "real contacts drive the board's inputs; force the input instead" "contatos reais comandam as entradas da placa; force a entrada";
     no_settings() "a program on this computer has no settings" "um programa neste computador não tem configurações";
     none_given() "no program has been given yet; press Run" "nenhum programa foi enviado ainda; aperte Executar";
-    no_point(name) "{name} is no point that can be set" "{name} não é um ponto que se possa alterar";
+    no_point(name) "{name} is not a point that can be set" "{name} não é um ponto que se possa alterar";
     no_model(name) "no board is called {name}" "nenhuma placa se chama {name}";
-    no_flash() "no firmware is on its way" "nenhum firmware está a caminho";
+    no_flash() "no firmware is being written" "nenhum firmware está sendo gravado";
     silent() "the board does not answer" "a placa não responde";
-    garbled() "what the board answers cannot be read; look at rate and parity" "não dá para ler o que a placa responde; verifique a taxa e a paridade";
-    lost(why) "the line is gone: {why}" "a linha caiu: {why}";
+    garbled() "the board's answers are unreadable; check the rate and the parity" "as respostas da placa são ilegíveis; verifique a taxa e a paridade";
+    lost(why) "the connection is lost: {why}" "a conexão caiu: {why}";
     refused_locked() "the board is locked against this" "a placa está bloqueada para isso";
-    refused_address() "this board does not have that" "esta placa não tem isso";
-    refused_value() "the board does not take that value" "a placa não aceita esse valor";
+    refused_address() "this board has no such point" "esta placa não tem esse ponto";
+    refused_value() "the board does not accept that value" "a placa não aceita esse valor";
     refused_now() "the board cannot do that now; see its state" "a placa não pode fazer isso agora; veja o estado dela";
     refused_busy() "the board is busy" "a placa está ocupada";
-    no_address(address, least, most) "address {address}: a board has one from {least} to {most}" "endereço {address}: uma placa tem um de {least} a {most}";
-    no_rate(rate, rates) "a board has no rate of {rate} baud; it has {rates}" "uma placa não tem a taxa de {rate} baud; ela tem {rates}";
-    lock_grows() "over the line a lock can only grow; A5 and the inputs 01 to 04 to ground at a reset lift it" "pela linha um bloqueio só pode crescer; A5 e as entradas 01 a 04 no GND em um reset o retiram";
-    settings_locked() "the settings of the board are locked; A5 and the inputs 01 to 04 to ground at a reset unlock them" "os ajustes da placa estão bloqueados; A5 e as entradas 01 a 04 no GND em um reset os desbloqueiam";
-    settings_not_kept() "the board does not keep the settings: its EEPROM fails" "a placa não guarda os ajustes: a sua EEPROM falha";
+    no_address(address, least, most) "address {address} is not valid; a board has an address from {least} to {most}" "o endereço {address} não é válido; uma placa tem um endereço de {least} a {most}";
+    no_rate(rate, rates) "a board does not support {rate} baud; it supports {rates}" "uma placa não aceita {rate} baud; ela aceita {rates}";
+    lock_grows() "a client can only add to a lock; to lift it, reset the board with A5 and the inputs 01 to 04 to ground" "um cliente só pode ampliar um bloqueio; para retirá-lo, faça o reset com A5 e as entradas 01 a 04 no GND";
+    settings_locked() "the settings of the board are locked; to unlock them, reset the board with A5 and the inputs 01 to 04 to ground" "os ajustes da placa estão bloqueados; para desbloqueá-los, faça o reset com A5 e as entradas 01 a 04 no GND";
+    settings_not_kept() "the board could not store the settings: its EEPROM is failing" "a placa não conseguiu guardar os ajustes: a EEPROM dela falha";
     settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
-    settings_next() "the board keeps these settings, and uses them from its next start on" "a placa guarda esses ajustes, e os usa a partir do próximo início";
+    settings_next() "the board stored these settings and uses them after its next start" "a placa guardou esses ajustes e os usa a partir do próximo início";
     but_stop(said) "{said}; it is in STOP now" "{said}; agora ela está em STOP";
-    refused_way() "the gateway shares no board of this address" "o gateway não compartilha nenhuma placa com esse endereço";
+    refused_way() "the gateway shares no board with this address" "o gateway não compartilha nenhuma placa com esse endereço";
     refused_silent() "the gateway gets no answer from the board" "o gateway não recebe resposta da placa";
     program_empty() "there is no program yet" "ainda não há programa";
-    program_binary() "this is no text" "isto não é texto";
-    program_other() "this begins in none of the languages" "isto não começa em nenhuma das linguagens";
+    program_binary() "this is not text" "isto não é texto";
+    program_other() "its first lines match none of the languages" "o começo do texto não é de nenhuma das linguagens";
     languages() "a program is numeric code, Instruction List, Structured Text, InterSCL, LCE or PLCopen XML" "um programa é código numérico, Lista de Instruções, Texto Estruturado, InterSCL, LCE ou PLCopen XML";
-    foreign() "what answers there is not unoclp; put the firmware on" "o que responde ali não é o unoclp; grave o firmware";
-    unlike() "the board runs another program than the one shown" "a placa executa outro programa, e não o mostrado";
+    foreign() "this device does not run unoclp; install the firmware" "este dispositivo não roda o unoclp; grave o firmware";
+    unlike() "the board runs a different program from the one shown" "a placa executa um programa diferente do mostrado";
     upload_locked() "the board is locked against uploads" "a placa está bloqueada para envios";
-    upload_not_begun() "the board does not take a program now" "a placa não aceita um programa agora";
-    upload_too_old() "the firmware of the board is too old for this program; put the new one on" "o firmware da placa é antigo demais para este programa; grave o novo";
-    upload_ended() "somebody else has ended the upload" "outra pessoa encerrou o envio";
-    upload_other() "the board keeps another program than was sent; upload again" "a placa guardou outro programa, e não o enviado; envie de novo";
-    upload_off(why) "the upload was broken off: {why}; upload again" "o envio foi interrompido: {why}; envie de novo";
+    upload_not_begun() "the board does not accept a program now" "a placa não aceita um programa agora";
+    upload_too_old() "the board's firmware is too old for this program; install the new one" "o firmware da placa é antigo demais para este programa; grave o novo";
+    upload_ended() "another client ended the upload" "outro cliente encerrou o envio";
+    upload_other() "the board stored a different program from the one sent; upload again" "a placa guardou um programa diferente do enviado; envie de novo";
+    upload_off(why) "the upload failed: {why}; upload again" "o envio falhou: {why}; envie de novo";
     fault(number, text) "fault {number}: {text}" "falha {number}: {text}";
     fault_line(number, line, text) "fault {number}, line {line}: {text}" "falha {number}, linha {line}: {text}";
     unknown_fault() "unknown to this page" "desconhecida por esta página";
     behind_run() "the program is stored and runs" "o programa está gravado e em execução";
     behind_stop() "the program is stored; the board is in STOP" "o programa está gravado; a placa está em STOP";
     behind_switch() "the program is stored; the STOP switch holds the board" "o programa está gravado; a chave STOP segura a placa";
-    behind_card() "the board has loaded the program of the card in its slot; take the card out first" "a placa carregou o programa do cartão; retire o cartão antes";
-    behind_fault(what) "the program is stored, and stopped with {what}" "o programa está gravado, e parou com {what}";
+    behind_card() "the board loaded the program from its card; remove the card first" "a placa leu o programa do cartão; retire o cartão antes";
+    behind_fault(what) "the program is stored, but stopped with {what}" "o programa está gravado, mas parou com {what}";
 }
 
 /// A fault that a board tells.

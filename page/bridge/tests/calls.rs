@@ -339,7 +339,7 @@ fn the_room_on_a_card_is_counted_whatever_stands_on_it() {
     let fresh = room - free(&more["blocks"]).as_u64().unwrap();
     assert_eq!(fresh, 512, "one block more");
 
-    // Every entry of its FAT, behind the boot sector and what is reserved, stands for a cluster in use.
+    // Every entry of its FAT, after the boot sector and what is reserved, stands for a cluster in use.
     let mut full = card["blocks"].clone();
     let blocks = full.as_array_mut().unwrap();
     blocks.retain(|block| block[0] == 0 || block[0] == 2048);

@@ -95,7 +95,7 @@ fn a_hand_gives_an_input_and_outputs_move_it() {
     let look = ok(&mut boards, json!({ "ask": "machineLook" }));
     assert_eq!(look["broken"][0][0], 0, "it overflows: {look}");
     assert!(!look["changes"].as_array().unwrap().is_empty());
-    // In another language it goes on; anew, it begins.
+    // In another language it goes on; again, it begins.
     let again = json!({ "ask": "machine", "name": "batch.toml", "text": file("batch.toml"), "speak": "pt", "keep": true });
     assert_eq!(
         ok(&mut boards, again)["title"]["pt"],
@@ -273,7 +273,7 @@ fn a_broken_rule_is_seen_again() {
     );
     let at = wrong["at"].as_u64().unwrap();
     let why = wrong["why"]["en"].as_str().unwrap();
-    assert!(at > 0 && why.contains("a rule broke"), "{wrong}");
+    assert!(at > 0 && why.contains("a rule was broken"), "{wrong}");
     let again = with(
         "replay",
         "plants/wrong/reversing-lock.st",
@@ -361,4 +361,36 @@ fn each_kind_of_exercise_is_told() {
         same["error"]["en"].as_str().unwrap().contains("`st`"),
         "{same}"
     );
+}
+
+/// What chance brings in a hidden run stays hidden: that it went wrong is told, and neither what, nor when, nor by which
+/// number; nothing is shown of it. A case that is hidden is told by its title.
+#[test]
+fn what_is_hidden_of_an_exercise_is_not_told() {
+    let machine = "title = \"Belt\"\nuntil = \"12 s\"\nseed = 4\n\
+        [[part]]\nname = \"belt\"\nkind = \"belt\"\nrun = \"Q1\"\nonto = \"rest\"\nlong = \"1 m\"\nspeed = \"400 mm/s\"\n\
+        [[part]]\nname = \"feeder\"\nkind = \"feeder\"\nonto = \"belt\"\nevery = \"400 mm\"\nthings = \"mixed\"\nmost = 1\n\
+        [[part]]\nname = \"rest\"\nkind = \"bin\"\nwants = \"plastic\"\n\
+        [[never]]\nwhen = \"rest.wrong > 0\"\ntext = \"No metal\"\n";
+    let exercise = |seeds: &str, expected: u8| {
+        let scenario = format!(
+            "title = \"Belt\"\nplant = \"belt.toml\"\nseeds = [{seeds}]\n[[case]]\ntitle = \"It runs\"\nhidden = true\nuntil = 20\nstep = [{{ at = 7, expect = {{ Q1 = {expected} }} }}]\n"
+        );
+        json!({ "ask": "exercise", "name": "p.il", "text": "LDN M1\nST Q1\n", "title": "belt", "scenario": scenario,
+            "plant": "belt.toml", "plantText": machine })
+    };
+    let mut boards = Boards::default();
+    let well = ok(&mut boards, exercise("5, 6", 1));
+    assert_eq!(well["passed"], true, "{well}");
+    let came = ok(&mut boards, exercise("5, 2", 1));
+    assert_eq!(came["passed"], false);
+    let fared = &came["machine"];
+    assert_eq!(fared["at"], Value::Null, "{came}");
+    let why = fared["why"].to_string();
+    assert!(why.contains("other, hidden chances"), "{why}");
+    for told in ["metal", "2.599", "(2)"] {
+        assert!(!came.to_string().contains(told), "{told}: {came}");
+    }
+    let failed = ok(&mut boards, exercise("5", 0));
+    assert_eq!(failed["failing"]["shown"], Value::Null, "{failed}");
 }

@@ -62,7 +62,7 @@ export type Command =
   /** Bytes to the board, one after the other at the rate of the line. */
   | { readonly kind: "serial"; readonly bytes: Uint8Array };
 
-/** Why the chip began anew. */
+/** Why the chip began again. */
 export type ResetCause = "power" | "button" | "brown-out" | "watchdog";
 
 /** What is seen at the board. */
@@ -106,7 +106,7 @@ export type Event =
   | { readonly kind: "pins"; readonly at: number; readonly pins: Pins; readonly edges: readonly Edge[] }
   /** Bytes from the board, in the format of the page's end of the line. */
   | { readonly kind: "serial"; readonly at: number; readonly bytes: Uint8Array }
-  /** The chip begins anew. */
+  /** The chip begins again. */
   | { readonly kind: "reset"; readonly cause: ResetCause }
   /** The power came or went; it goes without a command after `plug-at-write`. */
   | { readonly kind: "power"; readonly on: boolean }

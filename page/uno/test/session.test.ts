@@ -49,7 +49,7 @@ test("a machine that is too slow is told so", () => {
   for (const { factor, asked } of paces) assert.ok(asked === 1 && factor > 0.2 && factor < 0.6, `${factor}`);
 });
 
-test("whoever asks the board is answered in the same turn, and time goes no faster by it", () => {
+test("a client that asks the board is answered in the same turn, and time goes no faster by it", () => {
   const desk = running("motor");
   desk.pass(250);
   desk.events = [];

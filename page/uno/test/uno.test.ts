@@ -208,7 +208,7 @@ test("a retentive marker outlasts the plug, and a cut in the middle of its writi
   assert.ok([0, 1].includes(board.surroundings.outputs));
 });
 
-test("the button RESET starts the program anew", () => {
+test("the button RESET starts the program again", () => {
   const { board, notes } = runningBoard("motor");
   board.press(1, true);
   board.run(ms(20));

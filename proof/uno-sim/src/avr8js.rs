@@ -1,6 +1,6 @@
 //! The firmware on avr8js, which the page runs it on: the simulated board of `page/uno/`, in a process of Node.
 //!
-//! The process obeys requests in order and answers each run with all that can be asked for behind it: registers and RAM,
+//! The process obeys requests in order and answers each run with all that can be asked for after it: registers and RAM,
 //! what was sent, where the program is (`page/uno/src/engine/main.ts` has the form of both). So a scan takes one answer.
 //! A write to the EEPROM takes 4 µs there, not 3.4 ms: keeping a program would take seconds of each start.
 

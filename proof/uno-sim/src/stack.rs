@@ -1,4 +1,4 @@
-//! The deepest point of the stack, exactly: the stack pointer is looked at after every instruction.
+//! The deepest point of the stack, exactly: the stack pointer is looked at after every instruction that moves it.
 
 use crate::avr::{Avr, reg};
 
@@ -43,6 +43,18 @@ impl StackWatch {
         } else {
             self.deeper(avr, pc, sp);
         }
+    }
+
+    /// Whether SP is set in part: then each instruction has to be told.
+    #[inline]
+    pub fn is_between(&self) -> bool {
+        self.half_written
+    }
+
+    /// To be called after instructions that leave SP alone, or push, pop, call and return: they reached this.
+    #[inline]
+    pub fn reached(&mut self, low: u16) {
+        self.min = self.min.min(low);
     }
 
     #[cold]

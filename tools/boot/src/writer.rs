@@ -43,13 +43,13 @@ use unoclp_words::Lang;
 
 /// How often the board is reset until its boot loader answers.
 const RESETS: u32 = 4;
-/// How often the boot loader is called behind each reset. It waits for a second.
+/// How often the boot loader is called after each reset. It waits for a second.
 const CALLS: u32 = 2;
 /// From a reset to the first call.
 const WAKING: Duration = Duration::from_millis(100);
 /// For the answer to a call: Optiboot blinks before it listens.
 const CALL: Duration = Duration::from_millis(600);
-/// Silence behind the answer: late answers to earlier calls are over.
+/// Silence after the answer: late answers to earlier calls are over.
 const QUIET: Duration = Duration::from_millis(50);
 /// For every other answer: a page takes 9 ms to write and 50 ms on a slow line.
 const ANSWER: Duration = Duration::from_millis(800);
@@ -153,7 +153,7 @@ impl Writer {
         self.gone = Some(why);
     }
 
-    /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. Behind its end
+    /// Goes on, at the time `now` since any moment, with the bytes that have come since the last step. After its end
     /// it waits for ever.
     pub fn step(&mut self, now: Duration, came: &[u8]) -> Step {
         let mut send = Vec::new();

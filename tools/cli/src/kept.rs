@@ -1,4 +1,4 @@
-//! What is kept of a site: its journal, and its history behind that.
+//! What is kept of a site: its journal, and its history after that.
 //!
 //! Owns where they are, how they begin and end, and the words for what is wrong. Must not know their forms.
 

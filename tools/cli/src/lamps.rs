@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 
 /// A point: its number and its lamp, and its name if it has one.
 pub(crate) struct Lamp {
-    /// What is always shown, with the blanks behind it.
+    /// What is always shown, with the blanks after it.
     pub(crate) shown: Vec<Span<'static>>,
     /// What the program calls it.
     pub(crate) name: Option<String>,
@@ -138,7 +138,7 @@ impl Lamps {
 }
 
 impl Lamp {
-    /// The lamp with so many letters of its name and the blanks behind it, and the columns of all that.
+    /// The lamp with so many letters of its name and the blanks after it, and the columns of all that.
     fn spans(&self, letters: usize) -> (Vec<Span<'static>>, usize) {
         let mut spans = self.shown.clone();
         if let Some(name) = self.name.as_ref().filter(|_| letters > 0) {

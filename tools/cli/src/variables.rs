@@ -20,7 +20,7 @@ impl Variables {
     pub fn new(variables: &[Variable]) -> Variables {
         let mut own: Vec<Variable> = Vec::new();
         for variable in variables {
-            // A name that LCE's `var` gives to V0 is declared behind it, and says more.
+            // A name that LCE's `var` gives to V0 is declared after it, and says more.
             let same = |of: &&mut Variable| {
                 of.holding == variable.holding && matches!(of.holding, Holding::One(_))
             };

@@ -169,7 +169,7 @@ fn the_page_comes_from_inside_the_program() {
 fn the_board_at_a_port_is_read_and_stopped_from_this_pc() {
     let fake = Fake::new(Board::default());
     let mut server = Server::new("127.0.0.1:0", &["--port", fake.path()]);
-    let alone = format!("the board at {} is shared with this PC alone", fake.path());
+    let alone = format!("the board at {} is shared with this PC only", fake.path());
     assert_eq!(server.line(), alone);
     let mut visitor = server.visitor("");
     let product = ask(&mut visitor, &Request::identify(1), |reply| {
@@ -260,7 +260,7 @@ fn the_boards_of_a_site_are_served_each_by_its_name() {
     }
     said.sort();
     let other =
-        "one: keeps another program than lamp.st, so the names of that file do not hold; upload it";
+        "one: has a program other than lamp.st, so the names in that file do not apply; upload it";
     assert_eq!(said, ["one: found", other, "two: found"]);
     assert!(ask(&mut server.visitor_of("/two", ""), &stop(), |_| ()).is_some());
     assert_eq!(two.board().state, pty::STOP);
@@ -365,7 +365,10 @@ fn a_broker_is_told_what_a_board_is_and_sets_what_the_site_names() {
     let url = format!("mqtt://127.0.0.1:{}", broker.port);
     while server.line() != format!("{url}: connected") {}
     broker.kill();
-    while !server.line().starts_with(&format!("{url}: away: ")) {}
+    while !server
+        .line()
+        .starts_with(&format!("{url}: not reachable: "))
+    {}
 }
 
 /// The signal that stops a service.
@@ -496,7 +499,7 @@ fn a_gateway_that_is_killed_again_and_again_loses_no_committed_sample() {
             .unwrap();
         let printed = String::from_utf8(printed.stdout).unwrap();
         rows += printed.lines().skip(1).count() as u64;
-        // A change is another value than before, but where the gateway began anew.
+        // A change is another value than before, but where the gateway began again.
         let values: Vec<&str> = printed
             .lines()
             .skip(1)
@@ -542,7 +545,7 @@ fn a_history_moves_to_a_database_and_goes_on_there() {
     let (code, said) = moving(&old);
     assert_eq!(code, Some(2));
     assert!(
-        said.contains("is in no database; write it under [history]"),
+        said.contains("keeps its history in a file; first name a database under [history]"),
         "{said}"
     );
     let new = of(&format!(
@@ -661,7 +664,7 @@ fn an_encrypted_page_is_known_by_its_certificate_which_stays() {
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        said.contains("encrypted.key.pem holds no certificate in PEM"),
+        said.contains("encrypted.key.pem contains no PEM certificate"),
         "{said}"
     );
 }

@@ -109,7 +109,7 @@ impl Diagnostics {
         Ok(Diagnostics::of(&words))
     }
 
-    /// Reads anew what may change from one scan to the next: state, fault, the cause of the start and the time since.
+    /// Reads again what may change from one scan to the next: state, fault, the cause of the start and the time since.
     /// One slice of the board's time is enough for it.
     ///
     /// # Errors
@@ -203,7 +203,7 @@ mod tests {
             loader.push(byte).unwrap();
         }
         let kept = Kept::of(&loader.finish().unwrap());
-        // The stored form of a contact and a coil, behind program start and a new rung.
+        // The stored form of a contact and a coil, after program start and a new rung.
         let sum = Crc16::of(&[1, 3, 0, 0, 0, 0x01, 0x10, 0x50]).value();
         let expected = Kept {
             version: 2,

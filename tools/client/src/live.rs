@@ -61,7 +61,7 @@ pub struct Live {
 }
 
 impl Live {
-    /// One round; gives what is known then. The first one, and the first behind a restart of the board or for another
+    /// One round; gives what is known then. The first one, and the first after a restart of the board or for another
     /// program, reads everything.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ impl Live {
         client.pause(due.max(PAUSE), is_so).await
     }
 
-    /// Points were forced or set: the next round reads what is forced, and those behind it the presets.
+    /// Points were forced or set: the next round reads what is forced, and those after it the presets.
     pub const fn points_have_changed(&mut self) {
         self.turn = 0;
     }

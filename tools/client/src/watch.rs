@@ -119,7 +119,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Which points are forced; the register behind it says to what.
+    /// Which points are forced; the register after it says to what.
     const fn span(self) -> Span {
         match self {
             Side::Inputs => holding::FORCED_INPUTS,
@@ -167,11 +167,11 @@ pub struct Reading {
     pub markers: Option<u64>,
     /// A 00 to A 04.
     pub analogue: Vec<u16>,
-    /// D 01 and those behind it.
+    /// D 01 and those after it.
     pub registers: Vec<i32>,
-    /// T 01 and those behind it.
+    /// T 01 and those after it.
     pub timers: Vec<Meter>,
-    /// C 01 and those behind it.
+    /// C 01 and those after it.
     pub counters: Vec<Meter>,
 }
 
@@ -304,7 +304,7 @@ pub enum Seen {
 const PAUSE: Duration = Duration::from_millis(50);
 
 /// Reads the board, and does what is wished in between, until it is lost; says how. What is forced ends at the board
-/// behind `end_forcing` seconds without a request, 1 to 254, where its firmware has an end of forcing.
+/// after `end_forcing` seconds without a request, 1 to 254, where its firmware has an end of forcing.
 pub async fn watch(
     client: &mut Client,
     scope: Scope,
@@ -319,7 +319,7 @@ pub async fn watch(
     }
 }
 
-/// One reading, and the wishes behind it.
+/// One reading, and the wishes after it.
 async fn round(
     client: &mut Client,
     scope: Scope,

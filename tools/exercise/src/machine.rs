@@ -1,4 +1,4 @@
-//! A plant controlled by a program, on any engine: a scan each millisecond, and a step of the plant behind each.
+//! A plant controlled by a program, on any engine: a scan each millisecond, and a step of the plant after each.
 //!
 //! Owns how the two are tied together. Must not know what either does.
 

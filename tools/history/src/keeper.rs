@@ -179,7 +179,7 @@ impl Taker {
     }
 }
 
-/// The number of the last entry that the history has. A journal that is older than that goes on behind it.
+/// The number of the last entry that the history has. A journal that is older than that goes on after it.
 fn begin(store: &mut dyn Store, reader: &Reader) -> Result<u64, Failure> {
     let taken = store.taken(reader.source())?.unwrap_or(0);
     if taken > reader.last() {

@@ -108,7 +108,7 @@ impl File {
         Ok(())
     }
 
-    /// Numbers go on behind this one, if they are not there yet: somebody has taken it.
+    /// Numbers go on after this one, if they are not there yet: somebody has taken it.
     ///
     /// # Errors
     /// [`Failure`].

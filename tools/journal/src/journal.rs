@@ -159,7 +159,7 @@ impl Reader {
         lock(&self.shared.last).is_over
     }
 
-    /// Numbers go on behind this one, if they are not there yet.
+    /// Numbers go on after this one, if they are not there yet.
     ///
     /// # Errors
     /// [`Failure`].

@@ -187,7 +187,7 @@ fn who_takes_entries_hears_of_them_and_of_the_end() {
     assert_eq!(taking.join().unwrap(), (1..=200).collect::<Vec<_>>());
     assert!(hears.try_recv().is_ok());
     assert_eq!(journal.state().committed, 200);
-    // What comes behind the end is given up, and counted.
+    // What comes after the end is given up, and counted.
     journal.put(samples(1, 3));
     assert_eq!(journal.state().dropped, 3);
     drop(journal);

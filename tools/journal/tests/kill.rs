@@ -74,7 +74,7 @@ fn each_sample_that_was_committed_is_there_once_after_thirty_kills() {
             let number = line.rsplit_once("committed ")?.1;
             number.parse::<u64>().ok()
         });
-        // It is killed behind another commit each time, while it is at the next one.
+        // It is killed after another commit each time, while it is at the next one.
         let last = committed.take(1 + kill % 4).last().unwrap();
         writer.kill().unwrap();
         writer.wait().unwrap();

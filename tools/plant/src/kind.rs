@@ -89,7 +89,7 @@ pub enum Limit {
 
 /// What a part has: a number that never leaves its range.
 pub struct Slot {
-    /// Its name behind the part's: `tank.level`.
+    /// Its name after the part's: `tank.level`.
     pub name: &'static str,
     /// Whether it is true or false, and not a number.
     pub is_flag: bool,

@@ -23,8 +23,6 @@ use unoclp_lang::{Condition, condition, is_name};
 pub const MOST_PARTS: usize = 100;
 /// Nor more rules, steps, faults and drawn lines, of each.
 const MOST_OTHERS: usize = 200;
-/// No more mistakes are told of a text that is no TOML.
-const FEW: usize = 3;
 /// A script goes on for a day at most.
 const DAY: i64 = 86_400_000;
 
@@ -39,11 +37,9 @@ const FILE: [&str; 11] = [
 pub fn read(text: &str, board: Board) -> Result<Plant, Vec<Mistake>> {
     let notes = Notes::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    if !errors.is_empty() {
-        // What is no TOML at all would be told in each of its lines.
-        for error in errors.into_iter().take(FEW) {
-            notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
-        }
+    if let Some(error) = errors.first() {
+        // What is no TOML at all would be told in each of its lines, in the same words.
+        notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
         return Err(notes.mistakes());
     }
     let keys = Keys::new(table.get_ref(), 0..0, &notes);

@@ -4,7 +4,7 @@
 
 unoclp_words::messages! {
     no_toml()
-        "this is no TOML; check quotes, commas and brackets, and whether a key stands there twice"
+        "this is not TOML; check quotes, commas and brackets, and whether a key appears twice"
         "isto não é TOML; confira aspas, vírgulas e colchetes, e se uma chave aparece duas vezes";
     no_key(key, known)
         "there is no key `{key}` here; there is {known}"
@@ -19,16 +19,16 @@ unoclp_words::messages! {
         "`{key}` is out of its range; give {from} to {to}"
         "`{key}` está fora da faixa; dê de {from} a {to}";
     no_number(key, given)
-        "`{key}` is a whole number, and {given} is none; write one without quotes"
-        "`{key}` é um número inteiro, e {given} não é; escreva um sem aspas";
+        "`{key}` must be a whole number, and {given} is not one; write one without quotes"
+        "`{key}` deve ser um número inteiro, e {given} não é; escreva um sem aspas";
     no_unit(key, given, known, example)
-        "`{key}` is a number with its unit ({known}), and {given} is none; write \"{example}\""
-        "`{key}` é um número com a unidade ({known}), e {given} não é; escreva \"{example}\"";
+        "`{key}` must be a number with a unit ({known}), and {given} is not; write \"{example}\""
+        "`{key}` deve ser um número com unidade ({known}), e {given} não é; escreva \"{example}\"";
     choice(key, given, known)
         "`{key}` cannot be {given}; give {known}"
         "`{key}` não pode ser {given}; dê {known}";
     name(given)
-        "{given} is no name for a part; take a letter, then letters, digits and _, at most 24, and no word of Structured Text"
+        "{given} cannot be the name of a part; use a letter, then letters, digits and _, at most 24, and no word of Structured Text"
         "{given} não é um nome de elemento; use uma letra e depois letras, algarismos e _, no máximo 24, e nenhuma palavra do Texto Estruturado";
     two_names(name)
         "two parts are called {name}; give each its own name"
@@ -37,7 +37,7 @@ unoclp_words::messages! {
         "there is no part; write [[part]] with its name and kind"
         "não há nenhum elemento; escreva [[part]] com nome e tipo";
     too_many(key, most)
-        "there are more than {most} [[{key}]]; leave some out"
+        "there are more than {most} [[{key}]]; delete some"
         "há mais de {most} [[{key}]]; tire alguns";
     no_such_part(name, known)
         "there is no part {name}; there is {known}"
@@ -49,43 +49,43 @@ unoclp_words::messages! {
         "{name} has no value {value}; it has {known}"
         "{name} não tem o valor {value}; tem {known}";
     no_signal(given)
-        "{given} drives nothing; write an output, \"Q1\", its PWM, \"P1\", or a value of a part, \"k1.closed\", and \"not\" before it to turn it round"
-        "{given} não aciona nada; escreva uma saída, \"Q1\", o PWM dela, \"P1\", ou um valor de um elemento, \"k1.closed\", e \"not\" antes para inverter";
+        "{given} drives nothing; write an output, \"Q1\", its PWM, \"P1\", or a value of a part, \"k1.closed\"; put \"not\" before it to invert it"
+        "{given} não aciona nada; escreva uma saída, \"Q1\", o PWM dela, \"P1\", ou um valor de um elemento, \"k1.closed\"; ponha \"not\" antes para inverter";
     no_input(given)
-        "{given} is no input; write \"I1\", or \"I1 nc\" for a contact that is normally closed"
+        "{given} is not an input; write \"I1\", or \"I1 nc\" for a normally closed contact"
         "{given} não é uma entrada; escreva \"I1\", ou \"I1 nc\" para um contato normalmente fechado";
     no_analogue(given)
-        "{given} is no analogue input; write \"A0\""
+        "{given} is not an analogue input; write \"A0\""
         "{given} não é uma entrada analógica; escreva \"A0\"";
     no_point(point, board, known)
         "{board} has no {point}; it has {known}; choose another, or write `board = \"pc\"`"
         "a placa {board} não tem {point}; tem {known}; escolha outro ponto, ou escreva `board = \"pc\"`";
     two_uses(point, other)
-        "{other} sets {point} too; give each its own input"
+        "{other} also sets {point}; give each its own input"
         "{other} também comanda {point}; dê a cada um a sua entrada";
     shared_pin(point, other)
-        "{point} shares its pin with {other}, which is used; choose another input"
+        "{point} shares its pin with {other}, which is in use; choose another input"
         "{point} divide o pino com {other}, que está em uso; escolha outra entrada";
     both_ways(point)
-        "{point} is used with PWM and without; keep one of the two"
+        "{point} is used both with and without PWM; keep one of the two"
         "{point} é usada com PWM e sem; deixe só uma das formas";
     cycle(way)
-        "these parts need each other in a circle: {way}; take one of the names out"
+        "these parts depend on each other in a circle: {way}; remove one of the names"
         "estes elementos dependem um do outro em círculo: {way}; tire um dos nomes";
     no_condition(told, help)
-        "this is no condition of Structured Text: {told}{help}; write one like \"tank.level > 950 AND NOT drain.open\""
+        "this is not a condition in Structured Text: {told}{help}; write one like \"tank.level > 950 AND NOT drain.open\""
         "isto não é uma condição de Texto Estruturado: {told}{help}; escreva uma como \"tank.level > 950 AND NOT drain.open\"";
     not_by_hand(path, known)
-        "nobody can change {path} by hand; what can be changed is {known}"
-        "ninguém pode mudar {path} com a mão; pode-se mudar {known}";
+        "{path} cannot be changed by hand; change {known}"
+        "{path} não pode ser mudado com a mão; mude {known}";
     no_fault(kind, given, known)
         "a {kind} cannot be {given}; it can be {known}"
         "um elemento {kind} não pode ter a falha {given}; pode ter {known}";
     never_comes()
-        "this fault never comes; write `at = \"10 s\"` or `when = \"tank.level > 500\"`"
+        "this fault never occurs; write `at = \"10 s\"` or `when = \"tank.level > 500\"`"
         "esta falha nunca acontece; escreva `at = \"10 s\"` ou `when = \"tank.level > 500\"`";
     too_late(key, until)
-        "`{key}` comes after the end, at {until}; make `until` longer"
+        "`{key}` is after the end, at {until}; make `until` longer"
         "`{key}` vem depois do fim, em {until}; aumente `until`";
     nothing() "nothing" "nada";
     required() "must be given" "obrigatório";

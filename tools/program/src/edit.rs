@@ -6,29 +6,29 @@ use unoclp_draw::edit::{Refusal, Wrong};
 use unoclp_lang::Lang;
 
 unoclp_words::messages! {
-    not_there() "what is selected is no longer there" "o que está selecionado já não existe";
-    not_one_series() "select elements that stand in one series" "selecione elementos que estejam na mesma série";
+    not_there() "the selected element no longer exists" "o elemento selecionado já não existe";
+    not_one_series() "select elements of one series" "selecione elementos da mesma série";
     select_elements() "select an element first" "selecione antes um elemento";
-    select_one() "select one element alone" "selecione um único elemento";
+    select_one() "select a single element" "selecione um único elemento";
     no_opposite() "this element has no opposite" "este elemento não tem oposto";
     no_such_coil() "this point has no such coil" "este ponto não tem uma bobina assim";
     not_that_address() "this element cannot have that address" "este elemento não aceita esse endereço";
     contacts_only() "only a contact can wait for an edge" "só um contato pode esperar uma borda";
-    if_ends_rung() "an IF is the last of its rung and stands in no branch" "um IF é o último do seu degrau e não fica em um ramo";
-    not_an_element() "this is no element that can be inserted" "isto não é um elemento que se possa inserir";
-    too_deep() "branches stand too deep in each other" "há ramos demais uns dentro dos outros";
+    if_ends_rung() "an IF must be the last element of its rung, outside of branches" "um IF deve ser o último elemento do degrau, fora de ramos";
+    not_an_element() "this cannot be inserted" "isto não pode ser inserido";
+    too_deep() "too many branches inside one another" "há ramos demais uns dentro dos outros";
     nothing_copied() "nothing has been copied" "nada foi copiado";
-    into_itself() "what is moved cannot go into itself" "o que se move não pode ir para dentro de si mesmo";
-    no_further() "it goes no further there" "dali não passa";
-    cannot_join() "there is no rung below that this one can go on with" "não há abaixo um degrau com que este possa continuar";
+    into_itself() "an element cannot move into itself" "um elemento não pode ir para dentro de si mesmo";
+    no_further() "it cannot move further" "não dá para mover mais";
+    cannot_join() "no rung below can be joined to this one" "não há abaixo um degrau que se possa unir a este";
     out_of_range() "the number is out of its range" "o número está fora da faixa";
-    nothing_to_undo() "nothing is left to undo" "não há mais nada a desfazer";
-    nothing_to_redo() "nothing is left to do again" "não há mais nada a refazer";
+    nothing_to_undo() "there is nothing to undo" "não há nada a desfazer";
+    nothing_to_redo() "there is nothing to redo" "não há nada a refazer";
     name_taken() "another point has that name" "outro ponto já tem esse nome";
     select_block() "select a block first" "selecione antes um bloco";
     missing() "an address or an operand is missing" "falta um endereço ou um operando";
-    no_point_left() "more than 8 branch points are needed here" "são necessários aqui mais de 8 pontos de ramificação";
-    bridge() "nothing stands on this path, so what stands beside it has no effect" "não há nada neste caminho; o que está ao lado dele não tem efeito";
+    no_point_left() "this needs more than 8 branch points" "isto precisa de mais de 8 pontos de ramificação";
+    bridge() "this path is empty, so its parallel elements have no effect" "este caminho está vazio; por isso os elementos em paralelo não têm efeito";
     leads_nowhere() "no coil follows this, so it has no effect" "nenhuma bobina vem depois disto; por isso não tem efeito";
 }
 

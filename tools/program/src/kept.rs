@@ -23,7 +23,7 @@ impl Kept {
         Some(Kept { numbers, minutes })
     }
 
-    /// `after a power cut: 2 numbers, kept as of at most 9 minutes ago`
+    /// `after a power cut: 2 numbers, at most 9 minutes old`
     pub fn told(self, lang: Lang) -> String {
         let minutes = match self.minutes {
             1 => words::minute(lang),

@@ -55,7 +55,7 @@ impl Seal {
     }
 }
 
-/// The same program file with a seal. A seal that it has already is made anew.
+/// The same program file with a seal. A seal that it has already is made again.
 pub fn sealed(file: &[u8]) -> Vec<u8> {
     let body = split(file).0;
     let mut made = Vec::with_capacity(body.len() + 128);
@@ -67,7 +67,7 @@ pub fn sealed(file: &[u8]) -> Vec<u8> {
     };
     made.extend_from_slice(first);
     if !is_promised(body) {
-        // What stands behind a / is a comment already.
+        // What stands after a / is a comment already.
         let comment = if first.contains(&b'/') { " " } else { " / " };
         made.extend_from_slice(comment.as_bytes());
         made.extend_from_slice(PROMISE.as_bytes());
@@ -141,7 +141,7 @@ mod tests {
             assert_eq!(Seal::of(&made), Seal::Holds, "{}", made.escape_ascii());
             assert!(is_ours(&made));
             assert_eq!(sealed(&made), made, "once");
-            // Other ends of lines, and blank lines behind it.
+            // Other ends of lines, and blank lines after it.
             let unix: Vec<u8> = made.iter().copied().filter(|&byte| byte != b'\r').collect();
             let dos = String::from_utf8(unix.clone())
                 .unwrap()

@@ -139,7 +139,7 @@ pub fn names(map: &SourceMap, ladder: &Ladder) -> Names {
     names
 }
 
-/// What the text of a program calls its points: `lamp` behind `Q1`.
+/// What the text of a program calls its points: `lamp` after `Q1`.
 pub fn point_names(source: &Source) -> BTreeMap<String, String> {
     let ladder = Ladder::new(source.program().steps());
     let names = names(&source.map, &ladder).into_iter();

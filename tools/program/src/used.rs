@@ -28,7 +28,7 @@ pub fn real(bits: i32) -> String {
     format!("{:?}", f32::from_bits(bits.cast_unsigned()))
 }
 
-/// Whether the value behind this step is a REAL, of a program that uses these registers.
+/// Whether the value after this step is a REAL, of a program that uses these registers.
 pub fn is_real(step: &Instruction<'_>, used: &Used) -> bool {
     let register = match step.operand {
         Operand::Value(Value::Register(register)) => Some(register),

@@ -8,11 +8,11 @@ unoclp_words::messages! {
         "{linked} of {room} bytes of run memory; pins: {used}"
         "{linked} de {room} bytes de memória de execução; pinos: {used}";
     kept_number(minutes)
-        "after a power cut: 1 number, kept as of at most {minutes} ago"
-        "após uma queda de energia: 1 número, como estava há no máximo {minutes}";
+        "after a power cut: 1 number, at most {minutes} old"
+        "após uma queda de energia: 1 número, de no máximo {minutes} antes";
     kept_numbers(count, minutes)
-        "after a power cut: {count} numbers, kept as of at most {minutes} ago"
-        "após uma queda de energia: {count} números, como estavam há no máximo {minutes}";
+        "after a power cut: {count} numbers, at most {minutes} old"
+        "após uma queda de energia: {count} números, de no máximo {minutes} antes";
     minute() "1 minute" "1 minuto";
     minutes(count) "{count} minutes" "{count} minutos";
     code() "1 code" "1 código";
@@ -26,17 +26,17 @@ unoclp_words::messages! {
     marker() "1 marker" "1 memória";
     markers(count) "{count} markers" "{count} memórias";
     seal_changed()
-        "this file was changed after unoclp had written it: its last line gives another length or check sum"
-        "este arquivo mudou depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
+        "somebody changed this file after unoclp wrote it: its last line gives another length or check sum"
+        "alguém mudou este arquivo depois que o unoclp o gravou: a última linha indica outro tamanho ou outra soma de verificação";
     seal_changed_help()
         "if you changed it yourself, delete that line"
         "se foi você que o mudou, apague essa linha";
     seal_cut()
-        "the end of this file is missing, and a part of the program with it; a full disk or card does that"
-        "falta o fim deste arquivo, e com ele uma parte do programa; um disco ou cartão cheio faz isso";
+        "the end of this file is missing, and with it a part of the program; a full disk or card can cause this"
+        "falta o fim deste arquivo, e com ele uma parte do programa; um disco ou cartão cheio pode causar isso";
     seal_cut_help()
-        "write the file again; if you shortened it yourself, delete the remark [unoclp: …] in its first line"
-        "grave o arquivo de novo; se foi você que o encurtou, apague a observação [unoclp: …] na primeira linha";
+        "write the file again; if you shortened it yourself, delete the comment [unoclp: …] in its first line"
+        "grave o arquivo de novo; se foi você que o encurtou, apague o comentário [unoclp: …] na primeira linha";
     lacks(board, parts) "the {board} lacks {parts}" "faltam ao {board} {parts}";
     lacks_inputs() "inputs" "as entradas";
     lacks_outputs() "outputs" "as saídas";
@@ -51,15 +51,15 @@ unoclp_words::messages! {
     lacks_run(bytes) "{bytes} bytes of run memory" "{bytes} bytes de memória de execução";
     fits(board) "the {board} holds it: check it for that board" "ele cabe no {board}: verifique-o para essa placa";
     not_sent(own, why)
-        "this program is for the {own}, which is no board: {why}"
+        "this program is for the {own}, which is not a board: {why}"
         "este programa é para o {own}, que não é uma placa: {why}";
     more_faults(count) "… and {count} more" "… e mais {count}";
     one_fault(name)
-        "{name}: 1 fault; the board will not run any of it"
-        "{name}: 1 falha; a placa não executa nada dele";
+        "{name}: 1 fault; the board will not run this program"
+        "{name}: 1 falha; a placa não executa este programa";
     faults(name, count)
-        "{name}: {count} faults; the board will not run any of it"
-        "{name}: {count} falhas; a placa não executa nada dele";
+        "{name}: {count} faults; the board will not run this program"
+        "{name}: {count} falhas; a placa não executa este programa";
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ impl<T> Backlog<T> {
         }
     }
 
-    /// This waits too, behind all others.
+    /// This waits too, after all others.
     pub fn push(&mut self, item: T) {
         if self.waiting.len() >= self.most && self.waiting.pop_front().is_some() {
             self.dropped += 1;

@@ -14,7 +14,7 @@ const FRESH: Duration = Duration::from_millis(50);
 const AGAIN: Duration = Duration::from_secs(1);
 /// The longest time for which it is not looked for where others are at its line, who wait meanwhile: it doubles up to this.
 const RARELY: Duration = Duration::from_secs(32);
-/// So many requests without an answer, one behind the other, and a board among others counts as away.
+/// So many requests without an answer, one after another, and a board among others counts as away.
 const SILENT: u32 = 3;
 
 /// The line to a board, or to several, as whoever has its port lends it.
@@ -68,7 +68,7 @@ struct Seat {
     away: Option<Instant>,
     /// How long it is left alone when it is not found.
     pause: Duration,
-    /// Requests that it has not answered, one behind the other.
+    /// Requests that it has not answered, one after another.
     silent: u32,
 }
 

@@ -1,6 +1,6 @@
 //! A line that is a Modbus TCP server: a gateway of another maker, or another `unoclp serve`.
 //!
-//! Owns one connection, made anew where it fails, and which answer belongs to which request. Must not know what is asked.
+//! Owns one connection, made again where it fails, and which answer belongs to which request. Must not know what is asked.
 
 use crate::modbus::frame::{self, HEAD, Head};
 use crate::owner::{Board, NoAnswer};

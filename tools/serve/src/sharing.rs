@@ -29,7 +29,7 @@ pub struct Sharing {
     pub modbus: Option<Modbus>,
     /// Values that others write, if any may come.
     pub orders: Option<Ordered>,
-    /// The numbers of what stands behind, for `/metrics`.
+    /// The numbers of what follows, for `/metrics`.
     pub metrics: Option<Metrics>,
     /// What points were, if that is kept.
     pub past: Option<Arc<dyn Past>>,

@@ -35,7 +35,7 @@ impl Place {
         })
     }
 
-    /// Its addresses: the first, and the one behind the last.
+    /// Its addresses: the first, and the one after the last.
     pub fn addresses(self) -> std::ops::Range<u16> {
         let each = match self.width {
             Takes::Bit | Takes::Word => 1,

@@ -13,9 +13,6 @@ use crate::users::users;
 use std::net::{Ipv4Addr, SocketAddr};
 use toml::de::DeTable;
 
-/// No more mistakes are told of a text that is no TOML.
-const FEW: usize = 3;
-
 /// Reads the text of a site file.
 ///
 /// # Errors
@@ -23,11 +20,9 @@ const FEW: usize = 3;
 pub fn read(text: &str, files: &dyn Files) -> Result<Site, Vec<Mistake>> {
     let notes = Notes::new(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    if !errors.is_empty() {
-        // What is no TOML at all would be told in each of its lines.
-        for error in errors.into_iter().take(FEW) {
-            notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
-        }
+    if let Some(error) = errors.first() {
+        // What is no TOML at all would be told in each of its lines, in the same words.
+        notes.wrong(&error.span().unwrap_or_default(), Wrong::NoToml);
         return Err(notes.mistakes());
     }
     let known = [

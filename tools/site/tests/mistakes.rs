@@ -33,8 +33,8 @@ const LINE: &str = "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"x\"\n";
 fn mistakes() -> Vec<(String, usize, &'static str)> {
     let with = |more: &str| format!("{LINE}{more}");
     vec![
-        ("[[line]\n".into(), 1, "this is no TOML"),
-        (with("name = \"y\"\n"), 5, "this is no TOML"),
+        ("[[line]\n".into(), 1, "this is not TOML"),
+        (with("name = \"y\"\n"), 5, "this is not TOML"),
         (
             with("[mqqt]\n"),
             5,
@@ -48,12 +48,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"10.0.0.7\"\n"),
             6,
-            "10.0.0.7 is no broker; write \"mqtt://",
+            "10.0.0.7 is not a broker's address; write \"mqtt://",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://me:secret@a\"\n"),
             6,
-            "addresses are printed; write `user` and `password`",
+            "unoclp prints addresses; write `user` and `password`",
         ),
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nca = \"ca.pem\"\n"),
@@ -83,7 +83,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[mqtt]\nbroker = \"mqtt://a\"\nevery = \"1ms\"\n"),
             7,
-            "1ms is no time from 1s to 1d",
+            "1ms is not a time from 1s to 1d",
         ),
         (
             with("colour = 1\n"),
@@ -146,12 +146,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[http]\nlisten = \"localhost\"\n"),
             6,
-            "localhost is no address with a port",
+            "localhost is not an address with a port",
         ),
         (
             "[[line]]\ntcp = \"10.0.0.7\"\n[[line.board]]\nname = \"x\"\n".into(),
             2,
-            "10.0.0.7 is no host with a port",
+            "10.0.0.7 is not a host with a port",
         ),
         (
             with("[http]\nlisten = \"0.0.0.0:8420\"\n"),
@@ -182,12 +182,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line]]\nport = \"a\"\n[[line.board]]\nname = \"y\"\nunit = 2\n"),
             5,
-            "two lines are at a",
+            "two lines use a",
         ),
         (
             "[[line]]\nport = \"a\"\n[[line.board]]\nname = \"a/b\"\n".into(),
             4,
-            "a/b is no name for a board",
+            "a/b cannot be the name of a board",
         ),
         (
             with("[[line.board]]\nname = \"X\"\naddress = 2\n"),
@@ -197,12 +197,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[line.board]]\nname = \"y\"\nunit = 2\naddress = 1\n"),
             8,
-            "x on this line has address 1 too; `unoclp settings",
+            "x on this line also has address 1; give a board another with `unoclp settings",
         ),
         (
             with("[[line]]\nport = \"b\"\n[[line.board]]\nname = \"y\"\n"),
             7,
-            "x has unit 1 too",
+            "x also has unit 1",
         ),
         (
             with("[modbus]\nlisten = \"127.0.0.1:8420\"\n"),
@@ -222,13 +222,17 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("every = \"5\"\n"),
             5,
-            "5 is no time from 10ms to 1h; write \"100ms\"",
+            "5 is not a time from 10ms to 1h; write \"100ms\"",
         ),
-        (with("every = \"2h\"\n"), 5, "2h is no time from 10ms to 1h"),
+        (
+            with("every = \"2h\"\n"),
+            5,
+            "2h is not a time from 10ms to 1h",
+        ),
         (
             with("[history]\nstore = \"h.db\"\nkeep = \"1m\"\n"),
             7,
-            "1m is no time from 1h to 36500d",
+            "1m is not a time from 1h to 36500d",
         ),
         (
             with("[history]\nkeep = \"1h\"\n"),
@@ -238,12 +242,12 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"postgres://x\"\n"),
             6,
-            "postgres://x is no database; write \"history.db\" for a file, or \"postgres://",
+            "postgres://x is not a database; write \"history.db\" for a file, or \"postgres://",
         ),
         (
             with("[history]\nstore = \"postgres://me:secret@a/b\"\n"),
             6,
-            "addresses are printed; write \"postgres://gateway@db.example/plant\", and `password`",
+            "unoclp prints addresses; write \"postgres://gateway@db.example/plant\", and `password`",
         ),
         (
             with("[history]\nstore = \"\"\n"),
@@ -263,7 +267,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[history]\nstore = \"h.db\"\n[journal]\nstore = \"h.db\"\n"),
             8,
-            "history and journal are both in h.db; give each its own file",
+            "history and journal both use h.db; give each its own file",
         ),
         (
             with("[http]\nlisten = \"127.0.0.1:1\"\ntls = \"some\"\n"),
@@ -283,24 +287,24 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[journal]\nevery = \"2m\"\n"),
             6,
-            "2m is no time from 10ms to 1m",
+            "2m is not a time from 10ms to 1m",
         ),
         (
             with("[journal]\nbound = \"10kB\"\n"),
             6,
-            "10kB is no size from 1MB to 1000GB; write \"256MB\"",
+            "10kB is not a size from 1MB to 1000GB; write \"256MB\"",
         ),
         (granted("x"), 8, "x names no point; write board and point"),
         (granted("y.valve"), 8, "there is no board y; there is x"),
         (
             granted("x.flow"),
             8,
-            "x has no point flow; what can be written is target, valve, Q1–Q4",
+            "x has no point flow; you can write target, valve, Q1–Q4",
         ),
         (
             granted("x.level"),
             8,
-            "level cannot be written; what can is target, valve",
+            "level cannot be written; you can write target, valve",
         ),
         (with("alarm = 5\n"), 5, "there is no key `alarm` here"),
         (
@@ -316,7 +320,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a b\"\nwhen = \"x.I1\"\ntext = \"a\"\n"),
             6,
-            "\"a b\" cannot be a name here; take a letter",
+            "\"a b\" is not a valid name; start with a letter",
         ),
         (
             with(&(alarm("x.I1") + &alarm("x.I2"))),
@@ -331,17 +335,17 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&alarm("x.A0")),
             7,
-            "this is no condition of Structured Text: ",
+            "this is not a condition in Structured Text: ",
         ),
         (
             with(&alarm("y.A0 > 5")),
             7,
-            "this is no condition of Structured Text: ",
+            "this is not a condition in Structured Text: ",
         ),
         (
             with(&alarm("x.level > 5")),
             7,
-            "this is no condition of Structured Text: ",
+            "this is not a condition in Structured Text: ",
         ),
         (
             with(&alarm("TRUE")),
@@ -356,17 +360,17 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = {}\n"),
             8,
-            "this alarm says nothing; write `text = {",
+            "this alarm has no text; write `text = {",
         ),
         (
             with("[[alarm]]\nname = \"a\"\nwhen = \"x.I1\"\ntext = \" \"\n"),
             8,
-            "this alarm says nothing",
+            "this alarm has no text",
         ),
         (
             with(&(alarm("x.I1") + "for = \"2d\"\n")),
             9,
-            "2d is no time from 0s to 1d",
+            "2d is not a time from 0s to 1d",
         ),
         (
             with(&(alarm("x.I1") + "severity = \"fatal\"\n")),
@@ -390,7 +394,7 @@ fn mistakes() -> Vec<(String, usize, &'static str)> {
         (
             with(&user("secret")),
             8,
-            "this is no key of a user; `unoclp site key NAME` makes one",
+            "this is not a user's key; `unoclp site key NAME` makes one",
         ),
         (
             with("[[user]]\nname = \"u\"\nrole = \"watch\"\n"),
@@ -491,13 +495,13 @@ fn a_right_file_says_what_it_would_do() {
         "page: http://0.0.0.0:80/, open to the network, not encrypted",
         "line a: 115200 baud, no parity",
         "board x: address 3, unit 7, read every 250ms",
-        "program tank.st: its names (3) hold while the board keeps check sum ",
+        "program tank.st: its names (3) apply while the board has check sum ",
         "line 10.0.0.7:502: by Modbus TCP",
         "board y: address 1, unit 1, read every 500ms",
         "no program: points have their own names",
         "history: h.db, every change for 30d, then minutes and hours",
         "journal: on disk every 200ms, at most 256MB",
-        "Modbus TCP: 127.0.0.1:1502; whoever reaches it may write x.TARGET",
+        "Modbus TCP: 127.0.0.1:1502; anyone who reaches it may write x.TARGET",
     ] {
         assert!(told.contains(part), "{part}\n{told}");
     }
@@ -521,7 +525,7 @@ fn a_plan_says_what_a_broker_is_told_and_may_write() {
     let site = of(&format!("{LINE}[mqtt]\nbroker = \"mqtt://localhost\"\n")).unwrap();
     let told = plan(&site, Lang::En);
     assert!(
-        told.ends_with("below unoclp\n  nothing can be written by it\n"),
+        told.ends_with("below unoclp\n  it can write nothing\n"),
         "{told}"
     );
 }
@@ -574,4 +578,13 @@ fn a_point_of_every_board_is_written_whichever_program_it_keeps() {
         of(&granted("x.A0")).unwrap_err()[0].wrong,
         Wrong::ReadOnly { .. }
     ));
+}
+
+/// A text that is no TOML at all is told once: it is one mistake.
+#[test]
+fn what_is_no_toml_is_told_once() {
+    for text in ["<html>\n<body>\n<p>\n", &"x\n".repeat(1000)] {
+        let told = of(text).unwrap_err();
+        assert_eq!((told.len(), told[0].line), (1, 1), "{told:?}");
+    }
 }

@@ -37,7 +37,7 @@ pub enum End {
     Returned,
     /// By a return from an interrupt.
     ReturnedFromInterrupt,
-    /// Behind the last instruction, which called something that does not return.
+    /// After the last instruction, which called something that does not return.
     RanOff,
     /// Nowhere yet.
     TooLong,

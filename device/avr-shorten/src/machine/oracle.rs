@@ -27,7 +27,7 @@ pub enum Question {
     Writes { address: u16, call: u32 },
     /// A read of an I/O register, the first, the second and so on.
     Io { address: u16, nth: u32 },
-    /// A register behind a call.
+    /// A register after a call.
     Result { register: u8, call: u32 },
     /// What a call leaves in a register that nobody may look at, in one version and in the other.
     Junk {

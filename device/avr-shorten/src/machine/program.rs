@@ -19,7 +19,7 @@ pub struct Program {
 
 /// A step of a [`Program`].
 pub(super) struct Step {
-    /// `None` behind the last instruction of a function.
+    /// `None` after the last instruction of a function.
     pub op: Option<Op>,
     /// Where its label is, if it names one of the code.
     pub target: Option<usize>,

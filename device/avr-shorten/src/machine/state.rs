@@ -12,7 +12,7 @@ const ARGUMENTS: [u8; 19] = [
 ];
 /// The low register of the pointer to the frame.
 const FRAME: u8 = 28;
-/// The registers that nobody may look at, at an entry and behind a call.
+/// The registers that nobody may look at, at an entry and after a call.
 const JUNK: [u8; 5] = [0, 26, 27, 30, 31];
 
 impl<'a> Machine<'a> {

@@ -174,7 +174,7 @@ fn entries_that_are_not_the_file() {
         // Deleted.
         raw.put(root, &[0xE5]);
         assert_eq!(walk_image(&raw.image), Err(Error::NotFound));
-        // Behind the end of the folder.
+        // After the end of the folder.
         raw.put(root, &[0]);
         raw.entry(root + 32, PROGRAM, FILE, 20, 7);
         assert_eq!(walk_image(&raw.image), Err(Error::NotFound));
@@ -193,7 +193,7 @@ fn a_full_root_folder() {
         for entry in 0..entries {
             raw.entry(raw.root() + 32 * entry, b"OTHER   TXT", FILE, 99, 1);
         }
-        // What lies behind it is no entry.
+        // What lies after it is no entry.
         raw.entry(raw.root() + 32 * entries, PROGRAM, FILE, 20, 7);
         assert_eq!(walk_image(&raw.image), Err(Error::NotFound), "{fat:?}");
         raw.entry(raw.root() + 32 * (entries - 1), PROGRAM, FILE, 20, 7);

@@ -26,7 +26,7 @@ pub struct Board {
     pub outputs: u8,
     /// Analogue inputs A 00 to below this number exist (NC-18).
     pub analogue: u8,
-    /// The input that shares its pin with A 00; those behind it share theirs with A 01 and so on. Its number is above
+    /// The input that shares its pin with A 00; those after it share theirs with A 01 and so on. Its number is above
     /// that of every output that can be PWM. 0 where no pin is shared.
     pub shared_from: u8,
     /// The outputs that can be PWM, bit 0 output 01 (NC-18).

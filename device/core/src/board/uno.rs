@@ -5,7 +5,7 @@ use crate::Image;
 use crate::isa::{Opcode, TABLE, packed_rows};
 
 /// Hands the rows of the engine of `firmware/` to a macro, in the order of the
-/// [instruction table](crate::isa::TABLE). What stands behind the macro's name comes before the rows.
+/// [instruction table](crate::isa::TABLE). What stands after the macro's name comes before the rows.
 ///
 /// A row is the [`Opcode`](crate::isa::Opcode), its bytes of run memory ([`Engine::run_bytes`](crate::Engine::run_bytes)), and the
 /// label of its handler. Where several rows share a handler, they share a label.

@@ -48,7 +48,7 @@ pub enum Class {
     Store,
     /// Where acc = 1, or 0 if the code is negative, the scan goes on elsewhere.
     Leave,
-    /// Where acc = 0, the scan goes on behind the part that it begins.
+    /// Where acc = 0, the scan goes on after the part that it begins.
     If,
     /// It ends a part that an [`If`](Class::If) has begun, and may begin another.
     Part,

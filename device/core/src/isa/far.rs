@@ -34,7 +34,7 @@ mod wide {
     use super::holds_point;
     use crate::isa::{FIRST_POINT, MARKER_TARGET, POINTS};
 
-    /// The first byte of the first row's points above 16, and the first behind those of the last row, a reset coil's.
+    /// The first byte of the first row's points above 16, and the first after those of the last row, a reset coil's.
     const FAR: u8 = 0x88;
     const BEHIND_FAR: u8 = 0x8F;
     /// A stored target of a timer from this byte on is an output above 64.

@@ -160,7 +160,7 @@ impl Kind {
         self.behind(xx).1
     }
 
-    /// The first line behind a code with this XX, and the bytes that store all lines.
+    /// The first line after a code with this XX, and the bytes that store all lines.
     const fn behind(self, xx: u8) -> (Option<Line>, u8) {
         match self {
             Kind::Timer => (Some(Line::TimerPreset), 5),

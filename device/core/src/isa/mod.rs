@@ -7,7 +7,7 @@
 //! # To add an instruction
 //!
 //! Of a [`Kind`] and a [`Class`] that exist, it takes six places; what is forgotten is named by what stands
-//! behind each:
+//! after each:
 //!
 //! 1. its row in `device/core/src/isa/table.rs`: whatever comes next does not know the name before;
 //! 2. its effect in `device/core/src/plc/effect.rs`: a match without a wildcard;
@@ -72,7 +72,7 @@ pub struct Row {
 /// A stored target of a timer from this byte on is a marker, below it an output.
 pub const MARKER_TARGET: u8 = 0x40;
 
-/// The first stored byte of the rows whose bytes hold a point, and the first behind them.
+/// The first stored byte of the rows whose bytes hold a point, and the first after them.
 pub const FIRST_POINT: u8 = 0x10;
 /// See [`FIRST_POINT`].
 pub const BEHIND_POINTS: u8 = 0xA0;

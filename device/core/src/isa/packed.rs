@@ -11,7 +11,7 @@ pub const ROW: usize = 5;
 pub const KIND_IN_ROW: usize = 4;
 /// Where the run bytes do.
 const RUN_IN_ROW: usize = 3;
-/// The place of the row whose bytes hold the first points, and of the first row behind those that hold points.
+/// The place of the row whose bytes hold the first points, and of the first row after those that hold points.
 pub const ROW_OF_FIRST_POINT: u8 = row_of(FIRST_POINT);
 /// See [`ROW_OF_FIRST_POINT`].
 pub const ROW_BEHIND_POINTS: u8 = row_of(BEHIND_POINTS);
@@ -26,10 +26,10 @@ const RUN: u8 = 0x0F;
 /// Bytes of a packed kind: the last XX, and in the highest bit the first, which is 0 or 1; the first of its lines, and
 /// in the high four bits their bytes.
 pub(crate) const KIND: usize = 2;
-/// Where the kinds begin, behind the rows.
+/// Where the kinds begin, after the rows.
 pub(crate) const KINDS: usize = TABLE.len() * ROW;
 
-/// Bytes of the packed table: the instruction table without its texts, and behind it the kinds of operands, as a board
+/// Bytes of the packed table: the instruction table without its texts, and after it the kinds of operands, as a board
 /// has them. Only the loader makes sense of it, through [`Rows`].
 pub const PACKED: usize = KINDS + Kind::ALL.len() * KIND;
 
@@ -138,7 +138,7 @@ pub(crate) fn find(rows: &impl Rows, by: By) -> Option<(Entry, u8)> {
     if usize::from(index) >= TABLE.len() {
         return None;
     }
-    // What stands behind the rest of the code.
+    // What stands after the rest of the code.
     let mut more = [0; ROW - RUN_IN_ROW];
     rows.read(usize::from(index) * ROW + RUN_IN_ROW, &mut more);
     let [run, kind] = more;

@@ -4,7 +4,7 @@ use super::{Class, Kind, Row};
 
 /// Hands the rows of the instruction table to a macro, which takes from each what it needs: the table of
 /// this crate its code and its form, the firmware its stored byte, the compiler and the ladder their words. What
-/// stands behind the macro's name comes before the rows. What an instruction takes of a board's run memory, and the
+/// stands after the macro's name comes before the rows. What an instruction takes of a board's run memory, and the
 /// label of its handler there, stand with the board's engine: [`uno_engine!`](crate::uno_engine).
 ///
 /// A row is, in this order:

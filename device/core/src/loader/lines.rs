@@ -1,4 +1,4 @@
-//! The operand lines behind a code.
+//! The operand lines after a code.
 
 use super::{Expect, Loader};
 use crate::isa::{self, Kind, Line, MARKER_TARGET, xx};
@@ -89,7 +89,7 @@ impl<F: Facts> Loader<'_, F> {
         }
     }
 
-    /// The higher of the registers from which so many are counted: one, or behind the first of a move another.
+    /// The higher of the registers from which so many are counted: one, or after the first of a move another.
     fn highest(&self) -> i16 {
         self.register_before(1).max(self.register_before(2)).into()
     }

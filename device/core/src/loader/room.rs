@@ -158,7 +158,7 @@ impl<'m> Room<'m> {
         self.reserve(0, engine.line_bytes(Line::Target, stored))
     }
 
-    /// The constant behind the code that was put last takes so many bytes as this XX says.
+    /// The constant after the code that was put last takes so many bytes as this XX says.
     pub(super) fn constant(&mut self, xx: u8) -> Result<(), Cause> {
         if let (false, Some(last)) = (self.full, self.memory.get_mut(self.put.wrapping_sub(1))) {
             *last = xx;

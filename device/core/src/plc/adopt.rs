@@ -11,11 +11,11 @@ pub struct Snapshot<'s> {
     pub outputs: Image,
     /// The markers, bit 0 M 01.
     pub markers: u128,
-    /// D 01 and those behind it.
+    /// D 01 and those after it.
     pub registers: &'s [i32],
-    /// Elapsed time and preset of T 01 and those behind it.
+    /// Elapsed time and preset of T 01 and those after it.
     pub timers: &'s [(Millis, Millis)],
-    /// Value and preset of C 01 and those behind it.
+    /// Value and preset of C 01 and those after it.
     pub counters: &'s [(i32, i32)],
 }
 

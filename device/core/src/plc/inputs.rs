@@ -8,14 +8,14 @@ use crate::{Bits, Image, ImageBits, Millis};
 pub struct Inputs {
     /// The inputs as the pins show them.
     pub points: Image,
-    /// The readings of A 00 and those behind it, 0 to 1023.
+    /// The readings of A 00 and those after it, 0 to 1023.
     pub analogue: [u16; ANALOGUE as usize],
     /// How long the last scan took, µs.
     pub scan_time: u16,
 }
 
 impl Inputs {
-    /// These inputs, with the readings of A 00 and those behind it.
+    /// These inputs, with the readings of A 00 and those after it.
     #[must_use]
     pub fn reading(mut self, readings: &[u16]) -> Inputs {
         for (place, &reading) in self.analogue.iter_mut().zip(readings) {

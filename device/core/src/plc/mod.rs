@@ -104,7 +104,7 @@ impl<'m> Plc<'m> {
         plc
     }
 
-    /// Starts anew, as after power-up: all outputs 0 (NC-7), no timer started; but retentive markers
+    /// Starts again, as after power-up: all outputs 0 (NC-7), no timer started; but retentive markers
     /// keep their states, and numbers that are kept stay what they are.
     pub fn restart(&mut self) {
         let retained = self.state.markers & RETAINED;

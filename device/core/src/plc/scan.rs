@@ -5,7 +5,7 @@ use crate::isa::{Class, JUMP_BUDGET, Opcode};
 use crate::width::ANALOGUE;
 use crate::{Cause, Fault, Image, Millis, Needs, Steps};
 
-/// What an instruction leaves behind.
+/// What an instruction leaves after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct After {
     /// The result of the rung so far (NC-6).
@@ -132,20 +132,20 @@ impl Plc<'_> {
     }
 }
 
-/// Where a scan goes on behind an instruction.
+/// Where a scan goes on after an instruction.
 pub(super) enum Next {
     /// With the next instruction.
     Step,
     /// At a label, where a new rung begins. The line is that of the jump in its file.
     Label { label: u8, line: u16 },
-    /// Behind the END of the IF that is open, or behind this before it: a new rung begins there.
+    /// After the END of the IF that is open, or after this before it: a new rung begins there.
     Behind(Opcode),
     /// It ends.
     End,
 }
 
 impl<'c> Pass<'c> {
-    /// Goes on behind a label, where a new rung begins; gives the index of the instruction there. The
+    /// Goes on after a label, where a new rung begins; gives the index of the instruction there. The
     /// loader has seen to it that the label exists; the program would end where it did not.
     fn go_to(&mut self, code: &'c [u8], label: u8) -> usize {
         self.steps = Steps::new(code);
@@ -165,7 +165,7 @@ impl<'c> Pass<'c> {
         }
     }
 
-    /// Goes on behind a part of the IF that is open, its END at the latest; gives how many instructions that
+    /// Goes on after a part of the IF that is open, its END at the latest; gives how many instructions that
     /// passes over. The loader has seen to it that the END exists.
     fn go_behind(&mut self, part: Opcode) -> usize {
         self.acc = true;
@@ -184,7 +184,7 @@ impl<'c> Pass<'c> {
         count
     }
 
-    /// What an observer sees behind an instruction.
+    /// What an observer sees after an instruction.
     fn after(&self) -> After {
         After {
             acc: self.acc,
@@ -192,7 +192,7 @@ impl<'c> Pass<'c> {
         }
     }
 
-    /// What the next instruction finds behind this one.
+    /// What the next instruction finds after this one.
     fn pass_over(&mut self, opcode: Opcode) {
         let row = opcode.row();
         self.timers += u8::from(row.class == Class::Timer);

@@ -97,7 +97,7 @@ fn only_the_least_results_forget_digits() {
     assert_eq!(multiply(bits(LEAST), bits(1.5)), is(LEAST * 1.5));
     assert_eq!(divide(bits(LEAST), bits(2.0)), is(LEAST / 2.0));
     assert_eq!(divide(bits(-LEAST), bits(f32::MAX)), is(-0.0));
-    // 2,396,744.57 steps: the chip forgets them behind 2,396,744.5.
+    // 2,396,744.57 steps: the chip forgets them after 2,396,744.5.
     assert_eq!(divide(0x7F_FFFE, bits(3.5)), (0x24_9248, false));
     assert_eq!(multiply(1, 1), is(0.0));
     assert_eq!(multiply(1, bits(-1.0)), is(-f32::from_bits(1)));

@@ -50,7 +50,7 @@ fn goes_on_after_a_fault() {
 
 #[test]
 fn a_board_without_real_numbers_knows_no_code_of_them() {
-    // NC-23. Only the code is told; the constant behind it is none.
+    // NC-23. Only the code is told; the constant after it is none.
     let text = b"0\n766801\n82656800\n1065353216\n738482\n838402\n";
     assert_eq!(faults_on(Board::UNO, text), []);
     let told = [(24, Some(3)), (24, Some(5))];
@@ -216,7 +216,7 @@ fn brackets_are_balanced() {
     );
     assert_eq!(faults_of(&[[IF; 8], [END; 8]].concat()), []);
     assert_eq!(faults_of(&[[IF; 9], [END; 9]].concat()), [(86, Some(10))]);
-    // A rung ends at each of them, and no branch or value goes on behind it.
+    // A rung ends at each of them, and no branch or value goes on after it.
     assert_eq!(faults_of(&[40, IF, 41])[0], (74, Some(3)));
     assert_eq!(faults_of(&[PSH, IF, ADD_POPPED])[0], (74, Some(3)));
     assert_eq!(faults_of(&[IF, 40, END, 41])[0], (74, Some(4)));

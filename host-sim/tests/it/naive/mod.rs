@@ -14,7 +14,7 @@ use unoclp_core::Board;
 pub struct World {
     /// Inputs, 01 first.
     pub inputs: [bool; 99],
-    /// Readings of A 00 and those behind it.
+    /// Readings of A 00 and those after it.
     pub analogue: [i64; 99],
 }
 
@@ -190,8 +190,8 @@ impl Naive {
         Ok(())
     }
 
-    /// Where the scan goes on that does not do what this IF or ELS begins: behind its END, or of an IF
-    /// behind its ELS where it has one.
+    /// Where the scan goes on that does not do what this IF or ELS begins: after its END, or of an IF
+    /// after its ELS where it has one.
     fn behind_part(&self, at: usize) -> usize {
         let is_if = self.steps[at].letters == "IF";
         let mut depth = 0;

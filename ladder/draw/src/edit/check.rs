@@ -155,7 +155,7 @@ fn makes_a_result(class: Class) -> bool {
     )
 }
 
-/// A program file for the loader, and what each line behind the first came from. What lacks something is left out, but
+/// A program file for the loader, and what each line after the first came from. What lacks something is left out, but
 /// for a timer: others name it by its number.
 fn text(emitted: &Emitted<'_>) -> (String, Vec<Id>) {
     use std::fmt::Write;

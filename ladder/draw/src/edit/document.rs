@@ -39,7 +39,7 @@ pub struct Rung {
 /// The code that a rung begins with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Begin {
-    /// `NL`, but not where a rung begins by itself: behind program start and behind an IF.
+    /// `NL`, but not where a rung begins by itself: after program start and after an IF.
     #[default]
     Rung,
     /// `NL` even there.
@@ -233,7 +233,7 @@ impl Rung {
         }
     }
 
-    /// Whether its last code is an IF, behind which a rung begins by itself.
+    /// Whether its last code is an IF, after which a rung begins by itself.
     pub fn ends_in_if(&self) -> bool {
         self.last_if().is_some()
     }

@@ -11,7 +11,7 @@ use unoclp_core::isa::{BRANCH_POINTS, Opcode};
 pub(crate) struct Emitted<'d> {
     /// The codes, the rungs one after the other.
     pub(crate) codes: Vec<Code<'d>>,
-    /// Behind the last code of each rung.
+    /// After the last code of each rung.
     pub(crate) ends: Vec<usize>,
     /// Paths on which nothing stands, each with the code that it stands before.
     pub(crate) holes: Vec<(usize, Id)>,

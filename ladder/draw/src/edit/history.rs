@@ -51,7 +51,7 @@ impl Editor {
         self.apply_all(std::slice::from_ref(operation))
     }
 
-    /// Makes operations, one behind the other, as one change.
+    /// Makes operations, one after another, as one change.
     ///
     /// # Errors
     /// Why one of them is refused; then nothing has changed.

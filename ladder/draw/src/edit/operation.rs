@@ -54,9 +54,9 @@ pub enum Operation {
     Point(Option<u8>),
     /// Inserts an empty rung.
     InsertRung(Along),
-    /// Moves what rungs are selected above the one before them, or below the one behind them.
+    /// Moves what rungs are selected above the one before them, or below the one after them.
     MoveRung(Along),
-    /// What stands behind the cursor becomes a rung of its own.
+    /// What stands after the cursor becomes a rung of its own.
     Split,
     /// The rung goes on with the one below it.
     Join,
@@ -90,7 +90,7 @@ pub enum Direction {
 pub enum Place {
     /// In series before what is selected; of a rung or path at its beginning, and of rungs above them.
     Before,
-    /// In series behind what is selected; of a rung at its end, of a path at its beginning, and of rungs below them.
+    /// In series after what is selected; of a rung at its end, of a path at its beginning, and of rungs below them.
     Behind,
     /// As a path beside what is selected.
     Beside,

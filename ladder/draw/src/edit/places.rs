@@ -42,7 +42,7 @@ pub struct Opening {
 
 /// The height of the strip below a symbol in which paths beside it begin, of that of its row.
 const BESIDE: f32 = 0.3;
-/// The width of the strips before and behind a symbol, in units of the sheet: half a wire.
+/// The width of the strips before and after a symbol, in units of the sheet: half a wire.
 const STRIP: f32 = 9.0;
 
 impl Drawn {
@@ -89,7 +89,7 @@ impl Drawn {
         let mut before = None;
         for (index, area) in elements {
             let id = self.elements[index];
-            // A timer and the coil that it drives are one: what goes behind goes behind the coil.
+            // A timer and the coil that it drives are one: what goes after goes after the coil.
             let goes_on = before == Some(id);
             if goes_on {
                 places.pop();
@@ -128,7 +128,7 @@ fn heading(rung: &Rung, title: String, document: &Document) -> Vec<String> {
     lines
 }
 
-/// The places at a symbol: before it unless that is taken; beside it and behind it unless it ends its rung.
+/// The places at a symbol: before it unless that is taken; beside it and after it unless it ends its rung.
 fn openings(at: Id, area: Area, before: bool, goes_on: bool) -> impl Iterator<Item = Opening> {
     let height = area.height * (1.0 - BESIDE);
     let strip = |x| Area {

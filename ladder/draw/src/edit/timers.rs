@@ -1,4 +1,4 @@
-//! Timers are known by their place in the program. When one comes or goes, those behind it get other numbers, and
+//! Timers are known by their place in the program. When one comes or goes, those after it get other numbers, and
 //! whatever names them has to follow.
 
 use super::clip::Renamed;

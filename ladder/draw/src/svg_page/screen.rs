@@ -1,7 +1,7 @@
 //! A drawing for a screen that shows it live: drawn once, then only classes and short texts change.
 //!
 //! - `wire nN`: the wires of net N ([`Net::number`](crate::Net::number))
-//! - `element nN`: a symbol, with the net behind it; `data-element` is its index, `data-steps` its steps, `data-point`
+//! - `element nN`: a symbol, with the net after it; `data-element` is its index, `data-steps` its steps, `data-point`
 //!   what it reads or writes
 //! - `value`: an empty text above a box, for what its last step has come to
 //! - `rung`: a rung; `data-rung` is its number from 1, `data-lines` the lines of its text

@@ -245,7 +245,7 @@ impl<'w> Wires<'w> {
                 names.dedup();
                 on.insert((row, column + 1), true);
             }
-            // Through a name, to the wire behind it.
+            // Through a name, to the wire after it.
             None if !" ─│├┤┬└┘".contains(cell.ch)
                 && next.element.is_none()
                 && next.ch != ' '

@@ -76,7 +76,7 @@ impl Draw {
         }
     }
 
-    /// Draws the first of these rungs, and those behind it that are one block with it; how many.
+    /// Draws the first of these rungs, and those after it that are one block with it; how many.
     pub(crate) fn rung(&mut self, rungs: &[&Rung], number: usize) -> usize {
         let Some(rung) = rungs.first() else { return 1 };
         self.rung = number;

@@ -9,7 +9,7 @@ use unoclp_point::Address;
 pub(crate) struct Variables {
     names: Names,
     taken: HashSet<String>,
-    /// Name, address and type of each, in the order of the points; those without a point behind them.
+    /// Name, address and type of each, in the order of the points; those without a point after them.
     points: BTreeMap<Address, (String, Option<String>, String)>,
     others: Vec<(String, String)>,
 }

@@ -162,7 +162,7 @@ impl Body {
         );
     }
 
-    /// A block with these inputs and outputs; a name behind `!` is negated.
+    /// A block with these inputs and outputs; a name after `!` is negated.
     pub(crate) fn block(
         &mut self,
         kind: &str,

@@ -265,7 +265,7 @@ impl Allotter<'_> {
                 self.found
                     .tell(Code::BoardRetain, at, [block.name().into()]);
             }
-            // Read behind the call alone, in each scan: the board's own figures are those of the call.
+            // Read after the call alone, in each scan: the board's own figures are those of the call.
             let live = |part: u32| {
                 let first = uses.get(cell + part).and_then(|of| of.first_read);
                 called.always && first.is_none_or(|first| first > called.at)

@@ -19,7 +19,7 @@ use unoclp_core::isa::{Opcode, Operand, Value as Taken};
 use unoclp_point::Address;
 
 impl Coder<'_, '_> {
-    /// Calls a block; whether the step behind it is done too.
+    /// Calls a block; whether the step after it is done too.
     pub(super) fn standard(
         &mut self,
         block: Standard,
@@ -183,7 +183,7 @@ impl Coder<'_, '_> {
         self.assign_prepared(&place(cell, value.at), value, Store::Narrow(Base::Bool));
     }
 
-    /// acc into whatever the bit is; behind it acc may be anything.
+    /// acc into whatever the bit is; after it acc may be anything.
     pub(super) fn drive_any(&mut self, seat: Seat, cell: u32) {
         match seat {
             Seat::At(Address::Register(_)) => {
@@ -223,7 +223,7 @@ impl Coder<'_, '_> {
             Standard::Tonr => Opcode::RetentiveOnDelay,
             _ => Opcode::Pulse,
         };
-        // A coil of Q right behind it is the timer's own.
+        // A coil of Q right after it is the timer's own.
         let own = next.and_then(|next| self.coil_of(next, cell + 2));
         let target = match own {
             Some((target, _)) => target,

@@ -1,4 +1,4 @@
-//! CASE: the arms in the ELSE of one another, or one behind the other.
+//! CASE: the arms in the ELSE of one another, or one after another.
 //!
 //! Owns how a number is found among bounds.
 
@@ -32,7 +32,7 @@ impl Coder<'_, '_> {
             self.tests_number(at, base, cell);
             return self.arms(&selector, arms, otherwise);
         }
-        // More than IFs can stand in one another: one behind the other, by a copy of the number.
+        // More than IFs can stand in one another: one after another, by a copy of the number.
         let held = self.keep(selector);
         for (number, (bounds, body)) in arms.iter().enumerate() {
             self.pen.fresh();

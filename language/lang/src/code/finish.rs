@@ -395,7 +395,7 @@ fn cost(lines: &[Line], loops: &[Turns], found: &mut Found) {
         let mut jumps = turns.jumps;
         let mut outer = turns.outer;
         while let Some(around) = outer.and_then(|number| loops.get(number)) {
-            // Each turn around it begins it anew; there is one turn more than jumps at most.
+            // Each turn around it begins it again; there is one turn more than jumps at most.
             jumps = jumps
                 .zip(around.jumps)
                 .map(|(a, b)| a.saturating_mul(b.saturating_add(1)));

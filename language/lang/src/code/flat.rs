@@ -16,7 +16,7 @@ pub(super) const TEMPORARY: u32 = 1 << 30;
 /// A program without calls.
 #[derive(Debug, Default)]
 pub(super) struct Flat {
-    /// Those of the tree, and behind them those of each call.
+    /// Those of the tree, and after them those of each call.
     pub cells: Vec<Cell>,
     pub body: Vec<Step>,
     /// How many labels there are.

@@ -24,7 +24,7 @@ pub(super) struct Frame {
     pub lent: Vec<Place>,
     /// Locals in whose place stands what the caller gives.
     pub given: HashMap<u32, Expr>,
-    /// Behind the body, and whether something jumps there.
+    /// After the body, and whether something jumps there.
     pub end: Option<u32>,
     pub ended: bool,
     /// The labels of its statements, which jumps name.

@@ -145,7 +145,7 @@ impl Inliner<'_, '_> {
         let again = self.label();
         self.push(Does::Label(again), at);
         if turns.is_some() && within.is_none() {
-            // At least one turn, so it is asked behind it.
+            // At least one turn, so it is asked after it.
             if let Some(turns) = self.flat.loops.get_mut(number) {
                 turns.jumps = turns.jumps.map(|jumps| jumps - 1);
             }

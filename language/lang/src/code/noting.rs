@@ -1,6 +1,6 @@
 //! Notes what a statement shows, while its instructions are written.
 //!
-//! Owns which instruction it is known behind. Must not know what a line makes of it: `traces` does.
+//! Owns which instruction it is known after. Must not know what a line makes of it: `traces` does.
 
 use super::coder::Coder;
 use super::traces::{Noted, Shows};
@@ -8,12 +8,12 @@ use crate::diagnostics::Span;
 use crate::typed::Base;
 
 impl Coder<'_, '_> {
-    /// The statement at hand stores, or puts out, what is known behind the last instruction.
+    /// The statement at hand stores, or puts out, what is known after the last instruction.
     pub(super) fn shows(&mut self, shows: Shows) {
         self.note(self.pen.at, false, shows, None);
     }
 
-    /// The line of this place tests what is known behind the last instruction.
+    /// The line of this place tests what is known after the last instruction.
     pub(super) fn tests(&mut self, at: Span, shows: Shows) {
         self.note(at, true, shows, None);
     }

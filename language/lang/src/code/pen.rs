@@ -204,7 +204,7 @@ impl Pen {
     /// A jump where acc is 1, or 0.
     pub(super) fn jump(&mut self, opcode: Opcode, label: u32, back: Option<usize>) {
         self.line(Written::Jump(opcode, label, back), None);
-        // Behind a jump that is always made nothing is reached but by a label.
+        // After a jump that is always made nothing is reached but by a label.
         if self.acc != Acc::One {
             self.acc = Acc::Other;
         }

@@ -202,7 +202,7 @@ pub(super) fn is_stored_first(unit: &Unit, local: u32) -> bool {
     false
 }
 
-/// Whether something in it may leave the body, so that what stands behind it is not reached.
+/// Whether something in it may leave the body, so that what follows it is not reached.
 fn leaves(statement: &Stmt) -> bool {
     matches!(statement.kind, StmtKind::Return | StmtKind::Jump(..))
         || within(statement).into_iter().any(leaves)

@@ -74,7 +74,7 @@ impl Coder<'_, '_> {
                     let inverted = (opcode == Opcode::JumpNot) != back.is_some();
                     self.tests(at, Shows::Power { inverted });
                     self.pen.jump(opcode, *label, *back);
-                    // Behind it acc is known, but not 1.
+                    // After it acc is known, but not 1.
                     self.pen.acc = Acc::Other;
                 }
             },

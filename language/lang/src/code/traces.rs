@@ -1,4 +1,4 @@
-//! What the lines of a text show of a scan, each with the step behind which that is known.
+//! What the lines of a text show of a scan, each with the step after which that is known.
 //!
 //! Owns which statement shows what: a condition, a bit, a number. Must not know how it is drawn, nor where a scan is made.
 
@@ -21,7 +21,7 @@ pub struct Trace {
     pub shows: Shows,
 }
 
-/// What is known behind a step.
+/// What is known after a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shows {
     /// acc, or its opposite.

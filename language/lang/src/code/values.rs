@@ -109,7 +109,7 @@ impl Inliner<'_, '_> {
         }
     }
 
-    /// Operands in their order: what a call behind them might change is put aside.
+    /// Operands in their order: what a call after them might change is put aside.
     fn operands<const N: usize>(&mut self, from: [&Expr; N], frame: &Frame) -> [Expr; N] {
         let mut at = 0;
         from.map(|operand| {
@@ -126,7 +126,7 @@ impl Inliner<'_, '_> {
     }
 
     fn all(&mut self, from: &[Expr], frame: &Frame) -> Vec<Expr> {
-        // Of each, whether one behind it may change something: asked once, from the last to the first.
+        // Of each, whether one after it may change something: asked once, from the last to the first.
         let mut changes = false;
         let later = from.iter().rev().map(|operand| {
             let later = changes;

@@ -36,7 +36,7 @@ pub struct Variable {
     pub name: String,
     /// Its type, as a person writes it.
     pub type_name: String,
-    /// The name behind an enumeration's number, in order of the numbers.
+    /// The name after an enumeration's number, in order of the numbers.
     pub values: Arc<Vec<String>>,
     /// How the board holds it.
     pub holding: Holding,

@@ -93,7 +93,7 @@ impl Checker<'_, '_> {
         let help = match near {
             Some(near) => both(format!("is it `{near}`?"), format!("seria `{near}`?")),
             None => both(
-                format!("declare it behind BLOCO: INT {text};"),
+                format!("declare it after BLOCO: INT {text};"),
                 format!("declare-o depois de BLOCO: INT {text};"),
             ),
         };

@@ -133,8 +133,8 @@ impl Checker<'_, '_> {
                     (self.builder.written(bit.at), self.builder.written(other.at));
                 let is = self.type_of(other);
                 let help = both(
-                    format!("a BOOL holds or not: write {written}, or NOT {written}"),
-                    format!("um BOOL vale ou não: escreva {written} ou NOT {written}"),
+                    format!("a BOOL is true or false: write {written}, or NOT {written}"),
+                    format!("um BOOL é verdadeiro ou falso: escreva {written} ou NOT {written}"),
                 );
                 let words = [number.into(), is, written.into(), "BOOL".into(), help];
                 self.builder.tell(Code::IsclMismatch, at, words);

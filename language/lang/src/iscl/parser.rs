@@ -179,7 +179,7 @@ impl<'t> Parser<'t, '_> {
         self.command().map(Some)
     }
 
-    /// What stands between two commands. Where it is missing behind the end of a part, the text is read.
+    /// What stands between two commands. Where it is missing after the end of a part, the text is read.
     fn separator(&mut self, whole: bool) {
         let (sign, keyword) = (self.cursor.sign(), self.cursor.keyword());
         if matches!(sign, Sign::Semicolon | Sign::End) || keyword.is_end() {
@@ -244,7 +244,7 @@ impl<'t> Parser<'t, '_> {
     fn declared(&mut self, base: Base) -> Parsed<&'t str> {
         let what = ("the name of the variable", "o nome da variável");
         let help = (
-            "write it behind its type: INT x;",
+            "write it after its type: INT x;",
             "escreva-o depois do tipo: INT x;",
         );
         let name = self.cursor.name(what, help)?;

@@ -66,8 +66,8 @@ impl Parser<'_, '_> {
             ("VAR", _) => {
                 self.var = true;
                 let help = (
-                    "declarations stand behind BLOCO without it: INT x;",
-                    "as declarações ficam depois de BLOCO sem ele: INT x;",
+                    "delete it and write the declarations after BLOCO: INT x;",
+                    "apague-o e escreva as declarações depois de BLOCO: INT x;",
                 );
                 self.cursor
                     .tell(Code::IsclLacks, span, [written.into(), help.into()]);
@@ -106,8 +106,8 @@ impl Parser<'_, '_> {
             }
             ("PROGRAM" | "FUNCTION" | "FUNCTION_BLOCK" | "TYPE" | "BEGIN", _) => {
                 let help = (
-                    "the whole program stands between BLOCO and END_BLOCK",
-                    "o programa inteiro fica entre BLOCO e END_BLOCK",
+                    "write the whole program between BLOCO and END_BLOCK",
+                    "escreva o programa inteiro entre BLOCO e END_BLOCK",
                 );
                 self.cursor
                     .tell(Code::IsclLacks, span, [written.into(), help.into()]);
@@ -227,7 +227,7 @@ impl Parser<'_, '_> {
         true
     }
 
-    /// Goes on behind what is wrong: at the next `;`, or at a word that begins or ends something.
+    /// Goes on after what is wrong: at the next `;`, or at a word that begins or ends something.
     pub(super) fn skip(&mut self, before: usize) {
         if self.cursor.place() == before {
             self.cursor.next();
@@ -248,7 +248,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Goes on behind the wrong head of a part: behind this word, or where its commands seem to begin.
+    /// Goes on after the wrong head of a part: after this word, or where its commands seem to begin.
     pub(super) fn skip_head(&mut self, keyword: Word) {
         loop {
             let here = self.cursor.keyword();
@@ -266,7 +266,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Goes behind a CASE or REPEAT of Structured Text, whose parts are not told one by one.
+    /// Goes after a CASE or REPEAT of Structured Text, whose parts are not told one by one.
     pub(super) fn skip_other(&mut self) {
         let written = self.cursor.written();
         let end = match written.to_ascii_uppercase().as_str() {

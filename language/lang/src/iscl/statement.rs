@@ -128,13 +128,13 @@ impl Parser<'_, '_> {
 
     fn condition_of_if(&mut self) -> Parsed<Node> {
         let help = (
-            "THEN stands behind the condition of an IF",
-            "THEN vem depois da condição de um IF",
+            "write THEN after the condition of an IF",
+            "escreva THEN depois da condição de um IF",
         );
         self.head(Word::Then, help)
     }
 
-    /// A condition and the word behind it. Where it is wrong, what it is the head of is read all the same.
+    /// A condition and the word after it. Where it is wrong, what it is the head of is read all the same.
     fn head(&mut self, keyword: Word, help: (&str, &str)) -> Parsed<Node> {
         let (begin, depth) = (self.cursor.token().span, self.cursor.depth());
         let read = self.condition();
@@ -156,8 +156,8 @@ impl Parser<'_, '_> {
     fn repeated(&mut self) -> Parsed<StatementKind> {
         let begin = self.cursor.next().span;
         let help = (
-            "DO stands behind the condition of a WHILE",
-            "DO vem depois da condição de um WHILE",
+            "write DO after the condition of a WHILE",
+            "escreva DO depois da condição de um WHILE",
         );
         let condition = self.head(Word::Do, help)?;
         let body = self.list(&[Word::EndWhile, Word::EndFor]);

@@ -189,7 +189,7 @@ impl Parser<'_, '_> {
     fn condition(&mut self) -> Parsed<StatementKind> {
         let word = self.cursor.written();
         self.cursor.next();
-        let help = ("the condition stands in ( )", "a condição fica entre ( )");
+        let help = ("write the condition in ( )", "escreva a condição entre ( )");
         self.cursor.expect(Sign::Open, "(", help)?;
         let condition = self.expression()?;
         let help = ("close what the ( opens", "feche o que o ( abre");

@@ -66,7 +66,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// The operator that stands here, behind its type if it has one.
+    /// The operator that stands here, after its type if it has one.
     fn operator_here(&mut self) -> Parsed<Option<(Op, u32)>> {
         let mut sign = self.cursor.sign();
         if sign == Sign::Foreign {
@@ -247,7 +247,7 @@ impl Parser<'_, '_> {
                 return Err(Told);
             }
             let help = (
-                "write the number behind its sign",
+                "write the number after its sign",
                 "escreva o número depois do sinal",
             );
             return Err(self.cursor.missing(("a number", "um número"), help));

@@ -84,7 +84,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// `fim`, behind which nothing stands.
+    /// `fim`, after which nothing stands.
     fn end(&mut self, begin: crate::diagnostics::Span) {
         if self.cursor.keyword() != Word::End {
             let words = [self.cursor.slice(begin).into(), "fim".into()];
@@ -173,7 +173,7 @@ impl Parser<'_, '_> {
         self.cursor.tell(Code::StStrayEnd, span, words);
     }
 
-    /// The `;` behind a command.
+    /// The `;` after a command.
     pub fn separator(&mut self) {
         if self.cursor.accept(Sign::Semicolon) {
             return;
@@ -194,7 +194,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Goes on behind what is wrong: at the next `;`, at a brace, or at a word that begins something.
+    /// Goes on after what is wrong: at the next `;`, at a brace, or at a word that begins something.
     pub fn skip(&mut self, before: usize) {
         if self.cursor.place() == before {
             self.cursor.next();

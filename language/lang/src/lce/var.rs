@@ -10,7 +10,7 @@ use crate::diagnostics::Code;
 use crate::small::rules::Sign;
 
 impl<'t> Parser<'t, '_> {
-    /// The lines behind `var`.
+    /// The lines after `var`.
     pub(super) fn names(&mut self) {
         while self.line() {}
     }
@@ -67,7 +67,7 @@ impl<'t> Parser<'t, '_> {
         } else if second.sign != Sign::Word || is_place(name) && is_place(place) {
             let help = match second.sign {
                 Sign::Word => (
-                    "write a name of your own behind the =: V0 = nivel;".to_owned(),
+                    "write a name of your own after the =: V0 = nivel;".to_owned(),
                     "escreva um nome seu depois do =: V0 = nivel;".to_owned(),
                 ),
                 _ => (

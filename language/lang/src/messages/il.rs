@@ -9,9 +9,9 @@ macro_rules! il_rows {
         "`{0}` não significa nada em Lista de Instruções"
         "apague-o";
     12 CommentOpen Error
-        "this comment is never closed, so all that follows is swallowed"
+        "this comment is never closed, so the rest of the text is part of it"
         "write *) at its end"
-        "este comentário nunca fecha e por isso engole tudo o que vem depois"
+        "este comentário nunca é fechado, e o resto do texto faz parte dele"
         "escreva *) no fim dele";
     13 CommentSpaced Warning
         "the comment was closed at `* )`, which has a space in it"
@@ -19,19 +19,19 @@ macro_rules! il_rows {
         "o comentário foi fechado em `* )`, que tem um espaço"
         "escreva *) sem o espaço";
     14 BadNumber Error
-        "`{0}` is not a number that fits 32 bits, and not a time"
-        "numbers are like 20, 2#1010 or 16#FF; times like T#20s or T#1h2m3s4ms"
+        "`{0}` is neither a number of 32 bits nor a time"
+        "write numbers like 20, 2#1010 or 16#FF, and times like T#20s or T#1h2m3s4ms"
         "`{0}` não é um número de até 32 bits nem um tempo"
-        "números são como 20, 2#1010 ou 16#FF; tempos como T#20s ou T#1h2m3s4ms";
+        "escreva números como 20, 2#1010 ou 16#FF, e tempos como T#20s ou T#1h2m3s4ms";
     15 Fraction Error
-        "`{0}` has a fraction, and the board's numbers are whole"
-        "count in smaller parts, 25 tenths for 2.5; a point like 0.00 is OMRON's, whose words choose that dialect"
-        "`{0}` tem casas decimais, e os números da placa são inteiros"
-        "conte em partes menores, 25 décimos para 2,5; um ponto como 0.00 é da OMRON, cujas palavras escolhem esse dialeto";
+        "`{0}` has a fraction, but the board's numbers are whole"
+        "use a smaller unit: 25 tenths for 2.5. Addresses like 0.00 are OMRON's: use its words to choose that dialect"
+        "`{0}` tem casas decimais, mas os números da placa são inteiros"
+        "use uma unidade menor: 25 décimos para 2,5. Endereços como 0.00 são da OMRON: use as palavras dela para escolher esse dialeto";
     16 TimePrefix Error
-        "`{0}` is a time, and a time begins with T#"
+        "`{0}` is a time, and times begin with T#"
         "write {1}"
-        "`{0}` é um tempo, e um tempo começa com T#"
+        "`{0}` é um tempo, e tempos começam com T#"
         "escreva {1}";
     17 TimeUnit Error
         "`{0}` does not say its unit"
@@ -44,10 +44,10 @@ macro_rules! il_rows {
         "`{0}` tem uma vírgula onde deve haver um ponto"
         "escreva {1}";
     19 Commented Warning
-        "`{0}` is not done: what stands behind ; is a comment"
-        "put it on a line of its own, or write (* before it and *) behind it if it is a comment"
-        "`{0}` não é executado: o que fica depois de ; é comentário"
-        "ponha-o em uma linha própria ou, se for comentário, escreva (* antes e *) depois";
+        "`{0}` is ignored: everything after ; is a comment"
+        "put it on a line of its own; if it is a comment, write (* before it and *) after it"
+        "`{0}` não é executado: tudo depois de ; é comentário"
+        "ponha-o em uma linha própria; se for um comentário, escreva (* antes e *) depois";
     20 OtherWord Error
         "`{0}` is {1} in Instruction List"
         "write {1}"
@@ -59,29 +59,29 @@ macro_rules! il_rows {
         "não existe o operador `{0}`"
         "{1}";
     22 OperandMissing Error
-        "{0} needs to know what it works on"
-        "write an operand behind it, like {1}"
-        "falta dizer com que {0} deve trabalhar"
+        "{0} needs an operand"
+        "write an operand after it, like {1}"
+        "{0} precisa de um operando"
         "escreva um operando depois dele, como {1}";
     23 Unexpected Error
         "`{0}` was not expected here"
-        "each instruction stands on a line of its own: operator, operand, comment"
+        "write each instruction on a line of its own: operator, operand, comment"
         "`{0}` não era esperado aqui"
-        "cada instrução fica na sua própria linha: operador, operando, comentário";
+        "escreva cada instrução em uma linha própria: operador, operando, comentário";
     24 BadModifier Error
         "{0} cannot have the modifier {1}"
         "N inverts an operand, C makes a jump conditional, ( defers an operation"
         "{0} não aceita o modificador {1}"
         "N inverte um operando, C torna um desvio condicional, ( adia uma operação";
     25 BadLabel Error
-        "`{0}` is no label: a letter, then letters, digits or _, at most 16 characters"
+        "`{0}` cannot be a label: use a letter, then letters, digits or _, at most 16 characters"
         "choose a shorter, simpler name"
-        "`{0}` não serve de rótulo: uma letra, depois letras, números ou _, no máximo 16 caracteres"
+        "`{0}` não pode ser um rótulo: use uma letra e depois letras, algarismos ou _, no máximo 16 caracteres"
         "escolha um nome mais curto e simples";
     26 LabelTwice Error
-        "the label `{0}` stands twice, so a jump would not know where to go"
+        "the label `{0}` appears twice, so a jump to it is ambiguous"
         "give one of them another name"
-        "o rótulo `{0}` aparece duas vezes e um desvio não saberia para onde ir"
+        "o rótulo `{0}` aparece duas vezes, e um desvio para ele seria ambíguo"
         "dê outro nome a um deles";
     27 NoSuchLabel Error
         "there is no label `{0}` here to jump to"
@@ -89,14 +89,14 @@ macro_rules! il_rows {
         "não há aqui um rótulo `{0}` para onde desviar"
         "{1}";
     28 LabelColon Warning
-        "`{0}` was taken as a label, but a colon is missing"
+        "`{0}` looks like a label, but its colon is missing"
         "write `{0}:`"
-        "`{0}` foi entendido como rótulo, mas faltam os dois-pontos"
+        "`{0}` parece um rótulo, mas faltam os dois-pontos"
         "escreva `{0}:`";
     29 Structure Error
-        "{0} stands alone: its other half is missing"
+        "{0} is incomplete: its counterpart is missing"
         "{1}"
-        "{0} está sozinho: falta o seu par"
+        "{0} está incompleto: falta o seu par"
         "{1}";
     30 CommaMissing Error
         "a comma is missing before `{0}`"
@@ -105,18 +105,18 @@ macro_rules! il_rows {
         "escreva uma vírgula entre operandos: TON T1, 100";
     31 CloseWithoutOpen Error
         "this ) closes nothing: no operation has been deferred"
-        "delete it, or write the ( that belongs to it"
+        "delete it, or write the matching ("
         "este ) não fecha nada: nenhuma operação foi adiada"
-        "apague-o ou escreva o ( que falta";
+        "apague-o ou escreva o ( correspondente";
     32 LeftOpen Error
-        "this ( is never closed, so the deferred operation is never done"
+        "this ( is never closed, so the deferred operation never runs"
         "write ) on a line of its own where it ends"
-        "este ( nunca é fechado e a operação adiada nunca é feita"
+        "este ( nunca é fechado, e a operação adiada nunca é executada"
         "escreva ) em uma linha própria onde ela termina";
     33 TooDeep Error
-        "more than 8 operations are deferred in one another"
+        "more than 8 deferred operations are nested"
         "store a part of it in a marker first: ST M1"
-        "há mais de 8 operações adiadas umas dentro das outras"
+        "há mais de 8 operações adiadas, umas dentro das outras"
         "guarde antes uma parte em uma memória: ST M1";
     34 InParentheses Error
         "{0} cannot stand between ( and )"
@@ -124,9 +124,9 @@ macro_rules! il_rows {
         "{0} não pode ficar entre ( e )"
         "feche antes a operação adiada";
     35 NothingLoaded Error
-        "the accumulator holds nothing here for {0} to work on"
+        "the accumulator is empty here, so {0} has no value to work with"
         "begin with LD or LDN"
-        "o acumulador não contém nada com que {0} possa trabalhar aqui"
+        "o acumulador está vazio aqui, e {0} não tem valor com que trabalhar"
         "comece com LD ou LDN";
     36 ColonMissing Error
         "a colon is missing before `{0}`"
@@ -135,18 +135,18 @@ macro_rules! il_rows {
         "{1}";
     40 SamePoint Error
         "`{0}` and `{1}` are the same {2}"
-        "write it in one way only, or count again which point is meant"
+        "use one notation, or check which point you mean"
         "`{0}` e `{1}` são o mesmo ponto: {2}"
-        "escreva-o de um só modo, ou conte de novo qual ponto se quer";
+        "use uma só notação, ou confira qual ponto você quer";
     41 NoSuchPoint Error
         "there is no point `{0}` on this board"
         "{1}"
         "não existe o ponto `{0}` nesta placa"
         "{1}";
     42 Undeclared Warning
-        "nothing says what `{0}` is; it was made a marker, {1}"
+        "nothing declares `{0}`; it became a marker, {1}"
         "{2}"
-        "nada diz o que é `{0}`; virou uma memória, {1}"
+        "nada declara `{0}`; ele virou uma memória, {1}"
         "{2}";
     43 NameTwice Error
         "`{0}` is declared twice"
@@ -170,17 +170,17 @@ macro_rules! il_rows {
         "{1}";
     47 NotWritable Error
         "nothing can be stored in {0}"
-        "outputs, markers and registers can be written, like Q1, M1 or D1"
+        "write to an output, a marker or a register, like Q1, M1 or D1"
         "não se pode armazenar nada em {0}"
-        "saídas, memórias e registradores podem ser escritos, como Q1, M1 ou D1";
+        "escreva em uma saída, memória ou registrador, como Q1, M1 ou D1";
     48 StoreToInput Warning
-        "{0} is an input: only its sensor can change it, so this store is left out"
+        "{0} is an input: only its sensor can change it, so this store is ignored"
         "store to an output (Q1) or a marker (M1)"
-        "{0} é uma entrada: só o seu sensor pode mudá-la, por isso este armazenamento foi deixado de fora"
+        "{0} é uma entrada: só o sensor dela pode mudá-la, por isso este armazenamento é ignorado"
         "armazene em uma saída (Q1) ou em uma memória (M1)";
     49 NoneLeft Error
         "the board has no {0} left for this"
-        "the program uses all of them; do with fewer"
+        "the program uses all of them; use fewer"
         "não sobrou {0} na placa para isto"
         "o programa já usa todos; use menos";
     50 BadInitial Error
@@ -200,21 +200,21 @@ macro_rules! il_rows {
         "{2}";
     53 ParameterMissing Error
         "{0} needs {1}"
-        "write it: CAL T1 (IN:=%IX1, PT:=T#20s), or CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)"
+        "write it in the call: CAL T1 (IN:=%IX1, PT:=T#20s), or CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)"
         "{0} precisa de {1}"
-        "escreva-o: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
+        "escreva-o na chamada: CAL T1 (IN:=%IX1, PT:=T#20s), ou CAL C1 (CU:=%IX1, R:=%IX2, PV:=20)";
     54 PresetAssumed Warning
-        "nothing says the preset of {0}; it was taken to be {1}, as a Twido would"
+        "nothing gives the preset of {0}; it is {1}, as on a Twido"
         "declare it: VAR {0} : {2} END_VAR"
-        "nada diz a pré-seleção de {0}; foi tomada como {1}, como em um Twido"
+        "nada dá a pré-seleção de {0}; ela fica em {1}, como em um Twido"
         "declare-a: VAR {0} : {2} END_VAR";
     55 RetentiveNumber Warning
-        "on an S7-200, {0} is a retentive timer (TONR); here it is an on-delay timer as TON says"
-        "use T37 for an on-delay timer of 100 ms steps, or write TONR"
-        "no S7-200, {0} é um temporizador retentivo (TONR); aqui ele é um retardo na energização, como diz TON"
+        "on an S7-200, {0} is a retentive timer (TONR); here TON makes it an on-delay timer"
+        "use T37 for an on-delay timer with steps of 100 ms, or write TONR"
+        "no S7-200, {0} é um temporizador retentivo (TONR); aqui TON faz dele um temporizador com retardo na energização"
         "use T37 para um temporizador TON em passos de 100 ms, ou escreva TONR";
     56 Recursive Error
-        "{0} calls itself, directly or by way of another, and would never end"
+        "{0} calls itself, directly or through others, and would never end"
         "a function may only call others; use a jump back for a loop"
         "{0} chama a si mesma, direta ou indiretamente, e nunca terminaria"
         "uma função só pode chamar outras; para repetir, use um desvio para trás";
@@ -229,24 +229,24 @@ macro_rules! il_rows {
         "{0} é lido, mas nada o aciona"
         "chame-o: CAL {0} (IN:=%IX1, PT:=T#20s)";
     59 CallsTooDeep Error
-        "calls go too deep here, or there are too many: each puts a body into the program"
-        "call fewer functions from one another"
-        "as chamadas vão fundo demais aqui, ou são muitas: cada uma põe um corpo no programa"
-        "chame menos funções umas das outras";
+        "there are too many calls, or they are nested too deeply: each one copies a body into the program"
+        "call fewer functions from within functions"
+        "há chamadas demais, ou muitas umas dentro das outras: cada uma copia um corpo para o programa"
+        "chame menos funções de dentro de funções";
     60 Stateless Error
-        "a function keeps nothing from one call to the next, so {0} cannot stand in it"
-        "make it a FUNCTION_BLOCK, and declare one instance for each place"
-        "uma função não guarda nada de uma chamada para a outra, por isso {0} não pode ficar nela"
-        "faça dela um FUNCTION_BLOCK e declare uma instância para cada lugar";
+        "a function remembers nothing between calls, so it cannot contain {0}"
+        "make it a FUNCTION_BLOCK, and declare one instance for each call"
+        "uma função não lembra nada entre chamadas, por isso não pode conter {0}"
+        "faça dela um FUNCTION_BLOCK e declare uma instância para cada chamada";
     61 WrittenTwice Warning
-        "{0} is written again here; only the last store in a scan is seen at the output"
+        "{0} is written again here; only the last store of a scan reaches the output"
         "combine the conditions with OR and write it once, or use S and R"
-        "{0} é escrito outra vez aqui; só o último armazenamento da varredura aparece na saída"
+        "{0} é escrito outra vez aqui; só o último armazenamento da varredura chega à saída"
         "junte as condições com OR e escreva uma só vez, ou use S e R";
     62 TimerTwice Error
-        "{0} is called again here, and a timer has one place in the program"
+        "{0} is called again here, but a program can call a timer only once"
         "call it once, with its conditions joined by OR, or use another timer here"
-        "{0} é chamado outra vez aqui, e um temporizador tem um só lugar no programa"
+        "{0} é chamado outra vez aqui, mas um programa só pode chamar um temporizador uma vez"
         "chame-o uma só vez, com as condições unidas por OR, ou use outro temporizador aqui";
     63 NeverRead Warning
         "the input `{0}` is declared, but the program never reads it"
@@ -254,49 +254,49 @@ macro_rules! il_rows {
         "a entrada `{0}` foi declarada, mas o programa nunca a lê"
         "leia-a com LD {0} ou apague a declaração";
     64 Unreachable Warning
-        "nothing ever comes here: the program has jumped away above"
+        "the program never gets here: it always jumps away above"
         "write a label before it, or delete it"
-        "o programa nunca chega aqui: um desvio acima o levou para outro lugar"
+        "o programa nunca chega aqui: antes ele sempre desvia para outro lugar"
         "escreva um rótulo antes desta linha ou apague-a";
     65 ResultUnused Warning
-        "the result of this is never used: no ST follows before the next LD or the end"
-        "store it, or use AND or OR in place of the LD that follows"
-        "o resultado disto nunca é usado: não há ST antes do próximo LD ou do fim"
-        "armazene-o, ou use AND ou OR no lugar do LD que segue";
+        "nothing uses this result: no ST comes before the next LD or the end"
+        "store it, or write AND or OR in place of the next LD"
+        "nada usa este resultado: não há ST antes do próximo LD ou do fim"
+        "armazene-o, ou escreva AND ou OR no lugar do próximo LD";
     66 Configuration Warning
-        "CONFIGURATION was passed over: the board runs one program, in every scan"
-        "delete it; what its VAR_GLOBAL declares is kept"
-        "CONFIGURATION foi ignorada: a placa executa um só programa, em cada varredura"
-        "apague-a; o que o VAR_GLOBAL dela declara foi mantido";
+        "CONFIGURATION is ignored: the board runs one program, in every scan"
+        "delete it; the declarations of its VAR_GLOBAL still apply"
+        "CONFIGURATION é ignorada: a placa executa um só programa, em cada varredura"
+        "apague-a; as declarações do VAR_GLOBAL dela continuam valendo";
     67 PresetZero Warning
-        "nothing says the preset of {0}, so it is 0"
+        "nothing gives the preset of {0}, so it is 0"
         "write it in the call, as {1}, or declare it: VAR {0} : {2}; END_VAR"
-        "nada diz a pré-seleção de {0}, por isso ela é 0"
+        "nada dá a pré-seleção de {0}, por isso ela é 0"
         "escreva-a na chamada, como {1}, ou declare-a: VAR {0} : {2}; END_VAR";
     68 NoGlobal Warning
-        "no VAR_GLOBAL of this text declares `{0}`, so it was given a place of its own"
-        "declare it in VAR_GLOBAL … END_VAR, before PROGRAM, where it may also have an address"
-        "nenhum VAR_GLOBAL deste texto declara `{0}`, por isso ela ganhou um lugar próprio"
-        "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM, onde também pode ter um endereço";
+        "no VAR_GLOBAL of this text declares `{0}`, so it is a variable of its own"
+        "declare it in VAR_GLOBAL … END_VAR, before PROGRAM; it may have an address there"
+        "nenhum VAR_GLOBAL deste texto declara `{0}`, por isso ela é uma variável à parte"
+        "declare-a em VAR_GLOBAL … END_VAR, antes de PROGRAM; ali ela pode ter um endereço";
     69 Narrowed Warning
-        "{0} does not fit `{1}`, which is {2}: it keeps {3}"
+        "{0} does not fit `{1}`, which is {2}; the value becomes {3}"
         "declare `{1}` as DINT, or store a number that {2} holds"
-        "{0} não cabe em `{1}`, que é {2}: ela fica com {3}"
+        "{0} não cabe em `{1}`, que é {2}; o valor passa a ser {3}"
         "declare `{1}` como DINT ou armazene um número que {2} comporte";
     71 DoesNotFit Error
-        "from here on the program does not fit the board"
-        "it holds {0} bytes of program and has {1} bytes to run it{2}. Timers and counters take the most; what is kept takes room for two records"
+        "from here on, the program does not fit on the board"
+        "it has {0} bytes of program memory and {1} bytes of run memory{2}. Timers and counters take the most; retained variables need room for two records"
         "daqui em diante o programa não cabe na placa"
-        "ela guarda {0} bytes de programa e tem {1} bytes para executá-lo{2}. Temporizadores e contadores ocupam mais; o que é retido precisa de lugar para duas gravações";
+        "ela tem {0} bytes de memória de programa e {1} bytes de memória de execução{2}. Temporizadores e contadores ocupam mais; variáveis retidas precisam de lugar para duas gravações";
     72 Refused Error
-        "a code that comes of this cannot stand here: fault {0}, {1}"
-        "mend the codes behind CODE, or leave REAL out for a Nano; docs/faults.md explains the fault"
-        "um código que resulta disto não pode ficar aqui: falha {0}, {1}"
-        "corrija os códigos depois de CODE, ou tire REAL se for para um Nano; docs/faults.pt-BR.md explica a falha";
+        "this makes a code that is not allowed here: fault {0}, {1}"
+        "correct the codes after CODE, or avoid REAL on a Nano; docs/faults.md explains the fault"
+        "isto gera um código que não é permitido aqui: falha {0}, {1}"
+        "corrija os códigos depois de CODE, ou evite REAL em um Nano; docs/faults.pt-BR.md explica a falha";
     73 PinTwice Error
-        "the pin of `{0}` is used in another way too"
+        "the program also uses the pin of `{0}` in another way"
         "I5 to I8 are the pins of IW0 to IW3, Q1 and Q4 those of QW1 and QW4: use each pin in one way"
-        "o pino de `{0}` também é usado de outro modo"
+        "o programa também usa o pino de `{0}` de outro modo"
         "I5 a I8 são os pinos de IW0 a IW3, e Q1 e Q4 os de QW1 e QW4: use cada pino de um só modo";
     81 NoProgram Error
         "there is no program: {0}"
@@ -309,20 +309,20 @@ macro_rules! il_rows {
         "o programa não escreve nada: nenhuma saída, memória ou registrador muda"
         "armazene o resultado: ST Q1";
     83 StructuredText Error
-        "`{0}` is Structured Text, and Instruction List is read here"
+        "`{0}` is Structured Text, but this text is Instruction List"
         "write one operation on each line: LD I1, AND I2 and ST Q1 for Q1 := I1 AND I2"
-        "`{0}` é Texto Estruturado, e aqui se lê Lista de Instruções"
+        "`{0}` é Texto Estruturado, mas este texto é Lista de Instruções"
         "escreva uma operação por linha: LD I1, AND I2 e ST Q1 para Q1 := I1 AND I2";
     84 NumericCode Error
-        "`{0}` is numeric code, and Instruction List is read here"
-        "give the file a name that ends in .txt, or write CODE {0} for a code in a text"
-        "`{0}` é código numérico, e aqui se lê Lista de Instruções"
+        "`{0}` is numeric code, but this text is Instruction List"
+        "give the file a name that ends in .txt, or write CODE {0} for a code within a text"
+        "`{0}` é código numérico, mas este texto é Lista de Instruções"
         "dê ao arquivo um nome que termine em .txt, ou escreva CODE {0} para um código em um texto";
     85 NotRetained Error
         "`{0}` cannot be RETAIN: {1}"
-        "declare it with VAR; a number, a counter, and a BOOL without an address can be kept"
+        "declare it with VAR; only a number, a counter or a BOOL without an address can be retained"
         "`{0}` não pode ser RETAIN: {1}"
-        "declare com VAR; podem ser retidos um número, um contador e um BOOL sem endereço";
+        "declare-o com VAR; só podem ser retidos um número, um contador ou um BOOL sem endereço";
         }
     };
 }

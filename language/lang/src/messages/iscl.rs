@@ -4,34 +4,34 @@ macro_rules! iscl_rows {
     ($next:ident $($rest:tt)*) => {
         $next! { $($rest)*
     301 IsclOutside Error
-        "`{0}` stands outside of BLOCO … END_BLOCK"
-        "write it in between: the whole program is one block"
+        "`{0}` is outside of BLOCO … END_BLOCK"
+        "move it between the two: the whole program is one block"
         "`{0}` está fora de BLOCO … END_BLOCK"
-        "escreva-o no meio: o programa inteiro é um bloco";
+        "passe-o para entre os dois: o programa inteiro é um bloco";
     302 IsclNamed Error
-        "a block has no name in InterSCL, and `{0}` is one"
-        "delete it: BLOCO alone begins the program"
-        "um bloco não tem nome no InterSCL, e `{0}` é um nome"
-        "apague-o: BLOCO sozinho começa o programa";
+        "a block has no name in InterSCL, so `{0}` does not belong here"
+        "delete it: BLOCO begins the program"
+        "um bloco não tem nome no InterSCL, por isso `{0}` sobra aqui"
+        "apague-o: BLOCO começa o programa";
     303 IsclTypeFirst Error
         "in a declaration the type comes first, and then `{1}`"
         "write {0} {1};"
         "em uma declaração o tipo vem primeiro e depois `{1}`"
         "escreva {0} {1};";
     304 IsclOneName Error
-        "a declaration has one name, and `{2}` follows behind a comma"
+        "a declaration has one name, but `{2}` follows after a comma"
         "write {0} {1}; {0} {2};"
-        "uma declaração tem um só nome, e `{2}` vem depois de uma vírgula"
+        "uma declaração tem um só nome, mas `{2}` vem depois de uma vírgula"
         "escreva {0} {1}; {0} {2};";
     305 IsclFirstValue Error
-        "a declaration gives `{1}` no value: all variables begin with 0"
+        "a declaration cannot give `{1}` a value: all variables begin with 0"
         "write {0} {1}; and, as a command, {1} := {2};"
-        "uma declaração não dá valor a `{1}`: todas as variáveis começam com 0"
+        "uma declaração não pode dar valor a `{1}`: todas as variáveis começam com 0"
         "escreva {0} {1}; e, como comando, {1} := {2};";
     306 IsclLate Error
-        "`{0}` declares a variable, and commands stand before it"
+        "`{0}` declares a variable, but commands come before it"
         "move it up, before the first command"
-        "`{0}` declara uma variável, e há comandos antes dela"
+        "`{0}` declara uma variável, mas há comandos antes dela"
         "mova-a para cima, antes do primeiro comando";
     307 IsclUndeclared Error
         "nothing declares `{0}`"
@@ -50,13 +50,13 @@ macro_rules! iscl_rows {
         "{1}";
     310 IsclNoType Error
         "there is no type `{0}` in InterSCL"
-        "take INT, REAL or BOOL"
+        "use INT, REAL or BOOL"
         "não existe o tipo `{0}` no InterSCL"
         "use INT, REAL ou BOOL";
     311 IsclPrint Error
-        "PRINT takes the name of one variable, and `{0}` is none"
+        "PRINT takes the name of a variable, but `{0}` is not one"
         "{1}"
-        "PRINT recebe o nome de uma variável, e `{0}` não é um"
+        "PRINT recebe o nome de uma variável, mas `{0}` não é um"
         "{1}";
     312 IsclSeparator Warning
         "no `;` follows this {0}"
@@ -74,7 +74,7 @@ macro_rules! iscl_rows {
         "`{0}` não encerra um {1}"
         "escreva {2}";
     315 IsclChained Error
-        "`{0}` is TRUE or FALSE, and cannot be compared further"
+        "`{0}` is TRUE or FALSE and cannot be compared again"
         "write {0} AND {1} {2} …"
         "`{0}` é TRUE ou FALSE e não se compara outra vez"
         "escreva {0} AND {1} {2} …";
@@ -84,24 +84,24 @@ macro_rules! iscl_rows {
         "`{0}` é {1}, e `{2}` é {3}"
         "{4}";
     317 IsclOperand Error
-        "{0} takes {1}, and `{2}` is {3}"
+        "{0} takes {1}, but `{2}` is {3}"
         "{4}"
-        "{0} recebe {1}, e `{2}` é {3}"
+        "{0} recebe {1}, mas `{2}` é {3}"
         "{4}";
     318 IsclForVariable Error
-        "FOR counts with an INT, and `{0}` is {1}"
+        "FOR needs an INT, but `{0}` is {1}"
         "declare INT {0};"
-        "FOR conta com um INT, e `{0}` é {1}"
+        "FOR precisa de um INT, mas `{0}` é {1}"
         "declare INT {0};";
     319 IsclComma Error
-        "the decimal sign of `{0}` is a comma"
+        "`{0}` has a decimal comma"
         "write a point: {1}"
-        "o sinal decimal de `{0}` é uma vírgula"
+        "`{0}` tem vírgula decimal"
         "escreva um ponto: {1}";
     320 IsclComment Warning
-        "a comment of InterSCL begins with //, and this one with {0}"
+        "comments in InterSCL begin with //, but this one begins with {0}"
         "write // before each line of it"
-        "um comentário do InterSCL começa com //, e este com {0}"
+        "um comentário do InterSCL começa com //, mas este começa com {0}"
         "escreva // antes de cada linha dele";
         }
     };

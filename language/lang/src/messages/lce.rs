@@ -5,18 +5,18 @@ macro_rules! lce_rows {
         $next! { $($rest)*
     401 LceNoName Warning
         "this {0} has no name"
-        "write one behind it: {0} portao"
+        "write one after it: {0} portao"
         "este {0} não tem nome"
         "escreva um depois dele: {0} portao";
     402 LceBehind Error
-        "`{0}` stands behind {1}, which ends the program"
+        "`{0}` comes after {1}, which ends the program"
         "move it up, before {1}"
-        "`{0}` está depois de {1}, que encerra o programa"
+        "`{0}` vem depois de {1}, que encerra o programa"
         "mova-o para cima, antes de {1}";
     403 LceConstant Error
-        "`{0}` is a constant, and a variable is needed here"
+        "`{0}` is a constant, but a variable is needed here"
         "{1}"
-        "`{0}` é uma constante, e aqui é preciso uma variável"
+        "`{0}` é uma constante, mas aqui é preciso uma variável"
         "{1}";
     404 LceUndeclared Error
         "nothing is called `{0}`"
@@ -34,7 +34,7 @@ macro_rules! lce_rows {
         "não se pode guardar nada em `{0}`: só o sensor muda uma entrada"
         "guarde em uma saída (Q0.0), uma memória (M0.0) ou uma variável (V0)";
     407 LceTypeApart Error
-        "the type `{0}` stands apart from its operator"
+        "the type `{0}` is separated from its operator"
         "write {0}{1} without a space"
         "o tipo `{0}` está separado do seu operador"
         "escreva {0}{1} sem espaço";
@@ -44,9 +44,9 @@ macro_rules! lce_rows {
         "falta um espaço ao lado de `{0}`"
         "deixe um entre o operador e cada operando: V0 {0} V1";
     409 LceRealLogic Error
-        "`R{0}` cannot be: {0} joins bits, and a number of type R has none"
+        "`R{0}` does not exist: {0} combines bits, and a number of type R has none"
         "write {0}, or W{0} or B{0} for 16 or 8 bits"
-        "`R{0}` não existe: {0} junta bits, e um número do tipo R não os tem"
+        "`R{0}` não existe: {0} combina bits, e um número do tipo R não os tem"
         "escreva {0}, ou W{0} ou B{0} para 16 ou 8 bits";
     410 LceVarForm Error
         "`{0}` gives no name to a place"
@@ -54,14 +54,14 @@ macro_rules! lce_rows {
         "`{0}` não dá nome a um lugar"
         "{1}";
     411 LceSwapped Error
-        "behind var the place comes first, then its name"
+        "after var, write the place first, then its name"
         "write {1} = {0};"
-        "depois de var o lugar vem primeiro e depois o nome"
+        "depois de var, escreva primeiro o lugar e depois o nome"
         "escreva {1} = {0};";
     412 LceLateVar Error
-        "var gives names, and commands stand before it"
+        "var gives names, but commands come before it"
         "move it up, before the first command"
-        "var dá nomes, e há comandos antes dele"
+        "var dá nomes, mas há comandos antes dele"
         "mova-o para cima, antes do primeiro comando";
     413 LceCut Warning
         "`{0}` loses its fraction: `{1}` takes whole numbers"
@@ -70,23 +70,23 @@ macro_rules! lce_rows {
         "escreva R{2}";
     414 LceRange Error
         "{0} does not fit D, which goes from -2147483648 to 2147483647"
-        "take it as R, with a point: {0}.0"
+        "write it as R, with a decimal point: {0}.0"
         "{0} não cabe em D, que vai de -2147483648 a 2147483647"
-        "use-o como R, com um ponto: {0}.0";
+        "escreva-o como R, com ponto decimal: {0}.0";
     415 LceNegative Error
-        "`-{0}` cannot be: what is written with 2# and 16# is never negative"
+        "`-{0}` is not allowed: numbers with 2# and 16# are never negative"
         "write it as a decimal number: -{1}"
-        "`-{0}` não existe: o que se escreve com 2# e 16# nunca é negativo"
+        "`-{0}` não é permitido: números com 2# e 16# nunca são negativos"
         "escreva em decimal: -{1}";
     416 LceSignApart Warning
-        "this sign stands apart from its number"
+        "a space separates this sign from its number"
         "write -{0}"
-        "este sinal está separado do seu número"
+        "um espaço separa este sinal do número"
         "escreva -{0}";
     417 LceSignOfName Error
-        "a sign belongs to a number, and `{0}` is none"
+        "only a number can have a sign, and `{0}` is not one"
         "subtract it from 0: 0 - {0}"
-        "o sinal pertence a um número, e `{0}` não é um"
+        "só um número pode ter sinal, e `{0}` não é um"
         "subtraia de 0: 0 - {0}";
     418 LceTwoCoils Warning
         "`{0}` has a second coil here, and the last one wins"
@@ -94,9 +94,9 @@ macro_rules! lce_rows {
         "`{0}` tem uma segunda bobina aqui, e vale a última"
         "junte as condições com | ou escreva liga e desliga";
     419 LceBraces Error
-        "what `{0}` does stands between {1}"
+        "write the commands of `{0}` between {1}"
         "write {0} … {2} aciona Q0.0; {3}"
-        "o que `{0}` faz fica entre {1}"
+        "escreva os comandos de `{0}` entre {1}"
         "escreva {0} … {2} aciona Q0.0; {3}";
     420 LceLacks Error
         "LCE has no `{0}`"
@@ -104,24 +104,24 @@ macro_rules! lce_rows {
         "a LCE não tem `{0}`"
         "{1}";
     421 LceLetter Error
-        "`{0}` is no type of an operator"
-        "take R, D, W or B, in capitals: {1}"
+        "`{0}` is not the type of an operator"
+        "use R, D, W or B, in capitals: {1}"
         "`{0}` não é um tipo de operador"
         "use R, D, W ou B, em maiúscula: {1}";
     422 LceChained Error
-        "`{0}` holds or not, and cannot be compared further"
+        "`{0}` is true or false and cannot be compared again"
         "write ({0}) & ({1} {2} …)"
-        "`{0}` vale ou não vale e não se compara outra vez"
+        "`{0}` é verdadeiro ou falso e não se compara outra vez"
         "escreva ({0}) & ({1} {2} …)";
     423 LceComma Error
-        "the decimal sign of `{0}` is a comma"
+        "`{0}` has a decimal comma"
         "write a point: {1}"
-        "o sinal decimal de `{0}` é uma vírgula"
+        "`{0}` tem vírgula decimal"
         "escreva um ponto: {1}";
     424 LceComment Warning
-        "a comment of LCE begins with //, and this one with {0}"
+        "comments in LCE begin with //, but this one begins with {0}"
         "write // before each line of it"
-        "um comentário da LCE começa com //, e este com {0}"
+        "um comentário da LCE começa com //, mas este começa com {0}"
         "escreva // antes de cada linha dele";
         }
     };

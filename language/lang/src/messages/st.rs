@@ -9,9 +9,9 @@ macro_rules! st_rows {
         "`{0}` não significa nada em {1}"
         "apague-o";
     102 StCommentOpen Error
-        "this comment is never closed, so all that follows is swallowed"
+        "this comment is never closed, so the rest of the text is part of it"
         "write *) at its end"
-        "este comentário nunca fecha e por isso engole tudo o que vem depois"
+        "este comentário nunca é fechado, e o resto do texto faz parte dele"
         "escreva *) no fim dele";
     103 StTextOpen Error
         "this text has no closing {0} on its line"
@@ -40,38 +40,38 @@ macro_rules! st_rows {
         "{1}";
     108 StNotClosed Error
         "this {0} has no {1}"
-        "write {1}; where the part ends that `{0}` begins"
+        "write {1}; at the end of the part that `{0}` begins"
         "este {0} não tem {1}"
         "escreva {1}; onde termina a parte que `{0}` começa";
     109 StStrayEnd Error
         "`{0}` ends nothing here"
-        "delete it, or write the {1} that belongs to it"
+        "delete it, or write the matching {1}"
         "`{0}` não encerra nada aqui"
-        "apague-o ou escreva o {1} que falta";
+        "apague-o ou escreva o {1} correspondente";
     110 StEqualsForAssign Error
-        "`=` compares, and this line is to store a value"
+        "`=` compares, but this line should store a value"
         "write {0} := …"
-        "`=` compara, e esta linha deve guardar um valor"
+        "`=` compara, mas esta linha deve guardar um valor"
         "escreva {0} := …";
     111 StAssignForEquals Error
-        "`:=` stores a value, and here two values are compared"
+        "`:=` stores a value, but this place compares two values"
         "write ="
-        "`:=` guarda um valor, e aqui se comparam dois valores"
+        "`:=` guarda um valor, mas aqui se comparam dois valores"
         "escreva =";
     112 StNoEffect Error
-        "`{0}` is a value, and nothing is done with it"
+        "the program does nothing with the value `{0}`"
         "store it: x := {0};"
-        "`{0}` é um valor, e nada é feito com ele"
+        "o programa não faz nada com o valor `{0}`"
         "guarde-o: x := {0};";
     113 StTooDeep Error
-        "this is nested too deeply to be read"
-        "take a part out: into a variable, a function or a block of its own"
-        "isto está aninhado fundo demais para ser lido"
-        "tire uma parte: para uma variável, uma função ou um bloco";
+        "this is nested too deeply"
+        "move a part of it into a variable, a function or a block"
+        "isto está aninhado fundo demais"
+        "passe uma parte para uma variável, uma função ou um bloco";
     114 StReserved Error
-        "`{0}` is a word of the language, and cannot be a name"
+        "`{0}` is a keyword and cannot be a name"
         "choose another name, such as {0}1"
-        "`{0}` é uma palavra da linguagem e não pode ser um nome"
+        "`{0}` é uma palavra reservada e não pode ser um nome"
         "escolha outro nome, como {0}1";
     115 StTypeFirst Error
         "in a declaration the name comes first, then the type"
@@ -79,24 +79,24 @@ macro_rules! st_rows {
         "em uma declaração o nome vem primeiro e depois o tipo"
         "escreva {1} : {0};";
     116 StPassedOver Warning
-        "{0} is passed over: each PROGRAM runs once in every scan"
-        "the board has no tasks; nothing needs to be changed"
+        "{0} is ignored: each PROGRAM runs once in every scan"
+        "the board has no tasks; you need not change anything"
         "{0} é ignorado: cada PROGRAM é executado uma vez por varredura"
-        "a placa não tem tarefas; nada precisa mudar";
+        "a placa não tem tarefas; você não precisa mudar nada";
     117 StUnsupported Error
         "{0} cannot be used here"
         "{1}"
         "{0} não pode ser usado aqui"
         "{1}";
     118 StOutside Error
-        "`{0}` stands outside of any program"
-        "write it between PROGRAM and END_PROGRAM"
+        "`{0}` is outside of any program"
+        "move it between PROGRAM and END_PROGRAM"
         "`{0}` está fora de qualquer programa"
-        "escreva-o entre PROGRAM e END_PROGRAM";
+        "passe-o para entre PROGRAM e END_PROGRAM";
     119 StLateDeclaration Error
-        "`{0}` declares variables, and statements stand before it"
+        "`{0}` declares variables, but statements come before it"
         "move it up, before the first statement"
-        "`{0}` declara variáveis, e há comandos antes dele"
+        "`{0}` declara variáveis, mas há comandos antes dele"
         "mova-o para cima, antes do primeiro comando";
     120 StNoProgram Error
         "there is no program: {0}"
@@ -105,13 +105,13 @@ macro_rules! st_rows {
         "escreva PROGRAM principal, os comandos e END_PROGRAM";
     121 StLongIf Error
         "this IF has too many ELSIF"
-        "choose with CASE, or write several IF: at most {0} of both stand in one another"
+        "use CASE, or write several IF: at most {0}, ELSIF included, can be nested"
         "este IF tem ELSIF demais"
-        "escolha com CASE ou escreva vários IF: no máximo {0} deles, ELSIF incluídos, ficam um dentro do outro";
+        "use CASE ou escreva vários IF: no máximo {0}, ELSIF incluídos, podem ficar um dentro do outro";
     122 StLongNames Error
-        "the names of all parts of `{0}` are too long together"
-        "take shorter names, or a smaller array"
-        "os nomes de todas as partes de `{0}` são longos demais juntos"
+        "together, the names of all parts of `{0}` are too long"
+        "use shorter names or a smaller array"
+        "juntos, os nomes de todas as partes de `{0}` são longos demais"
         "use nomes mais curtos, ou uma matriz menor";
     130 StUndeclared Error
         "nothing declares `{0}`"
@@ -134,7 +134,7 @@ macro_rules! st_rows {
         "`{0}` não tem o membro `{1}`"
         "{2}";
     134 StNoValue Error
-        "`{0}` is {1}, and has no value of its own"
+        "`{0}` is {1} and has no value of its own"
         "{2}"
         "`{0}` é {1} e não tem um valor próprio"
         "{2}";
@@ -149,10 +149,10 @@ macro_rules! st_rows {
         "não se pode guardar nada em `{0}`: é {1}"
         "{2}";
     137 StRecursive Error
-        "`{0}` {1} itself, directly or by way of another, and would never end"
-        "a loop repeats statements: FOR, WHILE or REPEAT"
+        "`{0}` {1} itself, directly or through others, and would never end"
+        "to repeat statements, use a loop: FOR, WHILE or REPEAT"
         "`{0}` {1} a si mesmo, direta ou indiretamente, e nunca terminaria"
-        "para repetir comandos há os laços FOR, WHILE e REPEAT";
+        "para repetir comandos, use um laço: FOR, WHILE ou REPEAT";
     138 StBadAddress Error
         "there is no point `{0}` on this board"
         "{1}"
@@ -164,10 +164,10 @@ macro_rules! st_rows {
         "`{0}` é {1}, e a variável é {2}"
         "declare-a como {3}";
     140 StGeneric Error
-        "`{0}` stands for many types, and a variable needs one"
-        "write the type itself, such as INT, REAL or BOOL"
-        "`{0}` vale por vários tipos, e uma variável precisa de um"
-        "escreva o próprio tipo, como INT, REAL ou BOOL";
+        "`{0}` is a group of types, but a variable needs one type"
+        "write one type, such as INT, REAL or BOOL"
+        "`{0}` é um grupo de tipos, mas uma variável precisa de um só tipo"
+        "escreva um tipo, como INT, REAL ou BOOL";
     141 StAmbiguous Error
         "`{0}` is a value of more than one enumeration"
         "write its type before it: {1}#{0}"
@@ -175,9 +175,9 @@ macro_rules! st_rows {
         "escreva o tipo antes dele: {1}#{0}";
     142 StSamePoint Error
         "`{0}` and `{1}` are the same {2}"
-        "write it in one way only, or count again which point is meant"
+        "use one notation, or check which point you mean"
         "`{0}` e `{1}` são o mesmo ponto: {2}"
-        "escreva-o de um só modo, ou conte de novo qual ponto se quer";
+        "use uma só notação, ou confira qual ponto você quer";
     150 StMismatch Error
         "`{0}` is {1}, but {2} is needed here"
         "{3}"
@@ -189,19 +189,19 @@ macro_rules! st_rows {
         "{0} precisa de {1}, e `{2}` é {3}"
         "{4}";
     152 StNoCommon Error
-        "{0} cannot join {1} and {2}: one of them would lose a part of its value"
+        "{0} cannot combine {1} and {2}: one of them would lose part of its value"
         "convert one of them: {3}"
-        "{0} não pode juntar {1} e {2}: um deles perderia parte do valor"
+        "{0} não pode combinar {1} e {2}: um deles perderia parte do valor"
         "converta um deles: {3}";
     153 StOutOfRange Error
         "{0} does not fit {1}, which goes from {2} to {3}"
-        "take a smaller number or a larger type"
+        "use a smaller number or a larger type"
         "{0} não cabe em {1}, que vai de {2} a {3}"
         "use um número menor ou um tipo maior";
     154 StCondition Error
-        "a condition is TRUE or FALSE, and `{0}` is {1}"
+        "a condition must be TRUE or FALSE, but `{0}` is {1}"
         "compare it with something: {0} {2}"
-        "uma condição é TRUE ou FALSE, e `{0}` é {1}"
+        "uma condição deve ser TRUE ou FALSE, mas `{0}` é {1}"
         "compare com alguma coisa: {0} {2}";
     155 StDivisionByZero Error
         "this divides by 0"
@@ -209,18 +209,18 @@ macro_rules! st_rows {
         "isto divide por 0"
         "divida por outra coisa";
     156 StSubscript Error
-        "the subscript {0} is outside of `{1}`, which goes from {2} to {3}"
-        "take one from {2} to {3}, or declare a larger array"
+        "the subscript {0} is out of the range of `{1}`, which goes from {2} to {3}"
+        "use one from {2} to {3}, or declare a larger array"
         "o índice {0} está fora de `{1}`, que vai de {2} a {3}"
         "use um de {2} a {3} ou declare uma matriz maior";
     157 StDimensions Error
-        "`{0}` takes {1}, and here it gets {2}"
+        "`{0}` takes {1}, but gets {2} here"
         "write {3}"
         "`{0}` recebe {1}, mas aqui são {2}"
         "escreva {3}";
     158 StNotArray Error
-        "`{0}` is {1}, and takes no subscript"
-        "declare it as ARRAY[1..10] OF {1}, or leave out the [ ]"
+        "`{0}` is {1} and takes no subscript"
+        "declare it as ARRAY[1..10] OF {1}, or remove the [ ]"
         "`{0}` é {1} e não aceita índice"
         "declare-o como ARRAY[1..10] OF {1} ou tire os [ ]";
     159 StNotConstant Error
@@ -234,9 +234,9 @@ macro_rules! st_rows {
         "não existe a conversão `{0}`"
         "{1}";
     161 StInitial Error
-        "`{0}` cannot begin so: {1}"
+        "`{0}` cannot have this initial value: {1}"
         "{2}"
-        "`{0}` não pode começar assim: {1}"
+        "`{0}` não pode ter este valor inicial: {1}"
         "{2}";
     162 StEmptyRange Error
         "the range {0}..{1} is empty"
@@ -244,37 +244,37 @@ macro_rules! st_rows {
         "o intervalo {0}..{1} está vazio"
         "escreva o menor número primeiro: {1}..{0}";
     163 StTooLarge Error
-        "`{0}` is too large: {1} values, and a program has room for {2}"
-        "take a smaller array"
-        "`{0}` é grande demais: {1} valores, e um programa comporta {2}"
+        "`{0}` is too large: it has {1} values, but a program has room for {2}"
+        "use a smaller array"
+        "`{0}` é grande demais: tem {1} valores, mas um programa comporta {2}"
         "use uma matriz menor";
     164 StCaseTwice Error
-        "{0} stands twice in this CASE"
+        "{0} appears twice in this CASE"
         "delete one of them"
         "{0} aparece duas vezes neste CASE"
         "apague um deles";
     165 StStepZero Error
-        "a step of 0 never comes to an end"
+        "with a step of 0 this loop never ends"
         "write BY 1 or BY -1"
-        "um passo de 0 nunca chega ao fim"
+        "com um passo de 0 este laço nunca termina"
         "escreva BY 1 ou BY -1";
     166 StForVariable Error
-        "FOR counts with a variable of an integer type, and `{0}` is {1}"
+        "FOR needs a variable of an integer type, but `{0}` is {1}"
         "declare a variable for it: i : INT;"
-        "FOR conta com uma variável de tipo inteiro, e `{0}` é {1}"
+        "FOR precisa de uma variável de tipo inteiro, mas `{0}` é {1}"
         "declare uma variável para isso: i : INT;";
     167 StForChanged Warning
-        "`{0}` counts this FOR, and is changed within it"
-        "count with another variable, or write WHILE"
-        "`{0}` conta este FOR e é mudado dentro dele"
-        "use outra variável ou escreva WHILE";
+        "`{0}` counts this FOR loop, so the loop must not change it"
+        "change another variable, or write WHILE"
+        "`{0}` conta as voltas deste FOR, e o laço não pode mudá-lo"
+        "mude outra variável ou escreva WHILE";
     168 StNoLoop Error
-        "{0} stands in no loop"
-        "it belongs between FOR, WHILE or REPEAT and its end; RETURN leaves the whole unit"
+        "{0} is not in a loop"
+        "write it between FOR, WHILE or REPEAT and the end of the loop; use RETURN to leave the whole unit"
         "{0} não está em nenhum laço"
-        "o lugar dele é entre FOR, WHILE ou REPEAT e o fim do laço; RETURN encerra a unidade inteira";
+        "escreva-o entre FOR, WHILE ou REPEAT e o fim do laço; para sair da unidade inteira, use RETURN";
     169 StArguments Error
-        "{0} takes {1}, and gets {2}"
+        "{0} takes {1}, but gets {2}"
         "{3}"
         "{0} recebe {1}, mas aqui são {2}"
         "{3}";
@@ -284,9 +284,9 @@ macro_rules! st_rows {
         "{0} não tem o parâmetro `{1}`"
         "{2}";
     171 StParameterTwice Error
-        "the parameter `{0}` is given twice"
+        "the parameter `{0}` appears twice"
         "delete one of them"
-        "o parâmetro `{0}` é dado duas vezes"
+        "o parâmetro `{0}` aparece duas vezes"
         "apague um deles";
     172 StDirection Error
         "`{0}` is {1} of {2}, which is written with {3}"
@@ -294,14 +294,14 @@ macro_rules! st_rows {
         "`{0}` é {1} de {2}, que se escreve com {3}"
         "escreva {0} {3} …";
     173 StMixed Error
-        "parameters stand with their names, or without, and not mixed"
+        "this call mixes parameters with and without names"
         "write the name of each: {0}"
-        "os parâmetros ficam com nome ou sem nome, não misturados"
+        "esta chamada mistura parâmetros com nome e sem nome"
         "escreva o nome de cada um: {0}";
     174 StNeedsVariable Error
-        "{0} changes what it is given for `{1}`, and `{2}` is no variable"
-        "give it a variable of its type"
-        "{0} muda o que recebe em `{1}`, e `{2}` não é uma variável"
+        "{0} changes the variable given for `{1}`, but `{2}` is not a variable"
+        "give it a variable of the same type"
+        "{0} muda a variável que recebe em `{1}`, mas `{2}` não é uma variável"
         "dê a ele uma variável do mesmo tipo";
     175 StMissing Error
         "{0} needs `{1}`"
@@ -314,50 +314,50 @@ macro_rules! st_rows {
         "o resultado de `{0}` não é usado"
         "guarde-o: x := {0}(…);";
     177 StNoResult Warning
-        "the function `{0}` never says its result"
+        "the function `{0}` never stores its result"
         "store it before the end: {0} := …;"
-        "a função `{0}` nunca diz o seu resultado"
+        "a função `{0}` nunca guarda o seu resultado"
         "guarde-o antes do fim: {0} := …;";
     178 StCalledTwice Error
-        "`{0}` is called again here, and one instance has one call in a program"
+        "`{0}` is called again here, but a program can call an instance only once"
         "declare another instance: {0}2 : {1};"
-        "`{0}` é chamado outra vez aqui, e uma instância tem uma só chamada no programa"
+        "`{0}` é chamado outra vez aqui, mas um programa só pode chamar uma instância uma vez"
         "declare outra instância: {0}2 : {1};";
     179 StCalledInLoop Error
-        "`{0}` is called in a loop, and {1} works once in a scan"
+        "`{0}` is called in a loop, but {1} works once in a scan"
         "call it before the loop, and use its outputs in the loop"
-        "`{0}` é chamado em um laço, e {1} trabalha uma vez por varredura"
+        "`{0}` é chamado em um laço, mas {1} trabalha uma vez por varredura"
         "chame-o antes do laço e use as saídas dele dentro do laço";
     180 StTypeCalled Error
-        "{0} is a type of function blocks; what is called is an instance"
+        "{0} is a function block type; a call needs an instance"
         "declare one, {1} : {0}; and call it: {1}(…);"
-        "{0} é um tipo de bloco de funções; o que se chama é uma instância"
+        "{0} é um tipo de bloco de funções; a chamada precisa de uma instância"
         "declare uma, {1} : {0}; e chame-a: {1}(…);";
     181 StStateless Error
-        "a function keeps nothing from one call to the next, so `{0}` cannot stand in it"
+        "a function remembers nothing between calls, so it cannot contain `{0}`"
         "make it a FUNCTION_BLOCK"
-        "uma função não guarda nada de uma chamada para a outra, por isso `{0}` não pode ficar nela"
+        "uma função não lembra nada entre chamadas, por isso não pode conter `{0}`"
         "faça dela um FUNCTION_BLOCK";
     182 StBlockSubscript Error
-        "an array of blocks takes a subscript that is known before the program runs"
+        "the subscript of an array of blocks must be a constant"
         "write a number between the [ ]"
-        "uma matriz de blocos só aceita um índice conhecido antes de o programa rodar"
+        "o índice de uma matriz de blocos deve ser constante"
         "escreva um número entre os [ ]";
     183 StSharedWhole Error
-        "`{0}` is {1}, and only variables without parts are compared and computed with"
-        "take one of its parts: {2}"
-        "`{0}` é {1}, e só se compara e calcula com variáveis sem partes"
+        "`{0}` is {1}; only variables without parts can be compared or used in calculations"
+        "use one of its parts: {2}"
+        "`{0}` é {1}; só variáveis sem partes podem ser comparadas ou usadas em cálculos"
         "use uma das partes: {2}";
     184 StNothingWritten Warning
-        "the program changes nothing: it has no statement that stores a value or calls a block"
+        "the program changes nothing: no statement stores a value or calls a block"
         "store something: lamp := start;"
         "o programa não muda nada: nenhum comando guarda um valor nem chama um bloco"
         "guarde alguma coisa: lampada := liga;";
     201 BoardType Error
-        "the board cannot hold `{0}`: it has no {1}"
-        "{2}; unoclp run has all types"
+        "the board cannot store `{0}`: it has no {1}"
+        "{2}; unoclp run supports all types"
         "a placa não consegue guardar `{0}`: ela não tem {1}"
-        "{2}; o unoclp run tem todos os tipos";
+        "{2}; o unoclp run aceita todos os tipos";
     202 BoardLacks Error
         "the board does not have {0}"
         "{1}"
@@ -365,33 +365,33 @@ macro_rules! st_rows {
         "{1}";
     203 BoardNoneLeft Error
         "no {0} is left for {2}: the board has {1}"
-        "use fewer variables, or one for several purposes"
+        "use fewer variables, or reuse one"
         "não sobrou {0} para {2}: a placa tem {1}"
-        "use menos variáveis, ou a mesma para mais de um fim";
+        "use menos variáveis, ou reaproveite uma";
     204 BoardRow Error
-        "`{0}` takes {1}, and {2} are free"
+        "`{0}` takes {1}, but only {2} are free"
         "make it smaller; an array with computed subscripts takes a register for each element"
-        "`{0}` ocupa {1}, e há {2} livres"
+        "`{0}` ocupa {1}, mas só há {2} livres"
         "diminua-a; uma matriz de índice calculado ocupa um registrador por elemento";
     205 BoardRetain Error
-        "the board cannot keep a {0} over a power cut"
-        "keep what matters of it in a variable of its own with RETAIN"
+        "the board cannot retain a {0} over a power cut"
+        "store the values that matter in a variable with RETAIN"
         "a placa não consegue guardar um {0} na falta de energia"
-        "guarde o que importa dele em uma variável própria com RETAIN";
+        "guarde os valores que importam em uma variável com RETAIN";
     206 BoardTwice Error
-        "`{0}` runs at more than one place, and the board's {1} has one"
-        "call the block that it stands in once, or declare another instance of it"
-        "`{0}` roda em mais de um lugar, e o {1} da placa só fica em um"
-        "chame uma só vez o bloco em que ele está, ou declare outra instância";
+        "`{0}` runs at more than one place, but the board's {1} can run at one only"
+        "call the block that contains it only once, or declare another instance of it"
+        "`{0}` roda em mais de um lugar, mas o {1} da placa só pode rodar em um"
+        "chame só uma vez o bloco que o contém, ou declare outra instância";
     207 BoardLoop Error
-        "the jumps of this loop cost {0}, and a scan has {1}"
-        "let it turn {2} times at most, or do a part of it in each scan"
-        "os desvios deste laço custam {0}, e uma varredura tem {1}"
-        "faça-o dar no máximo {2} voltas, ou faça uma parte dele em cada varredura";
+        "the jumps of this loop cost {0}, but a scan can spend {1}"
+        "let it run {2} times at most, or do a part of the work in each scan"
+        "os desvios deste laço custam {0}, mas uma varredura pode gastar {1}"
+        "faça-o dar no máximo {2} voltas, ou faça uma parte do trabalho em cada varredura";
     208 BoardLoopOpen Warning
-        "it is not known how often this loop turns; beyond {0} turns in a scan the board stops with fault 75"
+        "this loop has no fixed number of turns; after {0} turns in a scan the board stops with fault 75"
         "count with FOR between two constants, and leave it with EXIT"
-        "não se sabe quantas voltas este laço dá; com mais de {0} voltas em uma varredura a placa para com a falha 75"
+        "este laço não tem um número fixo de voltas; depois de {0} voltas em uma varredura a placa para com a falha 75"
         "conte com FOR entre duas constantes e saia dele com EXIT";
     209 BoardLabels Error
         "no label is left for this: the board has {0}"
@@ -399,40 +399,40 @@ macro_rules! st_rows {
         "não sobrou rótulo para isto: a placa tem {0}"
         "use menos laços, EXIT e RETURN";
     210 BoardTooLarge Error
-        "with all calls in it, the program is far too large for the board"
-        "call fewer blocks and functions, or smaller ones: each call takes the room of their bodies"
-        "com todas as chamadas, o programa é grande demais para a placa"
-        "chame menos blocos e funções, ou menores: cada chamada ocupa o espaço do corpo deles";
+        "with the bodies of all calls, the program is far too large for the board"
+        "call fewer or smaller blocks and functions: each call copies their bodies"
+        "com os corpos de todas as chamadas, o programa é grande demais para a placa"
+        "chame menos blocos e funções, ou menores: cada chamada copia o corpo deles";
     221 BackNoWords Error
         "line {1}: Structured Text has no words for {0}"
-        "list the program as Instruction List or numeric code, which have"
+        "list the program as Instruction List or numeric code"
         "linha {1}: o Texto Estruturado não tem palavras para {0}"
-        "liste o programa em Lista de Instruções ou código numérico, que têm";
+        "liste o programa em Lista de Instruções ou código numérico";
     222 BackIntoPart Error
-        "line {1}: {0} leads into a part of an IF, which no text can say"
-        "put the label before the IF or behind its END"
-        "linha {1}: {0} leva para dentro de uma parte de um IF, o que nenhum texto diz"
+        "line {1}: {0} jumps into a part of an IF, and Structured Text cannot express that"
+        "put the label before the IF or after its END"
+        "linha {1}: {0} desvia para dentro de uma parte de um IF, o que o Texto Estruturado não exprime"
         "ponha o rótulo antes do IF ou depois do END dele";
     223 BackTimerInLoop Error
-        "line {1}: {0} stands in a loop; in Structured Text a timer has one call in a scan"
-        "take the timer out of the loop"
+        "line {1}: {0} is in a loop; in Structured Text a timer has one call in a scan"
+        "move the timer out of the loop"
         "linha {1}: {0} está em um laço; no Texto Estruturado um temporizador tem uma chamada por varredura"
         "tire o temporizador do laço";
     224 BackEarlyTime Error
-        "line {1}: {0} reads a timer that has not been called in this scan, or whose preset changes"
-        "read it behind its timer, and let the preset be"
-        "linha {1}: {0} lê um temporizador que não foi chamado nesta varredura, ou cuja pré-seleção muda"
-        "leia-o depois do temporizador, e não mude a pré-seleção";
+        "line {1}: {0} reads a timer before its call in this scan, or the timer's preset changes"
+        "read it after the timer's call, and keep the preset constant"
+        "linha {1}: {0} lê um temporizador antes da chamada dele nesta varredura, ou a pré-seleção dele muda"
+        "leia-o depois da chamada do temporizador, e não mude a pré-seleção";
     225 BackNoRegister Error
-        "no register is left for a number that is taken for a whole one and for a REAL"
+        "no register is left for a number that is used both as a whole number and as a REAL"
         "use fewer registers"
-        "não sobrou registrador para um número que é tratado como inteiro e como REAL"
+        "não sobrou registrador para um número usado como inteiro e como REAL"
         "use menos registradores";
     226 BackPartOfArray Error
-        "line {1}: {0} keeps a part of a table, and Structured Text keeps an array as a whole"
-        "keep a register of its own"
-        "linha {1}: {0} guarda parte de uma tabela, e o Texto Estruturado guarda uma matriz inteira"
-        "guarde um registrador à parte";
+        "line {1}: {0} retains a part of a table, but Structured Text retains whole arrays"
+        "retain a register outside of the table"
+        "linha {1}: {0} retém parte de uma tabela, mas o Texto Estruturado retém matrizes inteiras"
+        "retenha um registrador fora da tabela";
         }
     };
 }

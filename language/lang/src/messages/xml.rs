@@ -4,29 +4,29 @@ macro_rules! xml_rows {
     ($next:ident $($rest:tt)*) => {
         $next! { $($rest)*
     501 XmlBroken Error
-        "this is no XML: {0}"
+        "this is not XML: {0}"
         "export the project again"
         "isto não é XML: {0}"
         "exporte o projeto outra vez";
     502 XmlNoProject Error
-        "this XML is no PLCopen project: it begins with `{0}`"
+        "this XML is not a PLCopen project: it begins with `{0}`"
         "open the plc.xml of a project of OpenPLC Editor or Beremiz, or export PLCopen XML"
         "este XML não é um projeto PLCopen: começa com `{0}`"
         "abra o plc.xml de um projeto do OpenPLC Editor ou do Beremiz, ou exporte PLCopen XML";
     503 XmlNoProgram Error
         "the project has no program"
-        "make a POU of the type program, and draw in it"
+        "create a POU of type program, and draw in it"
         "o projeto não tem nenhum programa"
         "crie uma POU do tipo program e desenhe nela";
     504 XmlBody Error
-        "the body of `{0}` is {1}, which is not imported"
+        "the body of `{0}` is {1}, which cannot be imported"
         "draw it as LD, or write it as ST or IL"
-        "o corpo de `{0}` é {1}, que não se importa"
+        "o corpo de `{0}` é {1}, que não pode ser importado"
         "desenhe-o em LD, ou escreva-o em ST ou IL";
     505 XmlMixed Error
-        "`{0}` is in {1}, and `{2}` in {3}: one project is imported from one language"
+        "`{0}` is in {1}, but `{2}` is in {3}: all programs of a project must be in one language"
         "write all programs in {1}, or all in {3}"
-        "`{0}` está em {1}, e `{2}` em {3}: um projeto se importa de uma só linguagem"
+        "`{0}` está em {1}, mas `{2}` está em {3}: todos os programas de um projeto devem estar na mesma linguagem"
         "escreva todos os programas em {1}, ou todos em {3}";
     506 XmlAddress Error
         "{0}: there is no point `{1}` on this board"
@@ -34,9 +34,9 @@ macro_rules! xml_rows {
         "{0}: não existe o ponto `{1}` nesta placa"
         "{2}";
     507 XmlType Error
-        "{0}: `{1}` is {2}, and {3} is wanted here"
+        "{0}: `{1}` is {2}, but {3} is needed here"
         ""
-        "{0}: `{1}` é {2}, e aqui se quer {3}"
+        "{0}: `{1}` é {2}, mas aqui é preciso {3}"
         "";
     508 XmlUndeclared Error
         "{0}: nothing declares `{1}`"
@@ -44,9 +44,9 @@ macro_rules! xml_rows {
         "{0}: nada declara `{1}`"
         "declare-o na tabela de variáveis";
     509 XmlBlock Error
-        "{0}: the block `{1}` is not imported"
-        "take contacts, coils, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD or AND OR XOR NOT"
-        "{0}: o bloco `{1}` não se importa"
+        "{0}: the block `{1}` cannot be imported"
+        "use contacts, coils, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD or AND OR XOR NOT"
+        "{0}: o bloco `{1}` não pode ser importado"
         "use contatos, bobinas, TON TOF TP, CTU CTD CTUD, SR RS, R_TRIG F_TRIG, GT GE EQ NE LE LT, MOVE ADD SUB MUL DIV MOD ou AND OR XOR NOT";
     510 XmlPin Error
         "{0}: nothing leads to {1}"
@@ -54,9 +54,9 @@ macro_rules! xml_rows {
         "{0}: nada chega a {1}"
         "puxe um fio da esquerda, ou escreva um valor ali";
     511 XmlValue Error
-        "{0}: `{1}` is no {2}"
+        "{0}: `{1}` is not a valid {2}"
         ""
-        "{0}: `{1}` não é {2}"
+        "{0}: `{1}` não é {2} válido"
         "";
     512 XmlWire Error
         "{0}: a wire comes from element {1}, which has no such output"
@@ -69,19 +69,19 @@ macro_rules! xml_rows {
         "{0}: os fios voltam para onde começaram"
         "abra o círculo: realimente por um contato da bobina";
     514 XmlTangle Error
-        "{0}: the wires around it are no series and parallel"
-        "give it a rung of its own, and take its result from there by a contact"
-        "{0}: os fios em volta dele não são série e paralelo"
-        "dê a ele uma linha própria, e leve o resultado por um contato";
+        "{0}: the wires around it are neither in series nor in parallel"
+        "give it a rung of its own, and read its result with a contact"
+        "{0}: os fios em volta dele não estão em série nem em paralelo"
+        "dê a ele uma linha própria, e leia o resultado com um contato";
     515 XmlNotRun Warning
-        "no task runs the program `{0}`, so it is left out"
-        "make an instance of it in the resource"
-        "nenhuma tarefa executa o programa `{0}`, então ele fica de fora"
+        "no task runs the program `{0}`, so it is skipped"
+        "create an instance of it in the resource"
+        "nenhuma tarefa executa o programa `{0}`; por isso ele fica de fora"
         "crie uma instância dele no recurso";
     516 XmlElement Error
-        "{0}: an element `{1}` is not imported"
+        "{0}: an element `{1}` cannot be imported"
         "draw it with contacts, coils and blocks"
-        "{0}: um elemento `{1}` não se importa"
+        "{0}: um elemento `{1}` não pode ser importado"
         "desenhe com contatos, bobinas e blocos";
     517 XmlWritten Error
         "{0}: `{1}` can only be read"
@@ -89,9 +89,9 @@ macro_rules! xml_rows {
         "{0}: `{1}` só pode ser lido"
         "escreva em uma saída, uma memória ou um número";
     518 XmlEnable Error
-        "{0}: EN hangs on a condition, and a block that stands still is not imported"
+        "{0}: EN depends on a condition, and such a block cannot be imported"
         "wire EN to the left rail, and the condition to the first input"
-        "{0}: EN depende de uma condição, e um bloco parado não se importa"
+        "{0}: EN depende de uma condição, e um bloco assim não pode ser importado"
         "ligue EN à barra da esquerda, e a condição à primeira entrada";
     519 XmlNoneLeft Error
         "{0}: no {1} is left for `{2}`"
@@ -114,20 +114,20 @@ macro_rules! xml_rows {
         "{0}: não há um rótulo `{1}`"
         "ponha o rótulo no começo de uma linha";
     523 XmlLost Error
-        "rung {0}: `{1}` cannot be said in PLCopen XML"
-        "draw it with contacts, coils and blocks that the page of PLCopen XML names"
-        "linha {0}: `{1}` não se escreve em PLCopen XML"
-        "desenhe com contatos, bobinas e blocos que a página do PLCopen XML cita";
+        "rung {0}: PLCopen XML has no form for `{1}`"
+        "draw it with the contacts, coils and blocks listed in docs/plcopen.md"
+        "linha {0}: o PLCopen XML não tem forma para `{1}`"
+        "desenhe com os contatos, bobinas e blocos listados em docs/plcopen.pt-BR.md";
     524 XmlNoSink Warning
         "{0}: `{1}` leads to no output"
-        "draw a coil or a variable after it, or take it out"
+        "draw a coil or a variable after it, or remove it"
         "{0}: `{1}` não leva a nenhuma saída"
         "desenhe uma bobina ou uma variável depois dele, ou tire-o";
     525 XmlNoJump Warning
         "{0}: no jump leads to the label `{1}`"
-        "draw the jump, or take the label out"
+        "draw the jump, or remove the label"
         "{0}: nenhum desvio leva ao rótulo `{1}`"
-        "desenhe o desvio, ou tire o rótulo";
+        "desenhe o desvio, ou remova o rótulo";
     526 XmlInput Error
         "{0}: `{1}` has no input `{2}`"
         "wire another input"
@@ -144,24 +144,24 @@ macro_rules! xml_rows {
         "{0}: nenhum bloco chama `{1}`"
         "desenhe o bloco desta instância";
     529 XmlOrder Warning
-        "{0}: execution order {1} comes after an element that takes its result, so it is called earlier"
+        "{0}: execution order {1} is later than an element that uses its result, so it runs earlier"
         "give it a lower number than that element"
-        "{0}: a ordem de execução {1} vem depois de um elemento que usa o seu resultado, então ele é chamado antes"
+        "{0}: a ordem de execução {1} é posterior à de um elemento que usa o resultado dele; por isso ele é chamado antes"
         "dê a ele um número menor que o desse elemento";
     530 XmlSameId Error
-        "{0}: another element has this number too"
+        "{0}: another element also has this number"
         "draw one of the two again"
         "{0}: outro elemento também tem esse número"
         "desenhe de novo um dos dois";
     531 XmlFirst Warning
-        "{0}: the first value of `{1}` is left out, because inputs are read before the first scan"
-        "take the first value out"
-        "{0}: o primeiro valor de `{1}` fica de fora, porque as entradas são lidas antes da primeira varredura"
-        "tire o primeiro valor";
+        "{0}: the initial value of `{1}` is ignored, because inputs are read before the first scan"
+        "remove the initial value"
+        "{0}: o valor inicial de `{1}` é ignorado, porque as entradas são lidas antes da primeira varredura"
+        "remova o valor inicial";
     532 XmlNotKept Warning
-        "{0}: `{1}` is not kept over a power cut"
-        "take a number, a BOOL without an address or %MX7.0 to %MX7.7, or take retain out"
-        "{0}: `{1}` não se conserva em uma queda de energia"
+        "{0}: `{1}` cannot be retained over a power cut"
+        "use a number, a BOOL without an address or %MX7.0 to %MX7.7, or remove retain"
+        "{0}: `{1}` não pode ser retido em uma queda de energia"
         "use um número, um BOOL sem endereço ou %MX7.0 a %MX7.7, ou tire o retain";
         }
     };

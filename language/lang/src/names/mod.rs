@@ -138,7 +138,7 @@ impl<'t> Names<'t> {
                     self.temps.registers |= 1 << (register - 1);
                 }
             }
-            // The one behind the last is what was pushed.
+            // The one after the last is what was pushed.
             Kind::Value | Kind::Real if n > LAST_REGISTER => {}
             Kind::Register | Kind::Value | Kind::Real | Kind::Drum => {
                 self.temps.registers |= 1 << (n - 1);

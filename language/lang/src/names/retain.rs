@@ -39,7 +39,7 @@ const TOO_MANY: Why = (
 );
 
 impl Names<'_> {
-    /// Keeps a variable. Its first values are those behind the first `before`.
+    /// Keeps a variable. Its first values are those after the first `before`.
     pub(super) fn retain(
         &mut self,
         place: Place,

@@ -46,7 +46,7 @@ impl Parser<'_, '_> {
         unknown
     }
 
-    /// From behind the word that opens a section to END_VAR.
+    /// From after the word that opens a section to END_VAR.
     pub(super) fn declarations(&mut self, opening: Token, section: Section, unit: &mut Unit) {
         self.declaring = true;
         self.declare_all(opening, section, unit);
@@ -72,7 +72,7 @@ impl Parser<'_, '_> {
                 }
                 Kind::Name | Kind::End => {
                     let why = (
-                        "write END_VAR behind the declarations",
+                        "write END_VAR after the declarations",
                         "escreva END_VAR depois das declarações",
                     );
                     let word = self.text_of(opening.span).to_owned();

@@ -36,7 +36,7 @@ impl Parser<'_, '_> {
             let token = self.peek();
             if token.kind == Kind::End {
                 let why = (
-                    "write END_CONFIGURATION behind it",
+                    "write END_CONFIGURATION after it",
                     "escreva END_CONFIGURATION depois dela",
                 );
                 let words = ["CONFIGURATION".into(), why.into()];
@@ -59,8 +59,8 @@ impl Parser<'_, '_> {
         self.skip_line();
     }
 
-    /// A comment behind `;` that reads as an instruction does: whoever ends lines with `;` is told that
-    /// nothing stands behind it.
+    /// A comment after `;` that reads as an instruction does: whoever ends lines with `;` is told that
+    /// nothing stands after it.
     pub(super) fn remark(&mut self, span: Span) {
         let text = self.text_of(span);
         let trimmed = text.trim();

@@ -95,7 +95,7 @@ impl Parser<'_, '_> {
         self.ahead(0)
     }
 
-    /// The token so many behind the next one; the last token is the end.
+    /// The token so many after the next one; the last token is the end.
     fn ahead(&self, more: usize) -> Token {
         let last = self.tokens.len() - 1;
         self.tokens[(self.at + more).min(last)]
@@ -165,7 +165,7 @@ impl Parser<'_, '_> {
                 continue;
             };
             let known = TYPES.iter().any(|known| self.is(ty, known));
-            // Behind an operator with the name of a type, such as TON, stands its operand.
+            // After an operator with the name of a type, such as TON, stands its operand.
             let mut behind = line.clone().skip(1);
             if known && behind.next().is_none_or(|token| token.kind != Kind::Name) {
                 return true;
@@ -270,7 +270,7 @@ impl Parser<'_, '_> {
             (Some(unit), None) if unit.kind != UnitKind::Program => {
                 let text = self.text_of(unit.span).to_owned();
                 let why = (
-                    "write END_FUNCTION or END_FUNCTION_BLOCK behind its last line",
+                    "write END_FUNCTION or END_FUNCTION_BLOCK after its last line",
                     "escreva END_FUNCTION ou END_FUNCTION_BLOCK depois da última linha",
                 );
                 let span = unit.span;

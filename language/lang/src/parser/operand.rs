@@ -39,7 +39,7 @@ impl Parser<'_, '_> {
                     (OperandKind::Name(text), token.span)
                 } else {
                     match literal::value(&text) {
-                        // The smallest number stands only behind a minus.
+                        // The smallest number stands only after a minus.
                         Some(value) if token.kind == Kind::Literal || value >= 0 => {
                             (OperandKind::Number(value), token.span)
                         }
@@ -135,7 +135,7 @@ impl Parser<'_, '_> {
         operands
     }
 
-    /// `000 #0050` behind TIM and CNT: the number is that of the timer or counter.
+    /// `000 #0050` after TIM and CNT: the number is that of the timer or counter.
     pub(super) fn omron_operands(&mut self, op: Op) -> Vec<Operand> {
         let number = self.peek();
         let letters = if op == Op::OmronTimer { "TIM" } else { "CNT" };
@@ -191,7 +191,7 @@ impl Parser<'_, '_> {
         true
     }
 
-    /// From behind the parenthesis of a call to its end. They may go over lines.
+    /// From after the parenthesis of a call to its end. They may go over lines.
     pub(super) fn params(&mut self) -> Vec<Param> {
         let mut params = Vec::new();
         loop {
@@ -229,7 +229,7 @@ impl Parser<'_, '_> {
         word.kind == Kind::Name && self.begins_line() && acts
     }
 
-    /// `IN := %IX1`, `Q => %QX1`, `%IX1`; each value may be behind NOT.
+    /// `IN := %IX1`, `Q => %QX1`, `%IX1`; each value may be after NOT.
     fn param(&mut self) -> Option<Param> {
         let (mut name, mut out) = (None, false);
         let token = self.peek();

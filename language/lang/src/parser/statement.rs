@@ -82,7 +82,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Whether this line declares a variable: a name, and a type behind its colon.
+    /// Whether this line declares a variable: a name, and a type after its colon.
     fn declares_alone(&self) -> bool {
         let next = self.ahead(1);
         let named = matches!(next.kind, Kind::Colon | Kind::Comma) || self.is(next, "AT");

@@ -5,7 +5,7 @@ use crate::diagnostics::Span;
 use crate::typed::ops;
 use crate::typed::{For, Stmt, StmtKind, Store, Unit, Value};
 
-/// How the statements behind one go on.
+/// How the statements after one go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
     Next,

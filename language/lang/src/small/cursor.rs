@@ -265,7 +265,7 @@ impl<'t, 'f, K: Keywords> Cursor<'t, 'f, K> {
         self.open = self.open.saturating_sub(1);
     }
 
-    /// How deep it is, to go back there behind what is wrong.
+    /// How deep it is, to go back there after what is wrong.
     pub fn depth(&self) -> u32 {
         self.open
     }

@@ -205,7 +205,7 @@ impl Lexer<'_, '_, '_> {
         self.found.tell(Code::StTextOpen, span, [sign.into()]);
     }
 
-    /// What stands behind `rede` on its line: between quotes, or up to a `;`, a comment or its end.
+    /// What stands after `rede` on its line: between quotes, or up to a `;`, a comment or its end.
     fn title(&mut self) -> Option<Token> {
         self.scan.skip_while(|byte| matches!(byte, b' ' | b'\t'));
         let start = self.scan.at;

@@ -15,7 +15,7 @@ pub(crate) enum Sign {
     Number,
     /// `'text'`, `"text"`
     Text,
-    /// What stands behind a word that takes the rest of its line.
+    /// What stands after a word that takes the rest of its line.
     Title,
     Assign,
     Colon,
@@ -63,7 +63,7 @@ pub(crate) struct Rules {
     pub foreign: &'static [&'static str],
     /// Whether a point and a number belong to the word before them: `I0.0`.
     pub points: bool,
-    /// The words behind which the rest of the line is a text, in upper case.
+    /// The words after which the rest of the line is a text, in upper case.
     pub titles: &'static [&'static str],
     /// What is told of a comment that is not `//`.
     pub comment: Code,

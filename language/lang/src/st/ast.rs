@@ -195,7 +195,7 @@ pub(super) struct Instruction {
     pub word: Name,
     /// What it says; none of the name of a function or an instance.
     pub spelling: Option<Spelling>,
-    /// `(` behind the operator, and whether `N` stands behind that.
+    /// `(` after the operator, and whether `N` stands after that.
     pub open: Option<bool>,
     pub operands: Vec<Arg>,
     /// What stands in the parentheses of a call.

@@ -33,7 +33,7 @@ impl Lexer<'_, '_> {
         self.digits(|byte| byte.is_ascii_alphabetic());
     }
 
-    /// Behind `T#`, `INT#`, `Color#`.
+    /// After `T#`, `INT#`, `Color#`.
     pub(super) fn typed(&mut self, start: usize) {
         let prefix = self.scan.since(start).trim_end_matches('#');
         let prefix = prefix.to_ascii_uppercase();

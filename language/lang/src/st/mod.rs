@@ -76,7 +76,7 @@ pub(crate) fn check(text: &str, dialect: Dialect, board: Board, found: &mut Foun
         return None;
     }
     if let Some(stray) = found.place_of(Code::StStray) {
-        // What a sign that means nothing stands for is not known, and what is told behind it may follow from that.
+        // What a sign that means nothing stands for is not known, and what is told after it may follow from that.
         found.keep(|d| d.code == Code::StStray || d.span.start < stray.start);
         return None;
     }

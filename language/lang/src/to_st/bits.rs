@@ -126,7 +126,7 @@ impl Machine<'_, '_> {
     pub fn set_bit(&mut self, place: Place, value: Expr) {
         let is = |other| other == place;
         match value == self.acc && !self.acc.is_simple() {
-            // Behind it the bit is acc.
+            // After it the bit is acc.
             true => {
                 let acc = std::mem::replace(&mut self.acc, Expr::Is(true));
                 self.changes(&is);

@@ -67,7 +67,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// A block of the norm, with the reset or load of the rung behind it.
+    /// A block of the norm, with the reset or load of the rung after it.
     fn count_block(&mut self, number: u8, up: bool, preset: i32, last: Option<usize>) {
         let is = |place| matches!(place, Place::At(Address::Count(n) | Address::Reached(n)) if n == number);
         if last.is_some() && self.acc.reads(&|place| matches!(place, Place::Value(_))) {
@@ -245,7 +245,7 @@ impl Machine<'_, '_> {
         }
         let elapsed = call("TIME_TO_DINT", Expr::at(Address::Elapsed(number)));
         Ok(match self.body.timers.get(usize::from(number) - 1) {
-            // Behind its delay, that of a TOF stays.
+            // After its delay, that of a TOF stays.
             Some((Opcode::OffDelay, _)) => {
                 let runs = Expr::at(Address::TimerQ(number));
                 Expr::Call("SEL", vec![runs, whole(0), elapsed])

@@ -87,7 +87,7 @@ fn block(
     let [last] = last[..] else {
         return last.is_empty().then_some((opcode, None));
     };
-    // The rung behind it is contacts, then the reset.
+    // The rung after it is contacts, then the reset.
     let rung = steps.get(at + 1..last)?;
     let [new, contacts @ ..] = rung else {
         return None;

@@ -32,7 +32,7 @@ pub(super) fn statements(time: u8, all: &[Statement]) -> Vec<Statement> {
         .collect()
 }
 
-/// A timer for each direction: a level that comes back begins anew.
+/// A timer for each direction: a level that comes back begins again.
 fn of(input: u8, time: u8) -> [Statement; 3] {
     let (pin, is) = (
         Expr::Place(Place::Pin(input)),

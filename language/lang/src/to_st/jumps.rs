@@ -68,7 +68,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// Behind a place where ways meet.
+    /// After a place where ways meet.
     fn met(&mut self, at: usize) {
         self.acc = Expr::Is(true);
         self.points.clear();
@@ -195,7 +195,7 @@ impl Machine<'_, '_> {
             self.end_frame();
         }
         if ends > 0 {
-            // Behind a plain loop its jump has not been made.
+            // After a plain loop its jump has not been made.
             self.acc = match self.steps[at].opcode {
                 Opcode::JumpNot => Expr::Is(true),
                 Opcode::Jump => Expr::Is(false),

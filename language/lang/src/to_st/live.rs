@@ -5,7 +5,7 @@
 use unoclp_core::Instruction;
 use unoclp_core::isa::{Class, Opcode, Operand, Value};
 
-/// Before each step, and behind the last, whether what it holds is looked at.
+/// Before each step, and after the last, whether what it holds is looked at.
 pub(super) struct Live {
     pub acc: Vec<bool>,
     pub value: Vec<bool>,

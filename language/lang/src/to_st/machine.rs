@@ -249,7 +249,7 @@ impl Machine<'_, '_> {
         }
     }
 
-    /// How often the rest of this rung recalls a branch point before it is stored anew.
+    /// How often the rest of this rung recalls a branch point before it is stored again.
     pub fn is_recalled(&self, point: u8) -> usize {
         let rest = self.steps.get(self.at + 1..).unwrap_or_default();
         let of = |step: &&Instruction<'_>| step.number() == Some(point);

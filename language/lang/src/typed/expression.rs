@@ -25,7 +25,7 @@ pub enum Root {
 pub struct Place {
     /// From where it is counted.
     pub root: Root,
-    /// How many cells behind it.
+    /// How many cells after it.
     pub offset: u32,
     /// What is computed: each is added. Constant subscripts and members are in `offset`.
     pub indices: Vec<Index>,

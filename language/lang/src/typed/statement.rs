@@ -23,9 +23,9 @@ pub enum StmtKind {
     Assign(Place, Expr, Store),
     /// Copies cells of the same types: from the second place to the first.
     Copy(Place, Place, u32),
-    /// The first arm whose condition holds, or what is behind ELSE.
+    /// The first arm whose condition holds, or what is after ELSE.
     If(Vec<(Expr, Vec<Stmt>)>, Vec<Stmt>),
-    /// The arm that has the number between two of its bounds, or what is behind ELSE.
+    /// The arm that has the number between two of its bounds, or what is after ELSE.
     Case(Expr, Vec<Arm>, Vec<Stmt>),
     /// While the condition holds.
     While(Expr, Vec<Stmt>),

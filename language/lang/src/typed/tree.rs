@@ -71,7 +71,7 @@ pub struct Symbol {
     pub holds: Holds,
     /// Its declaration.
     pub at: Span,
-    /// The name behind an enumeration's number, in order of the numbers.
+    /// The name after an enumeration's number, in order of the numbers.
     pub values: Arc<Vec<String>>,
 }
 

@@ -210,9 +210,9 @@ impl Types {
         all
     }
 
-    /// The type behind other names.
+    /// The type after other names.
     pub fn strip(&self, id: TypeId) -> TypeId {
-        // An alias is added behind what it stands for, so this ends.
+        // An alias is added after what it stands for, so this ends.
         let mut id = id;
         while let Some(of) = self.get(id).alias.filter(|of| of.0 < id.0) {
             id = of;

@@ -173,7 +173,7 @@ fn edges_and_first_values() {
     });
 }
 
-/// The accumulator is the same behind a label, whichever way leads there.
+/// The accumulator is the same after a label, whichever way leads there.
 #[test]
 fn the_accumulator_over_a_label() {
     let choose = "LD I1\nJMPC first\nLD I2\nJMP last\nfirst: LD I3\nlast: ST Q1";

@@ -1,4 +1,4 @@
-//! A compiled program beside the interpreter: the same values behind each scan, on the core and on the PC.
+//! A compiled program beside the interpreter: the same values after each scan, on the core and on the PC.
 
 use unoclp_checked::Checked;
 use unoclp_core::Board;
@@ -134,7 +134,7 @@ impl<'t> Twins<'t> {
         self.inputs
     }
 
-    /// One scan of both, and what differs behind it.
+    /// One scan of both, and what differs after it.
     pub fn scan(&mut self, plc: &mut Plc<'_>, now: u32) -> Result<(), String> {
         let ended = self.machine.scan(now.into());
         let ran = plc.scan(self.inputs, now);

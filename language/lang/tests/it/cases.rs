@@ -50,10 +50,10 @@ struct Case {
     /// The outputs of each scan; bit 0 is output 01.
     #[serde(default)]
     outputs: Vec<u128>,
-    /// Registers behind the last scan, by their numbers.
+    /// Registers after the last scan, by their numbers.
     #[serde(default)]
     registers: BTreeMap<String, i32>,
-    /// The PWM of output 01 behind the last scan.
+    /// The PWM of output 01 after the last scan.
     pwm: Option<u8>,
 }
 

@@ -122,7 +122,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The rows of the table behind a heading: its source, and its cases.
+/// The rows of the table after a heading: its source, and its cases.
 fn rows(page: &str, heading: &str) -> Vec<(String, String)> {
     let (_, behind) = page.split_once(heading).unwrap();
     let table = behind.split("\n## ").next().unwrap();

@@ -147,7 +147,7 @@ struct Writer {
     text: String,
     /// Whether the accumulator is a bit.
     bit: bool,
-    /// For each open parenthesis: whether the accumulator must be a bit at its end, and is one behind it.
+    /// For each open parenthesis: whether the accumulator must be a bit at its end, and is one after it.
     open: Vec<(bool, bool)>,
     labels: usize,
     /// The label of the jump that is open, and the instructions to it.

@@ -43,7 +43,7 @@ struct Case {
     /// ms from one scan to the next.
     #[serde(default)]
     every: i64,
-    /// Symbols behind the last scan; a list gives those behind each.
+    /// Symbols after the last scan; a list gives those after each.
     #[serde(default)]
     after: BTreeMap<String, toml::Value>,
     /// What PRINT shows, in all scans.

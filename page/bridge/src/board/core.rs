@@ -161,7 +161,7 @@ impl Core {
         self.begin(if stay { State::Stop } else { State::Run })
     }
 
-    /// The program begins anew, and goes on in this state.
+    /// The program begins again, and goes on in this state.
     fn begin(&mut self, state: State) -> Result<(), Both> {
         let program = self
             .program

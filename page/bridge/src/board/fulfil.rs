@@ -21,7 +21,7 @@ use unoclp_modbus::Exception;
 use unoclp_point::Address;
 use unoclp_program::{Lang, not_sent};
 
-/// Does what is ordered; gives what there is to say behind it.
+/// Does what is ordered; gives what there is to say after it.
 pub(super) async fn fulfil(
     client: &mut Client,
     desk: &Desk,

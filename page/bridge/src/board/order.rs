@@ -15,7 +15,7 @@ pub enum Order {
     Stop,
     /// One single scan, in STOP.
     Scan,
-    /// The whole start-up anew.
+    /// The whole start-up again.
     Restart,
     /// Force an input or output, from 1, or let it go.
     Force {

@@ -22,7 +22,7 @@ pub struct Watched {
     nets: Nets,
     boxes: Boxes,
     lines: Lines,
-    /// The steps of boxes that show a value: the box's last step, the one behind which the value is its, and whether that
+    /// The steps of boxes that show a value: the box's last step, the one after which the value is its, and whether that
     /// is a REAL.
     values: Vec<(usize, usize, bool)>,
     map: SourceMap,
@@ -37,7 +37,7 @@ pub struct Live {
     nets: Vec<u32>,
     /// Steps, and what their boxes say.
     boxes: Vec<(usize, String)>,
-    /// Steps, and the value behind them.
+    /// Steps, and the value after them.
     values: Vec<(usize, Number)>,
     /// For each line of the text: null, whether it has power, a number, or the literal of another type: `T#1s`.
     lines: Vec<Shown>,

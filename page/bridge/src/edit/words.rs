@@ -9,17 +9,17 @@ pub fn refused(refusal: Refusal) -> No {
 }
 
 unoclp_words::messages! {
-    unfinished() "the drawing is not a program yet; its problems say what is missing" "o desenho ainda não é um programa; os problemas dizem o que falta";
+    unfinished() "the drawing is not a program yet; its problems show what is missing" "o desenho ainda não é um programa; os problemas mostram o que falta";
     no_drawing() "no drawing is open" "nenhum desenho está aberto";
     select_one() "select one element first" "selecione um elemento primeiro";
-    no_name(name) "{name} cannot be a name: letters, digits and _ make one, and no address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";
-    no_address(text) "{text} is not the address of a point; write one such as I1, Q1, M1, T1" "{text} não é o endereço de um ponto; escreva um como I1, Q1, M1, T1";
-    no_such_point(name) "no point is called {name}; write its address, such as I1, and a name behind it: I1 {name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
-    system_marker(name) "{name} is a system marker of the board, not a button: which of the two do you mean?" "{name} é uma memória de sistema da placa, não um botão: qual dos dois você quer?";
+    no_name(name) "{name} cannot be a name; use letters, digits and _, and not an address" "{name} não serve de nome: use letras, dígitos e _, e não um endereço";
+    no_address(text) "{text} is not an address; write one such as I1, Q1, M1, T1" "{text} não é um endereço; escreva um como I1, Q1, M1, T1";
+    no_such_point(name) "no point is called {name}; write an address, such as I1, and the name after it: I1 {name}" "nenhum ponto se chama {name}; escreva o endereço, como I1, e o nome depois dele: I1 {name}";
+    system_marker(name) "{name} is a system marker of the board, not a button. Which one do you mean?" "{name} é uma memória de sistema da placa, não um botão. Qual dos dois você quer?";
     is_system_marker(name) "{name}, the system marker" "{name}, a memória de sistema";
-    timer_drives(name) "{name} is the timer itself, which has its number by its place. It has to drive an output or a marker" "{name} é o próprio temporizador, que recebe o número pela posição. Ele precisa acionar uma saída ou uma memória";
+    timer_drives(name) "{name} is the timer itself, and its number comes from its place. It must drive an output or a marker" "{name} é o próprio temporizador, que recebe o número pela posição. Ele precisa acionar uma saída ou uma memória";
     free_point(point) "{point}, which is free" "{point}, que está livre";
-    no_time(text) "{text} is no time: write ms, such as 4000, or a time such as 4s or T#1m30s" "{text} não é um tempo: escreva ms, como 4000, ou um tempo como 4s ou T#1m30s";
+    no_time(text) "{text} is not a time; write ms, such as 4000, or a time such as 4s or T#1m30s" "{text} não é um tempo; escreva ms, como 4000, ou um tempo como 4s ou T#1m30s";
     no_number(text) "{text} is not a number, a register, an analogue input, a timer or a counter that fits here" "{text} não é um número, registrador, entrada analógica, temporizador ou contador que sirva aqui";
     contacts() "Contacts" "Contatos";
     coils() "Coils" "Bobinas";
@@ -32,7 +32,7 @@ unoclp_words::messages! {
     closed() "contact, normally closed" "contato normalmente fechado";
     rising() "contact, rising edge" "contato de borda de subida";
     falling() "contact, falling edge" "contato de borda de descida";
-    not() "NOT: inverts what comes" "NOT: inverte o que chega";
+    not() "NOT: inverts the power flow" "NOT: inverte o fluxo de energia";
     coil() "coil" "bobina";
     negated() "negated coil" "bobina negada";
     set() "set coil" "bobina set";

@@ -22,7 +22,7 @@ import type { Setting } from "../serial";
 import { converter } from "./converter";
 import { type Eeprom, eepromRegisters } from "./eeprom";
 import { CLOCK_HZ, MCUSR, RAM, RAM_LEN, SPCR, WDCE, WDE, WDTCSR, WORKING_REGISTERS } from "./registers";
-import { step } from "./step";
+import { type Span, execute } from "./step";
 import { Timer } from "./timer";
 import { Usart } from "./usart";
 
@@ -54,9 +54,8 @@ export class Chip {
   readonly ports: Readonly<Record<Port, AVRIOPort>>;
   /** The watchdog has bitten: this life is over. */
   bitten = false;
-  private until = 0;
-  /** No event of avr8js is due before this cycle. */
-  private due = 0;
+  /** No event of avr8js is due before its `due`. */
+  private readonly span: Span = { until: 0, due: 0 };
 
   /** A chip at its first instruction, at this cycle; `before` is the one whose RAM it takes over. */
   constructor(flash: Uint16Array, around: Around, cause: ResetCause, cycle: number, before: Chip | null) {
@@ -92,23 +91,21 @@ export class Chip {
 
   /** Runs to this cycle, or to the end of this life or of the instruction in which it is over. */
   run(until: number): void {
-    const { cpu } = this;
-    this.until = until;
-    while (cpu.cycles < this.until) {
-      step(cpu);
-      if (cpu.cycles >= this.due || cpu.nextInterrupt >= 0) this.tick();
-    }
+    this.go(-1, until);
   }
 
   /** The same, and to where the instruction at this byte address is the next; says whether it is. */
   runTo(address: number, until: number): boolean {
-    const { cpu } = this;
-    const pc = address >> 1;
-    this.until = until;
-    while (cpu.cycles < this.until) {
-      step(cpu);
-      if (cpu.cycles >= this.due || cpu.nextInterrupt >= 0) this.tick();
-      if (cpu.pc === pc) return true;
+    return this.go(address >> 1, until);
+  }
+
+  private go(stop: number, until: number): boolean {
+    const { cpu, span } = this;
+    span.until = until;
+    while (cpu.cycles < span.until) {
+      execute(cpu, span, stop);
+      if (cpu.cycles >= span.due || cpu.nextInterrupt >= 0) this.tick();
+      if (cpu.pc === stop) return true;
     }
     return false;
   }
@@ -118,21 +115,21 @@ export class Chip {
     this.cpu.tick();
     // Of an event that is added earlier, `watchEvents` knows.
     const { nextClockEvent } = this.cpu as unknown as { nextClockEvent: { cycles: number } | null };
-    this.due = nextClockEvent?.cycles ?? Infinity;
+    this.span.due = nextClockEvent?.cycles ?? Infinity;
   }
 
   private watchEvents(): void {
     const { cpu } = this;
     const add = cpu.addClockEvent.bind(cpu);
     cpu.addClockEvent = (callback, cycles) => {
-      this.due = Math.min(this.due, cpu.cycles + Math.max(1, cycles));
+      this.span.due = Math.min(this.span.due, cpu.cycles + Math.max(1, cycles));
       return add(callback, cycles);
     };
   }
 
   /** From within a run: it goes no further than to this cycle. */
   noLaterThan(cycle: number): void {
-    this.until = Math.min(this.until, cycle);
+    this.span.until = Math.min(this.span.until, cycle);
   }
 
   register(address: number): number {

@@ -1,228 +1,392 @@
-// One instruction. avr8js looks for it in a row of a hundred cases; those that the firmware executes most, three quarters
-// of all, are found here by a table. They do what avr8js does, but for flag H of a comparison, which it takes from the
-// wrong bit: a test compares them, opcode by opcode.
+// Instructions, one after the other. avr8js looks for each in a row of a hundred cases, and keeps its place and its time
+// in the heap; here a table says what an opcode asks for, and both stay in registers of the computer until something
+// around the chip may look. A test compares every opcode with avr8js, and names what it does otherwise than the chip.
 
 import { type CPU, avrInstruction } from "avr8js";
+import {
+  I,
+  SREG,
+  T,
+  added,
+  combined,
+  multiplied,
+  shifted,
+  stepped,
+  subtracted,
+  subtractedOn,
+  widened,
+} from "./flags";
+import { KINDS, Kind, wordsOf } from "./opcodes";
+import { SP, Y, Z, addressOf, constant, near, other, pair, port, setPair, signed, upper, wide } from "./operands";
 import { RAM } from "./registers";
 
-const Z = 30;
-const Y = 28;
-const X = 26;
-const SREG = 95;
-/** First address of what `in` and `out` reach. */
-const IO = 32;
-/** Flag T, in SREG. */
-const T = 1 << 6;
+/** Cycles that are counted without a look at the clock: as many fit an integer. */
+const FAR = 1 << 29;
 
-/** What is done here, and the bits of an opcode that say so: mask and value. */
-const PATTERNS = [
-  [0xfe0f, 0x900d], // 1: ld r, X+
-  [0xd208, 0x8000], // 2: ldd r, Z+q
-  [0xd208, 0x8008], // 3: ldd r, Y+q
-  [0xd208, 0x8200], // 4: std Z+q, r
-  [0xd208, 0x8208], // 5: std Y+q, r
-  [0xffff, 0x9409], // 6: ijmp
-  [0xfc00, 0xf400], // 7: brbc
-  [0xfc00, 0xf000], // 8: brbs
-  [0xfe08, 0xf800], // 9: bld
-  [0xfe08, 0xfa00], // 10: bst
-  [0xff00, 0x0100], // 11: movw
-  [0xfc00, 0x2c00], // 12: mov
-  [0xf000, 0xe000], // 13: ldi
-  [0xfe0f, 0x9000], // 14: lds
-  [0xf000, 0xc000], // 15: rjmp
-  [0xfe08, 0xfc00], // 16: sbrc
-  [0xfe08, 0xfe00], // 17: sbrs
-  [0xf800, 0xb000], // 18: in
-  [0xf800, 0xb800], // 19: out
-  [0xfc00, 0x2000], // 20: and
-  [0xfc00, 0x2800], // 21: or
-  [0xfc00, 0x2400], // 22: eor
-  [0xf000, 0x7000], // 23: andi
-  [0xfc00, 0x1400], // 24: cp
-  [0xf000, 0x3000], // 25: cpi
-] as const;
+/** How far instructions are executed. What stands around the chip may shorten it while they are. */
+export interface Span {
+  /** To this cycle. */
+  until: number;
+  /** And no further than to this one, at which something is due. */
+  due: number;
+}
 
-/** For each opcode its place in the patterns, from 1, or 0. */
-export const KINDS = Uint8Array.from({ length: 1 << 16 }, (_, opcode) => {
-  return 1 + PATTERNS.findIndex(([mask, value]) => (opcode & mask) === value);
-});
-
-/** Executes the next instruction. */
-export function step(cpu: CPU): void {
-  const { data, progMem } = cpu;
-  const opcode = progMem[cpu.pc]!;
-  const register = (opcode >> 4) & 31;
-  switch (KINDS[opcode]) {
-    case 1: {
-      const at = pair(data, X);
-      data[register] = load(cpu, at);
-      data[X] = at + 1;
-      data[X + 1] = (at + 1) >> 8;
-      cpu.cycles += 1;
-      break;
-    }
-    case 2:
-      cpu.cycles += 1;
-      data[register] = load(cpu, pair(data, Z) + displacement(opcode));
-      break;
-    case 3:
-      cpu.cycles += 1;
-      data[register] = load(cpu, pair(data, Y) + displacement(opcode));
-      break;
-    case 4:
-      store(cpu, pair(data, Z) + displacement(opcode), data[register]!);
-      cpu.cycles += 1;
-      break;
-    case 5:
-      store(cpu, pair(data, Y) + displacement(opcode), data[register]!);
-      cpu.cycles += 1;
-      break;
-    case 6:
-      cpu.pc = pair(data, Z) - 1;
-      cpu.cycles += 1;
-      break;
-    case 7:
-      if (!((data[SREG]! >> (opcode & 7)) & 1)) branch(cpu, opcode);
-      break;
-    case 8:
-      if ((data[SREG]! >> (opcode & 7)) & 1) branch(cpu, opcode);
-      break;
-    case 9: {
-      const bit = 1 << (opcode & 7);
-      data[register] = data[SREG]! & T ? data[register]! | bit : data[register]! & ~bit;
-      break;
-    }
-    case 10:
-      data[SREG] = (data[register]! >> (opcode & 7)) & 1 ? data[SREG]! | T : data[SREG]! & ~T;
-      break;
-    case 11: {
-      const from = 2 * (opcode & 15);
-      const to = 2 * ((opcode >> 4) & 15);
-      data[to] = data[from]!;
-      data[to + 1] = data[from + 1]!;
-      break;
-    }
-    case 12:
-      data[register] = data[other(opcode)]!;
-      break;
-    case 13:
-      data[16 | (register & 15)] = constant(opcode);
-      break;
-    case 14:
-      cpu.cycles += 1;
-      data[register] = load(cpu, progMem[cpu.pc + 1]!);
-      cpu.pc += 1;
-      break;
-    case 15:
-      // 12 bits with a sign.
-      cpu.pc += (opcode << 20) >> 20;
-      cpu.cycles += 1;
-      break;
-    case 16:
-      if (!((data[register]! >> (opcode & 7)) & 1)) skip(cpu);
-      break;
-    case 17:
-      if ((data[register]! >> (opcode & 7)) & 1) skip(cpu);
-      break;
-    case 18:
-      data[register] = cpu.readData(IO + ((opcode & 15) | ((opcode >> 5) & 0x30)));
-      break;
-    case 19:
-      cpu.writeData(IO + ((opcode & 15) | ((opcode >> 5) & 0x30)), data[register]!);
-      break;
-    case 20:
-      data[register] = logic(data, data[register]! & data[other(opcode)]!);
-      break;
-    case 21:
-      data[register] = logic(data, data[register]! | data[other(opcode)]!);
-      break;
-    case 22:
-      data[register] = logic(data, data[register]! ^ data[other(opcode)]!);
-      break;
-    case 23:
-      data[16 | (register & 15)] = logic(data, data[16 | (register & 15)]! & constant(opcode));
-      break;
-    case 24:
-      compare(data, data[register]!, data[other(opcode)]!);
-      break;
-    case 25:
-      compare(data, data[16 | (register & 15)]!, constant(opcode));
-      break;
-    default:
-      avrInstruction(cpu);
-      return;
-  }
+/**
+ * Executes instructions to the end of the span, or until one at this address, in words, is the next; at least one.
+ * While an interrupt waits, it executes one alone.
+ */
+export function execute(cpu: CPU, span: Span, stop: number): void {
+  const { data, progMem, progBytes } = cpu;
   // The flash is a power of two words long.
-  cpu.pc = (cpu.pc + 1) & (progMem.length - 1);
-  cpu.cycles += 1;
+  const last = progMem.length - 1;
+  const start = cpu.cycles;
+  let { pc } = cpu;
+  let spent = 0;
+  let end = room(cpu, span, start);
+  do {
+    const opcode = progMem[pc]!;
+    const kind = KINDS[opcode]!;
+    const d = (opcode >> 4) & 31;
+    if (kind >= Kind.LD_X) {
+      let at: number;
+      if (kind === Kind.LDS || kind === Kind.STS) {
+        pc += 1;
+        at = progMem[pc & last]!;
+      } else at = addressOf(data, kind, opcode);
+      if (kind < Kind.ST_X) {
+        if (kind !== Kind.IN) spent += 1;
+        if (at >= RAM) data[d] = data[at]!;
+        else {
+          cpu.cycles = start + spent;
+          data[d] = cpu.readData(at);
+          spent = cpu.cycles - start;
+          end = room(cpu, span, start);
+        }
+      } else {
+        if (at >= RAM) data[at] = data[d]!;
+        else {
+          cpu.cycles = start + spent;
+          cpu.writeData(at, data[d]!);
+          spent = cpu.cycles - start;
+          end = room(cpu, span, start);
+        }
+        if (kind !== Kind.OUT) spent += 1;
+      }
+    } else {
+      switch (kind) {
+        case Kind.NOP:
+          break;
+        case Kind.LDI:
+          data[upper(opcode)] = constant(opcode);
+          break;
+        case Kind.MOV:
+          data[d] = data[other(opcode)]!;
+          break;
+        case Kind.MOVW: {
+          const from = 2 * (opcode & 15);
+          const to = 2 * (d & 15);
+          data[to] = data[from]!;
+          data[to + 1] = data[from + 1]!;
+          break;
+        }
+        case Kind.SWAP:
+          data[d] = (data[d]! << 4) | (data[d]! >> 4);
+          break;
+
+        case Kind.ADD:
+        case Kind.ADC: {
+          const a = data[d]!;
+          const b = data[other(opcode)]!;
+          const result = (a + b + (kind === Kind.ADC ? data[SREG]! & 1 : 0)) & 0xff;
+          data[d] = result;
+          added(data, a, b, result);
+          break;
+        }
+        case Kind.SUB:
+        case Kind.CP: {
+          const a = data[d]!;
+          const b = data[other(opcode)]!;
+          const result = (a - b) & 0xff;
+          if (kind === Kind.SUB) data[d] = result;
+          subtracted(data, a, b, result);
+          break;
+        }
+        case Kind.SBC:
+        case Kind.CPC: {
+          const a = data[d]!;
+          const b = data[other(opcode)]!;
+          const result = (a - b - (data[SREG]! & 1)) & 0xff;
+          if (kind === Kind.SBC) data[d] = result;
+          subtractedOn(data, a, b, result);
+          break;
+        }
+        case Kind.SUBI:
+        case Kind.CPI: {
+          const a = data[upper(opcode)]!;
+          const b = constant(opcode);
+          const result = (a - b) & 0xff;
+          if (kind === Kind.SUBI) data[upper(opcode)] = result;
+          subtracted(data, a, b, result);
+          break;
+        }
+        case Kind.SBCI: {
+          const a = data[upper(opcode)]!;
+          const b = constant(opcode);
+          const result = (a - b - (data[SREG]! & 1)) & 0xff;
+          data[upper(opcode)] = result;
+          subtractedOn(data, a, b, result);
+          break;
+        }
+        case Kind.NEG: {
+          const b = data[d]!;
+          const result = -b & 0xff;
+          data[d] = result;
+          subtracted(data, 0, b, result);
+          break;
+        }
+        case Kind.INC: {
+          const result = (data[d]! + 1) & 0xff;
+          data[d] = result;
+          stepped(data, result, result === 0x80);
+          break;
+        }
+        case Kind.DEC: {
+          const result = (data[d]! - 1) & 0xff;
+          data[d] = result;
+          stepped(data, result, result === 0x7f);
+          break;
+        }
+        case Kind.ADIW: {
+          const low = Y - 4 + 2 * (d & 3);
+          const before = pair(data, low);
+          const result = (before + wide(opcode)) & 0xffff;
+          setPair(data, low, result);
+          widened(data, result, before & ~result, ~before & result);
+          spent += 1;
+          break;
+        }
+        case Kind.SBIW: {
+          const low = Y - 4 + 2 * (d & 3);
+          const before = pair(data, low);
+          const result = (before - wide(opcode)) & 0xffff;
+          setPair(data, low, result);
+          widened(data, result, ~before & result, before & ~result);
+          spent += 1;
+          break;
+        }
+
+        case Kind.AND:
+          combined(data, (data[d] = data[d]! & data[other(opcode)]!));
+          break;
+        case Kind.OR:
+          combined(data, (data[d] = data[d]! | data[other(opcode)]!));
+          break;
+        case Kind.EOR:
+          combined(data, (data[d] = data[d]! ^ data[other(opcode)]!));
+          break;
+        case Kind.ANDI:
+          combined(data, (data[upper(opcode)] = data[upper(opcode)]! & constant(opcode)));
+          break;
+        case Kind.ORI:
+          combined(data, (data[upper(opcode)] = data[upper(opcode)]! | constant(opcode)));
+          break;
+        case Kind.COM:
+          combined(data, (data[d] = data[d]! ^ 0xff));
+          data[SREG] = data[SREG]! | 1;
+          break;
+        case Kind.LSR: {
+          const value = data[d]!;
+          shifted(data, value, (data[d] = value >> 1));
+          break;
+        }
+        case Kind.ASR: {
+          const value = data[d]!;
+          shifted(data, value, (data[d] = (value & 0x80) | (value >> 1)));
+          break;
+        }
+        case Kind.ROR: {
+          const value = data[d]!;
+          shifted(data, value, (data[d] = ((data[SREG]! & 1) << 7) | (value >> 1)));
+          break;
+        }
+        case Kind.BLD: {
+          const bit = 1 << (opcode & 7);
+          data[d] = data[SREG]! & T ? data[d]! | bit : data[d]! & ~bit;
+          break;
+        }
+        case Kind.BST:
+          data[SREG] = (data[d]! >> (opcode & 7)) & 1 ? data[SREG]! | T : data[SREG]! & ~T;
+          break;
+        case Kind.BSET:
+          data[SREG] = data[SREG]! | (1 << (d & 7));
+          break;
+        case Kind.BCLR:
+          data[SREG] = data[SREG]! & ~(1 << (d & 7));
+          break;
+
+        case Kind.MUL: {
+          const result = data[d]! * data[other(opcode)]!;
+          multiplied(data, result, result);
+          spent += 1;
+          break;
+        }
+        case Kind.MULS: {
+          const result = signed(data[upper(opcode)]!) * signed(data[16 | (opcode & 15)]!);
+          multiplied(data, result, result);
+          spent += 1;
+          break;
+        }
+        case Kind.MULSU:
+        case Kind.FMUL:
+        case Kind.FMULS:
+        case Kind.FMULSU: {
+          const a = data[16 | (d & 7)]!;
+          const b = data[16 | (opcode & 7)]!;
+          const result = (kind === Kind.FMUL ? a : signed(a)) * (kind === Kind.FMULS ? signed(b) : b);
+          multiplied(data, kind === Kind.MULSU ? result : result << 1, result);
+          spent += 1;
+          break;
+        }
+
+        case Kind.RJMP:
+          pc += near(opcode);
+          spent += 1;
+          break;
+        case Kind.IJMP:
+          pc = pair(data, Z) - 1;
+          spent += 1;
+          break;
+        case Kind.JMP:
+          pc = progMem[(pc + 1) & last]! - 1;
+          spent += 2;
+          break;
+        case Kind.RCALL:
+          push(data, pc + 1);
+          pc += near(opcode);
+          spent += 2;
+          break;
+        case Kind.ICALL:
+          push(data, pc + 1);
+          pc = pair(data, Z) - 1;
+          spent += 2;
+          break;
+        case Kind.CALL:
+          push(data, pc + 2);
+          pc = progMem[(pc + 1) & last]! - 1;
+          spent += 3;
+          break;
+        case Kind.RETI:
+        case Kind.RET: {
+          const sp = pair(data, SP) + 2;
+          setPair(data, SP, sp);
+          pc = ((data[sp - 1]! << 8) | data[sp]!) - 1;
+          spent += 3;
+          if (kind === Kind.RETI) data[SREG] = data[SREG]! | I;
+          break;
+        }
+        case Kind.PUSH: {
+          const sp = pair(data, SP);
+          data[sp] = data[d]!;
+          setPair(data, SP, sp - 1);
+          spent += 1;
+          break;
+        }
+        case Kind.POP: {
+          const sp = pair(data, SP) + 1;
+          setPair(data, SP, sp);
+          data[d] = data[sp]!;
+          spent += 1;
+          break;
+        }
+
+        case Kind.BRBC:
+          if (!((data[SREG]! >> (opcode & 7)) & 1)) {
+            // 7 bits with a sign.
+            pc += (opcode << 22) >> 25;
+            spent += 1;
+          }
+          break;
+        case Kind.BRBS:
+          if ((data[SREG]! >> (opcode & 7)) & 1) {
+            pc += (opcode << 22) >> 25;
+            spent += 1;
+          }
+          break;
+        case Kind.SBRC:
+        case Kind.SBRS:
+          if (((data[d]! >> (opcode & 7)) & 1) === (kind === Kind.SBRS ? 1 : 0)) {
+            const words = wordsOf(progMem[(pc + 1) & last]!);
+            pc += words;
+            spent += words;
+          }
+          break;
+        case Kind.CPSE:
+          if (data[d] === data[other(opcode)]) {
+            const words = wordsOf(progMem[(pc + 1) & last]!);
+            pc += words;
+            spent += words;
+          }
+          break;
+        case Kind.SBIC:
+        case Kind.SBIS:
+          cpu.cycles = start + spent;
+          if (((cpu.readData(port(opcode)) >> (opcode & 7)) & 1) === (kind === Kind.SBIS ? 1 : 0)) {
+            const words = wordsOf(progMem[(pc + 1) & last]!);
+            pc += words;
+            cpu.cycles += words;
+          }
+          spent = cpu.cycles - start;
+          end = room(cpu, span, start);
+          break;
+        case Kind.SBI:
+        case Kind.CBI: {
+          cpu.cycles = start + spent;
+          const bit = 1 << (opcode & 7);
+          const value = cpu.readData(port(opcode));
+          cpu.writeData(port(opcode), kind === Kind.SBI ? value | bit : value & ~bit, bit);
+          spent = cpu.cycles - start + 1;
+          end = room(cpu, span, start);
+          break;
+        }
+
+        case Kind.LPM:
+          data[0] = progBytes[pair(data, Z)]!;
+          spent += 2;
+          break;
+        case Kind.LPM_Z:
+        case Kind.LPM_Z_INC: {
+          const at = pair(data, Z);
+          data[d] = progBytes[at]!;
+          if (kind === Kind.LPM_Z_INC) setPair(data, Z, at + 1);
+          spent += 2;
+          break;
+        }
+        default:
+          cpu.pc = pc;
+          cpu.cycles = start + spent;
+          avrInstruction(cpu);
+          // It counts its own word and cycle, as the end of this does.
+          pc = cpu.pc - 1;
+          spent = cpu.cycles - start - 1;
+          end = room(cpu, span, start);
+      }
+    }
+    pc = (pc + 1) & last;
+    spent += 1;
+  } while (spent < end && pc !== stop);
+  cpu.pc = pc;
+  cpu.cycles = start + spent;
 }
 
-function pair(data: Uint8Array, low: number): number {
-  return data[low]! | (data[low + 1]! << 8);
+/** Cycles from the start to where execution ends. */
+function room(cpu: CPU, span: Span, start: number): number {
+  if (cpu.nextInterrupt >= 0) return 0;
+  return Math.min(span.until - start, span.due - start, FAR) | 0;
 }
 
-/** The second register of an opcode. */
-function other(opcode: number): number {
-  return (opcode & 15) | ((opcode >> 5) & 16);
-}
-
-/** The 8 bits of an opcode with a constant. */
-function constant(opcode: number): number {
-  return (opcode & 15) | ((opcode >> 4) & 0xf0);
-}
-
-/** Flags I and T, and those with H and C. */
-const [IT, ITHC] = [0xc0, 0xe1];
-const [C, ZERO, N, V, S, H] = [1, 2, 4, 8, 16, 32];
-
-/** The flags of a logic result, which it gives back. */
-function logic(data: Uint8Array, result: number): number {
-  const sign = result & 0x80 ? N | S : 0;
-  data[SREG] = (data[SREG]! & ITHC) | sign | (result === 0 ? ZERO : 0);
-  return result;
-}
-
-/** The flags of a − b. */
-function compare(data: Uint8Array, a: number, b: number): void {
-  const result = (a - b) & 0xff;
-  const negative = (result & 0x80) !== 0;
-  const overflow = ((a ^ b) & (a ^ result) & 0x80) !== 0;
-  data[SREG] =
-    (data[SREG]! & IT) |
-    (b > a ? C : 0) |
-    (result === 0 ? ZERO : 0) |
-    (negative ? N : 0) |
-    (overflow ? V : 0) |
-    (negative !== overflow ? S : 0) |
-    ((b & 15) > (a & 15) ? H : 0);
-}
-
-/** q of `ldd` and `std`. */
-function displacement(opcode: number): number {
-  return (opcode & 7) | ((opcode >> 7) & 0x18) | ((opcode >> 8) & 0x20);
-}
-
-/** Nothing is hooked to RAM. */
-function load(cpu: CPU, address: number): number {
-  return address >= RAM ? cpu.data[address]! : cpu.readData(address);
-}
-
-function store(cpu: CPU, address: number, value: number): void {
-  if (address >= RAM) cpu.data[address] = value;
-  else cpu.writeData(address, value);
-}
-
-/** 7 bits with a sign. */
-function branch(cpu: CPU, opcode: number): void {
-  cpu.pc += (opcode << 22) >> 25;
-  cpu.cycles += 1;
-}
-
-/** Skips an instruction, which may be two words long. */
-function skip(cpu: CPU): void {
-  const next = cpu.progMem[cpu.pc + 1]!;
-  const long = (next & 0xfc0f) === 0x9000 || (next & 0xfe0c) === 0x940c;
-  cpu.pc += long ? 2 : 1;
-  cpu.cycles += long ? 2 : 1;
+function push(data: Uint8Array, address: number): void {
+  const sp = pair(data, SP);
+  data[sp] = address;
+  data[sp - 1] = address >> 8;
+  setPair(data, SP, sp - 2);
 }

@@ -48,7 +48,7 @@ interface Unit {
   readonly interrupt: Interrupt;
   /** What the count is compared with. */
   compare: number;
-  /** What the program has written, which PWM takes over when the count begins anew. */
+  /** What the program has written, which PWM takes over when the count begins again. */
   written: number;
   /** COM: 0 leaves the pin to its port, 1 toggles, 2 clears and 3 sets it at a match. */
   output: number;

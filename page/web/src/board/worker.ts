@@ -1,33 +1,13 @@
 // The worker of the page's board: the simulated UNO, and the machine that is wired to it. Both have one time.
 
-import { type Command, type Event, type Gives, type Machine, type Scope, serve } from "unoclp-uno";
+import { type Command, type Event, type Scope, serve } from "unoclp-uno";
 import { bitsOf } from "../tools/bits";
 import { Refusal, Tools } from "../tools/tools";
 import type { ForMachine, OfMachine } from "./messages";
+import { Wired } from "./wired";
 
 const scope = self as unknown as Scope<Event | OfMachine, Command | ForMachine>;
 let tools: Promise<Tools> | null = null;
-
-/** The machine as Rust moves it. */
-class Wired implements Machine {
-  private last: Gives = { closed: 0, analogue: [] };
-
-  constructor(
-    private readonly rust: Tools,
-    readonly inputs: number,
-  ) {}
-
-  step(levels: number, shares: readonly number[]): Gives {
-    try {
-      const { inputs, analogue } = this.rust.ask("machineStep", { levels, shares, ms: 1 });
-      this.last = { closed: bitsOf(inputs), analogue };
-    } catch {
-      // It stands still; who asks for it next is told.
-      session.wire(null);
-    }
-    return this.last;
-  }
-}
 
 async function answer(id: number, what: string, request: unknown): Promise<void> {
   const told = (answered: Omit<OfMachine, "kind" | "id">): void => scope.postMessage({ kind: "machine-answer", id, ...answered });
@@ -35,7 +15,7 @@ async function answer(id: number, what: string, request: unknown): Promise<void>
     if (!tools) return told({});
     const rust = await tools;
     const ok = rust.ask(what as "machine", request as never);
-    if (what === "machine") session.wire(new Wired(rust, bitsOf(ok.uses[0])));
+    if (what === "machine") session.wire(new Wired(rust, bitsOf(ok.uses[0]), () => session.wire(null)));
     if (what === "machineClose") session.wire(null);
     told({ ok });
   } catch (error) {

@@ -161,7 +161,7 @@ export class Bench {
   }
 
   /** The tools that have everything speak from now on, behind what was ordered before. The line stays open: a board at
-   * a port would be reset, and its program would begin anew. */
+   * a port would be reset, and its program would begin again. */
   private async grow(): Promise<void> {
     if (this.isWhole) return;
     const whole = await Tools.of(await this.modules.full());
@@ -193,7 +193,7 @@ export class Bench {
     await this.reconnect();
   }
 
-  /** The board begins anew: it speaks as it has kept it. */
+  /** The board begins again: it speaks as it has kept it. */
   begun(): void {
     this.settings.value = null;
     if (this.ways[this.where.value].begun()) void this.reconnect();

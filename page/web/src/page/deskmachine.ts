@@ -13,7 +13,7 @@ import { Signal } from "./signal";
 const STEP = 250;
 /** A board that has not been read for so long, ms, was away: the machine stood. */
 const AWAY = 1000;
-/** A board that has refused for so long, ms, refuses always. One that starts anew refuses for a moment. */
+/** A board that has refused for so long, ms, refuses always. One that starts again refuses for a moment. */
 const PATIENCE = 5000;
 /** Readings of which the interval is the mean. */
 const READINGS = 8;

@@ -20,6 +20,15 @@ export function dress(element: Element, attributes: Attributes): void {
   }
 }
 
+/** Has an element say this and no more; one that does so already is left alone. */
+export function put(element: Element | undefined, text: string): void {
+  if (!element || element.textContent === text) return;
+  const { firstChild } = element;
+  // A text that changes is laid out anew, one that is another node is attached anew too.
+  if (firstChild instanceof Text && firstChild === element.lastChild) firstChild.data = text;
+  else element.textContent = text;
+}
+
 /** The element with this id. */
 export function byId(id: string): HTMLElement {
   const element = document.getElementById(id);

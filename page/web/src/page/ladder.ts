@@ -1,7 +1,7 @@
 // The ladder: drawn once for each program, then only classes and short texts change.
 
 import type { Live, Seen } from "../tools/answers";
-import { dress, h } from "./dom";
+import { dress, h, put } from "./dom";
 import { keep, kept } from "./kept";
 import { decimal } from "./numbers";
 import { forcedNames } from "./points";
@@ -118,8 +118,4 @@ export class LadderView {
   private light(net: number, on: boolean): void {
     for (const element of this.nets.get(net) ?? []) element.classList.toggle("on", on);
   }
-}
-
-function put(element: Element | undefined, text: string): void {
-  if (element && element.textContent !== text) element.textContent = text;
 }

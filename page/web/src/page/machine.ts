@@ -68,7 +68,7 @@ export class MachineArea {
       if (ms !== null) this.age.textContent = say("machineAge", { ms });
     });
     bench.seen.follow((seen) => this.countForced(seen));
-    // Beside another board it begins anew.
+    // Beside another board it begins again.
     bench.joined.add((where) => {
       if (this.file && where !== this.beside) void this.open(this.file);
     });

@@ -1,5 +1,5 @@
 // When what a reading tells has happened. Pins are known to the microsecond, all else of the simulated board only from
-// reading to reading; what has changed between two of them is put where it has its cause before it and its effect behind it.
+// reading to reading; what has changed between two of them is put where it has its cause before it and its effect after it.
 
 /** A pin that has changed, at a time in ms. */
 interface Turn {

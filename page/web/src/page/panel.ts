@@ -11,6 +11,7 @@ import { icon } from "./icons";
 import { Lamps } from "./lamps";
 import { announce } from "./notes";
 import { inputsOf, upTo } from "./points";
+import { Signal } from "./signal";
 
 const SPEEDS = [1, 0.1, 0.01];
 
@@ -184,15 +185,19 @@ export class Panel {
     });
     speak.follow(show);
     const scan = h("button", { type: "button", id: "scan", "data-say-title": "scanHint", click: () => void this.scan() }, icon("step"), h("span", { "data-say": "scan" }));
-    // STOP begins the program anew: scans of a program that runs are its own.
+    // STOP begins the program again: scans of a program that runs are its own.
+    const running = new Signal(false);
     const offer = (): void => {
-      const runs = bench.seen.value?.state === "RUN";
-      scan.disabled = runs;
-      scan.dataset["sayTitle"] = runs ? "scanStop" : "scanHint";
-      scan.title = say(runs ? "scanStop" : "scanHint");
+      const key = running.value ? "scanStop" : "scanHint";
+      scan.disabled = running.value;
+      scan.dataset["sayTitle"] = key;
+      scan.title = say(key);
     };
-    bench.seen.follow(offer);
+    running.follow(offer);
     speak.follow(offer);
+    bench.seen.follow((seen) => {
+      running.value = seen?.state === "RUN";
+    });
     const card = h("div", { class: "card" }, h("h3", {}, h("span", { "data-say": "time" })),
       h("div", { class: "row" }, pause, speed, scan,
         h("button", { type: "button", id: "command-run", click: () => void bench.ask({ do: "run" }) }, h("span", { "data-say": "commandRun" })),

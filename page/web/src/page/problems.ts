@@ -11,7 +11,7 @@ interface Go {
   drawing(): void;
 }
 
-/** Lists them anew; `lacks` is how much of the drawing is to be completed. */
+/** Lists them again; `lacks` is how much of the drawing is to be completed. */
 export function showProblems(panel: HTMLElement, checked: Checked, lacks: number, go: Go): void {
   const drawing = lacks === 0 ? [] : [h("li", {}, h("button", { type: "button", click: () => go.drawing() },
     h("span", { class: "error" }, say("drawingUnfinished", { n: lacks }))))];

@@ -25,7 +25,7 @@ export class Recorder {
     }
     this.now = Math.max(this.now, at);
     if (channel.values.at(-1) === value) return;
-    // An edge may be told behind a reading that was later.
+    // An edge may be told after a reading that was later.
     const last = channel.times.at(-1) ?? 0;
     channel.times.push(Math.max(at, last));
     channel.values.push(value);

@@ -56,6 +56,8 @@ export class Replay {
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (plays && !still) this.play();
     else this.seek(this.broken);
+    // Nobody has to look for it.
+    if (plays) this.element.scrollIntoView({ block: "nearest" });
   }
 
   /** The picture at which it went wrong. */

@@ -18,7 +18,7 @@ export class Scene {
     const drawn = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
     // A sheet that is adopted, and not written into the page: a page may forbid the latter.
     const sheet = new CSSStyleSheet();
-    sheet.replaceSync(`${drawn.querySelector("style")?.textContent ?? ""} svg { width: 100%; height: auto; display: block; } .touch { cursor: pointer; outline: none; } .touch:focus-visible { outline: 3px solid #0b6e65; }`);
+    sheet.replaceSync(`${drawn.querySelector("style")?.textContent ?? ""} svg { width: 100%; height: auto; max-height: var(--picture-most, none); display: block; } .touch { cursor: pointer; outline: none; } .touch:focus-visible { outline: 3px solid #0b6e65; }`);
     drawn.querySelector("style")?.remove();
     drawn.setAttribute("aria-label", title);
     this.inside.adoptedStyleSheets = [sheet];

@@ -4,7 +4,7 @@ import { Refusal } from "../tools/tools";
 import { say, speak, told } from "../words/words";
 import type { Bench } from "./bench";
 import type { ProgramDocument } from "./document";
-import { h } from "./dom";
+import { h, put } from "./dom";
 import type { ForBoard } from "./forboard";
 import { icon } from "./icons";
 import { note } from "./notes";
@@ -59,12 +59,12 @@ export function startControl(bench: Bench, program: ProgramDocument, forBoard: F
     const here = !forBoard.chosen.firmware;
     const there = bench.identity.value !== null || here;
     word.dataset["say"] = here ? "runHere" : "run";
-    word.textContent = say(here ? "runHere" : "run");
+    put(word, say(here ? "runHere" : "run"));
     button.disabled = !there || bench.upload.value !== null;
     const on = bench.on.value;
     const text = program.text.value;
     const changed = on !== null && (on.text !== text.text || on.name !== text.name);
-    about.textContent = changed ? say("changed") : bench.seen.value?.same === false && bench.seen.value.state !== "EMPTY" ? say("otherProgram") : "";
+    put(about, changed ? say("changed") : bench.seen.value?.same === false && bench.seen.value.state !== "EMPTY" ? say("otherProgram") : "");
   };
   bench.upload.follow((upload) => {
     bar.hidden = upload === null;

@@ -18,6 +18,8 @@ const SPANS = [2, 5, 10, 30, 120];
 const LEAST = 1;
 /** Height of a lane, CSS pixels. */
 const LANE = 30;
+/** From one picture to the next at least, ms: each is drawn whole, and a slow computer has a board to simulate. */
+const PICTURE = 50;
 
 export class Trend {
   readonly panel = h("div");
@@ -35,13 +37,15 @@ export class Trend {
   private readonly hidden = new Set<string>();
   private points: readonly Point[] = [];
   private chart: uPlot | null = null;
-  /** The channels of the chart; none: it is to be made anew. */
+  /** The channels of the chart; none: it is to be made again. */
   private drawn: string[] = [];
   /** The channels that the chart was made with. */
   private made: readonly string[] = [];
   private span = 10;
   private follows = true;
   private asked = false;
+  /** When it was last drawn, ms of the page. */
+  private drawnAt = -PICTURE;
 
   constructor(private readonly bench: Bench) {
     bench.events.add((event) => {
@@ -99,7 +103,7 @@ export class Trend {
     for (const point of this.points) {
       // The simulated board tells its pins by itself, to the microsecond.
       if (point.hand === "force") continue;
-      // A timer that begins to run has its cause behind it, one that has come to its end has its effect before it.
+      // A timer that begins to run has its cause after it, one that has come to its end has its effect before it.
       const runs = point.kind === "meter" && recorder.last(point.name) === 0 && point.value(seen) < (point.preset?.(seen) ?? 0);
       recorder.note(point.name, runs ? at : moment, point.value(seen), point.kind === "bit");
     }
@@ -233,10 +237,12 @@ export class Trend {
   private redraw(): void {
     if (this.asked || this.panel.hidden || this.points.length === 0) return;
     this.asked = true;
-    requestAnimationFrame(() => {
+    const draw = (): void => {
       this.asked = false;
+      this.drawnAt = performance.now();
       void this.draw();
-    });
+    };
+    setTimeout(() => requestAnimationFrame(draw), Math.max(this.drawnAt + PICTURE - performance.now(), 0));
   }
 
   private async draw(): Promise<void> {

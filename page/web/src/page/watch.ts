@@ -3,7 +3,7 @@
 import type { Seen } from "../tools/answers";
 import { say, speak } from "../words/words";
 import type { Bench } from "./bench";
-import { h } from "./dom";
+import { h, put } from "./dom";
 import { announce } from "./notes";
 import { decimal } from "./numbers";
 import { type Point, forcedNames, forcedTo, pinOf } from "./points";
@@ -105,8 +105,4 @@ export class Watch {
 function shown(point: Point, value: number): string {
   if (point.kind === "bit") return value ? "1 ●" : "0 ○";
   return decimal(value);
-}
-
-function put(element: HTMLElement, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }

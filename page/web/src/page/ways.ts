@@ -46,7 +46,7 @@ export class Ways {
     this.set(this.next ? [this.now, this.next] : [this.now]);
   }
 
-  /** The board has begun anew: whether it speaks otherwise since. */
+  /** The board has begun again: whether it speaks otherwise since. */
   begun(): boolean {
     const { next } = this;
     if (!next) return false;

@@ -12,7 +12,7 @@ export class RemoteTools {
   private last = 0;
   private readonly waiting = new Map<number, (answered: Answered) => void>();
   private whole: Promise<void> | null = null;
-  /** Who hears that the tools begin anew, and so know no drawing any more. */
+  /** Who hears that the tools begin again, and so know no drawing any more. */
   readonly begun = new Set<() => void>();
 
   constructor(

@@ -18,7 +18,7 @@ export const LEARN = {
   givenAsText: ["The same as text", "O mesmo em texto"],
   givenIn: ["Write it in {language}.", "Escreva em {language}."],
   exerciseLink: ["Copy a link to this exercise", "Copiar um link para este exercício"],
-  judgedWell: ["All went well, to the end of the machine's own course.", "Tudo correu bem, até o fim do roteiro da máquina."],
+  judgedWell: ["No rule was broken, from the beginning to the end of the machine's own test.", "Nenhuma regra foi violada, do começo ao fim do teste da própria máquina."],
   replayOf: ["The machine, from two seconds before", "A máquina, desde dois segundos antes"],
   replayPlay: ["Play again", "Repetir"],
   replayTime: ["Time", "Tempo"],

@@ -49,21 +49,21 @@ const paste = (page, text, times) => page.locator(".cm-content").evaluate((conte
   content.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
 }, /** @type {const} */ ([text, times]));
 
-const NO_PROGRAM = /** @type {Said} */ ([/does not hold a program. What you had is still here/, /não contém um programa. O que você tinha continua aqui/]);
-const NO_CARD = /** @type {Said} */ ([/no image of a card with FAT16 or FAT32. Make one here/, /não é a imagem de um cartão com FAT16 ou FAT32. Crie um aqui/]);
+const NO_PROGRAM = /** @type {Said} */ ([/contains no program. Your program is still here/, /não contém um programa. O seu continua aqui/]);
+const NO_CARD = /** @type {Said} */ ([/not a card image with FAT16 or FAT32. Make one here/, /não é a imagem de um cartão com FAT16 ou FAT32. Crie um aqui/]);
 
 /** @type {[string, (page: Page) => Promise<unknown>, Said][]} */
 const BAD = [
-  ["a file that is no text", file("no.il", Buffer.from([0x7f, 0x45, 0x4c, 0x46, 0, 0, 0])), [/is no text. What you had is still here/, /não é um texto. O que você tinha continua aqui/]],
-  ["a file of 5 MB", file("large.il", Buffer.alloc(5 << 20, "LD I1\n")), [/more than 1 MB; .* still here/, /mais de 1 MB; .* continua aqui/]],
-  ["5 MB of text put in", (page) => paste(page, "LD I1\n", 900_000), [/more than 1 MB; .* Nothing was put in/, /passaria de 1 MB; .* Nada foi inserido/]],
+  ["a file that is no text", file("no.il", Buffer.from([0x7f, 0x45, 0x4c, 0x46, 0, 0, 0])), [/is not text. Your program is still here/, /não é um texto. O seu programa continua aqui/]],
+  ["a file of 5 MB", file("large.il", Buffer.alloc(5 << 20, "LD I1\n")), [/larger than 1 MB; .* still here/, /mais de 1 MB; .* continua aqui/]],
+  ["5 MB of text put in", (page) => paste(page, "LD I1\n", 900_000), [/larger than 1 MB; .* Nothing was inserted/, /passaria de 1 MB; .* Nada foi inserido/]],
   ["a link of garbage", link("#p=%%%"), NO_PROGRAM],
   ["a link whose data break off", link(fragment(Buffer.from('["a.il","LD I1"]')).slice(0, -4)), NO_PROGRAM],
   ["a link that holds no text", link(fragment(Buffer.from('{"name":1}'))), NO_PROGRAM],
   ["a link that inflates to 64 MB", link(fragment(Buffer.alloc(64 << 20))), NO_PROGRAM],
   ["an image that is no card", image(Buffer.alloc(1 << 20, 7)), NO_CARD],
   ["an image of half a block", image(Buffer.alloc(700)), NO_CARD],
-  ["an image of 9 MB", image(Buffer.alloc(9 << 20)), [/more than 8 MB.* Make one here/, /mais de 8 MB.* Crie um aqui/]],
+  ["an image of 9 MB", image(Buffer.alloc(9 << 20)), [/larger than 8 MB.* Make a card here/, /passa de 8 MB.* Crie um cartão aqui/]],
   ["a card that is full", full, [/This card is full. The board can read it/, /Este cartão está cheio. A placa consegue lê-lo/]],
 ];
 
@@ -108,7 +108,7 @@ test("a browser that keeps nothing says so, and offers the file", async () => {
   });
   page.on("dialog", (dialog) => void dialog.accept());
   await page.reload();
-  const note = page.locator("#notes", { hasText: "does not keep the program" });
+  const note = page.locator("#notes", { hasText: "does not keep your program" });
   await note.waitFor();
   const download = page.waitForEvent("download");
   await note.getByRole("button", { name: "Save" }).click();

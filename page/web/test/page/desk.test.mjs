@@ -25,7 +25,7 @@ test("a board at a port is found, takes a program, is live, and is lost", async 
   await page.locator('.place:not(.is-forced) [data-input="1"]').waitFor();
   await page.locator('.ladder.live .element.on[data-point="Q1"]').first().waitFor();
   await page.evaluate("port.pull()");
-  await page.locator("#notes", { hasText: "The line to the board is gone" }).waitFor();
+  await page.locator("#notes", { hasText: "The connection to the board is lost" }).waitFor();
   // The way back is the simulated board.
   await page.click("#connect");
   await page.locator("#hardware").waitFor();
@@ -55,7 +55,7 @@ test("a browser without WebSerial says which have it", async () => {
   const page = await lab.open();
   await page.evaluate(() => Object.defineProperty(navigator, "serial", { value: undefined, configurable: true }));
   await page.click("#connect");
-  await page.locator("#notes", { hasText: "Chrome, Edge and Opera" }).waitFor();
+  await page.locator("#notes", { hasText: "Use Chrome, Edge or Opera" }).waitFor();
   assert.ok(await page.isVisible("#hardware"));
   await page.context().close();
 });

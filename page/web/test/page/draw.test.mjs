@@ -142,7 +142,7 @@ async function place(page, what, fields) {
   await fill(page, fields);
 }
 
-/** Where the first of these is: brought into view and measured at once, for the sheet may be drawn anew between the two.
+/** Where the first of these is: brought into view and measured at once, for the sheet may be drawn again between the two.
  * @param {Page} page @param {string} selector @returns {Promise<{ x: number, y: number, width: number, height: number }>} */
 async function boxOf(page, selector) {
   const box = await page.waitForFunction((selector) => {

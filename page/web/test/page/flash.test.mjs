@@ -54,7 +54,7 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
   const { page, cable, end } = await boxed("optiboot", false);
   await page.click("#put-firmware");
   await page.locator("#desk-about", { hasText: /^Firmware: [1-9]\d? %$/ }).waitFor();
-  await noted(page, "The firmware is on the board, and was read back.");
+  await noted(page, "The firmware was written and verified.");
   await page.locator("#desk-about", { hasText: "Connected: unoclp UNO" }).waitFor();
   await run(page);
   await holding(page, 1, async () => {
@@ -71,7 +71,7 @@ test("a board out of its box gets the firmware, runs a program live, and comes b
     return cable.isIn ? byte : null;
   };
   await page.click("#run");
-  const lost = page.locator("#notes div", { hasText: "The line to the board is gone" });
+  const lost = page.locator("#notes div", { hasText: "The connection to the board is lost" });
   await lost.waitFor();
   cable.plugIn();
   await lost.getByRole("button", { name: "Connect" }).click();
@@ -87,14 +87,14 @@ test("what goes wrong on the way is told with what to do, and the next try works
   // asks more often before.
   /** @type {[number, "to the board" | "to the page", (byte: number) => number | null, RegExp, RegExp][]} */
   const troubles = [
-    [200, "to the board", () => null, /FW-24: .*check the cable, and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
-    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*and try again/, /FW-25: .*tente de novo/],
+    [200, "to the board", () => null, /FW-24: .*check the cable and try again.*no firmware now/, /FW-24: .*tente de novo.*sem firmware/],
+    [60, "to the page", (byte) => byte ^ 0x10, /FW-25: .*then try again/, /FW-25: .*tente de novo/],
     [200, "to the board", () => (void cable.pull(), null), /FW-27: .*plug the board in again/, /FW-27: .*ligue a placa de novo/],
   ];
   for (const [from, where, what, english, portuguese] of troubles) {
     for (const [speak, words, closed, done] of /** @type {const} */ ([
-      ["en", english, "The port does not open", "was read back"],
-      ["pt", portuguese, "A porta não abre", "foi conferido"],
+      ["en", english, "The port cannot be opened", "written and verified"],
+      ["pt", portuguese, "Não foi possível abrir a porta", "gravado e conferido"],
     ])) {
       await page.selectOption("#speak", speak);
       let left = from;
@@ -122,7 +122,7 @@ test("a Nano of before 2018 is another choice, which the page names where the fi
   await page.locator("#put-firmware:enabled").waitFor();
   await page.selectOption("#model", "nano-old");
   await page.click("#put-firmware");
-  await noted(page, "was read back");
+  await noted(page, "written and verified");
   // What was written does not speak.
   await page.locator("#desk-about", { hasNotText: "%" }).waitFor({ state: "attached" });
   await end();

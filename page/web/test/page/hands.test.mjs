@@ -91,7 +91,7 @@ const STEPS = [
   }],
   ["single scans are made, one at a time", async (page, hand) => {
     await hand.press(page, "#tab-watch");
-    // In RUN there is none: it would begin the program anew.
+    // In RUN there is none: it would begin the program again.
     await page.locator("#scan:disabled").waitFor();
     await hand.press(page, "#command-stop");
     await page.locator("#scan:enabled").waitFor();
@@ -128,7 +128,7 @@ const STEPS = [
     await page.locator('tr[data-point="I3"].is-forced').waitFor();
     await lamp(page, 4, true);
     await page.locator('.ladder .element.forced[data-point="I3"]').waitFor();
-    await hand.press(page, row.getByRole("button", { name: "let go" }));
+    await hand.press(page, row.getByRole("button", { name: "release" }));
     await lamp(page, 4, false);
     await hand.press(page, row.getByRole("button", { name: "force to 0" }));
     await page.locator('tr[data-point="I3"].is-forced').waitFor();
@@ -157,7 +157,7 @@ const STEPS = [
     await hand.press(page, "#reset");
     await state(page, "RUN");
     await hand.press(page, "#pull-card");
-    await page.locator("#panel-card", { hasText: "No card is in the slot" }).waitFor();
+    await page.locator("#panel-card", { hasText: "The slot is empty" }).waitFor();
     await page.locator("#card-in:not(:checked)").waitFor();
     // Without a card it runs what its EEPROM keeps.
     await hand.press(page, "#reset");
@@ -270,7 +270,7 @@ const STEPS = [
     await hand.press(page, "#settings-keep");
     await page.locator("#settings-said", { hasText: "next start" }).waitFor();
     await hand.press(page, "#settings-restart");
-    await page.locator("#settings-about", { hasText: "What the board keeps" }).waitFor();
+    await page.locator("#settings-about", { hasText: "Stored settings" }).waitFor();
     await state(page, "RUN");
   }],
   ["the ladder is enlarged, the page made dark, and spoken in Portuguese", async (page, hand) => {

@@ -115,12 +115,22 @@ test("a program is written again in another language, the given one beside", asy
   await page.context().close();
 });
 
-test("what went wrong with a machine is seen again from two seconds before, its timing diagram beneath", async () => {
-  const page = await lab.still();
+/** Whether all of the replay is on the screen, and nothing hides it. @param {Page} page @param {string} around what scrolls it */
+const seen = (page, around) => page.waitForFunction((around) => {
+  const box = document.querySelector(around)?.getBoundingClientRect();
+  if (!box) return false;
+  const [top, bottom] = [Math.max(box.top, 0), Math.min(box.bottom, innerHeight)];
+  const parts = ["#replay-picture", "#replay-play", "#replay .diagram svg"].map((part) => document.querySelector(part)?.getBoundingClientRect());
+  return parts.every((part) => part && part.height > 0 && part.top >= top - 1 && part.bottom <= bottom + 1);
+}, around);
+
+test("what went wrong with a machine is seen again from two seconds before, with its timing diagram", async () => {
+  const page = await lab.still({ viewport: { width: 1366, height: 768 } });
   await exercise(page, 28);
   await type(page, file("plants/wrong/belts-stop.st"), "belts-stop.st");
   await page.click("#exercise-check");
   await page.locator("#machine-verdict.bad", { hasText: "at 47 s" }).waitFor();
+  await seen(page, "#exercise");
   const diagram = page.locator("#replay .diagram svg");
   await diagram.getByText("I1", { exact: false }).first().waitFor();
   // By the keyboard to its beginning, which is two seconds before.
@@ -195,8 +205,11 @@ test("without an exercise a program is judged by the machine's own course", asyn
   await judge("plants/reversing.st");
   await page.locator("#machine-judged-verdict.good").waitFor();
   await judge("plants/wrong/reversing-lock.st");
-  await page.locator("#machine-judged-verdict.bad", { hasText: "a rule broke" }).waitFor();
+  await page.locator("#machine-judged-verdict.bad", { hasText: "a rule was broken" }).waitFor();
   await page.locator("#machine-judged #replay svg .cursor").waitFor({ state: "attached" });
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.click("#machine-judge");
+  await seen(page, "#board");
   assert.deepEqual(await findings(page), []);
   await page.context().close();
 });

@@ -73,7 +73,7 @@ async function solve(page) {
   await page.locator("#machine-title", { hasText: "Porch" }).waitFor();
   await type(page, WRONG, "porch.il");
   await page.click("#exercise-check");
-  await page.locator("#machine-verdict.bad", { hasText: "a rule broke: Never: Light (" }).waitFor();
+  await page.locator("#machine-verdict.bad", { hasText: "a rule was broken: Never: Light (" }).waitFor();
   await page.locator("#replay .cursor").waitFor({ state: "attached" });
   await type(page, RIGHT, "porch.il");
   await page.click("#exercise-check");

@@ -71,7 +71,7 @@ export class Cable {
     device.hear = (bytes) => this.tell(this.pass("to the page", bytes));
   }
 
-  /** Puts one in, and loads the page anew. @param {import("playwright-core").Page} page @param {Device} device */
+  /** Puts one in, and loads the page again. @param {import("playwright-core").Page} page @param {Device} device */
   static async between(page, device) {
     const cable = new Cable(page, device);
     await page.exposeFunction("cableOpen", (/** @type {number} */ baud) => cable.open(baud));

@@ -52,8 +52,8 @@ test("a port that is busy is told, and opens once it is free", async () => {
 });
 
 for (const [what, answer, english, portuguese] of /** @type {const} */ ([
-  ["a device that is not unoclp", FOREIGN, "is not unoclp", "não é o unoclp"],
-  ["a board that answers nonsense", NONSENSE, "cannot be read", "não dá para ler"],
+  ["a device that is not unoclp", FOREIGN, "does not run unoclp", "não roda o unoclp"],
+  ["a board that answers nonsense", NONSENSE, "are unreadable", "são ilegíveis"],
 ])) {
   test(`${what} is told, and offered the firmware`, async () => {
     const page = await lab.open();
@@ -65,7 +65,7 @@ for (const [what, answer, english, portuguese] of /** @type {const} */ ([
     await page.locator("#status", { hasText: portuguese }).waitFor();
     await page.selectOption("#speak", "en");
     const offer = page.locator("#notes div", { hasText: english });
-    await offer.getByRole("button", { name: "Put the firmware on" }).click();
+    await offer.getByRole("button", { name: "Install the firmware" }).click();
     // No boot loader is there; that is told too, and the line is spoken to again.
     await page.locator("#notes", { hasText: /FW-2[12]/ }).waitFor();
     await page.locator("#put-firmware:enabled").waitFor();

@@ -104,7 +104,7 @@ const HEARD = [
   [(page) => page.click("#release"), /nothing is forced/, /nada está forçado/],
   [(page) => page.click("#pause"), /Time stands still/, /O tempo está parado/],
   [(page) => page.click("#pause"), /Time goes on/, /O tempo anda/],
-  [(page) => page.click("#command-stop"), /STOP: the board stands/, /STOP: a placa está parada/],
+  [(page) => page.click("#command-stop"), /STOP: the board does not scan/, /STOP: a placa não faz varreduras/],
   [(page) => page.click("#plug"), /No power/, /Sem energia/],
   [(page) => page.click("#plug"), /RUN: the board scans/, /RUN: a placa executa/],
 ];

@@ -26,8 +26,8 @@ async function keep(page, said) {
 }
 
 for (const { locale, refused, next, speaks, restarts } of [
-  { locale: "en-US", refused: /address 300: a board has one from 1 to 247/, next: /keeps these settings, and uses them from its next start/, speaks: /still speaks at address 1, 115200 baud, no parity/, restarts: "#reset" },
-  { locale: "pt-BR", refused: /endereço 300: uma placa tem um de 1 a 247/, next: /guarda esses ajustes, e os usa a partir do próximo início/, speaks: /ainda usa o endereço 1, 115200 baud, sem paridade/, restarts: "#settings-restart" },
+  { locale: "en-US", refused: /address 300 is not valid; a board has an address from 1 to 247/, next: /stored these settings and uses them after its next start/, speaks: /still uses address 1, 115200 baud, no parity/, restarts: "#reset" },
+  { locale: "pt-BR", refused: /o endereço 300 não é válido; uma placa tem um endereço de 1 a 247/, next: /guardou esses ajustes e os usa a partir do próximo início/, speaks: /ainda usa o endereço 1, 115200 baud, sem paridade/, restarts: "#settings-restart" },
 ]) {
   test(`settings are read, refused by name, kept, and used from the next start on, ${locale}`, async () => {
     const page = await lab.open({ locale });
@@ -50,7 +50,7 @@ for (const { locale, refused, next, speaks, restarts } of [
     await page.locator("#settings-restart").waitFor();
     assert.deepEqual(await values(), ["17", "38400", "1"]);
     await state(page, "RUN");
-    // The page knows it still behind a reload.
+    // The page knows it still after a reload.
     await page.reload();
     await state(page, "RUN");
     await page.context().close();

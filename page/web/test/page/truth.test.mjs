@@ -177,13 +177,13 @@ async function breaking(options = {}) {
   return page;
 }
 
-test("tools that break down are started anew, which is said; the text stays, and no old result is shown", async () => {
+test("tools that break down are restarted, which is said; the text stays, and no old result is shown", async () => {
   const page = await breaking({ viewport: { width: 1366, height: 768 } });
   await page.locator("#problem-count.good").waitFor();
   await type(page, "(* BREAKDOWN *)\nLD I1\nST Q1\n", "mine.il");
   await page.locator("#problem-count.bad").waitFor();
   await page.click("#tab-problems");
-  await page.locator("#panel-problems", { hasText: "was started anew. Your text is still here" }).waitFor();
+  await page.locator("#panel-problems", { hasText: "was restarted. Your text is still here" }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /BREAKDOWN/);
   await page.screenshot({ path: join(pictures, "truth-breakdown.png") });
   // The next text is looked at by tools that work.
@@ -205,7 +205,7 @@ test("a drawing goes on behind a breakdown", async () => {
   await page.keyboard.press(";");
   await page.fill("#field-comment", "BREAKDOWN");
   await page.keyboard.press("Enter");
-  await page.locator(".at-element .field-wrong", { hasText: "started anew" }).waitFor();
+  await page.locator(".at-element .field-wrong", { hasText: "restarted" }).waitFor();
   assert.equal(await page.inputValue("#field-comment"), "BREAKDOWN");
   await page.keyboard.press("Escape");
   // What was drawn before can be undone.
@@ -226,7 +226,7 @@ test("the conversation with the board outlives its tools too", async () => {
   await type(page, "(* BREAKDOWN *)\nLD I1\nST Q1\n");
   await page.locator("#problem-count:not(.bad)").waitFor();
   await page.click("#run");
-  await page.locator("#notes", { hasText: "started anew. Your text is still here" }).waitFor();
+  await page.locator("#notes", { hasText: "was restarted. Your text is still here" }).waitFor();
   await state(page, "RUN");
   await type(page, "LDN I1\nST Q3\n");
   await run(page);
@@ -259,7 +259,7 @@ test("a teacher's file of an exercise is opened as one, another check is named; 
   await page.locator("#notes", { hasText: "This file is an exercise" }).waitFor();
   assert.equal(await page.locator("#exercise-list option").count(), 49);
   await choose(page, "broken.toml", Buffer.from("until = [\n"));
-  await page.locator("#notes", { hasText: /is no program; as an exercise it cannot be opened/ }).waitFor();
+  await page.locator("#notes", { hasText: /not a program, and it cannot be opened as an exercise/ }).waitFor();
   assert.match((await page.textContent(".cm-content")) ?? "", /mine/);
   assert.equal(await page.inputValue("#name"), "mine.il");
   await page.context().close();

@@ -35,20 +35,20 @@ test("an unfinished drawing does not run, and header, sheet, problems and Run ag
   await page.locator("#sheet .rung").first().click({ position: { x: 5, y: 5 } });
   await page.click('.palette [data-what="contact"]');
   await page.keyboard.press("Escape");
-  await page.locator("#draw-state", { hasText: "1 to be completed" }).waitFor();
-  await page.locator("#problem-count.bad", { hasText: "1 to be completed" }).waitFor();
+  await page.locator("#draw-state", { hasText: "1 still to complete" }).waitFor();
+  await page.locator("#problem-count.bad", { hasText: "1 still to complete" }).waitFor();
   await page.click("#problem-count");
-  await page.locator("#panel-problems", { hasText: "1 to be completed" }).waitFor();
+  await page.locator("#panel-problems", { hasText: "1 still to complete" }).waitFor();
   await page.click("#view-text");
   await page.click("#run");
-  await page.locator("#notes", { hasText: "1 to be completed" }).waitFor();
+  await page.locator("#notes", { hasText: "1 still to complete" }).waitFor();
   assert.equal(await page.getAttribute("#views", "data-view"), "draw");
   assert.equal(await page.locator("progress:visible").count(), 0, "nothing is uploaded");
   await page.screenshot({ path: join(pictures, "unfinished.png") });
   // So it is after a reload, whatever is shown.
   await page.click("#view-text");
   await page.reload();
-  await page.locator("#problem-count.bad", { hasText: "1 to be completed" }).waitFor();
+  await page.locator("#problem-count.bad", { hasText: "1 still to complete" }).waitFor();
   await page.click("#view-draw");
   await page.click("#draw-undo");
   await page.locator("#problem-count.good").waitFor();

@@ -29,7 +29,7 @@ test("the first view weighs no more than 520 KB compressed, with the firmware in
   context.on("requestfinished", (request) => void requests.push(request));
   await page.goto(lab.server.url);
   await page.locator("#run:enabled").waitFor();
-  // The page says itself when it is ready; what it asks for behind that is no part of the first view.
+  // The page says itself when it is ready; what it asks for after that is no part of the first view.
   const ready = await page.evaluate(() => performance.timeOrigin + (performance.getEntriesByName("ready")[0]?.startTime ?? Infinity));
   const asked = requests.filter((request) => request.timing().startTime <= ready);
   const first = [...new Set(asked.map((request) => new URL(request.url()).pathname.slice(1) || "index.html"))];

@@ -192,7 +192,7 @@ mod tests {
         }
     }
 
-    /// Behind the declarations.
+    /// After the declarations.
     fn body(text: &str) -> String {
         let program = text.split_once("PROGRAM main").unwrap().1;
         program.split_once("END_VAR").unwrap().1.to_owned()

@@ -72,7 +72,7 @@ impl Avr {
         self.flash_mut()[..program.len()].copy_from_slice(program);
     }
 
-    /// Has the chip start at this byte address, from now on and behind each reset.
+    /// Has the chip start at this byte address, from now on and after each reset.
     pub fn set_start(&mut self, address: u32) {
         // SAFETY: the chip is alive, and `&mut self` keeps everybody else out; plain values.
         unsafe {

@@ -4,11 +4,13 @@
 //! registered with [`Avr::on`] run, and may raise IRQs. So this type gives out no reference that could outlive a call.
 
 mod memory;
+mod quick;
 pub mod reg;
 mod wait;
 mod wires;
 
 use crate::Error;
+pub use quick::Far;
 use simavr_ffi as ffi;
 use std::ptr::NonNull;
 pub use wait::Leave;
@@ -145,7 +147,7 @@ impl Avr {
         unsafe { ffi::avr_reset(self.avr.as_ptr()) };
     }
 
-    /// Starts the watchdog's time anew where the watchdog is on, as the instruction `wdr` does.
+    /// Starts the watchdog's time again where the watchdog is on, as the instruction `wdr` does.
     pub fn restart_watchdog(&mut self) {
         // SAFETY: this request takes no parameter.
         unsafe { self.ioctl(*b"wdtr", std::ptr::null_mut()) };

@@ -75,7 +75,7 @@ unsafe fn pass(chip: &mut ffi::avr_t, round: &Round, leave: Leave) {
 #[derive(Debug, PartialEq, Eq)]
 struct Round {
     cycles: u64,
-    /// The byte address behind it.
+    /// The byte address after it.
     end: u32,
 }
 
@@ -107,7 +107,7 @@ impl Round {
         }
         let compares = word(2)? == 0x3000 | high;
         let last = 2 + u32::from(compares);
-        // `brne` counts from the instruction behind it.
+        // `brne` counts from the instruction after it.
         let back = (last + 1).wrapping_neg() as u16 & 0x7F;
         (word(last)? == 0xF401 | back << 3).then(|| round(last + 1))
     }

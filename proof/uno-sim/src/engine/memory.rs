@@ -10,7 +10,7 @@ pub(super) struct Memory {
     page: Option<u32>,
 }
 
-/// The data of the program, which ends where the page does, so that registers go on behind it.
+/// The data of the program, which ends where the page does, so that registers go on after it.
 const DATA: u32 = 512 - 227;
 /// Two bytes for each reading of an analogue input, A 00 first.
 const READINGS: u32 = DATA + 17;

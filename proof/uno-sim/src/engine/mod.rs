@@ -50,7 +50,7 @@ pub struct FirmwareEngine<S> {
     millis: u32,
     age: u32,
     memory: Memory,
-    /// The highest register that the program has: the memory behind it is another's.
+    /// The highest register that the program has: the memory after it is another's.
     registers: u8,
     /// Which analogue inputs have been set to other than 0: to set one is to drive its pin.
     analogue: [bool; Board::UNO.analogue as usize],

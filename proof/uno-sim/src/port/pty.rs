@@ -91,7 +91,7 @@ impl Pty {
         Ok(())
     }
 
-    /// Takes echo, line editing and the second byte behind a line feed away, which it has anew for each user, where the
+    /// Takes echo, line editing and the second byte behind a line feed away, which it has again for each user, where the
     /// user has not done so already.
     fn make_raw(&self) -> io::Result<()> {
         let mut modes = tcgetattr(&self.end)?;

@@ -245,7 +245,7 @@ fn eight_inputs_are_read_with_pull_ups() {
         out(PORTD, 16),
         ldi(16, 0x0F),
         out(PORTC, 16),
-        sbi(PORTC, 0), // the loop: simavr raises the pull-ups anew here
+        sbi(PORTC, 0), // the loop: simavr raises the pull-ups again here
         input(17, PIND),
         input(18, PINC),
         rjmp(-4),

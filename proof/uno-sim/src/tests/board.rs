@@ -47,7 +47,7 @@ fn buttons_are_read_with_pull_ups_and_survive_writes_to_the_port() {
     let mut uno = board(&[
         ldi(16, 0x3C),
         out(PORTD, 16),
-        sbi(PORTD, 6), // the loop: simavr raises the pull-ups anew here
+        sbi(PORTD, 6), // the loop: simavr raises the pull-ups again here
         input(17, PIND),
         rjmp(-3),
     ]);

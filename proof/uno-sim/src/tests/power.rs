@@ -219,7 +219,7 @@ fn the_converter_measures_the_supply() {
 fn the_switch_is_read_on_a5_with_its_pull_up() {
     let mut uno = board(&[
         sbi(PORTC, 5),
-        sbi(PORTC, 0), // the loop: simavr raises the pull-ups anew here
+        sbi(PORTC, 0), // the loop: simavr raises the pull-ups again here
         input(17, PINC),
         rjmp(-3),
     ]);

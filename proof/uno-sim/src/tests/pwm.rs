@@ -108,7 +108,7 @@ fn d9_has_its_pulses_beside_the_clock_of_timer_1() {
         "the clock does not drift"
     );
     assert_eq!((uno.outputs(), uno.edges()), (0, &[][..]));
-    // Nor after a reset, at which simavr connects its timers anew.
+    // Nor after a reset, at which simavr connects its timers again.
     uno.reset();
     uno.write_ram(0x201, &[0x82]).expect("RAM");
     uno.run_ms(5).expect("it goes on");

@@ -114,7 +114,7 @@ impl Uno {
         }
     }
 
-    /// Puts something else into the slot and gives back what was there. A card that comes back has to be powered anew
+    /// Puts something else into the slot and gives back what was there. A card that comes back has to be powered again
     /// by the caller: [`SdCard::power_cycle`].
     pub fn swap_slot(&mut self, slot: Slot) -> Slot {
         let selected = self.levels.card_selected;
@@ -132,7 +132,7 @@ impl Uno {
         for (pin, irq) in (0..).zip(self.irqs_c) {
             self.apply(reg::DDRC, c, pin, irq);
         }
-        // simavr raises the pull-ups anew on each write to PORT or DDR, unless it knows of a level from outside.
+        // simavr raises the pull-ups again on each write to PORT or DDR, unless it knows of a level from outside.
         self.avr.set_external(b'D', d.mask, d.levels);
         self.avr.set_external(b'C', c.mask, c.levels);
     }

@@ -118,7 +118,7 @@ impl Uno {
         self.stack.min()
     }
 
-    /// Starts measuring the stack anew, from where it is now.
+    /// Starts measuring the stack again, from where it is now.
     pub fn reset_min_sp(&mut self) {
         self.stack.restart(&self.avr);
     }

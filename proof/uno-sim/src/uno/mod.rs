@@ -5,7 +5,7 @@ mod inside;
 mod power;
 mod serial;
 
-use crate::avr::{Avr, CLOCK_HZ, Cpu, Irq, Leave, reg};
+use crate::avr::{Avr, CLOCK_HZ, Cpu, Far, Irq, Leave, reg};
 use crate::inputs::{FIRST_D, INPUTS_D, PINS_C};
 use crate::pins::{Edge, Levels, PinRegisters};
 use crate::program::Program;
@@ -115,7 +115,10 @@ impl Uno {
         self.check_halt()?;
         let end = self.cycles().saturating_add(cycles);
         self.wired.leave = Leave { end, stop: None };
-        while self.cycles() < end && self.advance() {}
+        self.hurry(end, None);
+        while self.cycles() < end && self.advance() {
+            self.hurry(end, None);
+        }
         self.check_halt()
     }
 
@@ -139,7 +142,12 @@ impl Uno {
             end,
             stop: Some(pc),
         };
-        while self.advance() {
+        loop {
+            let is_there = self.hurry(end.saturating_add(1), Some(pc)) && self.is_over(pc, end);
+            let goes_on = is_there || self.advance();
+            if !goes_on {
+                return self.check_halt();
+            }
             if self.avr.pc() == pc {
                 return Ok(());
             }
@@ -151,7 +159,6 @@ impl Uno {
                 });
             }
         }
-        self.check_halt()
     }
 
     /// Cycles since the board was made.
@@ -170,6 +177,28 @@ impl Uno {
         self.resets
     }
 
+    /// Executes what is quick, up to this cycle or to this address; says whether that was anything.
+    #[inline]
+    fn hurry(&mut self, end: u64, stop: Option<u32>) -> bool {
+        if self.stack.is_between() {
+            return false;
+        }
+        let far = Far {
+            end: end.saturating_sub(self.wired.cycles_before),
+            stop,
+            code_end: self.code_end,
+        };
+        let low = self.avr.run_quickly(far);
+        if let Some(low) = low {
+            self.stack.reached(low);
+        }
+        low.is_some()
+    }
+
+    fn is_over(&self, pc: u32, end: u64) -> bool {
+        self.avr.pc() == pc || self.cycles() > end
+    }
+
     /// One instruction, and all that is watched; false where the program has come to an end, which `halt` then tells.
     #[inline(always)]
     fn advance(&mut self) -> bool {
@@ -177,7 +206,7 @@ impl Uno {
         let cpu = self.avr.step();
         let next = self.avr.pc();
         if self.avr.cycle() < cycle {
-            // The watchdog has reset the chip, and simavr counts anew.
+            // The watchdog has reset the chip, and simavr counts again.
             self.wired.cycles_before += cycle;
             self.settle_after_reset();
             if self.wired.power_cut {

@@ -12,7 +12,7 @@ const PORF: u8 = 1 << 0;
 const EXTRF: u8 = 1 << 1;
 
 impl Uno {
-    /// Presses the reset button. RAM, EEPROM and card stay as they are; the card is not powered anew, and a byte that is
+    /// Presses the reset button. RAM, EEPROM and card stay as they are; the card is not powered again, and a byte that is
     /// being written to the EEPROM is written to its end. MCUSR gets EXTRF besides what it had. Nothing happens where
     /// the power is off ([`Halt::PowerCut`]).
     pub fn reset(&mut self) {
@@ -26,7 +26,7 @@ impl Uno {
 
     /// Takes the power away, where it is not off already, and gives it back. EEPROM and card image stay, except for a
     /// byte or a block that is being written: that byte is left erased (0xFF), that block as it was before it came. The
-    /// card is powered anew. RAM and working registers get arbitrary values, others than the last time but the same in
+    /// card is powered again. RAM and working registers get arbitrary values, others than the last time but the same in
     /// each run; MCUSR is PORF alone. Buttons and cycles go on.
     pub fn power_up(&mut self) {
         self.wired.power_cycle();

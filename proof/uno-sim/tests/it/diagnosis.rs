@@ -26,7 +26,7 @@ fn expect_fault(uno: Uno, case: &str, fault: u16) {
 }
 
 /// The fault that turns the outputs off within this time, for good; and what the serial port says, where the
-/// board has begun anew.
+/// board has begun again.
 fn fault_within(limit: u64, mut uno: Uno, case: &str) -> (String, u16) {
     let mut ms = 0;
     while uno.outputs() != 0 {

@@ -110,7 +110,7 @@ fn a_program_that_is_stored_again_goes_on_with_what_it_kept() {
     (0..3).for_each(|_| press(&mut uno));
     uno.swap_slot(Slot::Card(card(PRESSES)));
     assert_eq!(after_power_cut(&mut uno), 3);
-    // Behind another one that has kept nothing.
+    // After another one that has kept nothing.
     for (text, presses) in [(other().as_str(), 0), (PRESSES, 3)] {
         uno.swap_slot(Slot::Card(card(text)));
         assert_eq!(after_power_cut(&mut uno), presses);

@@ -10,6 +10,7 @@ mod common;
 mod demo;
 mod diagnosis;
 mod fault_matrix;
+mod film;
 mod kept;
 mod languages;
 mod live;

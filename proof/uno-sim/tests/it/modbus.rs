@@ -86,7 +86,7 @@ fn diagnostics() {
         "{free} {}",
         uno.stack_free()
     );
-    // Five codes behind the start, and their check sum as in the EEPROM.
+    // Five codes after the start, and their check sum as in the EEPROM.
     let header = uno.read_eeprom(0, 8).unwrap();
     assert_eq!(told[12], 5);
     assert_eq!(told[13], u16::from_le_bytes([header[6], header[7]]));

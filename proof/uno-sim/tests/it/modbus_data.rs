@@ -86,14 +86,14 @@ fn registers_beyond_32_go_both_ways() {
     assert_eq!(words(&mut uno, 3, 2000, 98).last(), Some(&0));
     let last = words(&mut uno, 3, all(50), 98);
     assert_eq!(long(&last[96..]) as i32, -5);
-    // They are 0 when the program begins anew.
+    // They are 0 when the program begins again.
     write(&mut uno, 400, STOP).unwrap();
     assert_eq!(words(&mut uno, 3, all(50), 98), [0; 98]);
 }
 
 #[test]
 fn registers_that_a_program_does_not_have_are_0_and_take_nothing() {
-    // D 33 is there, D 34 not: the program stands behind it.
+    // D 33 is there, D 34 not: the program stands after it.
     let mut uno = serving("0\n827301\n877901\n787600\n766833\n838401\n");
     write_words(&mut uno, 64, &[0, 3, 0x1234, 0x5678, 0xFFFF, 0xFFFF]).unwrap();
     write_words(&mut uno, 2000 + 66, &[0xFFFF; 120]).unwrap();

@@ -102,7 +102,7 @@ fn least_gap(line: Line) -> u64 {
     }
 }
 
-/// Behind a frame for another station, its reply, noise, or what is too long for a frame: the next request is
+/// After a frame for another station, its reply, noise, or what is too long for a frame: the next request is
 /// answered after every legal gap, wherever in a scan that ends.
 #[test]
 fn every_legal_gap_behind_a_foreign_frame_will_do() {
@@ -148,7 +148,7 @@ fn every_legal_gap_behind_a_foreign_frame_will_do() {
     }
 }
 
-/// Noise behind a request, before a scan has ended, does not spoil it.
+/// Noise after a request, before a scan has ended, does not spoil it.
 #[test]
 fn a_request_that_waits_for_a_scan_to_end_is_not_spoilt() {
     let mut uno = serving(&long_scans());
@@ -382,7 +382,7 @@ fn a_request_keeps_the_settings_once() {
     }
 }
 
-/// Wherever the supply fails while settings are written, in a byte or behind it.
+/// Wherever the supply fails while settings are written, in a byte or after it.
 #[test]
 fn settings_cut_by_a_power_failure_are_the_old_ones_or_the_new_ones() {
     let (old, new) = ([1, 96, 1, 0], [1, 192, 2, 1]);

@@ -241,7 +241,7 @@ fn a_force_stays_where_no_time_is_given() {
     assert_eq!(write(&mut uno, 406, 256), Err(3));
 }
 
-/// Sixteen at once, whatever starts anew in between but the power; then one in 53 minutes.
+/// Sixteen at once, whatever starts again in between but the power; then one in 53 minutes.
 #[test]
 fn no_client_wears_the_settings_out() {
     let mut uno = locked(0);

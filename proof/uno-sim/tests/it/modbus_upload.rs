@@ -60,7 +60,7 @@ pub fn upload(uno: &mut Uno, texts: [&str; 2], bytes: usize) -> Result<(), u8> {
     Ok(())
 }
 
-/// The outcome in the diagnostics: whether an upload is under way, fault, line.
+/// The outcome in the diagnostics: whether an upload is in progress, fault, line.
 fn outcome(uno: &mut Uno) -> (bool, u16, u32) {
     let told = words(uno, 4, 17, 5);
     (told[0] >> 3 & 1 == 1, told[1], long(&told[3..5]))
@@ -105,7 +105,7 @@ fn the_largest_program_fits() {
     assert_eq!(input(&mut uno, 28), 900);
     uno.set_inputs(1);
     write(&mut uno, 400, RUN).unwrap();
-    // It begins anew out of the EEPROM.
+    // It begins again out of the EEPROM.
     uno.run_ms(60).unwrap();
     assert_eq!(uno.outputs(), 0b1000);
     assert!(uno.stack_free() > 0);

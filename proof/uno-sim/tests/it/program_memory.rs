@@ -19,7 +19,7 @@ fn board_with(text: &str) -> Uno {
     uno
 }
 
-/// Powers the board anew with this in its slot; gives what the serial port says.
+/// Powers the board again with this in its slot; gives what the serial port says.
 fn power_up(uno: &mut Uno, slot: Slot) -> String {
     uno.take_serial();
     uno.swap_slot(slot);

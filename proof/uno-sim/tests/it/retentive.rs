@@ -27,7 +27,7 @@ fn press(uno: &mut Uno, inputs: u8) {
     uno.run_ms(5).unwrap();
 }
 
-/// NC-12: 9 ms behind a change the power may go, whenever it came.
+/// NC-12: 9 ms after a change the power may go, whenever it came.
 #[test]
 fn a_change_is_kept_within_9_ms() {
     for phase in 0..10 {

@@ -59,7 +59,7 @@ fn what_is_missing_is_said() {
     }
 }
 
-/// What the firmware says until it is in RUN, served so; the input ends behind that.
+/// What the firmware says until it is in RUN, served so; the input ends after that.
 fn served(arguments: &[&str]) -> String {
     let mut serve = Command::new(env!("CARGO_BIN_EXE_unoclp-uno-sim"))
         .args(["serve", "--reset", "--elf"])

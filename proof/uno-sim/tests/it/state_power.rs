@@ -10,7 +10,7 @@ use unoclp_testing::cases;
 use unoclp_uno_sim::sd::{CardLog, Kind, SdCard, Timing};
 use unoclp_uno_sim::{CYCLES_PER_MS, Slot, Uno};
 
-/// A volume with files before and behind STATE.TXT.
+/// A volume with files before and after STATE.TXT.
 fn image(fat: Fat) -> Image {
     Image::new(fat)
         .file("FIRST.BIN", vec![b'1'; 3000])

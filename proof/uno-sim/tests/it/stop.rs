@@ -35,7 +35,7 @@ fn stop_turns_the_outputs_off_and_run_begins_anew() {
         "{flashes:?}"
     );
 
-    // As after power-up: what was set is forgotten, and the timer begins anew.
+    // As after power-up: what was set is forgotten, and the timer begins again.
     uno.set_stop(false);
     uno.run_ms(280).unwrap();
     assert_eq!(uno.outputs(), 0);

@@ -102,7 +102,7 @@ fn a_clock_that_stands_still_turns_the_outputs_off() {
         }
         assert!(uno.cycles() - before > 10 * CYCLES_PER_MS);
         off_within_150_ms(&mut uno, "the clock stands still");
-        // Its age is not known without the clock; behind the boot loader this is a reset as any other.
+        // Its age is not known without the clock; after the boot loader this is a reset as any other.
         uno.run_ms(400).unwrap();
         let told = uno.serial().contains("fault 61: a scan took");
         assert_eq!(told, !boot_loader, "{}", uno.serial());

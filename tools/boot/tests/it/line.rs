@@ -93,7 +93,7 @@ fn flash_that_keeps_something_else_is_named_and_never_runs() {
 
 #[test]
 fn the_boot_loader_is_called_again_where_the_first_reset_was_missed() {
-    // The first eight bytes: the calls behind two resets.
+    // The first eight bytes: the calls after two resets.
     let mut bench = Bench::new(|way| match way {
         Way::Out(1..=8) => Fate::Drops,
         _ => Fate::Passes,

@@ -50,16 +50,19 @@ fn each_failure_says_its_number_what_is_wrong_and_what_the_board_holds() {
     );
     assert_eq!(
         english[11].1,
-        "FW-26: at address 0x0080 the flash holds 00, and 01 was written; try again, with another \
-         cable if it happens twice. The board has no firmware now, and its outputs are off; its boot loader takes the \
-         next try"
+        "FW-26: at address 0x0080 the flash holds 00, not 01 as written; try again, and with another \
+         cable if it happens twice. The board has no firmware now, and its outputs are off; its boot loader still \
+         works, so try again"
     );
     let untouched = Failure {
         trouble: Trouble::Silent,
         stage: Stage::Meeting,
     };
     let text = untouched.text(Lang::Pt);
-    assert!(text.ends_with("A placa tem o firmware que tinha"), "{text}");
+    assert!(
+        text.ends_with("A placa ainda tem o firmware antigo"),
+        "{text}"
+    );
     for (number, text) in english.into_iter().chain(all(Lang::Pt)) {
         assert!(text.starts_with(&format!("FW-{number}: ")), "{text}");
     }

@@ -54,7 +54,7 @@ impl Kind {
                 version.is_some_and(|rest| rest.trim_start().starts_with("unoclp "))
             }
             Kind::Program => is_ours(head.as_bytes()),
-            // It is made of a run anew each time, and nobody writes into one.
+            // It is made of a run again each time, and nobody writes into one.
             Kind::Film => head.starts_with("GIF89a"),
         }
     }
@@ -177,7 +177,7 @@ impl Draft {
                 beside: None,
             });
         }
-        // A link stays one: what it leads to is written anew.
+        // A link stays one: what it leads to is written again.
         let place = match there {
             Some(_) => fs::canonicalize(path)?,
             None => path.to_owned(),

@@ -15,7 +15,7 @@ use unoclp_client::watch::Wish;
 use unoclp_client::{Failure, Line, Patience, lock};
 use unoclp_modbus::Exception;
 
-/// What shall be set anew.
+/// What shall be set again.
 #[derive(Args)]
 pub struct Changes {
     /// The address from the next start on

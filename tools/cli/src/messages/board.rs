@@ -90,7 +90,7 @@ pub fn lock(of: u8) -> String {
     }
 }
 
-/// ` but "ACME Meter 3"`, behind `no unoclp`; nothing if it does not say what it is.
+/// ` but "ACME Meter 3"`, after `no unoclp`; nothing if it does not say what it is.
 pub fn foreign(identity: Option<&Identity>) -> String {
     match identity {
         Some(identity) => but_a(format!("{} {identity}", identity.vendor)),
@@ -255,15 +255,15 @@ mod tests {
             failure: Failure::Lost("unplugged".to_owned()),
         };
         let [english, portuguese] = said(|| broken(&off(Pass::Check, false)));
-        let says = "the upload was broken off while checking, at byte 488 of 900: the port is gone: unplugged. \
-                    The board is in STOP; it keeps the program that it had; upload anew";
+        let says = "the upload failed while checking, at byte 488 of 900: the port has disappeared: \
+                    unplugged. The board is in STOP; it keeps its old program; upload again";
         assert_eq!(english, says);
-        let says = "o envio foi interrompido na conferência, no byte 488 de 900: a porta não está mais disponível: unplugged. \
-                    A placa está em STOP; ela mantém o programa que tinha; envie de novo";
+        let says = "o envio falhou na conferência, no byte 488 de 900: a porta não está mais disponível: \
+                    unplugged. A placa está em STOP; ela mantém o programa antigo; envie de novo";
         assert_eq!(portuguese, says);
         let [english, portuguese] = said(|| broken(&off(Pass::Store, true)));
-        assert!(english.contains("while storing") && english.contains("is open"));
-        assert!(portuguese.contains("na gravação") && portuguese.contains("não se sabe"));
+        assert!(english.contains("while storing") && english.contains("may have"));
+        assert!(portuguese.contains("na gravação") && portuguese.contains("talvez já tenha"));
         let (kept, sent) = (
             Kept::default(),
             Kept {

@@ -12,25 +12,25 @@ unoclp_words::messages! {
         "{file} cannot be written: {error}"
         "não foi possível gravar {file}: {error}";
     is_read(file)
-        "{file} is what the command reads; name another file to write"
-        "{file} é o arquivo que o comando lê; indique outro para gravar";
+        "{file} is the input file; name another file to write"
+        "{file} é o arquivo de entrada; indique outro para gravar";
     is_compiled(file)
-        "{file} is what is compiled; name another file with -o"
-        "{file} é o que se compila; indique outro arquivo com -o";
+        "{file} is the source; name another output file with -o"
+        "{file} é o próprio texto a compilar; indique outro arquivo com -o";
     is_empty(file, languages)
-        "{file} is empty: there is no program in it. {languages}"
+        "{file} is empty: it contains no program. {languages}"
         "{file} está vazio: não há programa nele. {languages}";
     is_binary(file, languages)
-        "{file} is no program: it holds bytes that are no text. {languages}"
-        "{file} não é um programa: contém bytes que não são texto. {languages}";
+        "{file} is not a program: it is a binary file, not text. {languages}"
+        "{file} não é um programa: é um arquivo binário, não um texto. {languages}";
     is_no_program(file, languages)
-        "{file} is no program: it begins in none of the languages. {languages}"
-        "{file} não é um programa: não começa em nenhuma das linguagens. {languages}";
+        "{file} is not a program: its first lines match none of the languages. {languages}"
+        "{file} não é um programa: o começo dele não é de nenhuma das linguagens. {languages}";
     languages()
-        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml); --language says which, where the name and the first words do not"
-        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml); --language diz qual, se o nome e as primeiras palavras não dizem";
+        "A program is numeric code (.txt), Instruction List (.il), Structured Text (.st, .scl), InterSCL (.iscl), LCE (.lce) or PLCopen XML (.xml). If neither its name nor its first words tell which, use --language"
+        "Um programa é código numérico (.txt), Lista de Instruções (.il), Texto Estruturado (.st, .scl), InterSCL (.iscl), LCE (.lce) ou PLCopen XML (.xml). Se nem o nome nem as primeiras palavras dizem qual, use --language";
     nothing_to_run()
-        "say what to run: a file, - for standard input, or --text \"…\""
+        "name what to run: a file, - for standard input, or --text \"…\""
         "diga o que executar: um arquivo, - para a entrada padrão, ou --text \"…\"";
     the_text() "the text" "o texto";
     the_input() "standard input" "entrada padrão";
@@ -41,26 +41,26 @@ unoclp_words::messages! {
         "the program has no variable {name}; it has {names}"
         "o programa não tem a variável {name}; ele tem {names}";
     no_variables(name)
-        "the program has no variable {name}; it has none at all"
-        "o programa não tem a variável {name}; ele não tem nenhuma";
+        "the program has no variable {name}; it declares no variables"
+        "o programa não tem a variável {name}; ele não declara nenhuma";
     no_value(written, name, type_name)
-        "{written} is no value for {name}, which is {type_name}"
-        "{written} não é um valor para {name}, que é {type_name}";
+        "{written} is not a valid value for {name}, which is {type_name}"
+        "{written} não é um valor válido para {name}, que é {type_name}";
     scan_endless(place, steps)
-        "{place}: this scan does not end: it was stopped here after {steps} steps. Does the condition of the loop ever change?"
-        "{place}: esta varredura não termina: parou aqui depois de {steps} passos. A condição do laço muda alguma vez?";
+        "{place}: this scan does not end; unoclp stopped it here after {steps} steps. Does the loop's condition ever change?"
+        "{place}: esta varredura não termina; o unoclp a parou aqui depois de {steps} passos. A condição do laço muda alguma vez?";
     run_too_long(scans, steps)
-        "the run was stopped after {scans} scans: they took {steps} steps, which is all that one run may do. Ask for fewer with --scans"
-        "a execução parou depois de {scans} varreduras: elas deram {steps} passos, o máximo de uma execução. Peça menos com --scans";
+        "unoclp stopped the run after {scans} scans: they took {steps} steps, the limit for one run. Ask for fewer with --scans"
+        "o unoclp parou a execução depois de {scans} varreduras: elas deram {steps} passos, o limite de uma execução. Peça menos com --scans";
     calls_too_deep(place)
-        "{place}: calls go too deep here; take the expression apart"
-        "{place}: as chamadas vão fundo demais aqui; divida a expressão";
+        "{place}: calls are nested too deeply here; split the expression"
+        "{place}: há chamadas demais umas dentro das outras; divida a expressão";
     codes_of_a_board(place)
         "{place}: only a board runs codes of CODE; run the program with unoclp sim"
         "{place}: só uma placa executa códigos de CODE; rode o programa com unoclp sim";
     not_computed(place)
-        "{place}: here a value could not be computed, and S 04 was set: a division by 0, a number that does not fit, or a subscript outside"
-        "{place}: aqui um valor não pôde ser calculado e S 04 foi ligado: divisão por 0, número que não cabe ou índice fora da faixa";
+        "{place}: this value could not be computed, and S 04 was set: division by 0, overflow, or a subscript out of range"
+        "{place}: não foi possível calcular este valor, e S 04 foi ligado: divisão por 0, estouro ou índice fora da faixa";
     symbol_name() "name" "nome";
     symbol_type() "type" "tipo";
     symbol_value() "value" "valor";
@@ -69,24 +69,24 @@ unoclp_words::messages! {
         "there is no case {case}: {file} has {count}"
         "não existe o caso {case}: {file} tem {count}";
     trace_of_one(file, count)
-        "a trace is of one run, and {file} has {count} cases; choose one with --case"
-        "um registro é de uma execução, e {file} tem {count} casos; escolha um com --case";
+        "a trace records one run, but {file} has {count} cases; choose one with --case"
+        "um registro é de uma só execução, mas {file} tem {count} casos; escolha um com --case";
     is_something_else(file, kind)
-        "{file} is there already, and is not {kind} that unoclp has written; it is left as it is. Name another file, or overwrite it with --force"
-        "{file} já existe e não é {kind} que o unoclp gravou; ficou como estava. Indique outro arquivo, ou use --force para gravar por cima dele";
+        "{file} exists and is not {kind} written by unoclp, so it was not changed. Name another file, or overwrite it with --force"
+        "{file} já existe e não é {kind} gravado pelo unoclp; por isso ficou como estava. Indique outro arquivo, ou grave por cima com --force";
     a_drawing() "an SVG drawing" "um desenho SVG";
     a_trace() "a VCD trace" "um registro VCD";
     a_program() "numeric code" "um código numérico";
     a_page() "a page in HTML" "uma página em HTML";
     no_programs(folder, languages)
-        "{folder} has no program in it. {languages}"
+        "{folder} contains no program. {languages}"
         "{folder} não tem nenhum programa. {languages}";
     left_out(files)
-        "left out, since a program's name ends in .txt, .il, .st, .scl, .iscl or .lce: {files}"
+        "skipped, because a program's name ends in .txt, .il, .st, .scl, .iscl or .lce: {files}"
         "ficaram de fora, pois o nome de um programa termina em .txt, .il, .st, .scl, .iscl ou .lce: {files}";
     file_empty() "the file is empty" "o arquivo está vazio";
-    file_binary() "the file holds bytes that are no text" "o arquivo contém bytes que não são texto";
-    file_other() "the file begins in none of the languages" "o arquivo não começa em nenhuma das linguagens";
+    file_binary() "the file is binary, not text" "o arquivo é binário, não texto";
+    file_other() "the first lines match none of the languages" "o começo do arquivo não é de nenhuma das linguagens";
     written(file) "{file}: written" "{file}: gravado";
     grade_file() "file" "arquivo";
     grade_cases() "cases" "casos";
@@ -96,8 +96,8 @@ unoclp_words::messages! {
         "the exercise asks for a program in `{language}`"
         "o exercício pede um programa em `{language}`";
     names_no_fault()
-        "the file names no fault; write a part and its fault in a line"
-        "o arquivo não indica falha; escreva em uma linha uma peça e a sua falha";
+        "the file names no fault; write one part and its fault per line"
+        "o arquivo não indica nenhuma falha; escreva em cada linha uma peça e a falha dela";
     fault_not_found(tries) "not found in {tries} tries" "não encontrada em {tries} tentativas";
     grade_failing() "first failing case" "primeiro caso que falha";
     passed() "passed" "passou";
@@ -110,17 +110,17 @@ unoclp_words::messages! {
         "forced: {points}"
         "forçados: {points}";
     forced_before(points)
-        "forced since before: {points}; x lets all go"
+        "already forced: {points}; x releases all"
         "já estavam forçados: {points}; x libera tudo";
     stays_forced(points)
-        "still forced: {points}; a monitor lets them go with x, and so does a restart"
-        "continuam forçados: {points}; um monitor os libera com x, um reinício também";
+        "still forced: {points}; x in the monitor or a restart releases them"
+        "continuam forçados: {points}; x no monitor ou um reinício os libera";
     stays_forced_for(points, seconds)
-        "still forced: {points}; the board lets all go {seconds} s after the last request, a monitor does with x, and so does a restart"
-        "continuam forçados: {points}; a placa libera tudo {seconds} s depois da última requisição; um monitor os libera com x, um reinício também";
+        "still forced: {points}; the board releases all {seconds} s after the last request; x in the monitor or a restart releases them at once"
+        "continuam forçados: {points}; a placa libera tudo {seconds} s depois da última requisição; x no monitor ou um reinício os libera já";
     endless()
-        "the firmware of this board does not let points go by itself: they stay forced without the monitor"
-        "o firmware desta placa não libera pontos por si só: eles ficam forçados sem o monitor";
+        "this board's firmware does not release points by itself: they stay forced when the monitor ends"
+        "o firmware desta placa não libera pontos sozinho: eles ficam forçados quando o monitor termina";
     let_go(points)
         "no longer forced: {points}"
         "não estão mais forçados: {points}";
@@ -128,17 +128,17 @@ unoclp_words::messages! {
         "{outputs} stays on: no rung writes it; it goes off at STOP"
         "{outputs} continua ligada: nenhum degrau a escreve; ela desliga em STOP";
     may_stay_on(outputs)
-        "{outputs} is on, and stays so unless the program writes it; it goes off at STOP"
+        "{outputs} is on and stays on unless the program writes it; it goes off at STOP"
         "{outputs} está ligada e assim fica se o programa não a escrever; ela desliga em STOP";
     interrupted_with_old(state)
-        "interrupted; the board is in {state}, and keeps the program that it had"
-        "interrompido; a placa está em {state} e mantém o programa que tinha";
+        "interrupted; the board is in {state} and keeps its old program"
+        "interrompido; a placa está em {state} e mantém o programa antigo";
     interrupted_with_new(state)
-        "interrupted; the board is in {state}, and keeps the new program"
+        "interrupted; the board is in {state} and has the new program"
         "interrompido; a placa está em {state} e já tem o programa novo";
     interrupted_unknown(error)
-        "interrupted; the board no longer answers ({error}): whether it runs, and which program it keeps, is open"
-        "interrompido; a placa não responde mais ({error}): não se sabe se ela roda nem que programa ela tem";
+        "interrupted; the board no longer answers ({error}). It may be running, with the old program or the new one"
+        "interrompido; a placa não responde mais ({error}). Talvez esteja rodando, com o programa antigo ou o novo";
     said_reset()
         "opening the port has probably reset the board; the next time it will not"
         "abrir a porta provavelmente reiniciou a placa; da próxima vez não reiniciará";
@@ -146,48 +146,48 @@ unoclp_words::messages! {
         "opening the port has reset the board; the next time it will not"
         "abrir a porta reiniciou a placa; da próxima vez não reiniciará";
     no_answer(line, port)
-        "no answer from {line}, on {port}; is the board powered and wired, and are these its settings? Another address or rate is given by --address and --rate; A5 and 01 to 04 closed at reset bring the defaults back"
-        "sem resposta de {line}, em {port}; a placa está ligada e conectada, e são estes os ajustes dela? Outro endereço ou taxa se indica com --address e --rate; A5 e 01 a 04 fechados no reset trazem de volta os ajustes de fábrica";
+        "no answer from {line}, on {port}. Is the board powered and wired, and are these its settings? Set another address or rate with --address and --rate; to restore the defaults, reset the board with A5 and 01 to 04 closed"
+        "sem resposta de {line}, em {port}. A placa está ligada e conectada, e são estes os ajustes dela? Indique outro endereço ou taxa com --address e --rate; para voltar aos ajustes de fábrica, faça o reset com A5 e 01 a 04 fechados";
     no_modbus(port, rate, parity)
-        "what comes from {port} is no Modbus at {rate} baud, {parity}; is that the board's rate (--rate, --parity)?"
-        "o que vem de {port} não é Modbus a {rate} baud, {parity}; é essa a taxa da placa (--rate, --parity)?";
+        "{port} does not speak Modbus at {rate} baud, {parity}; are these the board's settings (--rate, --parity)?"
+        "{port} não fala Modbus a {rate} baud, {parity}; são esses os ajustes da placa (--rate, --parity)?";
     no_unoclp(port, foreign)
-        "what answers at {port} is no unoclp{foreign}; `unoclp flash` puts its firmware on an UNO or a Nano"
-        "o que responde em {port} não é um unoclp{foreign}; `unoclp flash` grava o firmware em um UNO ou Nano";
+        "the device at {port} does not run unoclp{foreign}; `unoclp flash` installs the firmware on an UNO or a Nano"
+        "o dispositivo em {port} não roda o unoclp{foreign}; `unoclp flash` grava o firmware em um UNO ou Nano";
     no_port(port, others) "there is no port {port}; {others}" "não existe a porta {port}; {others}";
     no_ports()
-        "this PC has none, so the board is not plugged in, or its cable only charges"
-        "este PC não tem nenhuma: a placa não está conectada, ou o cabo só carrega";
+        "this PC has no serial port: plug the board in, with a cable that carries data and not only power"
+        "este PC não tem nenhuma porta serial: conecte a placa com um cabo que leve dados, e não só energia";
     ports(names) "this PC has {names}" "este PC tem {names}";
     port_denied(port, remedy)
-        "{port} may not be used by this user; {remedy}"
-        "este usuário não pode usar {port}; {remedy}";
+        "this user may not open {port}; {remedy}"
+        "este usuário não pode abrir {port}; {remedy}";
     join_group()
-        "join the group that it belongs to, mostly by `sudo usermod -aG dialout $USER`, and log in anew"
+        "join its group, usually with `sudo usermod -aG dialout $USER`, and log in again"
         "entre no grupo dela, em geral com `sudo usermod -aG dialout $USER`, e inicie nova sessão";
-    check_who() "check who may" "confira quem pode";
+    check_who() "check its permissions" "confira as permissões dela";
     port_busy(port)
-        "{port} is in use by another program; close its serial monitor"
-        "{port} está em uso por outro programa; feche o monitor serial dele";
-    no_serial_port(port) "{port} is no serial port" "{port} não é uma porta serial";
+        "another program is using {port}; close its serial monitor"
+        "outro programa está usando {port}; feche o monitor serial dele";
+    no_serial_port(port) "{port} is not a serial port" "{port} não é uma porta serial";
     port_not_opened(port, reason)
         "{port} cannot be opened: {reason}"
         "não foi possível abrir {port}: {reason}";
     no_rate(rate, rates)
-        "a board has no rate of {rate} baud; it has {rates}"
-        "uma placa não tem a taxa de {rate} baud; ela tem {rates}";
+        "a board does not support {rate} baud; it supports {rates}"
+        "uma placa não aceita {rate} baud; ela aceita {rates}";
     settings_not_taken(failure)
-        "the board does not take the settings: {failure}"
-        "a placa não aceita os ajustes: {failure}";
+        "the board rejected the settings: {failure}"
+        "a placa recusou os ajustes: {failure}";
     settings_not_kept()
-        "the board does not keep the settings: its EEPROM fails"
-        "a placa não guarda os ajustes: a sua EEPROM falha";
+        "the board could not store the settings: its EEPROM is failing"
+        "a placa não conseguiu guardar os ajustes: a EEPROM dela falha";
     settings_without_answer(why)
-        "the settings are kept, but the board does not answer with them: {why}"
-        "os ajustes estão guardados, mas a placa não responde com eles: {why}";
+        "the board stored the settings, but does not answer with them: {why}"
+        "a placa guardou os ajustes, mas não responde com eles: {why}";
     no_lock()
-        "the board has no lock; it takes newer firmware"
-        "a placa não tem bloqueio; é preciso um firmware mais novo";
+        "the board has no lock; install newer firmware"
+        "a placa não tem bloqueio; grave um firmware mais novo";
     nothing_locked() "nothing locked" "nada bloqueado";
     locked(what) "locked: {what}" "bloqueado: {what}";
     lock_upload() "upload" "envio";
@@ -205,7 +205,7 @@ unoclp_words::messages! {
         "in STOP: commands are locked, so only a reset brings the board back to RUN"
         "em STOP: os comandos estão bloqueados, e só um reset põe a placa de volta em RUN";
     reset_to_use()
-        "commands are locked: reset the board, and it uses these settings"
+        "commands are locked: reset the board to apply these settings"
         "os comandos estão bloqueados: faça o reset da placa para ela usar esses ajustes";
     settings_kept() "the board keeps these settings" "a placa guarda esses ajustes";
     restarting(settings) "{settings}; restarting" "{settings}; reiniciando";
@@ -228,20 +228,20 @@ unoclp_words::messages! {
     pin_off() "off" "inativo";
     silent() "no answer" "sem resposta";
     garbled()
-        "what comes back is no Modbus; is the rate right?"
-        "o que volta não é Modbus; a taxa está certa?";
+        "the answer is not Modbus; is the rate right?"
+        "a resposta não é Modbus; a taxa está certa?";
     not_done(why) "refused: {why}" "recusado: {why}";
     no_function()
-        "the board is locked against it, or has no such function (01)"
-        "está bloqueado na placa, ou não há essa função (01)";
-    no_address() "no such address (02)" "não há esse endereço (02)";
-    not_that_value() "not that value (03)" "esse valor não serve (03)";
-    not_now() "not now (04)" "agora não (04)";
+        "the board is locked against this, or lacks the function (01)"
+        "a placa bloqueia isto, ou não tem essa função (01)";
+    no_address() "the board has no such address (02)" "a placa não tem esse endereço (02)";
+    not_that_value() "the board does not accept that value (03)" "a placa não aceita esse valor (03)";
+    not_now() "the board cannot do that now (04)" "a placa não pode fazer isso agora (04)";
     busy()
-        "settings or programs have been stored too often; try again in an hour, or after the power was off (06)"
-        "ajustes ou programas foram gravados vezes demais; tente de novo em uma hora, ou depois de desligar a placa (06)";
+        "the board has stored settings or programs too often; try again in an hour, or after a power cycle (06)"
+        "a placa gravou ajustes ou programas vezes demais; tente de novo em uma hora, ou desligue e ligue a placa (06)";
     no_way()
-        "the gateway shares no board of this address (10)"
+        "the gateway shares no board with this address (10)"
         "o gateway não compartilha nenhuma placa com esse endereço (10)";
     target_silent()
         "the gateway gets no answer from the board (11)"
@@ -250,56 +250,56 @@ unoclp_words::messages! {
         "this unoclp was built without the page; `cargo xtask dist` builds one with it, and `cargo xtask lab` serves the page from the source"
         "este unoclp foi compilado sem a página; `cargo xtask dist` compila um com ela, e `cargo xtask lab` serve a página a partir do código-fonte";
     not_served(address, error)
-        "{address} cannot be served from: {error}. Another address is given by --http, and --http 127.0.0.1:0 takes a free port"
-        "não é possível servir em {address}: {error}. Outro endereço se indica com --http, e --http 127.0.0.1:0 usa uma porta livre";
+        "cannot serve the page at {address}: {error}. Give another address with --http; --http 127.0.0.1:0 picks a free port"
+        "não é possível servir a página em {address}: {error}. Indique outro endereço com --http; --http 127.0.0.1:0 escolhe uma porta livre";
     own(folder, exercises, machines)
         "{folder} adds to the page: exercises {exercises}, machines {machines}"
         "{folder} acrescenta à página: exercícios {exercises}, máquinas {machines}";
     own_too_long(file, most)
-        "{file} is no file of at most {most} bytes; the page leaves it out"
-        "{file} não é um arquivo de no máximo {most} bytes; a página o deixa de fora";
+        "{file} is not a file, or is larger than {most} bytes; the page leaves it out"
+        "{file} não é um arquivo ou passa de {most} bytes; a página o deixa de fora";
     watch_at(page) "to watch:   {page}" "acompanhar: {page}";
     control_at(page) "to control: {page}" "controlar:  {page}";
     open_to_network()
-        "whoever has the second address drives what the board drives; Ctrl-C ends both"
+        "anyone with the second address controls what the board controls; Ctrl-C ends both"
         "quem tem o segundo endereço comanda o que a placa comanda; Ctrl-C encerra os dois";
     shared(port)
-        "the board at {port} is shared with this PC alone"
+        "the board at {port} is shared with this PC only"
         "a placa em {port} é compartilhada só com este PC";
     not_served_site(address, error)
-        "{address} cannot be served from: {error}. The site file gives another under `listen`"
-        "não é possível servir em {address}: {error}. O arquivo de instalação dá outro em `listen`";
+        "cannot listen at {address}: {error}. Set another address under `listen` in the site file"
+        "não é possível usar o endereço {address}: {error}. Indique outro em `listen`, no arquivo de instalação";
     page_of_board(name)
         "board {name}: the same page with #board/{name} in place of #board"
         "placa {name}: a mesma página com #board/{name} em vez de #board";
     modbus_at(address) "Modbus TCP: {address}" "servidor Modbus TCP: {address}";
     mqtt_there(broker) "{broker}: connected" "{broker}: conectado";
-    mqtt_away(broker, why) "{broker}: away: {why}" "{broker}: fora do ar: {why}";
+    mqtt_away(broker, why) "{broker}: not reachable: {why}" "{broker}: fora do ar: {why}";
     mqtt_no_trust(why)
         "its certificate is not trusted ({why}); check `ca` in the site file, and the name in `broker`"
         "o certificado dele não é confiável ({why}); confira `ca` no arquivo de instalação e o nome em `broker`";
     mqtt_not_allowed()
-        "it refuses user or password; check `user` and `password` in the site file"
+        "it rejects the user or the password; check `user` and `password` in the site file"
         "ele recusa o usuário ou a senha; confira `user` e `password` no arquivo de instalação";
     mqtt_refused() "it refuses the connection" "ele recusa a conexão";
     mqtt_slow() "it does not answer" "ele não responde";
     mqtt_closed() "it has closed the connection" "ele encerrou a conexão";
-    mqtt_other(why) "it speaks otherwise than expected: {why}" "ele fala de um modo inesperado: {why}";
+    mqtt_other(why) "it does not follow the protocol: {why}" "ele não segue o protocolo: {why}";
     no_certificate(file)
-        "{file} holds no certificate in PEM; name the file of the authority that signed the broker's"
+        "{file} contains no PEM certificate; name the file of the authority that signed the broker's certificate"
         "{file} não contém nenhum certificado em PEM; indique o arquivo da autoridade que assinou o do broker";
     no_trust()
-        "this system trusts no certificate; install ca-certificates, or name one by `ca`"
+        "this system trusts no certificate; install ca-certificates, or name one with `ca`"
         "este sistema não confia em nenhum certificado; instale ca-certificates, ou indique um em `ca`";
     board_found(name) "{name}: found" "{name}: encontrada";
-    board_away(name, why) "{name}: away: {why}" "{name}: fora do ar: {why}";
-    board_keeps(name, program) "{name}: keeps {program}" "{name}: tem {program}";
+    board_away(name, why) "{name}: not reachable: {why}" "{name}: fora do ar: {why}";
+    board_keeps(name, program) "{name}: has {program}" "{name}: tem {program}";
     board_keeps_other(name, program)
-        "{name}: keeps another program than {program}, so the names of that file do not hold; upload it"
-        "{name}: tem outro programa que não {program}, e os nomes desse arquivo não valem; envie-o";
+        "{name}: has a program other than {program}, so the names in that file do not apply; upload it"
+        "{name}: tem um programa que não é {program}, e por isso os nomes desse arquivo não valem; envie-o";
     not_reached(server, error)
-        "{server} is not reached: {error}; is it on, and is there a Modbus TCP server?"
-        "{server} não responde: {error}; está ligado, e há um servidor Modbus TCP nele?";
+        "{server} cannot be reached: {error}; is it on, and does it run a Modbus TCP server?"
+        "{server} não responde: {error}; está ligado, e roda um servidor Modbus TCP?";
     silent_behind(server, address)
         "no answer from address {address} behind {server}; is that board powered and wired?"
         "sem resposta do endereço {address} atrás de {server}; essa placa está ligada e conectada?";
@@ -307,39 +307,39 @@ unoclp_words::messages! {
         "this site keeps no history; write [history] with `store = \"history.db\"`"
         "esta instalação não guarda histórico; escreva [history] com `store = \"history.db\"`";
     no_time(given)
-        "{given} is no time; write 90s, 15m, 1h or 30d"
+        "{given} is not a time; write 90s, 15m, 1h or 30d"
         "{given} não é um tempo; escreva 90s, 15m, 1h ou 30d";
     not_in_history(point, points)
         "the history has no point {point}; it has {points}"
         "o histórico não tem o ponto {point}; ele tem {points}";
     history_foreign(file)
-        "{file} is no history of unoclp; it is left as it is. Name another one under `store`"
-        "{file} não é um histórico do unoclp; ficou como estava. Indique outro em `store`";
+        "{file} is not a history of unoclp, so it was not changed. Name another file under `store`"
+        "{file} não é um histórico do unoclp; por isso ficou como estava. Indique outro arquivo em `store`";
     history_version(file, version)
-        "{file} is a history of another version of unoclp (form {version}); it is left as it is. Take that version, or name another one under `store`"
+        "{file} is a history of another version of unoclp (form {version}), so it was not changed. Use that version, or name another file under `store`"
         "{file} é um histórico de outra versão do unoclp (forma {version}); ficou como estava. Use essa versão, ou indique outro em `store`";
     history_full(file)
-        "{file} takes nothing: the disk is full. What comes waits in the journal; make room"
-        "{file} não aceita nada: o disco está cheio. O que chega espera no diário; libere espaço";
+        "{file} cannot grow: the disk is full. New samples wait in the journal; free some space"
+        "{file} não pode crescer: o disco está cheio. As amostras novas esperam no diário; libere espaço";
     history_read_only(file)
-        "{file} may only be read; let this user write it"
-        "{file} só pode ser lido; deixe este usuário gravar nele";
+        "{file} is read-only; give this user write permission"
+        "{file} é somente leitura; dê a este usuário permissão de gravar";
     history_fails(file, why)
-        "{file} cannot be used: {why}; check its folder, and whether another program has it"
+        "{file} cannot be used: {why}; check its folder, and whether another program uses it"
         "não foi possível usar {file}: {why}; confira a pasta dele, e se outro programa o usa";
     history_away(server, why)
-        "{server}: away: {why}. What comes waits in the journal"
-        "{server}: fora do ar: {why}. O que chega espera no diário";
-    held() "another program holds it" "outro programa o ocupa";
+        "{server}: not reachable: {why}. New samples wait in the journal"
+        "{server}: fora do ar: {why}. As amostras novas esperam no diário";
+    held() "another program has locked it" "outro programa o bloqueou";
     journal_foreign(file)
-        "{file} is no journal of unoclp; it is left as it is. Write [journal] with another `store`"
-        "{file} não é um diário do unoclp; ficou como estava. Escreva [journal] com outro `store`";
+        "{file} is not a journal of unoclp, so it was not changed. Write [journal] with another `store`"
+        "{file} não é um diário do unoclp; por isso ficou como estava. Escreva [journal] com outro `store`";
     journal_version(file, version)
-        "{file} is a journal of another version of unoclp (form {version}); it is left as it is. Let that version end once history and broker have all of it, or write [journal] with another `store`"
-        "{file} é um diário de outra versão do unoclp (forma {version}); ficou como estava. Deixe essa versão terminar depois que o histórico e o broker tiverem tudo, ou escreva [journal] com outro `store`";
+        "{file} is a journal of another version of unoclp (form {version}), so it was not changed. Run that version until history and broker have all of it, or write [journal] with another `store`"
+        "{file} é um diário de outra versão do unoclp (forma {version}); por isso ficou como estava. Rode essa versão até o histórico e o broker terem tudo, ou escreva [journal] com outro `store`";
     journal_full(file)
-        "{file} takes nothing: the disk is full. What comes waits in memory, and history and broker wait for it; make room"
-        "{file} não aceita nada: o disco está cheio. O que chega espera na memória, e o histórico e o broker esperam por isso; libere espaço";
+        "{file} cannot grow: the disk is full. New samples wait in memory, and history and broker wait for them; free some space"
+        "{file} não pode crescer: o disco está cheio. As amostras novas esperam na memória, e o histórico e o broker esperam por elas; libere espaço";
     journal_held(file)
         "{file}: another `unoclp serve` uses this journal; end it first"
         "{file}: outro `unoclp serve` usa este diário; encerre-o primeiro";
@@ -347,20 +347,20 @@ unoclp_words::messages! {
         "certificate: SHA-256 {sum}"
         "certificado: SHA-256 {sum}";
     cert_none(file)
-        "{file} holds no certificate in PEM; check `cert` under [http]"
+        "{file} contains no PEM certificate; check `cert` under [http]"
         "{file} não contém nenhum certificado em PEM; confira `cert` em [http]";
     key_none(file)
-        "{file} holds no key in PEM; check `key` under [http]"
+        "{file} contains no PEM key; check `key` under [http]"
         "{file} não contém nenhuma chave em PEM; confira `key` em [http]";
     cert_refused(certificate, key, why)
         "{certificate} cannot be used with {key}: {why}; check that they belong together"
         "não foi possível usar {certificate} com {key}: {why}; confira se são do mesmo par";
     ended() "ended" "encerrado";
     nothing_to_move()
-        "the history of this site is in no database; write it under [history] first, as `store = \"postgres://gateway@db.example/plant\"`"
-        "o histórico desta instalação não está em um banco de dados; escreva-o antes em [history], como `store = \"postgres://gateway@db.example/plant\"`";
+        "this site keeps its history in a file; first name a database under [history], as `store = \"postgres://gateway@db.example/plant\"`"
+        "esta instalação guarda o histórico em um arquivo; indique antes um banco de dados em [history], como `store = \"postgres://gateway@db.example/plant\"`";
     known_there(database, point)
-        "{database} has samples of {point} already, so nothing has moved; take an empty database"
+        "{database} already has samples of {point}, so nothing was moved; use an empty database"
         "{database} já tem amostras de {point}, por isso nada foi movido; use um banco vazio";
     moved(file, points, rows, database)
         "{file}: {points} points with {rows} rows are in {database} too; start unoclp serve again"
@@ -371,56 +371,56 @@ unoclp_words::messages! {
         "alarm {name}: acknowledged by {who}"
         "alarme {name}: reconhecido por {who}";
     record_foreign(file)
-        "{file} is no record of unoclp; it is left as it is. Move it away"
-        "{file} não é um livro de ocorrências do unoclp; ficou como estava. Tire-o dali";
+        "{file} is not a record of unoclp, and was not changed; move it away"
+        "{file} não é um livro de ocorrências do unoclp e não foi alterado; tire-o dali";
     record_version(file, version)
-        "{file} is a record of a later version of unoclp (form {version}); it is left as it is. Use that version, or move the file away"
-        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}); ficou como estava. Use essa versão, ou tire o arquivo dali";
+        "{file} is a record of a later version of unoclp (form {version}), and was not changed; use that version, or move the file away"
+        "{file} é um livro de ocorrências de uma versão mais nova do unoclp (forma {version}) e não foi alterado; use essa versão ou tire o arquivo dali";
     record_full(file)
-        "{file} takes nothing: the disk is full. What happens waits in memory; make room"
-        "{file} não aceita nada: o disco está cheio. O que acontece espera na memória; libere espaço";
+        "{file} cannot grow: the disk is full. New entries wait in memory; free some space"
+        "{file} não pode crescer: o disco está cheio. As novas entradas esperam na memória; libere espaço";
     user_key(token, name, role, key)
-        "token, for {name} alone, and shown only now: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
-        "token, só para {name}, e mostrado só agora: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
+        "token for {name} only, shown this once: {token}\nfor the site file:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\""
+        "token só para {name}, mostrado só esta vez: {token}\npara o arquivo de instalação:\n\n[[user]]\nname = \"{name}\"\nrole = \"{role}\"\nkey = \"{key}\"";
     no_user_name(name)
-        "{name} cannot be a user's name; take a letter, then letters, digits, - or _, at most 32"
-        "{name} não pode ser o nome de um usuário; use uma letra e depois letras, algarismos, - ou _, no máximo 32";
+        "{name} is not a valid user name; start with a letter, then use letters, digits, - or _, at most 32 characters"
+        "{name} não é um nome de usuário válido; comece com uma letra e use letras, algarismos, - ou _, no máximo 32 caracteres";
     no_key(why)
-        "no key can be made: {why}"
+        "cannot make a key: {why}"
         "não foi possível criar uma chave: {why}";
     users_at(page)
         "users: {page}#board=TOKEN, each with the token that `unoclp site key` printed"
         "usuários: {page}#board=TOKEN, cada um com o token que `unoclp site key` mostrou";
     history_again(file) "{file}: written again" "{file}: gravado de novo";
-    port_gone(why) "the port is gone: {why}" "a porta não está mais disponível: {why}";
+    port_gone(why) "the port has disappeared: {why}" "a porta não está mais disponível: {why}";
     but_a(identity) " but \"{identity}\"" ", e sim \"{identity}\"";
     upload_not_begun()
-        "the board does not begin an upload; does another client let it run?"
+        "the board does not start an upload; does another client keep it in RUN?"
         "a placa não começa um envio; outro cliente a mantém em RUN?";
     upload_locked(to_lift)
         "the board is locked against uploads; {to_lift}"
         "os envios estão bloqueados na placa; {to_lift}";
     firmware_too_old(board, needs)
-        "the board keeps programs in form {board}, and this one needs form {needs}: its firmware is older than some instructions \
-         of the program. The board keeps the program that it had; bring its firmware up to date by `unoclp flash`"
+        "the board keeps programs in form {board}, but this one needs form {needs}: its firmware is older than some instructions \
+         of the program. The board keeps its old program; update the firmware with `unoclp flash`"
         "a placa guarda programas na forma {board}, e este precisa da forma {needs}: o firmware dela é mais antigo que algumas \
-         instruções do programa. A placa mantém o programa que tinha; atualize o firmware com `unoclp flash`";
+         instruções do programa. A placa mantém o programa antigo; atualize o firmware com `unoclp flash`";
     upload_ended()
-        "the upload was ended from elsewhere; the board keeps the program that it had"
-        "o envio foi encerrado por outro cliente; a placa mantém o programa que tinha";
+        "another client ended the upload; the board keeps its old program"
+        "outro cliente encerrou o envio; a placa mantém o programa antigo";
     keeps_another(bytes, sum, sent_bytes, sent_sum)
-        "the board keeps {bytes} bytes with check sum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; is its firmware of another version?"
+        "the board has {bytes} bytes with check sum {sum}, not the {sent_bytes} bytes with {sent_sum} that were sent; does it run another version of the firmware?"
         "a placa tem {bytes} bytes com soma de verificação {sum}, e não os {sent_bytes} bytes com {sent_sum} que foram enviados; o firmware dela é de outra versão?";
     upload_before(failure)
-        "the upload was not begun: {failure}"
+        "the upload did not start: {failure}"
         "o envio não começou: {failure}";
     upload_off(pass, bytes, all, failure, kept)
-        "the upload was broken off while {pass}, at byte {bytes} of {all}: {failure}. The board is in STOP; {kept}; upload anew"
-        "o envio foi interrompido na {pass}, no byte {bytes} de {all}: {failure}. A placa está em STOP; {kept}; envie de novo";
+        "the upload failed while {pass}, at byte {bytes} of {all}: {failure}. The board is in STOP; {kept}; upload again"
+        "o envio falhou na {pass}, no byte {bytes} de {all}: {failure}. A placa está em STOP; {kept}; envie de novo";
     may_keep_new()
-        "whether it keeps the new program is open"
-        "não se sabe se ela tem o programa novo";
-    keeps_old() "it keeps the program that it had" "ela mantém o programa que tinha";
+        "it may have the new program"
+        "talvez já tenha o programa novo";
+    keeps_old() "it keeps its old program" "ela mantém o programa antigo";
     checking() "checking" "conferência";
     storing() "storing" "gravação";
     sent(pass, bytes, all) "{pass}: {bytes} of {all} bytes" "{pass}: {bytes} de {all} bytes";
@@ -435,50 +435,50 @@ unoclp_words::messages! {
     comparing_firmware() "reading back" "lendo de volta";
     starting_firmware() "starting" "iniciando";
     flashed(bytes)
-        "written, read back and compared: {bytes} bytes; the board starts it. The program and the settings that it kept are as they were"
-        "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes que ela guardava ficaram como estavam";
+        "written, read back and compared: {bytes} bytes; the board starts it. Its program and its settings did not change"
+        "gravado, lido de volta e comparado: {bytes} bytes; a placa o inicia. O programa e os ajustes dela não mudaram";
     not_stopped(failure) "the board cannot be stopped: {failure}" "não foi possível parar a placa: {failure}";
     stop_locked()
-        "commands are locked, so the board is stopped by A5 only: close it, then try again"
+        "commands are locked, so only A5 can stop the board: close it, then try again"
         "os comandos estão bloqueados, e só A5 para a placa: feche A5 e tente de novo";
     unknown_state()
-        "the board is in a state that this version of unoclp does not know"
-        "a placa está em um estado que esta versão do unoclp não conhece";
+        "this version of unoclp does not know the board's state"
+        "esta versão do unoclp não conhece o estado da placa";
     no_program_yet()
-        "No program on the board yet: upload one, or put in a card with PROGRAM.TXT and restart"
-        "Nenhum programa na placa ainda: envie um, ou ponha um cartão com PROGRAM.TXT e reinicie";
+        "No program on the board yet: upload one, or insert a card with PROGRAM.TXT and restart"
+        "Nenhum programa na placa ainda: envie um, ou insira um cartão com PROGRAM.TXT e reinicie";
     empty_board() "no program yet" "sem programa ainda";
-    board_says(trouble) "the board says {trouble}" "a placa diz: {trouble}";
+    board_says(trouble) "the board reports {trouble}" "a placa diz: {trouble}";
     not_started(failure)
         "the program is stored, but the board does not start it: {failure}"
         "o programa está gravado, mas a placa não o inicia: {failure}";
     restarted_with(trouble)
-        "the program is stored; restarted, the board says {trouble}"
-        "o programa está gravado; ao reiniciar, a placa diz: {trouble}";
+        "the program is stored, but after the restart the board reports {trouble}"
+        "o programa está gravado, mas ao reiniciar a placa diz: {trouble}";
     interrupted() "interrupted" "interrompido";
     watcher_ended()
         "the thread that reads the board has ended"
         "a tarefa que lê a placa terminou";
     card_is_there(file)
-        "{file} is there already, and only PROGRAM.TXT on a card is overwritten; name a new image file, or the folder of a mounted card"
-        "{file} já existe, e só se sobrescreve o PROGRAM.TXT de um cartão; indique um novo arquivo de imagem ou a pasta de um cartão montado";
+        "{file} exists, and unoclp overwrites only PROGRAM.TXT on a card; name a new image file, or the folder of a mounted card"
+        "{file} já existe, e o unoclp só grava por cima do PROGRAM.TXT de um cartão; indique um novo arquivo de imagem ou a pasta de um cartão montado";
     card_is_a_device(file)
         "{file} is a device; mount the card, and name its folder"
         "{file} é um dispositivo; monte o cartão e indique a pasta dele";
     cannot_look_at(file, error)
-        "{file} cannot be looked at: {error}"
+        "{file} cannot be examined: {error}"
         "não foi possível examinar {file}: {error}";
     no_folder(file)
-        "there is no folder {file}; is the card mounted? For an image of a card, name a file that ends in .img"
+        "the folder {file} does not exist; is the card mounted? For a card image, name a file that ends in .img"
         "não existe a pasta {file}; o cartão está montado? Para a imagem de um cartão, indique um arquivo que termine em .img";
     on_card(program, card, bytes)
         "{program}: on {card} as PROGRAM.TXT, {bytes} bytes"
         "{program}: em {card} como PROGRAM.TXT, {bytes} bytes";
     no_plain_file(file)
-        "{file} is not a plain file; take it off the card first"
+        "{file} is not a regular file; remove it from the card first"
         "{file} não é um arquivo comum; tire-o antes do cartão";
     state_is_there()
-        "STATE.TXT: there already, and left as it is"
+        "STATE.TXT: exists, not changed"
         "STATE.TXT: já existe e ficou como estava";
     image_not_built(error)
         "the card image cannot be built: {error}"
@@ -525,8 +525,8 @@ unoclp_words::messages! {
         "--svg draws the run of a --scenario or of a --plant; name one of them"
         "--svg desenha a execução de um --scenario ou de uma --plant; indique um deles";
     plant_binary(file)
-        "{file} is no plant: it holds bytes that are no text"
-        "{file} não é uma máquina: contém bytes que não são texto";
+        "{file} is not a machine: it is a binary file, not text"
+        "{file} não é uma máquina: é um arquivo binário, não um texto";
     plant_has(parts, rules, goals, until)
         "{parts} parts, {rules} rules, {goals} goals; a run takes {until}"
         "{parts} elementos, {rules} regras, {goals} metas; uma execução dura {until}";
@@ -549,16 +549,16 @@ unoclp_words::messages! {
     slip_joined() "series for parallel" "série por paralelo";
     slip_halved() "a number halved" "um número pela metade";
     slip_doubled() "a number doubled" "um número em dobro";
-    slip_swapped() "two coils exchanged" "duas bobinas trocadas";
+    slip_swapped() "two coils swapped" "duas bobinas trocadas";
     slip_not_reset() "a coil that is not reset" "uma bobina que não é resetada";
     no_moment(given)
-        "{given} is no time of a run; write 2.5s, 300ms or 1min"
-        "{given} não é um tempo da execução; escreva 2.5s, 300ms ou 1min";
+        "{given} is not a time; write 2.5s, 300ms or 1min"
+        "{given} não é um tempo; escreva 2.5s, 300ms ou 1min";
     late_moment(given, until)
-        "{given} comes after the end of the run, at {until}"
+        "{given} is after the end of the run, at {until}"
         "{given} vem depois do fim da execução, em {until}";
     no_span(given)
-        "{given} is no part of a run; write the begin and the end, 0s-12s"
+        "{given} is not a part of a run; write its start and end, 0s-12s"
         "{given} não é um trecho da execução; escreva o começo e o fim, 0s-12s";
     no_film(why)
         "the moving picture cannot be made: {why}"
@@ -570,8 +570,8 @@ unoclp_words::messages! {
     rules_kept(kept, rules, met, goals)
         "rules kept: {kept} of {rules}; goals met: {met} of {goals}"
         "regras cumpridas: {kept} de {rules}; metas atingidas: {met} de {goals}";
-    machine_passed() "the machine does as it should: PASS" "a máquina faz o que deve: PASSOU";
-    machine_failed() "the machine does not do as it should: FAIL" "a máquina não faz o que deve: FALHOU";
+    machine_passed() "the machine does what it should: PASS" "a máquina faz o que deve: PASSOU";
+    machine_failed() "the machine does not do what it should: FAIL" "a máquina não faz o que deve: FALHOU";
     svg_is_a_ladder()
         "--svg draws a ladder diagram; leave out --as, or --svg"
         "--svg desenha um diagrama ladder; tire --as ou --svg";
@@ -589,14 +589,14 @@ unoclp_words::messages! {
         "A5 is closed: in STOP, until A5 is opened"
         "A5 está fechado: em STOP até A5 ser aberto";
     in_fault_until()
-        "in FAULT: it runs the program from its next restart on"
-        "em FAULT: executa o programa a partir do próximo reinício";
+        "in FAULT: it runs the program after its next restart"
+        "em FAULT: executa o programa depois do próximo reinício";
     refused_program()
-        "the board refuses the program, and keeps the one that it had:"
-        "a placa recusa o programa e mantém o que tinha:";
+        "the board rejects the program and keeps its old one:"
+        "a placa recusa o programa e mantém o antigo:";
     card_wins()
-        "the program was stored, but the board's card has another PROGRAM.TXT, which it took at its restart; take the card out, or put the program on it"
-        "o programa foi gravado, mas o cartão da placa tem outro PROGRAM.TXT, que ela leu ao reiniciar; tire o cartão ou grave nele o programa";
+        "the board stored the program, but at the restart it loaded another PROGRAM.TXT from its card; remove the card, or copy the program to it"
+        "a placa gravou o programa, mas ao reiniciar leu outro PROGRAM.TXT do cartão dela; retire o cartão ou grave nele o programa";
     inputs_toggle(last) "Inputs: 1 to {last} toggle" "Entradas: 1 a {last} alternam";
     inputs_held(last)
         "Inputs: closed while 1 to {last} is held"
@@ -640,19 +640,19 @@ unoclp_words::messages! {
     to_outputs() "outputs" "saídas";
     to_inputs() "inputs" "entradas";
     no_board() "NO BOARD" "SEM PLACA";
-    waiting() "waiting for the board" "à espera da placa";
-    lost(why) "lost, trying again: {why}" "perdida, tentando de novo: {why}";
+    waiting() "waiting for the board" "aguardando a placa";
+    lost(why) "connection lost, retrying: {why}" "conexão perdida, tentando de novo: {why}";
     last_upload() "last upload: " "último envio: ";
     switch_closed()
         "A5 is closed: STOP until it is opened"
         "A5 está fechado: STOP até ser aberto";
-    upload_under_way() "an upload is under way" "há um envio em andamento";
+    upload_under_way() "an upload is in progress" "há um envio em andamento";
     card_failed()
         "the card failed: STATE.TXT is no longer kept"
         "o cartão falhou: STATE.TXT não é mais atualizado";
     another_program(file, bytes, sum, own_bytes, own_sum)
-        "the board runs another program than {file}: {bytes} bytes {sum}, not {own_bytes} bytes {own_sum}"
-        "a placa executa outro programa que não {file}: {bytes} bytes {sum}, não {own_bytes} bytes {own_sum}";
+        "the board runs a program other than {file}: {bytes} bytes {sum}, not {own_bytes} bytes {own_sum}"
+        "a placa executa um programa que não é {file}: {bytes} bytes {sum}, não {own_bytes} bytes {own_sum}";
     figures(last, least, most, volts, stack)
         " scan {last} µs ({least} to {most})  supply {volts} V  stack {stack} bytes free"
         " varredura {last} µs ({least} a {most})  fonte {volts} V  pilha {stack} bytes livres";
@@ -660,26 +660,26 @@ unoclp_words::messages! {
         " last start: {cause}  since power-up: restarts {restarts}, faults {faults}"
         " última partida: {cause}  desde ligada: reinícios {restarts}, falhas {faults}";
     over(most) "over {most}" "mais de {most}";
-    no_board_to_do_it() "there is no board to do it" "não há placa que o faça";
+    no_board_to_do_it() "no board is connected" "nenhuma placa conectada";
     refused_in_fault()
         "the board is in FAULT: r restarts it"
         "a placa está em FAULT: r a reinicia";
     refused_by_switch()
-        "A5 is closed, which holds the board in STOP"
+        "A5 is closed and holds the board in STOP"
         "A5 está fechado e segura a placa em STOP";
     refused_in_upload()
-        "an upload is under way: r restarts the board without it"
-        "há um envio em andamento: r reinicia a placa sem ele";
+        "an upload is in progress; r restarts the board and drops it"
+        "há um envio em andamento; r reinicia a placa e o descarta";
     refused_commands()
-        "commands are locked at this board"
+        "commands are locked on this board"
         "os comandos estão bloqueados nesta placa";
     refused_writing()
-        "writing and forcing are locked at this board"
+        "writing and forcing are locked on this board"
         "escrever e forçar estão bloqueados nesta placa";
     refused_scan()
-        "single scans are for STOP: space stops the board"
-        "varreduras avulsas são para STOP: espaço para a placa";
-    refused() "the board does not do that now" "a placa não faz isso agora";
+        "single scans work in STOP only; press space to stop the board"
+        "varreduras avulsas só em STOP; aperte espaço para parar a placa";
+    refused() "the board cannot do that now" "a placa não pode fazer isso agora";
     too_small(columns, lines)
         "this screen is too small: {columns} x {lines}"
         "esta tela é pequena demais: {columns} x {lines}";

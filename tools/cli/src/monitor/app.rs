@@ -33,7 +33,7 @@ pub struct App {
     let_go: u16,
     /// What was asked of the forces since the last reading: the next one may have begun before that.
     is_asked: bool,
-    /// The seconds without a request behind which the board is to end what is forced here.
+    /// The seconds without a request after which the board is to end what is forced here.
     end_forcing: Option<u8>,
     /// It has been said that it cannot.
     is_endless_said: bool,

@@ -158,7 +158,7 @@ fn another_program_is_warned_of_and_its_rungs_are_not_shown() {
     };
     let screen = screen(&mut showing(other), 100, 24);
     assert!(
-        screen.contains("the board runs another program than motor.txt: 9 bytes 00AB, not "),
+        screen.contains("the board runs a program other than motor.txt: 9 bytes 00AB, not "),
         "{screen}"
     );
     assert!(
@@ -206,7 +206,7 @@ fn whatever_a_person_should_know_is_said() {
     });
     for part in [
         "A5 is closed",
-        "an upload is under way",
+        "an upload is in progress",
         "the card failed",
         "FORCED  ?",
         "I2○!",
@@ -248,7 +248,7 @@ fn a_lost_board_is_told_and_what_was_read_last_stays() {
     app.hear(News::Lost("no answer".to_owned()));
     let lost = screen(&mut app, 80, 24);
     assert!(
-        lost.contains("lost, trying again: no answer") && lost.contains("I1●"),
+        lost.contains("connection lost, retrying: no answer") && lost.contains("I1●"),
         "{lost}"
     );
     assert!(lost.contains("NO BOARD"), "{lost}");
@@ -523,7 +523,7 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     let mut app = showing(forced);
     let screen = screen(&mut app, 80, 24);
     assert!(
-        screen.contains("forced since before: Q3=1; x lets all go"),
+        screen.contains("already forced: Q3=1; x releases all"),
         "{screen}"
     );
     press(&mut app, KeyCode::Char('1'));
@@ -532,7 +532,7 @@ fn what_is_forced_is_said_at_the_start_and_at_the_end() {
     assert_eq!(app.forced().to_string(), "I1=1 Q3=1");
 }
 
-/// A monitor whose forces end behind 10 s, at a board with this end of forcing before.
+/// A monitor whose forces end after 10 s, at a board with this end of forcing before.
 fn ending(ends: Option<u8>) -> App {
     let app = App::new(
         "/dev/ttyACM0".to_owned(),
@@ -561,7 +561,7 @@ fn when_forcing_ends_by_itself_is_said_at_the_end() {
         let forced = showing(now.clone()).forced();
         assert_eq!(forced.seconds(), seconds);
         let by_itself =
-            left_forced(forced).contains("the board lets all go 7 s after the last request");
+            left_forced(forced).contains("the board releases all 7 s after the last request");
         assert_eq!(by_itself, seconds.is_some());
     }
     // Whoever leaves before the next reading is told what holds then.
@@ -569,7 +569,7 @@ fn when_forcing_ends_by_itself_is_said_at_the_end() {
     press(&mut app, KeyCode::Char('1'));
     assert_eq!(app.forced().seconds(), Some(10));
     let shown = screen(&mut app, 80, 24);
-    assert!(!shown.contains("without the monitor"), "{shown}");
+    assert!(!shown.contains("when the monitor ends"), "{shown}");
 }
 
 #[test]
@@ -578,7 +578,7 @@ fn a_board_that_cannot_end_forcing_is_said_to_be_so_once() {
     let mut says = |key| {
         let wish = press(&mut app, KeyCode::Char(key));
         assert!(wish.is_some(), "it is forced all the same");
-        screen(&mut app, 120, 24).contains("they stay forced without the monitor")
+        screen(&mut app, 120, 24).contains("they stay forced when the monitor ends")
     };
     assert!(!says('x'));
     assert!(says('1'));
@@ -590,7 +590,7 @@ fn a_board_that_cannot_end_forcing_is_said_to_be_so_once() {
 fn an_output_that_no_rung_writes_is_said_to_stay_on_when_it_is_let_go() {
     for (program, says) in [
         (Some(program()), "Q3 stays on: no rung writes it"),
-        (None, "Q1 Q3 is on, and stays so unless"),
+        (None, "Q1 Q3 is on and stays on unless"),
     ] {
         let mut app = app(program);
         let mut now = reading();
@@ -720,7 +720,7 @@ fn the_screen_speaks_portuguese() {
     }
 }
 
-/// Who leaves right behind a force is told of it, though the reading on its way knows nothing of it yet.
+/// Who leaves right after a force is told of it, though the reading on its way knows nothing of it yet.
 #[test]
 fn a_reading_from_before_a_force_does_not_hide_it() {
     let mut app = showing(reading());

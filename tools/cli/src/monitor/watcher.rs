@@ -177,8 +177,8 @@ mod tests {
             (run, board(State::Fault, 0), "FAULT: r restarts"),
             (run, board(State::Stop, flag::STOP_SWITCH), "A5 is closed"),
             (scan, board(State::Stop, flag::UPLOAD), "upload"),
-            (scan, board(State::Run, 0), "space stops"),
-            (run, board(State::Stop, 0), "not do that now"),
+            (scan, board(State::Run, 0), "press space"),
+            (run, board(State::Stop, 0), "cannot do that now"),
         ] {
             let said = refusal(Wish::Command(command), &board);
             assert!(said.contains(says), "{said}");

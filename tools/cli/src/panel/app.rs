@@ -325,7 +325,7 @@ impl App {
         Ok(())
     }
 
-    /// Starts the program anew, as a reset of the board does: retentive markers are kept, and buttons stay
+    /// Starts the program again, as a reset of the board does: retentive markers are kept, and buttons stay
     /// as they are.
     fn restart(&mut self) {
         self.machine.with_plc(|plc: &mut Plc<'_>| plc.restart());

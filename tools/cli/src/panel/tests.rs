@@ -576,7 +576,7 @@ fn variables_show_their_names_and_numbers_their_values() {
         "{shown}"
     );
     assert!(shown.contains("   7   ST speed  = 12"), "{shown}");
-    // The value behind it, which is that of the scan and not of the register as it stands.
+    // The value after it, which is that of the scan and not of the register as it stands.
     assert!(shown.contains("   6   ADD 3  = 12\n"), "{shown}");
     assert!(shown.contains("   9 ● ST fast"), "{shown}");
 }

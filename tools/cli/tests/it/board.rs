@@ -78,19 +78,22 @@ fn what_is_no_board_is_told_apart() {
     assert!(error.starts_with(&says), "{error}");
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Garbled));
-    let says = format!("what comes from {path} is no Modbus at 115200 baud, no parity");
+    let says = format!("{path} does not speak Modbus at 115200 baud, no parity");
     assert!(error.starts_with(&says), "{error}");
     let (mistaken, _) = message(Fake::with(Board::default(), |_, _| Fate::Mistaken));
-    assert!(mistaken.starts_with("what comes from"), "{mistaken}");
+    assert!(
+        mistaken.contains(" does not speak Modbus at "),
+        "{mistaken}"
+    );
 
     let (error, path) = message(Fake::new(Board {
         identity: ["ACME", "Meter", "3"],
         ..Board::default()
     }));
-    let way_on = "; `unoclp flash` puts its firmware on an UNO or a Nano";
+    let way_on = "; `unoclp flash` installs the firmware on an UNO or a Nano";
     assert_eq!(
         error,
-        format!("what answers at {path} is no unoclp but \"ACME Meter 3\"{way_on}")
+        format!("the device at {path} does not run unoclp but \"ACME Meter 3\"{way_on}")
     );
 
     let (error, path) = message(Fake::new(Board {
@@ -99,12 +102,12 @@ fn what_is_no_board_is_told_apart() {
     }));
     assert_eq!(
         error,
-        format!("what answers at {path} is no unoclp{way_on}")
+        format!("the device at {path} does not run unoclp{way_on}")
     );
 
     let (error, path) = message(Fake::with(Board::default(), |_, _| Fate::Unplugged));
     assert!(
-        error.starts_with(&format!("{path}: the port is gone: ")),
+        error.starts_with(&format!("{path}: the port has disappeared: ")),
         "{error}"
     );
 }
@@ -128,7 +131,7 @@ fn a_port_that_cannot_be_used_says_why() {
             .starts_with("there is no port /dev/no-such-port; this PC has ")
     );
     for port in ["/dev/null", "/"] {
-        assert_eq!(at(port).to_string(), format!("{port} is no serial port"));
+        assert_eq!(at(port).to_string(), format!("{port} is not a serial port"));
     }
     let denied = NotOpened::Denied {
         port: "/dev/ttyACM0".to_owned(),
@@ -136,14 +139,14 @@ fn a_port_that_cannot_be_used_says_why() {
     assert!(
         denied
             .to_string()
-            .starts_with("/dev/ttyACM0 may not be used by this user; ")
+            .starts_with("this user may not open /dev/ttyACM0; ")
     );
 
     let _user = find(&fake.place(), PATIENT).unwrap();
     assert_eq!(
         at(fake.path()).to_string(),
         format!(
-            "{} is in use by another program; close its serial monitor",
+            "another program is using {}; close its serial monitor",
             fake.path()
         )
     );
@@ -197,7 +200,7 @@ fn a_board_that_is_watched_does_what_is_wished() {
         News::Refused(why) => Some(why),
         _ => None,
     });
-    assert_eq!(why, "A5 is closed, which holds the board in STOP");
+    assert_eq!(why, "A5 is closed and holds the board in STOP");
     fake.board().outputs = 4;
     until(&news, |reading| reading.outputs == 4);
 }
@@ -228,10 +231,10 @@ fn what_is_locked_is_refused_for_that() {
         })
     };
     let why = refusal(Wish::Command(Command::Stop));
-    assert_eq!(why, "commands are locked at this board");
+    assert_eq!(why, "commands are locked on this board");
     for wished in [Wish::Force(Side::Inputs, 0, Some(true)), Wish::Release] {
         let why = refusal(wished);
-        assert_eq!(why, "writing and forcing are locked at this board");
+        assert_eq!(why, "writing and forcing are locked on this board");
     }
 }
 
@@ -256,7 +259,7 @@ fn a_board_that_is_lost_is_found_again() {
         _ => None,
     };
     let why = next(&news, lost);
-    assert!(why.contains("no Modbus"), "{why}");
+    assert!(why.contains("not Modbus"), "{why}");
     next(&news, |news| {
         matches!(news, News::Found { .. }).then_some(())
     });
@@ -275,6 +278,6 @@ fn a_port_that_is_not_there_is_looked_for() {
         panic!("it is there");
     };
     assert!(why.starts_with("there is no port"), "{why}");
-    let refused = News::Refused("there is no board to do it".to_owned());
+    let refused = News::Refused("no board is connected".to_owned());
     assert_eq!(news.recv().unwrap(), refused);
 }

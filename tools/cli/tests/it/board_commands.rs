@@ -168,7 +168,7 @@ fn a_fault_that_the_board_finds_is_shown_as_check_does() {
     });
     let (code, out, err) = on(&fake, &["upload", &program]);
     assert_eq!((code, err.as_str()), (1, ""));
-    let says = "the board refuses the program, and keeps the one that it had:\nerror[57]: ";
+    let says = "the board rejects the program and keeps its old one:\nerror[57]: ";
     assert!(out.contains(says), "{out}");
     assert_eq!(fake.board().state, STOP, "it does not run");
 }
@@ -195,10 +195,7 @@ fn a_card_with_another_program_has_the_last_word() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     assert_eq!(code, 2);
-    assert!(
-        err.contains("the board's card has another PROGRAM.TXT"),
-        "{err}"
-    );
+    assert!(err.contains("it loaded another PROGRAM.TXT"), "{err}");
 }
 
 #[test]
@@ -236,14 +233,14 @@ fn settings_that_are_not_kept_are_no_success() {
     let (code, _, err) = on(&fake, &["settings", "--set-address", "7"]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("the board does not keep the settings"),
+        err.contains("the board could not store the settings"),
         "{err}"
     );
     let board = fake.board();
     assert_eq!((board.restarts, board.state), (0, RUN));
 }
 
-/// What is said behind the settings that the board had.
+/// What is said after the settings that the board had.
 fn said_of_settings(fake: &Fake, more: &[&str]) -> String {
     let (code, out, err) = on(fake, &[&["settings"], more].concat());
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
@@ -305,7 +302,7 @@ fn behind_a_lock_of_commands_a_reset_is_asked_for() {
     let says = format!(
         "now locked: commands{TO_UNLOCK}\
          address 1, 9600 baud, no parity, direction pin off, locked: commands\n\
-         commands are locked: reset the board, and it uses these settings\n"
+         commands are locked: reset the board to apply these settings\n"
     );
     let set = ["--set-rate", "9600", "--lock", "commands"];
     assert_eq!(said_of_settings(&fake, &set), says);
@@ -337,7 +334,7 @@ fn a_board_without_a_lock_is_not_stopped_for_one() {
         ..Board::default()
     });
     let (code, out, err) = on(&fake, &["settings", "--lock", "upload"]);
-    let says = "error: the board has no lock; it takes newer firmware\n";
+    let says = "error: the board has no lock; install newer firmware\n";
     assert_eq!((code, err.as_str()), (2, says));
     assert!(out.ends_with(", direction pin off\n"), "{out}");
     assert!(!fake.board().stopped);
@@ -371,8 +368,8 @@ fn settings_that_change_too_often_are_refused_and_the_board_runs_on() {
         ..Board::default()
     });
     let (code, out, err) = on(&fake, &["settings", "--set-address", "7"]);
-    let says = "error: the board does not take the settings: refused: \
-                settings or programs have been stored too often; try again in an hour, or after the power was off (06)\n";
+    let says = "error: the board rejected the settings: refused: \
+                the board has stored settings or programs too often; try again in an hour, or after a power cycle (06)\n";
     assert_eq!((code, err.as_str()), (2, says));
     assert!(out.ends_with("nothing locked\nRUN\n"), "{out}");
     assert_eq!(fake.board().state, RUN);
@@ -397,7 +394,8 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     ] {
         let fake = Fake::new(locked(0b100));
         let (code, _, err) = on(&fake, command);
-        let says = "error: commands are locked, so the board is stopped by A5 only: close it, then try again\n";
+        let says =
+            "error: commands are locked, so only A5 can stop the board: close it, then try again\n";
         assert_eq!((code, err.as_str()), (2, says));
     }
     let fake = Fake::new(Board {
@@ -416,7 +414,7 @@ fn a_board_whose_commands_are_locked_is_stopped_by_a5_only() {
     });
     let (code, _, err) = on(&fake, &["upload", &program]);
     let says = "error: the program is stored, but the board does not start it: \
-                refused: the board is locked against it, or has no such function (01)\n";
+                refused: the board is locked against this, or lacks the function (01)\n";
     assert_eq!((code, err.as_str()), (2, says));
 }
 
@@ -436,7 +434,7 @@ fn what_cannot_be_done_is_exit_code_2_and_says_what_to_do() {
         (&["upload", &program, port[0], port[1]], missing),
         (&["settings", port[0], port[1]], missing),
         (&["monitor", port[0], port[1]], "error: the monitor needs a terminal"),
-        (&["settings", port[0], port[1], "--set-rate", "1234"], "error: a board has no rate of 1234 baud; it has 2400, "),
+        (&["settings", port[0], port[1], "--set-rate", "1234"], "error: a board does not support 1234 baud; it supports 2400, "),
         (&["settings", port[0], port[1], "--address", "0"], "error: invalid value '0' for '--address"),
         (&["monitor", port[0], port[1], "--end-forcing", "0"], "error: invalid value '0' for '--end-forcing <SECONDS>': 0 is not in 1..=254"),
         (&["monitor", port[0], port[1], "--end-forcing", "255"], "error: invalid value '255' for '--end-forcing <SECONDS>'"),
@@ -527,7 +525,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             unreliable,
             settings,
-            "a placa não guarda os ajustes: a sua EEPROM falha",
+            "a placa não conseguiu guardar os ajustes: a EEPROM dela falha",
         ),
         (
             faulty(24),
@@ -543,7 +541,7 @@ fn a_board_is_told_of_in_portuguese() {
         (
             differs,
             upload,
-            "a placa recusa o programa e mantém o que tinha:\nerro[57]",
+            "a placa recusa o programa e mantém o antigo:\nerro[57]",
         ),
         (
             Board::default(),
@@ -573,10 +571,10 @@ fn a_board_is_told_of_in_portuguese() {
         (
             worn,
             settings,
-            "recusado: ajustes ou programas foram gravados vezes demais",
+            "recusado: a placa gravou ajustes ou programas vezes demais",
         ),
         (failing, upload, "falha 75: desvios demais para trás"),
-        (card, upload, "tem outro PROGRAM.TXT"),
+        (card, upload, "leu outro PROGRAM.TXT"),
     ] {
         let fake = Fake::new(board);
         let (_, out, err) = on(&fake, &[command, &["--lang", "pt"]].concat());
@@ -615,7 +613,7 @@ fn an_upload_lets_go_what_is_forced_unless_it_is_told_not_to() {
         ..Board::default()
     });
     let (_, out, _) = on(&fake, &["upload", &program, "--keep-forces"]);
-    let says = "RUN\nstill forced: I1=1 Q2=0; the board lets all go 30 s after the last request, ";
+    let says = "RUN\nstill forced: I1=1 Q2=0; the board releases all 30 s after the last request; ";
     assert!(out.contains(says), "{out}");
 
     // What is refused changes nothing, and says so.
@@ -658,7 +656,7 @@ fn an_upload_that_is_interrupted_ends_in_order() {
     let output = child.wait_with_output().unwrap();
     let err = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{err}");
-    let says = "error: interrupted; the board is in STOP, and keeps the program that it had\n";
+    let says = "error: interrupted; the board is in STOP and keeps its old program\n";
     assert_eq!(err, says);
     let board = fake.board();
     assert!(!board.is_uploading() && board.state == STOP);

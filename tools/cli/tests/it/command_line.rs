@@ -42,7 +42,7 @@ fn faults_are_exit_code_1_in_every_command() {
             "{out}"
         );
         assert!(
-            out.ends_with(": 1 fault; the board will not run any of it\n"),
+            out.ends_with(": 1 fault; the board will not run this program\n"),
             "{out}"
         );
     }
@@ -113,7 +113,7 @@ fn a_scenario_passes_or_fails_and_leaves_its_trace() {
     let (code, out, _) = outcome(&["sim", &slower, "--scenario", &scenario]);
     assert_eq!(code, 1, "{out}");
     assert!(
-        out.ends_with("\n\nFAIL\n  Q1 at 3 ms: expected 1, came 0\n"),
+        out.ends_with("\n\nFAIL\n  Q1 at 3 ms: expected 1, got 0\n"),
         "{out}"
     );
 }
@@ -208,7 +208,7 @@ fn a_huge_text_is_refused_at_once() {
         let (code, out, err) = outcome(&[command, &huge]);
         assert_eq!((code, out.as_str()), (2, ""));
         assert!(
-            err.ends_with("has more than 1048576 bytes; no program and no scenario is as long\n"),
+            err.ends_with("is longer than 1048576 bytes; no program or scenario is that long\n"),
             "{err}"
         );
     }
@@ -234,12 +234,12 @@ fn a_huge_scenario_is_refused_at_once_and_so_is_its_program() {
         let (code, out, err) = sim("C");
         assert_eq!((code, out.as_str()), (2, ""));
         assert!(
-            err.ends_with("has more than 1048576 bytes; no program and no scenario is as long\n"),
+            err.ends_with("is longer than 1048576 bytes; no program or scenario is that long\n"),
             "{err}"
         );
         let (_, _, err) = sim("pt_BR.UTF-8");
         assert!(
-            err.ends_with("tem mais de 1048576 bytes; nenhum programa ou cenário é tão longo\n"),
+            err.ends_with("passa de 1048576 bytes; nenhum programa ou cenário é tão longo\n"),
             "{err}"
         );
     }

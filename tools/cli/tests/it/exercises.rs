@@ -84,7 +84,7 @@ fn sim_draws_what_was_pressed_expected_and_came() {
         for text in ["I1 on &lt;1&gt;", "Q1 lamp", "expected", "came", "It stays"] {
             assert!(svg.contains(text), "{text} in {svg}");
         }
-        let why = "FAIL: Q1 at 120 ms: expected 1, came 0";
+        let why = "FAIL: Q1 at 120 ms: expected 1, got 0";
         assert_eq!(svg.contains(why), !passes, "{svg}");
     }
 }
@@ -127,9 +127,9 @@ fn a_class_is_graded_and_what_is_wrong_is_a_row() {
         ("file", "first failing case"),
         ("ana/lamp.il", "2/2    passed"),
         ("bia/lamp.st", "2/2    passed"),
-        ("bits.il", "0/2    no program that runs: the file holds bytes that are no text"),
+        ("bits.il", "0/2    no program that runs: the file is binary, not text"),
         ("empty.txt", "0/2    no program that runs: the file is empty"),
-        ("follows, only.il", "1/2    It stays: Q1 at 120 ms: expected 1, came 0 (until 300 ms)"),
+        ("follows, only.il", "1/2    It stays: Q1 at 120 ms: expected 1, got 0 (until 300 ms)"),
         ("large.il", "0/2    no program that runs: line "),
         ("loops.st", "0/2    On: line 5: fault 75: too many jumps back in one scan (NC-19)"),
         ("point.il", "0/2    no program that runs: line 1: there is no point `I9` on this board"),
@@ -187,7 +187,7 @@ fn a_page_shows_each_first_failing_case() {
     assert!(text.contains("a&amp;b.il") && !text.contains("a&b.il"));
     let links = text.matches("http").count();
     assert_eq!(links, text.matches("http://www.w3.org/2000/svg").count());
-    // Written anew, and nothing else overwritten.
+    // Written again, and nothing else overwritten.
     assert_eq!(outcome(&["grade", exercise, class, "--html", page]).0, 1);
     let (code, out, err) = outcome(&["grade", exercise, class, "--html", exercise]);
     assert_eq!((code, out.as_str()), (2, ""), "{err}");
@@ -209,7 +209,7 @@ fn wrong_arguments_are_told_in_both_languages() {
         (&["grade", "no.toml", &program], "no.toml: the file cannot be read", "no.toml: o arquivo não pode ser lido"),
         (&["grade", &program, &program], "lamp.il:1: ", "lamp.il:1: isto não é TOML válido"),
         (&["grade", &exercise, "no.il"], "no.il cannot be read", "não foi possível ler no.il"),
-        (&["grade", &exercise, empty], "has no program in it", "não tem nenhum programa"),
+        (&["grade", &exercise, empty], "contains no program", "não tem nenhum programa"),
     ];
     for (arguments, en, pt) in cases {
         for (lang, told) in [("en_US.UTF-8", en), ("pt_BR.UTF-8", pt)] {

@@ -291,10 +291,7 @@ fn a_mounted_card_gets_the_program_and_nothing_else_changes() {
     fs::write(card.join("STATE.TXT"), "kept").unwrap();
     let (code, out, _) = outcome(&["card", path, &numeric, "--state"]);
     assert_eq!(code, 0);
-    assert!(
-        out.starts_with("STATE.TXT: there already, and left as it is\n"),
-        "{out}"
-    );
+    assert!(out.starts_with("STATE.TXT: exists, not changed\n"), "{out}");
     assert_eq!(read("STATE.TXT"), "kept");
 
     // A program that is wrong leaves the card as it was.
@@ -330,7 +327,7 @@ fn an_image_of_a_card_is_made_new() {
     let (code, _, err) = outcome(&["card", &plain, &numeric]);
     assert_eq!(code, 2);
     assert!(
-        err.contains("is there already, and only PROGRAM.TXT on a card is overwritten"),
+        err.contains("exists, and unoclp overwrites only PROGRAM.TXT on a card"),
         "{err}"
     );
     assert!(fs::read(&plain).unwrap() == before);
@@ -349,7 +346,7 @@ fn a_card_that_is_not_there_is_told() {
         (&["card"], "error: the following required arguments were not provided:\n  <CARD>\n  <FILE>"),
         (&["card", folder.to_str().unwrap()], "error: the following required arguments were not provided:\n  <FILE>"),
         (&["card", folder.to_str().unwrap(), "no-such.txt"], "error: no-such.txt cannot be read ("),
-        (&["card", &unmounted, &numeric], "error: there is no folder "),
+        (&["card", &unmounted, &numeric], "error: the folder "),
         (&["card", &nowhere, &numeric], "error: "),
         (&["card", odd.to_str().unwrap(), &numeric], "error: "),
     ];

@@ -15,26 +15,26 @@ fn check_tells_how_old_a_kept_number_may_be() {
         (
             2,
             26,
-            "2 numbers, kept as of at most 1 minute ago",
-            "2 números, como estavam há no máximo 1 minuto",
+            "2 numbers, at most 1 minute old",
+            "2 números, de no máximo 1 minuto antes",
         ),
         (
             1,
             516,
-            "1 number, kept as of at most 1 minute ago",
-            "1 número, como estava há no máximo 1 minuto",
+            "1 number, at most 1 minute old",
+            "1 número, de no máximo 1 minuto antes",
         ),
         (
             16,
             465,
-            "16 numbers, kept as of at most 9 minutes ago",
-            "16 números, como estavam há no máximo 9 minutos",
+            "16 numbers, at most 9 minutes old",
+            "16 números, de no máximo 9 minutos antes",
         ),
         (
             16,
             733,
-            "16 numbers, kept as of at most 27 minutes ago",
-            "16 números, como estavam há no máximo 27 minutos",
+            "16 numbers, at most 27 minutes old",
+            "16 números, de no máximo 27 minutos antes",
         ),
     ] {
         let program = file(
@@ -108,8 +108,8 @@ fn retaining(numbers: &str, contacts: usize) -> String {
 #[test]
 fn check_and_compile_tell_it_of_instruction_list_too() {
     let text = file("retaining.il", &retaining("a, b", 700));
-    let english = "after a power cut: 2 numbers, kept as of at most 4 minutes ago\n";
-    let portuguese = "após uma queda de energia: 2 números, como estavam há no máximo 4 minutos\n";
+    let english = "after a power cut: 2 numbers, at most 4 minutes old\n";
+    let portuguese = "após uma queda de energia: 2 números, de no máximo 4 minutos antes\n";
     for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
         let (code, out, _) = outcome_in(&["check", &text], lang);
         assert!(code == 0 && out.contains(&format!("\n  {told}")), "{out}");
@@ -128,12 +128,12 @@ fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking
         (
             "C",
             "; 28 bytes of program memory are lacking.",
-            "what is kept takes room for two records",
+            "retained variables need room for two records",
         ),
         (
             "pt_BR.UTF-8",
             "; faltam 28 bytes de memória de programa.",
-            "o que é retido precisa de lugar para duas gravações",
+            "variáveis retidas precisam de lugar para duas gravações",
         ),
     ] {
         for command in ["check", "compile"] {

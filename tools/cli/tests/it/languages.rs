@@ -122,17 +122,17 @@ fn what_is_no_program_is_told_what_it_is_in_every_command() {
     for (lang, none, nothing, bytes, which) in [
         (
             "C",
-            " is no program: it begins in none",
+            " is not a program: its first lines match none",
             " is empty",
-            "no text",
-            "--language says which",
+            "not text",
+            "use --language",
         ),
         (
             "pt_BR",
-            " não é um programa: não começa em nenhuma",
+            " não é um programa: o começo dele não é de nenhuma",
             " está vazio",
-            "não são texto",
-            "--language diz qual",
+            "não um texto",
+            "use --language",
         ),
     ] {
         for (path, told) in [(&page, none), (&empty, nothing), (&binary, bytes)] {

@@ -106,9 +106,9 @@ fn whoever_leaves_is_told_what_stays_forced_and_how_long() {
         (
             &["--end-forcing", "10"][..],
             10,
-            "; the board lets all go 10 s after",
+            "; the board releases all 10 s after",
         ),
-        (&[], 0, "; a monitor lets them go with x"),
+        (&[], 0, "; x in the monitor or a restart releases them"),
     ] {
         let fake = Fake::new(Board::default());
         let mut monitor = Monitor::new(&fake, more);

@@ -26,11 +26,11 @@ fn a_program_with_real_numbers_is_refused_by_the_instruction() {
             let (code, out, _) = outcome(&["check", &path, "--board", board]);
             assert!(code == 1 && out.contains("24"), "{name}: {out}");
             assert!(out.contains(instruction), "{name}: {out}");
-            assert!(out.contains("the firmware of Nanos"), "{name}: {out}");
+            assert!(out.contains("the firmware of a Nano"), "{name}: {out}");
             let portuguese = ["check", &path, "--board", board];
             let (code, out, _) = outcome_in(&portuguese, "pt_BR.UTF-8");
             assert!(
-                code == 1 && out.contains("o firmware dos Nanos não tem"),
+                code == 1 && out.contains("o firmware de um Nano não tem"),
                 "{out}"
             );
         }

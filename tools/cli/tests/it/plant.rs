@@ -16,7 +16,7 @@ fn a_program_that_controls_a_machine_well_passes() {
     assert_eq!(code, 0, "{said}{told}");
     assert_eq!(
         said,
-        "A garage door\n  rules kept: 3 of 3; goals met: 4 of 4\nthe machine does as it should: PASS\n"
+        "A garage door\n  rules kept: 3 of 3; goals met: 4 of 4\nthe machine does what it should: PASS\n"
     );
 }
 
@@ -78,10 +78,10 @@ fn a_run_becomes_a_moving_picture() {
 fn what_is_wrong_with_the_arguments_is_told() {
     let (program, plant) = (plants("garage.st"), plants("garage.toml"));
     for (more, words) in [
-        (["--at", "tomorrow"], "tomorrow is no time of a run"),
+        (["--at", "tomorrow"], "tomorrow is not a time"),
         (
             ["--at", "2min"],
-            "2min comes after the end of the run, at 60 s",
+            "2min is after the end of the run, at 60 s",
         ),
     ] {
         let arguments = [&["sim", &program, "--plant", &plant][..], &more].concat();
@@ -116,7 +116,7 @@ fn a_plant_alone_is_told_and_drawn_or_its_mistakes_are() {
     let (code, said, _) = outcome(&["plant", "check", &wrong]);
     assert_eq!(code, 1);
     assert!(
-        said.contains("left sets I1 too; give each its own input"),
+        said.contains("left also sets I1; give each its own input"),
         "{said}"
     );
 }
@@ -148,18 +148,76 @@ fn an_exercise_with_a_machine_has_two_verdicts() {
     assert!(
         lines
             .next()
-            .is_some_and(|line| line.contains(",no,1,1,,at 23.145 s a rule broke")),
+            .is_some_and(|line| line.contains(",no,1,1,,at 23.145 s a rule was broken")),
         "{said}"
     );
     // What the one case and the machine leave open.
     let (code, said, _) = outcome(&["mutants", &exercise]);
     assert_eq!(code, 1);
     assert!(
-        said.contains("two coils exchanged: ST Q1 → ST Q2\n"),
+        said.contains("two coils swapped: ST Q1 → ST Q2\n"),
         "{said}"
     );
     assert!(
         said.ends_with("wrong programs that pass: 2 of 14\n"),
+        "{said}"
+    );
+}
+
+/// A machine whose one part is plastic with its own chance, and metal with the hidden chance 2.
+const BY_CHANCE: &str = r#"title = "Belt"
+until = "12 s"
+seed = 4
+[[part]]
+name = "belt"
+kind = "belt"
+run = "Q1"
+onto = "rest"
+long = "1 m"
+speed = "400 mm/s"
+[[part]]
+name = "feeder"
+kind = "feeder"
+onto = "belt"
+every = "400 mm"
+things = "mixed"
+most = 1
+[[part]]
+name = "rest"
+kind = "bin"
+wants = "plastic"
+[[never]]
+when = "rest.wrong > 0"
+text = { en = "No metal", pt = "Nenhum metal" }
+"#;
+
+/// What chance brings is hidden from a student, whose page tells nothing of it (`page/bridge/tests/machine.rs`), and told to
+/// the teacher who grades.
+#[test]
+fn hidden_chances_are_told_to_the_teacher() {
+    let folder = empty_folder("plant-seeds");
+    let put = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    put("belt.toml", BY_CHANCE);
+    let exercise = |seeds: &str| {
+        let text = format!(
+            "title = \"Belt\"\nplant = \"belt.toml\"\n{seeds}[[case]]\ntitle = \"It runs\"\nuntil = 20\nstep = [{{ at = 10, expect = {{ Q1 = 1 }} }}]\n"
+        );
+        put("exercise.toml", &text)
+    };
+    let program = put("runs.il", "LDN M1\nST Q1\n");
+    let (code, said, told) = outcome(&["grade", &exercise(""), &program]);
+    assert_eq!(code, 0, "its own chance alone: {said}{told}");
+    let (code, said, _) = outcome(&["grade", &exercise("seeds = [5, 6]\n"), &program]);
+    assert_eq!(code, 0, "{said}");
+    let hidden = exercise("seeds = [5, 2]\n");
+    let (code, said, _) = outcome(&["grade", &hidden, &program, "--csv"]);
+    assert_eq!(code, 1, "{said}");
+    assert!(
+        said.contains(",no,1,1,,with hidden chances (2): at 2.599 s a rule was broken: No metal"),
         "{said}"
     );
 }

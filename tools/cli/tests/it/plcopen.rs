@@ -35,10 +35,10 @@ fn a_program_is_listed_as_a_project_and_taken_again_by_every_command() {
 fn what_no_project_can_say_is_named_in_both_languages() {
     let program = file("no-project.txt", "0\n827301\n7370\n877901\n697868\n");
     for (lang, told) in [
-        ("en", "XML-523: rung 1: `IF` cannot be said in PLCopen XML"),
+        ("en", "XML-523: rung 1: PLCopen XML has no form for `IF`"),
         (
             "pt-BR",
-            "XML-523: linha 1: `IF` não se escreve em PLCopen XML",
+            "XML-523: linha 1: o PLCopen XML não tem forma para `IF`",
         ),
     ] {
         let (code, out, errors) = outcome_in(&["list", &program, "--as", "xml"], lang);

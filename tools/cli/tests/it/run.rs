@@ -123,11 +123,11 @@ fn a_loop_without_end_is_stopped() {
     for (lang, told) in [
         (
             "C",
-            "the text:2:1: this scan does not end: it was stopped here after 20000000 steps. ",
+            "the text:2:1: this scan does not end; unoclp stopped it here after 20000000 steps. ",
         ),
         (
             "pt_BR",
-            "o texto:2:1: esta varredura não termina: parou aqui depois de 20000000 passos. ",
+            "o texto:2:1: esta varredura não termina; o unoclp a parou aqui depois de 20000000 passos. ",
         ),
     ] {
         let (code, out, err) = outcome_in(&["run", "--text", text], lang);
@@ -141,7 +141,7 @@ fn what_cannot_be_run_is_exit_code_2() {
     for (arguments, told) in [
         (
             vec!["run"],
-            "error: say what to run: a file, - for standard input, or --text \"…\"\n",
+            "error: name what to run: a file, - for standard input, or --text \"…\"\n",
         ),
         (vec!["run", "no.st"], "error: no.st cannot be read ("),
         (
@@ -176,7 +176,7 @@ fn what_cannot_be_run_is_exit_code_2() {
                 "--set",
                 "x=1.5",
             ],
-            "error: 1.5 is no value for x, which is INT\n",
+            "error: 1.5 is not a valid value for x, which is INT\n",
         ),
     ] {
         let (code, out, err) = outcome(&arguments);
@@ -191,7 +191,7 @@ fn a_value_that_cannot_be_computed_is_told() {
     assert_eq!(code, 0);
     assert!(out.contains("x     INT   0"), "{out}");
     assert!(
-        err.contains(":1:30: here a value could not be computed, and S 04 was set"),
+        err.contains(":1:30: this value could not be computed, and S 04 was set"),
         "{err}"
     );
 }
@@ -245,7 +245,7 @@ fn a_variable_of_mixed_kinds_is_what_it_holds() {
     let (code, _, err) = outcome(&["run", "--set", "V0=x", "--text", text]);
     assert_eq!(code, 2);
     assert!(
-        err.starts_with("error: x is no value for V0, which is REAL/DINT"),
+        err.starts_with("error: x is not a valid value for V0, which is REAL/DINT"),
         "{err}"
     );
 }
@@ -384,22 +384,22 @@ fn what_is_wrong_in_interscl_and_lce_is_told_in_both_languages() {
         (
             "BLOCO INT a, b; END_BLOCK",
             "C",
-            "error[ISCL-304]: a declaration has one name, and `b` follows behind a comma\n --> the text:1:12\n",
+            "error[ISCL-304]: a declaration has one name, but `b` follows after a comma\n --> the text:1:12\n",
         ),
         (
             "BLOCO INT a, b; END_BLOCK",
             "pt_BR",
-            "erro[ISCL-304]: uma declaração tem um só nome, e `b` vem depois de uma vírgula\n --> o texto:1:12\n",
+            "erro[ISCL-304]: uma declaração tem um só nome, mas `b` vem depois de uma vírgula\n --> o texto:1:12\n",
         ),
         (
             "clp x 5 := V0; fim",
             "C",
-            "error[LCE-403]: `5` is a constant, and a variable is needed here\n --> the text:1:7\n",
+            "error[LCE-403]: `5` is a constant, but a variable is needed here\n --> the text:1:7\n",
         ),
         (
             "clp x 5 := V0; fim",
             "pt_BR",
-            "erro[LCE-403]: `5` é uma constante, e aqui é preciso uma variável\n --> o texto:1:7\n",
+            "erro[LCE-403]: `5` é uma constante, mas aqui é preciso uma variável\n --> o texto:1:7\n",
         ),
     ] {
         let (code, out, err) = outcome_in(&["run", "--text", text], lang);

@@ -21,12 +21,12 @@ fn a_site_file_is_told_or_its_mistakes_are() {
     assert_eq!(code, 0, "{said}");
     assert!(
         said.starts_with(
-            "page: http://127.0.0.1:8420/, for this PC alone\nline /dev/ttyACM0: 115200"
+            "page: http://127.0.0.1:8420/, for this PC only\nline /dev/ttyACM0: 115200"
         ),
         "{said}"
     );
     assert!(
-        said.contains("    program lamp.st: its names (1) hold while the board keeps check sum "),
+        said.contains("    program lamp.st: its names (1) apply while the board has check sum "),
         "{said}"
     );
 
@@ -154,7 +154,7 @@ fn a_key_is_made_for_a_user_and_the_token_is_shown_once() {
     );
     let (code, _, told) = outcome(&["site", "key", "a.b"]);
     assert_eq!(code, 2);
-    assert!(told.contains("a.b cannot be a user's name"), "{told}");
+    assert!(told.contains("a.b is not a valid user name"), "{told}");
     let (code, _, _) = outcome(&["site", "key", "ana", "--role", "root"]);
     assert_eq!(code, 2);
 }

@@ -125,7 +125,7 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
                 assert!(stands, "{name}: {place:?}: {at}");
                 names += 1;
             }
-            // The comment behind a code tells its words and its line.
+            // The comment after a code tells its words and its line.
             let comment = code_lines[*place.codes.start() as usize - 1];
             if let Some((_, line)) = comment.rsplit_once("line ") {
                 assert_eq!(line.parse(), Ok(place.line), "{name}: {comment}");

@@ -21,7 +21,7 @@ fn read(name: &str) -> String {
     fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// A block of a page between fences: what stands behind the opening fence, and the lines.
+/// A block of a page between fences: what follows the opening fence, and the lines.
 #[derive(Debug, PartialEq)]
 struct Block {
     kind: String,
@@ -44,7 +44,7 @@ fn blocks(text: &str) -> Vec<Block> {
 /// The languages of the steps, as their files end and as the pages name their blocks.
 const LANGUAGES: [&str; 2] = ["il", "st"];
 
-/// What stands before the end of a link to a program, the end of its name, and what stands behind the link.
+/// What stands before the end of a link to a program, the end of its name, and what follows the link.
 fn linked(rest: &str) -> Option<(&str, &str, &str)> {
     let (link, behind) = rest.split_once(')')?;
     let (name, end) = link.rsplit_once('.')?;

@@ -150,7 +150,7 @@ impl Board {
         }
     }
 
-    /// Whether an upload is under way.
+    /// Whether an upload is in progress.
     pub fn is_uploading(&self) -> bool {
         self.upload.is_some()
     }
@@ -306,7 +306,7 @@ fn at(span: Span, table: Table, address: u16) -> Option<usize> {
     is_there.then(|| usize::from(address - span.first))
 }
 
-/// The registers of the forces, one behind the other.
+/// The registers of the forces, one after another.
 const FORCES: Span = Span {
     values: 5,
     ..holding::FORCED_INPUTS

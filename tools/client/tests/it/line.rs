@@ -23,7 +23,7 @@ pub struct Wire {
     pub now: Duration,
     /// What is on its way to the client, and when it comes.
     coming: VecDeque<(Duration, Vec<u8>)>,
-    /// How long an answer takes, and the pause behind each of its bytes.
+    /// How long an answer takes, and the pause after each of its bytes.
     pub delay: Duration,
     pub byte: Duration,
     /// The times at which requests were sent, with what they were.

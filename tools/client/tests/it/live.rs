@@ -21,7 +21,7 @@ const LARGE: Scope = Scope {
     counters: 8,
 };
 
-/// A line of 115,200 baud; behind each request the board hears 1.75 ms of silence, and takes some scans.
+/// A line of 115,200 baud; after each request the board hears 1.75 ms of silence, and takes some scans.
 fn line(board: Board) -> Wire {
     let mut wire = Wire::new(board);
     (wire.delay, wire.byte) = (3 * MS, Duration::from_micros(87));
@@ -42,7 +42,7 @@ async fn rounds(
     Ok(last)
 }
 
-/// Requests and time of each of many rounds behind the first.
+/// Requests and time of each of many rounds after the first.
 fn per_round(scope: Scope, parts: Parts) -> (f64, Duration) {
     const ROUNDS: u32 = 70;
     let mut wire = line(Board::default());

@@ -120,7 +120,7 @@ fn garbage_is_over_before_the_next_attempt() {
         }
     });
     let begun = wire.now;
-    // It goes on for a while behind the answer: 50 bytes, 10 ms from one to the next.
+    // It goes on for a while after the answer: 50 bytes, 10 ms from one to the next.
     for n in 1..=50 {
         wire.say(10 * n * MS, &[0x55]);
     }

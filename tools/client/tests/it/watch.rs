@@ -7,7 +7,7 @@ use unoclp_client::watch::{Reading, Scope, Seen, Side, Wish, Wishes, watch};
 use unoclp_client::{Client, Failure};
 use unoclp_modbus::Exception;
 
-/// Watches until the line fails, which it does behind so many requests; says what was seen, and when.
+/// Watches until the line fails, which it does after so many requests; says what was seen, and when.
 fn watched(
     board: Board,
     requests: u32,
@@ -51,7 +51,7 @@ fn a_board_is_read_over_and_over_until_it_is_lost() {
     let (wire, seen, failure) = watched(Board::default(), 3 * READING, None, |_, _| ());
     assert_eq!(readings(&seen).len(), 3);
     assert_eq!(failure, Failure::Lost("unplugged".to_owned()));
-    // The line is left to others for a while behind a reading.
+    // The line is left to others for a while after a reading.
     let pause = wire.sent[READING as usize].0 - wire.sent[READING as usize - 1].0;
     assert!(pause > 50 * MS, "{pause:?}");
 }
@@ -79,7 +79,7 @@ fn a_board_does_what_is_wished() {
     assert_eq!(wire.sent[at].0 - wire.sent[at - 1].0, 5 * MS);
 }
 
-/// Wishes this once, and gives what was seen behind it.
+/// Wishes this once, and gives what was seen after it.
 fn wishing(board: Board, end_forcing: Option<u8>, wish: Wish) -> (Wire, Vec<Seen>) {
     let mut wished = Some(wish);
     let (wire, seen, _) = watched(board, 4 * READING, end_forcing, |_, wishes| {

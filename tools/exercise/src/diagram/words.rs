@@ -8,8 +8,8 @@ unoclp_words::messages! {
     power_cut() "power cut" "queda de energia";
     seconds(whole, tenths) "{whole}.{tenths} s" "{whole},{tenths} s";
     legend()
-        "Red: not as expected. Where nothing is expected, anything will do."
-        "Vermelho: diferente do esperado. Onde nada é esperado, tudo serve.";
+        "Red: not as expected. Where nothing is expected, any value passes."
+        "Vermelho: diferente do esperado. Onde nada é esperado, qualquer valor serve.";
 }
 
 #[cfg(test)]

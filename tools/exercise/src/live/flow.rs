@@ -5,9 +5,9 @@ use unoclp_core::{After, CounterState, Plc, TimerState};
 /// What a program does at the moment, for its rungs to show.
 #[derive(Clone, Debug, Default)]
 pub struct Flow {
-    /// acc behind each instruction that the last scan has run; empty before the first scan.
+    /// acc after each instruction that the last scan has run; empty before the first scan.
     pub acc: Vec<Option<bool>>,
-    /// The value accumulator behind each of them, the last time that acc was 0 there and the last time that it was 1: a
+    /// The value accumulator after each of them, the last time that acc was 0 there and the last time that it was 1: a
     /// step of a loop is run more than once.
     values: Vec<[Option<i32>; 2]>,
     /// The timers as they stand.
@@ -47,17 +47,17 @@ impl Flow {
         self.counted = plc.counters().collect();
     }
 
-    /// acc behind this step, if the last scan has run it.
+    /// acc after this step, if the last scan has run it.
     pub fn acc(&self, step: usize) -> Option<bool> {
         self.acc.get(step).copied().flatten()
     }
 
-    /// The value behind this step, if the last scan has run it.
+    /// The value after this step, if the last scan has run it.
     pub fn value(&self, step: usize) -> Option<i32> {
         self.value_where(step, self.acc(step)?)
     }
 
-    /// The value behind this step, if the last scan has run it with this acc behind it.
+    /// The value after this step, if the last scan has run it with this acc after it.
     pub fn value_where(&self, step: usize, acc: bool) -> Option<i32> {
         self.values.get(step)?[usize::from(acc)]
     }

@@ -3,7 +3,7 @@
 /// What a line has come to in the last scan; none: the scan has not come there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// acc behind it, what it tests, or the bit that it stores.
+    /// acc after it, what it tests, or the bit that it stores.
     Power(Option<bool>),
     /// The number that it works on, as a literal of its type.
     Value(Option<String>),

@@ -1,4 +1,4 @@
-//! Lines of a text without statements: each shows acc behind the last of its steps, or the number that this works on.
+//! Lines of a text without statements: each shows acc after the last of its steps, or the number that this works on.
 //!
 //! Owns which of the steps of a line speaks for it. Must not know what a statement is.
 
@@ -16,7 +16,7 @@ pub(super) struct Stepped {
     numbers: BTreeMap<usize, Number>,
 }
 
-/// A number that a line shows: the value behind a step.
+/// A number that a line shows: the value after a step.
 #[derive(Clone, Copy)]
 struct Number {
     step: usize,
@@ -135,7 +135,7 @@ fn numbers(program: &Source) -> BTreeMap<usize, Number> {
     numbers
 }
 
-/// The step behind which acc is that of a line that is compiled to these steps in a row: the last, unless
+/// The step after which acc is that of a line that is compiled to these steps in a row: the last, unless
 /// branches go beyond the line; then the last that is more than their beginning or end, if there is one.
 fn tells(run: &[Step]) -> Option<usize> {
     let opens = run.iter().filter(|step| step.opcode.opens()).count();

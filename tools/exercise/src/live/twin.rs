@@ -21,7 +21,7 @@ impl Twin {
         }
     }
 
-    /// The program as it stands behind the last flow.
+    /// The program as it stands after the last flow.
     pub fn machine(&self) -> &Machine {
         &self.machine
     }

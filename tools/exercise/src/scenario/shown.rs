@@ -31,7 +31,7 @@ impl LoadError {
 }
 
 impl Unreadable {
-    /// In this language, behind the name of a file and a blank.
+    /// In this language, after the name of a file and a blank.
     pub fn text(&self, lang: Lang) -> String {
         match self {
             Unreadable::TooLong => too_long(lang, LONGEST),
@@ -255,7 +255,7 @@ fn verdict(verdict: &Verdict, lang: Lang) -> String {
     }
 }
 
-/// `Q1 at 5000 ms: expected 0, came 1 (until 5020 ms)`
+/// `Q1 at 5000 ms: expected 0, got 1 (until 5020 ms)`
 fn not_met(of: &Unmet, lang: Lang) -> String {
     let text = unmet(lang, of.place, of.from, of.expected, of.came);
     match of.to > of.from {

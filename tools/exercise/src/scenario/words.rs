@@ -4,24 +4,24 @@
 
 unoclp_words::messages! {
     too_long(most)
-        "has more than {most} bytes; no program and no scenario is as long"
-        "tem mais de {most} bytes; nenhum programa ou cenário é tão longo";
+        "is longer than {most} bytes; no program or scenario is that long"
+        "passa de {most} bytes; nenhum programa ou cenário é tão longo";
     not_read(error) "cannot be read: {error}" "não pode ser lido: {error}";
     the_file(why) "the file {why}" "o arquivo {why}";
-    no_toml() "this is no valid TOML" "isto não é TOML válido; confira aspas, vírgulas e colchetes";
+    no_toml() "this is not valid TOML; check quotes, commas and brackets" "isto não é TOML válido; confira aspas, vírgulas e colchetes";
     no_key(key, valid) "there is no key `{key}` here; there is {valid}" "não existe aqui a chave `{key}`; existe {valid}";
     missing_key(key) "the key `{key}` is missing" "falta a chave `{key}`";
-    key_twice() "this key stands there twice" "esta chave aparece duas vezes";
-    wrong_kind() "this value is of the wrong kind" "este valor não é do tipo que a chave pede";
+    key_twice() "this key appears twice" "esta chave aparece duas vezes";
+    wrong_kind() "this value has the wrong type" "este valor não é do tipo que a chave pede";
     key_in_step(told)
-        "{told}; keys of the whole file stand above the first [[step]]"
-        "{told}; as chaves do arquivo inteiro ficam acima do primeiro [[step]]";
+        "{told}; put keys of the whole file above the first [[step]]"
+        "{told}; ponha as chaves do arquivo inteiro acima do primeiro [[step]]";
     a_text()
         "`text` must be a text, or a list of texts and repeated texts"
         "`text` deve ser um texto, ou uma lista de textos e textos repetidos";
     both_languages()
-        "a text is written \"…\", {{ en = \"…\", pt = \"…\" }}, or in one of the two alone"
-        "um texto se escreve \"…\", {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas";
+        "write a text as \"…\" or {{ en = \"…\", pt = \"…\" }}, or with only one of the two languages"
+        "escreva um texto como \"…\" ou {{ en = \"…\", pt = \"…\" }}, ou em só uma das duas línguas";
     is_a_folder() "is a folder; name a file in it" "é uma pasta; indique um arquivo dela";
     no_file()
         "is a device or a pipe, which may never end; name a file"
@@ -30,16 +30,16 @@ unoclp_words::messages! {
         "{told}; a scenario is a file in TOML (.toml)"
         "{told}; um cenário é um arquivo em TOML (.toml)";
     too_many_scans(scans, most)
-        "this comes to {scans} scans, and a file may have {most} in all its cases; end it earlier (`until`), or make `scan_ms` longer"
-        "isto dá {scans} varreduras, e um arquivo pode ter {most} em todos os seus casos; termine antes (`until`) ou aumente `scan_ms`";
+        "this makes {scans} scans, but all cases of a file may have {most}; end it earlier (`until`), or make `scan_ms` longer"
+        "isto dá {scans} varreduras, mas os casos de um arquivo podem somar {most}; termine antes (`until`) ou aumente `scan_ms`";
     program(name, why) "the program {name} {why}" "o programa {name} {why}";
     has_errors() "has errors; `unoclp check` shows them" "tem erros; `unoclp check` os mostra";
     no_program()
         "it names no program; give a file: `sim FILE --scenario S.toml`"
         "ele não indica um programa; indique um arquivo: `sim ARQUIVO --scenario S.toml`";
     given_alone()
-        "`given` and `answer_in` belong together: a program, and the language to write it in"
-        "`given` e `answer_in` andam juntos: um programa, e a linguagem em que escrevê-lo";
+        "write `given` and `answer_in` together: a program, and the language for the answer"
+        "escreva `given` e `answer_in` juntos: um programa e a linguagem da resposta";
     no_language()
         "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""
         "`answer_in` não indica uma linguagem; escreva \"il\", \"st\", \"scl\", \"iscl\" ou \"lce\"";
@@ -61,7 +61,7 @@ unoclp_words::messages! {
     two_programs()
         "`program` and `text` both give a program; keep one of them"
         "`program` e `text` dão cada um um programa; deixe só um dos dois";
-    long_text(most) "`text` comes to more than {most} bytes" "`text` passa de {most} bytes";
+    long_text(most) "`text` is longer than {most} bytes" "`text` passa de {most} bytes";
     fault_and_steps()
         "a program with a `fault` never runs; remove `fault`, or the steps and `until`"
         "um programa com `fault` nunca roda; tire `fault`, ou os passos e `until`";
@@ -69,39 +69,39 @@ unoclp_words::messages! {
         "there is no fault {number}; docs/numeric-code.md lists them"
         "não existe a falha {number}; docs/faults.pt-BR.md lista todas";
     line_zero()
-        "lines count from 1; leave `line` out where the fault has none"
-        "as linhas contam a partir de 1; tire `line` se a falha não tem linha";
+        "lines count from 1; omit `line` if the fault has no line"
+        "as linhas são contadas a partir de 1; omita `line` se a falha não tem linha";
     no_period() "`scan_ms` must be 1 or more" "`scan_ms` deve ser 1 ou mais";
     ends_early(last)
         "`until` comes before the last step, at {last} ms"
         "`until` vem antes do último passo, em {last} ms";
     cases_and_steps()
-        "a file with [[case]] has its steps and `until` in the cases; move them there"
+        "in a file with [[case]], the steps and `until` belong in the cases; move them there"
         "um arquivo com [[case]] tem os passos e `until` dentro dos casos; passe-os para lá";
     several_cases(count)
-        "it has {count} cases, and a single one is run here"
-        "ele tem {count} casos, e aqui se roda um só";
+        "it has {count} cases, but only one can run here"
+        "ele tem {count} casos, mas aqui só se executa um";
     not_named(name, inputs, analogue, outputs, markers, registers)
-        "{name} is no point; points are I1 to I{inputs}, A0 to A{analogue}, Q1 to Q{outputs}, P1, P4, M1 to M{markers} and D1 to D{registers}"
+        "{name} is not a point; the points are I1 to I{inputs}, A0 to A{analogue}, Q1 to Q{outputs}, P1, P4, M1 to M{markers} and D1 to D{registers}"
         "{name} não é um ponto; os pontos são I1 a I{inputs}, A0 a A{analogue}, Q1 a Q{outputs}, P1, P4, M1 a M{markers} e D1 a D{registers}";
     nothing_happens()
-        "nothing happens; write a [[step]], or the `fault` that is expected"
+        "nothing happens; write a [[step]] or the expected `fault`"
         "nada acontece; escreva um [[step]], ou a falha esperada em `fault`";
     goes_on()
-        "a run ends where it `stops`; remove `until` and later steps"
+        "the run ends at `stops`; remove `until` and later steps"
         "a execução termina em `stops`; tire `until` e os passos depois dele";
     no_scan(at, period)
-        "no scan runs at {at} ms; scans run every {period} ms (`scan_ms`)"
-        "não há varredura em {at} ms; há uma a cada {period} ms (`scan_ms`)";
+        "no scan starts at {at} ms; scans start every {period} ms (`scan_ms`)"
+        "nenhuma varredura começa em {at} ms; começa uma a cada {period} ms (`scan_ms`)";
     order(at, last)
-        "the step at {at} ms does not come after the one at {last} ms; put steps in rising order"
-        "o passo em {at} ms não vem depois do passo em {last} ms; ponha os passos em ordem crescente";
+        "the step at {at} ms is not later than the one at {last} ms; put the steps in order of time"
+        "o passo em {at} ms não é posterior ao de {last} ms; ponha os passos em ordem de tempo";
     not_set(name, inputs, analogue, markers, registers)
-        "{name} cannot be set; what can is I1 to I{inputs}, A0 to A{analogue}, M1 to M{markers} and D1 to D{registers}"
-        "{name} não pode receber um valor; podem I1 a I{inputs}, A0 a A{analogue}, M1 a M{markers} e D1 a D{registers}";
+        "{name} cannot be set; set I1 to I{inputs}, A0 to A{analogue}, M1 to M{markers} or D1 to D{registers}"
+        "{name} não pode receber um valor; use I1 a I{inputs}, A0 a A{analogue}, M1 a M{markers} ou D1 a D{registers}";
     not_expected(name, outputs, markers, registers)
-        "{name} cannot be expected; what can is Q1 to Q{outputs}, M1 to M{markers}, D1 to D{registers}, P1 and P4"
-        "não se pode esperar nada de {name}; pode-se de Q1 a Q{outputs}, M1 a M{markers}, D1 a D{registers}, P1 e P4";
+        "{name} cannot be expected; use Q1 to Q{outputs}, M1 to M{markers}, D1 to D{registers}, P1 or P4"
+        "não se pode esperar nada de {name}; use Q1 a Q{outputs}, M1 a M{markers}, D1 a D{registers}, P1 ou P4";
     must_be(name, valid) "{name} must be {valid}" "{name} deve ser {valid}";
     zero_or_one() "0 or 1" "0 ou 1";
     number_from(from, to) "a number from {from} to {to}" "um número de {from} a {to}";
@@ -111,7 +111,7 @@ unoclp_words::messages! {
     legend() "1 = closed, on; · = open, off" "1 = fechada, ligada; · = aberta, desligada";
     passed() "PASS" "PASSOU";
     failed() "FAIL" "FALHOU";
-    nothing_expected() "it ran; nothing was expected" "rodou; nada era esperado";
+    nothing_expected() "the program ran; nothing was expected" "o programa rodou; nada era esperado";
     refused_as_expected(fault) "refused as expected: {fault}" "recusado como esperado: {fault}";
     stopped_as_expected(at, fault)
         "stopped as expected at {at} ms: {fault}"
@@ -124,7 +124,7 @@ unoclp_words::messages! {
     but_ran_on() "but the program ran on" "mas o programa continuou";
     but_accepted() "but the program was accepted" "mas o programa foi aceito";
     unmet(place, from, expected, came)
-        "{place} at {from} ms: expected {expected}, came {came}"
+        "{place} at {from} ms: expected {expected}, got {came}"
         "{place} em {from} ms: esperado {expected}, ocorreu {came}";
     unmet_until(unmet, to) "{unmet} (until {to} ms)" "{unmet} (até {to} ms)";
     more(count) "… and {count} more" "… e mais {count}";
@@ -134,7 +134,7 @@ unoclp_words::messages! {
     broken_at(at, reason) "at {at} ms: {reason}" "em {at} ms: {reason}";
     fault(number) "fault {number}" "falha {number}";
     fault_in_line(number, line) "fault {number}, line {line}" "falha {number}, linha {line}";
-    rule_broken(at, text) "at {at} a rule broke: {text}" "em {at} uma regra foi violada: {text}";
+    rule_broken(at, text) "at {at} a rule was broken: {text}" "em {at} uma regra foi violada: {text}";
     goal_missed(at, text, since)
         "at {at} a goal was missed: {text} (since {since})"
         "em {at} uma meta não foi atingida: {text} (desde {since})";

@@ -117,7 +117,7 @@ pub enum Wrong {
         /// ms from scan to scan.
         period: u32,
     },
-    /// A step stands behind a later one.
+    /// A step stands after a later one.
     Order {
         /// The step, in ms after the first scan.
         at: Millis,

@@ -1,4 +1,4 @@
-//! What the lines of a running program show: each file of `tests/live` says it behind its lines.
+//! What the lines of a running program show: each file of `tests/live` says it after its lines.
 
 use serde::Deserialize;
 use std::fmt::Write;
@@ -23,7 +23,7 @@ struct Case {
     about: String,
     /// The name of its file, whose end says its language.
     file: String,
-    /// Its text; behind `⟵` stands what a line shows: `on`, `off`, `= 5`; nothing where it shows nothing.
+    /// Its text; after `⟵` stands what a line shows: `on`, `off`, `= 5`; nothing where it shows nothing.
     text: String,
     /// The inputs that are on, and how long, ms; a scan each.
     steps: Vec<Step>,

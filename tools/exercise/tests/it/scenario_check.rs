@@ -89,7 +89,10 @@ fn the_engine_sees_inputs_and_time_stamps_across_the_wrap() {
         (0b1010, 3),
     ];
     assert_eq!(engine.scans, seen.map(|(inputs, now)| (Image(inputs), now)));
-    assert_eq!(verdict(&report), "PASS: it ran; nothing was expected");
+    assert_eq!(
+        verdict(&report),
+        "PASS: the program ran; nothing was expected"
+    );
 }
 
 #[test]
@@ -118,9 +121,9 @@ program: {0} (text)
          6   ·   1   ·   ·     1   ·   1   ·
 
 FAIL
-  Q1 at 2 ms: expected 1, came 0
-  Q4 at 5 ms: expected 0, came 1
-  Q1 at 8 ms: expected 0, came 1 (until 12 ms)",
+  Q1 at 2 ms: expected 1, got 0
+  Q4 at 5 ms: expected 0, got 1
+  Q1 at 8 ms: expected 0, got 1 (until 12 ms)",
         scenario.name()
     );
     assert_eq!(report.to_string(), expected);

@@ -28,35 +28,35 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
     #[rustfmt::skip]
     let cases = [
         // (after the head, the line, the message)
-        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
-        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
-        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
-        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
-        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
+        ("[[step]]\nat = 0\nexpect = { Q5 = 1 }", 5, "Q5 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { I1 = 1 }", 5, "I1 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nset = { I0 = 1 }", 5, "I0 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
+        ("[[step]]\nat = 0\nset = { I01 = 1 }", 5, "I01 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
+        ("[[step]]\nat = 0\n[step.set]\nI1 = 1\nI9 = 0", 7, "I9 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
         ("[[step]]\nat = 0\nset = { I1 = 2 }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { I1 = \"any\" }", 5, "I1 must be 0 or 1"),
         ("[[step]]\nat = 0\nexpect = { Q1 = true }", 5, "Q1 must be 0 or 1, or \"any\""),
         ("[[step]]\nat = 0\nexpect = { Q1 = \"all\" }", 5, "Q1 must be 0 or 1, or \"any\""),
-        ("until = 1000000000\n[[step]]\nat = 0", 3, "this comes to 1000000001 scans, and a file may have 2000000 in all its cases; end it earlier (`until`), or make `scan_ms` longer"),
-        ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "a text is written \"…\", { en = \"…\", pt = \"…\" }, or in one of the two alone"),
-        ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "a text is written \"…\", { en = \"…\", pt = \"…\" }, or in one of the two alone"),
-        ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms does not come after the one at 5 ms; put steps in rising order"),
-        ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms does not come after the one at 5 ms; put steps in rising order"),
-        ("scan_ms = 7\n[[step]]\nat = 15", 5, "no scan runs at 15 ms; scans run every 7 ms (`scan_ms`)"),
+        ("until = 1000000000\n[[step]]\nat = 0", 3, "this makes 1000000001 scans, but all cases of a file may have 2000000; end it earlier (`until`), or make `scan_ms` longer"),
+        ("names = { Q1 = 1 }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
+        ("names = { Q1 = {} }\n[[step]]\nat = 0", 3, "write a text as \"…\" or { en = \"…\", pt = \"…\" }, or with only one of the two languages"),
+        ("[[step]]\nat = 5\n[[step]]\nat = 4", 6, "the step at 4 ms is not later than the one at 5 ms; put the steps in order of time"),
+        ("[[step]]\nat = 5\n[[step]]\nat = 5", 6, "the step at 5 ms is not later than the one at 5 ms; put the steps in order of time"),
+        ("scan_ms = 7\n[[step]]\nat = 15", 5, "no scan starts at 15 ms; scans start every 7 ms (`scan_ms`)"),
         ("scan_ms = 0\n[[step]]\nat = 0", 3, "`scan_ms` must be 1 or more"),
         ("until = 4\n[[step]]\nat = 5", 3, "`until` comes before the last step, at 5 ms"),
-        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; keys of the whole file stand above the first [[step]]"),
+        ("[[step]]\nat = 5\nuntil = 9", 5, "unknown field `until`, expected one of `at`, `restart`, `set`, `expect`; put keys of the whole file above the first [[step]]"),
         ("speed = 3", 3, "unknown field `speed`, expected one of `about`, `title`, `task`, `hints`, `names`, `normally_closed`, `equivalent`, `program`, `plant`, `seeds`, `text`, `given`, `answer_in`, `find`, `start_ms`, `scan_ms`, `within_ms`, `until`, `fault`, `stops`, `step`, `case`"),
-        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]], or the `fault` that is expected"),
+        ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }", 3, "nothing happens; write a [[step]] or the expected `fault`"),
         ("[[case]]\nstep = [{ at = 0 }]", 3, "missing field `title`"),
-        ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "a file with [[case]] has its steps and `until` in the cases; move them there"),
+        ("until = 5\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", 4, "in a file with [[case]], the steps and `until` belong in the cases; move them there"),
         ("[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 9, expect = { Q1 = 2 } }]", 5, "Q1 must be 0 or 1, or \"any\""),
-        ("names = { X1 = { en = \"a\", pt = \"b\" } }\nuntil = 5", 3, "X1 is no point; points are I1 to I8, A0 to A4, Q1 to Q4, P1, P4, M1 to M64 and D1 to D98"),
-        ("scan_ms = 10\nwithin_ms = 25\nuntil = 5", 4, "no scan runs at 25 ms; scans run every 10 ms (`scan_ms`)"),
+        ("names = { X1 = { en = \"a\", pt = \"b\" } }\nuntil = 5", 3, "X1 is not a point; the points are I1 to I8, A0 to A4, Q1 to Q4, P1, P4, M1 to M64 and D1 to D98"),
+        ("scan_ms = 10\nwithin_ms = 25\nuntil = 5", 4, "no scan starts at 25 ms; scans start every 10 ms (`scan_ms`)"),
         ("until = 12\nwithin_ms = 10\n[[step]]\nat = 5\nexpect = { Q1 = 1 }", 3, "`until` comes before the last step, at 15 ms"),
         ("program = \"x.txt\"\n[[step]]\nat = 0", 2, "`program` and `text` both give a program; keep one of them"),
-        ("given = \"LD I1\\nST Q1\\n\"\nuntil = 5", 3, "`given` and `answer_in` belong together: a program, and the language to write it in"),
-        ("answer_in = \"st\"\nuntil = 5", 3, "`given` and `answer_in` belong together: a program, and the language to write it in"),
+        ("given = \"LD I1\\nST Q1\\n\"\nuntil = 5", 3, "write `given` and `answer_in` together: a program, and the language for the answer"),
+        ("answer_in = \"st\"\nuntil = 5", 3, "write `given` and `answer_in` together: a program, and the language for the answer"),
         ("given = \"LD I1\\nST Q1\\n\"\nanswer_in = \"cobol\"\nuntil = 5", 4, "`answer_in` names no language; write \"il\", \"st\", \"scl\", \"iscl\" or \"lce\""),
         ("given = \"LD I9\\n\"\nanswer_in = \"st\"\nuntil = 5", 3, "the program in `given` has errors; `unoclp check` shows them"),
         ("find = { part = \"k1\", is = \"welded\" }\nuntil = 5", 3, "[find] hides a fault in a machine; name one with `plant`"),
@@ -66,20 +66,20 @@ fn what_is_wrong_is_told_with_file_line_and_remedy() {
         ("fault = { number = 24 }\nuntil = 5", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 24 }\n[[step]]\nat = 0", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("fault = { number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
-        ("fault = { number = 24, line = 0 }", 3, "lines count from 1; leave `line` out where the fault has none"),
+        ("fault = { number = 24, line = 0 }", 3, "lines count from 1; omit `line` if the fault has no line"),
         ("fault = { number = 24, code = 1 }", 3, "unknown field `code`, expected `number` or `line`"),
-        ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
-        ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; what can is I1 to I8, A0 to A4, M1 to M64 and D1 to D98"),
+        ("[[step]]\nat = 0\nset = { A5 = 1 }", 5, "A5 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
+        ("[[step]]\nat = 0\nset = { P1 = 1 }", 5, "P1 cannot be set; set I1 to I8, A0 to A4, M1 to M64 or D1 to D98"),
         ("[[step]]\nat = 0\nset = { A0 = 1024 }", 5, "A0 must be a number from 0 to 1023"),
         ("[[step]]\nat = 0\nset = { M1 = 2 }", 5, "M1 must be 0 or 1"),
         ("[[step]]\nat = 0\nset = { D1 = 2147483648 }", 5, "D1 must be a number from -2147483648 to 2147483647"),
-        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
-        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; what can is Q1 to Q4, M1 to M64, D1 to D98, P1 and P4"),
+        ("[[step]]\nat = 0\nexpect = { M65 = 1 }", 5, "M65 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
+        ("[[step]]\nat = 0\nexpect = { P2 = 1 }", 5, "P2 cannot be expected; use Q1 to Q4, M1 to M64, D1 to D98, P1 or P4"),
         ("[[step]]\nat = 0\nexpect = { P4 = 256 }", 5, "P4 must be a number from 0 to 255, or \"any\""),
         ("[[step]]\nat = 0\nrestart = 1", 5, "invalid type: integer `1`, expected a boolean"),
-        ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "a run ends where it `stops`; remove `until` and later steps"),
-        ("stops = { at = 5, number = 75 }\n[[step]]\nat = 6", 3, "a run ends where it `stops`; remove `until` and later steps"),
-        ("scan_ms = 2\nstops = { at = 5, number = 75 }", 4, "no scan runs at 5 ms; scans run every 2 ms (`scan_ms`)"),
+        ("stops = { at = 5, number = 75 }\nuntil = 5", 3, "the run ends at `stops`; remove `until` and later steps"),
+        ("stops = { at = 5, number = 75 }\n[[step]]\nat = 6", 3, "the run ends at `stops`; remove `until` and later steps"),
+        ("scan_ms = 2\nstops = { at = 5, number = 75 }", 4, "no scan starts at 5 ms; scans start every 2 ms (`scan_ms`)"),
         ("stops = { at = 5, number = 99 }", 3, "there is no fault 99; docs/numeric-code.md lists them"),
         ("fault = { number = 24 }\nstops = { at = 5, number = 75 }", 3, "a program with a `fault` never runs; remove `fault`, or the steps and `until`"),
         ("[[step]]\nat = -1", 4, "invalid value: integer `-1`, expected u32"),
@@ -106,8 +106,8 @@ fn what_is_wrong_with_the_whole_file_is_told_without_a_line() {
     let cases = [
         ("about = \"\"\n[[step]]\nat = 0", "it names no program; give a file: `sim FILE --scenario S.toml`"),
         ("text = \"0\"\nuntil = 5", "missing field `about`"),
-        ("about = \"\"\ntext = \"0\"\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", "it has 2 cases, and a single one is run here"),
-        (HEAD, "nothing happens; write a [[step]], or the `fault` that is expected"),
+        ("about = \"\"\ntext = \"0\"\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]\n[[case]]\ntitle = { en = \"a\", pt = \"b\" }\nstep = [{ at = 0 }]", "it has 2 cases, but only one can run here"),
+        (HEAD, "nothing happens; write a [[step]] or the expected `fault`"),
     ];
     for (index, (source, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("whole-{index}.toml"), source);
@@ -220,7 +220,7 @@ fn memory_is_set_and_compared() {
          2   ·   ·   ·   ·     7     ·   ·   ·   ·    1          -2           0
 
 FAIL
-  P4 at 2 ms: expected 1, came 0 (until 3 ms)";
+  P4 at 2 ms: expected 1, got 0 (until 3 ms)";
     assert!(told.ends_with(table), "{told}");
 }
 
@@ -292,8 +292,8 @@ fn a_text_may_be_given_by_its_parts() {
         (r#"["0\n", 5]"#, kind),
         (r#"[{ repeat = -1, text = "" }]"#, kind),
         (r#"[{ repeat = 1, text = "", line = 3 }]"#, kind),
-        (r#"["0\n", { repeat = 1048575, text = "\n" }]"#, "`text` comes to more than 1048576 bytes"),
-        (r#"[{ repeat = 9223372036854775807, text = "123" }]"#, "`text` comes to more than 1048576 bytes"),
+        (r#"["0\n", { repeat = 1048575, text = "\n" }]"#, "`text` is longer than 1048576 bytes"),
+        (r#"[{ repeat = 9223372036854775807, text = "123" }]"#, "`text` is longer than 1048576 bytes"),
     ];
     for (index, (text, message)) in cases.into_iter().enumerate() {
         let path = file(&format!("wrong-parts-{index}.toml"), &source(text));
@@ -311,9 +311,9 @@ fn what_is_wrong_is_told_in_portuguese() {
     let step = |rest: &str| format!("{HEAD}[[step]]\nat = 0\n{rest}\n");
     #[rustfmt::skip]
     let cases = [
-        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; pode-se de Q1 a Q4, M1 a M64, D1 a D98, P1 e P4"),
+        (step("expect = { Q5 = 1 }"), ":5: não se pode esperar nada de Q5; use Q1 a Q4, M1 a M64, D1 a D98, P1 ou P4"),
         (step("expect = { Q1 = 2 }"), ":5: Q1 deve ser 0 ou 1, ou \"any\""),
-        (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; as chaves do arquivo inteiro ficam acima do primeiro [[step]]"),
+        (step("until = 9"), ":5: não existe aqui a chave `until`; existe `at`, `restart`, `set`, `expect`; ponha as chaves do arquivo inteiro acima do primeiro [[step]]"),
         (step("restart = 1"), ":5: este valor não é do tipo que a chave pede"),
         (format!("{HEAD}[[step]]"), ":3: falta a chave `at`"),
         (format!("{HEAD}about = \"\""), ":3: esta chave aparece duas vezes"),
@@ -356,7 +356,7 @@ fn a_text_without_end_is_refused_at_once() {
         file.set_len(50_000_000).unwrap();
         path
     };
-    let says = "has more than 1048576 bytes; no program and no scenario is as long";
+    let says = "is longer than 1048576 bytes; no program or scenario is that long";
     let path = hole("long.toml");
     let error = Scenario::load(&path, unoclp_core::Board::UNO).unwrap_err();
     assert_eq!(
@@ -373,13 +373,13 @@ fn a_text_without_end_is_refused_at_once() {
     let program = program.display();
     let expected = format!("{}:2: the program {program} {says}", path.display());
     assert_eq!(error.to_string(), expected);
-    assert!(error.text(Lang::Pt).contains("tem mais de 1048576 bytes"));
+    assert!(error.text(Lang::Pt).contains("passa de 1048576 bytes"));
 
     // As one text it has the same limit as in parts.
     let text = format!("about = \"\"\ntext = \"{}\"\n", "/".repeat(1 << 20));
     let error =
         Scenario::load(&file("long-text.toml", &text), unoclp_core::Board::UNO).unwrap_err();
-    assert!(error.to_string().contains("has more than 1048576 bytes"));
+    assert!(error.to_string().contains("is longer than 1048576 bytes"));
 }
 
 /// A step that expects Q1 to follow I1.

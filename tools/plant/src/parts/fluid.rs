@@ -75,12 +75,12 @@ pub(crate) mod tank {
 pub(crate) mod valve {
     use super::*;
     kind! {
-        "valve" Fluid "A valve between two tanks; without `from` behind it is the mains, without `to` the drain" "Uma válvula entre dois tanques; sem `from` antes dela está a rede, sem `to` depois dela o ralo"
+        "valve" Fluid "A valve between two tanks; without `from` it takes from the mains, without `to` it leads to the drain" "Uma válvula entre dois tanques; sem `from` antes dela está a rede, sem `to` depois dela o ralo"
         [60, 60];
         fields {
             by: Form::Duty, "what opens it" "o que a abre";
             from: Form::MayPart(TANKS), "the tank before it" "o tanque antes dela";
-            to: Form::MayPart(TANKS), "the tank behind it" "o tanque depois dela";
+            to: Form::MayPart(TANKS), "the tank after it" "o tanque depois dela";
             flow: Form::Number(Unit::MlPerS, 1, 100_000, 1000), "what flows when it is open" "a vazão dela aberta";
             travel: Form::Number(Unit::Ms, 1, 60_000, 300), "how long it takes to open" "quanto demora para abrir";
         }

@@ -113,7 +113,7 @@ pub(crate) mod belt {
             match m.other(F::onto) {
                 Some(belt) if m.is_kind(belt, "belt") => {
                     if !lay(m, belt, nature, fill) {
-                        // It stands at the end, and what comes behind it piles up.
+                        // It stands at the end, and what comes after it piles up.
                         m.set_row(V::place, at, long);
                         m.put(V::jammed, true);
                         continue;

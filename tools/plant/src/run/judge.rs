@@ -134,9 +134,10 @@ impl<'p> Judges<'p> {
                 if let Some(met) = verdict.met.get_mut(number) {
                     *met += 1;
                 }
-            } else if now - since >= goal.within {
+            } else if now + 1 >= since + goal.within {
+                // This was its last millisecond: a goal that has until the end of the script is judged too.
                 due.missed = true;
-                let (goal, at) = (number, now);
+                let (goal, at) = (number, since + goal.within);
                 verdict.missed.push(Missed { goal, since, at });
             }
         }

@@ -1,5 +1,6 @@
 //! The tests of plants, in one binary.
 
+mod goals;
 mod mistakes;
 mod pages;
 mod pictures;

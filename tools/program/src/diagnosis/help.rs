@@ -28,10 +28,10 @@ pub(super) fn help(
             return None;
         }
         (Cause::StrayCharacter, Lang::En) => {
-            "one code stands on a line; put this one on a line of its own".to_owned()
+            "each line holds one code; put this one on a line of its own".to_owned()
         }
         (Cause::StrayCharacter, Lang::Pt) => {
-            "cada código tem a sua linha; ponha este em uma linha própria".to_owned()
+            "cada linha tem um só código; ponha este em uma linha própria".to_owned()
         }
         (Cause::ProgramFull | Cause::RunMemoryFull, _) => full(lacking, board, lang),
         (cause, lang) => return balance(cause, lang).map(str::to_owned),
@@ -72,7 +72,7 @@ fn has(
 fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
     let (english, portuguese) = match cause {
         Cause::NothingPushed => (
-            "write 808372 (PSH) behind the left operand, or a register 01 to 98 in place of 99",
+            "write 808372 (PSH) after the left operand, or a register 01 to 98 in place of 99",
             "escreva 808372 (PSH) depois do operando esquerdo, ou um registrador de 01 a 98 no lugar de 99",
         ),
         Cause::PushedTooDeep => (
@@ -80,16 +80,16 @@ fn balance(cause: Cause, lang: Lang) -> Option<&'static str> {
             "guarde uma parte do resultado em um registrador",
         ),
         Cause::ValueLeftPushed => (
-            "take the value back before this line by an operation with XX = 99",
-            "tome o valor de volta antes desta linha com uma operação com XX = 99",
+            "use the value before this line, by an operation with XX = 99",
+            "use o valor antes desta linha, em uma operação com XX = 99",
         ),
         Cause::NotReal => (
             "1.0 is 1065353216; in Instruction List, write the number itself: REAL_ADD 1.0",
             "1.0 é 1065353216; em Lista de Instruções, escreva o próprio número: REAL_ADD 1.0",
         ),
         Cause::NoIf => (
-            "write 7370 (IF) above, with one 697683 (ELS) at most",
-            "escreva 7370 (IF) acima, com um só 697683 (ELS) no máximo",
+            "write 7370 (IF) above; an IF has at most one 697683 (ELS)",
+            "escreva 7370 (IF) acima; um IF tem no máximo um 697683 (ELS)",
         ),
         Cause::IfTooDeep => (
             "join conditions in one rung before one IF, or close an IF by 697868 (END)",
@@ -133,10 +133,10 @@ pub fn no_real(code: i32, lang: Lang) -> Option<String> {
     let letters = opcode.row().letters;
     Some(match lang {
         Lang::En => format!(
-            "{code} is {letters}, of REAL numbers, which the firmware of Nanos does not have; take whole numbers, or an UNO"
+            "{code} is {letters}, for REAL numbers, which the firmware of a Nano lacks; use whole numbers, or an UNO"
         ),
         Lang::Pt => format!(
-            "{code} é {letters}, de números REAL, que o firmware dos Nanos não tem; use números inteiros ou um UNO"
+            "{code} é {letters}, para números REAL, que o firmware de um Nano não tem; use números inteiros ou um UNO"
         ),
     })
 }

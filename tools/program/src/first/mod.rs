@@ -1,4 +1,4 @@
-//! The language that a text's first words tell: how it begins, and its first statement behind the declarations.
+//! The language that a text's first words tell: how it begins, and its first statement after the declarations.
 //!
 //! Owns the signs by which the languages differ. Must not know what a statement means, nor whether it is right: a text
 //! with mistakes is taken for what it was meant to be, and a text that is no program for none.
@@ -67,7 +67,7 @@ fn small(words: &Words<'_>) -> Option<WrittenIn> {
     }
 }
 
-/// What the first statement behind all declarations is.
+/// What the first statement after all declarations is.
 enum Sign {
     /// One of Structured Text.
     Structured,
@@ -107,7 +107,7 @@ fn statement(words: &Words<'_>) -> Sign {
                 at + 1
             }
             _ if words.is_word(at) && words.at(at + 1) == ":" => at + 2,
-            // A call, of either: `;` behind it tells, or else what follows.
+            // A call, of either: `;` after it tells, or else what follows.
             _ if words.is_word(at) && words.at(at + 1) == "(" && begins == Begins::Unit => {
                 match words.behind_call(at) {
                     Some(behind) if words.at(behind) == ";" => return Sign::Structured,

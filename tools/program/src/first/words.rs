@@ -1,6 +1,6 @@
 //! A text as words and signs, without its comments.
 //!
-//! Owns where each begins, and what stands behind the parts that are passed over. Must not know a language from another.
+//! Owns where each begins, and what follows the parts that are passed over. Must not know a language from another.
 
 use std::collections::HashSet;
 
@@ -38,7 +38,7 @@ pub(super) fn without_comments(text: &str) -> String {
     code
 }
 
-/// Behind the comment that begins here. Comments hold comments, until one is found that then has no end.
+/// After the comment that begins here. Comments hold comments, until one is found that then has no end.
 fn behind_comment(text: &str, nests: &mut bool) -> Option<usize> {
     if *nests {
         let (mut deep, mut at) = (0_usize, 0);
@@ -110,7 +110,7 @@ impl<'t> Words<'t> {
         self.places.len()
     }
 
-    /// The word or sign; empty behind the last.
+    /// The word or sign; empty after the last.
     pub(super) fn at(&self, at: usize) -> &'t str {
         let place = self.places.get(at);
         place.map_or("", |&(start, end)| &self.text[start..end])
@@ -151,13 +151,13 @@ impl<'t> Words<'t> {
         self.text[start..].lines().next().unwrap_or_default()
     }
 
-    /// Behind the next word like this.
+    /// After the next word like this.
     pub(super) fn behind(&self, word: &str, from: usize) -> usize {
         let end = (from..self.len()).find(|&at| self.at(at).eq_ignore_ascii_case(word));
         end.map_or(self.len(), |at| at + 1)
     }
 
-    /// Behind `FUNCTION name : INT`, whose name a mistake may have left out.
+    /// After `FUNCTION name : INT`, whose name a mistake may have left out.
     pub(super) fn behind_head(&self, at: usize) -> usize {
         let name = match self.at(at + 1) {
             "\"" => at + 4,
@@ -195,7 +195,7 @@ impl<'t> Words<'t> {
         behind.find(|word| matches!(*word, ":=" | ";")) == Some(":=")
     }
 
-    /// Behind the parenthesis of a call: `t(IN := x)`
+    /// After the parenthesis of a call: `t(IN := x)`
     pub(super) fn behind_call(&self, at: usize) -> Option<usize> {
         let mut deep = 0_i64;
         for at in at + 1..self.len() {

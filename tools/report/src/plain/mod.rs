@@ -79,7 +79,7 @@ impl Plain {
     }
 
     fn say(&mut self, topic: String, payload: impl Into<Vec<u8>>, retain: bool) {
-        // Once there is a connection, all is said anew.
+        // Once there is a connection, all is said again.
         if self.is_connected {
             self.urgent.push_back(Out::Publish(Message {
                 topic,
@@ -240,7 +240,7 @@ impl Session for Plain {
         let dropped = under_way.filter(|out| matches!(out, Out::Carry(_))).count();
         self.under_way = self.under_way.saturating_sub(dropped);
         self.urgent.clear();
-        // What tells of no entry is said anew by the next connection.
+        // What tells of no entry is said again by the next connection.
         let of_entry = |message: &Message| message.number.is_some();
         self.samples.retain(of_entry);
         for message in unsure.into_iter().filter(of_entry).rev() {

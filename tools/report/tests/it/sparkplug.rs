@@ -207,7 +207,7 @@ fn what_a_host_has_not_heard_outlasts_a_restart_of_the_gateway() {
     reporting.until(|state| state.connected == 2);
     reporting.change("tank", &[("target", Some(1.0))], 10);
     reporting.change("tank", &[("target", Some(2.0))], 20);
-    // No host has come, and the gateway begins anew.
+    // No host has come, and the gateway begins again.
     let reporting = reporting.again(&of_site);
     reporting.until(|state| state.connected == 2);
     reporting.change("tank", &[("target", Some(3.0))], 30);

@@ -22,7 +22,7 @@ use unoclp_alarm::Alarms;
 /// A number of the gateway itself, for `/metrics`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Metric {
-    /// Its name, behind `unoclp_`.
+    /// Its name, after `unoclp_`.
     pub name: &'static str,
     /// What it counts.
     pub help: &'static str,

@@ -15,7 +15,7 @@ pub(crate) struct Head {
     transaction: [u8; 2],
     /// Whom it asks.
     pub unit: u8,
-    /// Bytes of the request behind it: at least its function.
+    /// Bytes of the request after it: at least its function.
     pub length: usize,
 }
 
@@ -48,7 +48,7 @@ impl Head {
         (self.transaction, self.unit) == (asked.transaction, asked.unit)
     }
 
-    /// The frame of an answer to it, or of what is behind it.
+    /// The frame of an answer to it, or of what is after it.
     pub fn frame(self, answer: &[u8]) -> Vec<u8> {
         let [a, b] = self.transaction;
         // An answer has at most 253 bytes.

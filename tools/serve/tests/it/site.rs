@@ -122,7 +122,7 @@ impl Site {
         TcpStream::connect(self.modbus).unwrap()
     }
 
-    /// The answer to a request, both as function and what is behind it.
+    /// The answer to a request, both as function and what is after it.
     pub fn ask(&self, unit: u8, request: &[u8]) -> Vec<u8> {
         ask(&mut self.client(), unit, request)
     }
@@ -161,7 +161,7 @@ pub fn register(first: u16, while_kept: Option<Kept>) -> Grant {
     }
 }
 
-/// The numbers of what stands behind.
+/// The numbers of what follows.
 fn numbers() -> Metrics {
     std::sync::Arc::new(|| {
         vec![Metric {

@@ -9,7 +9,7 @@ use oracle::oracle;
 use recorder::Recorder;
 use unoclp_modbus::{Device, Exchange, FRAME_BYTES, Frame};
 
-/// What stands in the frame behind the request: nothing may depend on it.
+/// What stands in the frame after the request: nothing may depend on it.
 pub const LEFTOVER: u8 = 0xA5;
 
 /// A request as it stands in the frame.
@@ -74,7 +74,7 @@ pub fn write(server: u8, function: u8, first: u16, count: u16) -> Vec<u8> {
     request
 }
 
-/// A reply is at most 253 bytes behind the address, and as long as it says.
+/// A reply is at most 253 bytes after the address, and as long as it says.
 fn is_well_formed(request: &[u8], reply: &[u8]) -> bool {
     let [server, function, ref data @ ..] = *reply else {
         return false;

@@ -1,7 +1,7 @@
 //! Contacts that wait for a change.
 //!
 //! An edge looks at all that stands before it in its rung or block. So a contact that is the first of its rung has its
-//! edge right behind it; any other one is in an AND block with it.
+//! edge right after it; any other one is in an AND block with it.
 
 use super::block;
 use crate::edit::cursor::{Cursor, Run};

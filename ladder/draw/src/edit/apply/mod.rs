@@ -1,7 +1,7 @@
 //! From one document to the next.
 //!
 //! An operation changes a copy, which shares all rungs that it leaves as they are. What holds for every document is
-//! seen to behind all of them, in `settle`.
+//! seen to after all of them, in `settle`.
 
 mod alter;
 mod block;

@@ -66,7 +66,7 @@ pub(super) fn shift(document: &mut Document, cursor: Cursor, along: Along) -> Re
     Ok(())
 }
 
-/// Makes what stands behind the cursor a rung of its own.
+/// Makes what follows the cursor a rung of its own.
 pub(super) fn split(document: &mut Document, cursor: Cursor) -> Result<Cursor, Refusal> {
     let rung = match document.selected(cursor)? {
         Selected::Rungs(_) => return Err(Refusal::SelectElements),

@@ -1,4 +1,4 @@
-//! The pages of a report, one behind the other, each with its head and its foot.
+//! The pages of a report, one after another, each with its head and its foot.
 
 use super::paper::{Leaf, Paper, SMALL, TITLE, lines};
 use crate::svg_page::page::titled;
@@ -89,7 +89,7 @@ fn first(report: &Report<'_>) -> Leaf {
     leaf
 }
 
-/// A page behind it, with the title in one line.
+/// A page after it, with the title in one line.
 fn next(report: &Report<'_>) -> Leaf {
     let paper = report.paper;
     let (left, (wide, _)) = (paper.margin(), paper.room());

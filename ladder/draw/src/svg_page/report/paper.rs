@@ -133,7 +133,7 @@ impl Leaf {
         self.put(path);
     }
 
-    /// Words, and behind them a line to write on.
+    /// Words, and after them a line to write on.
     pub(super) fn blank(&mut self, from: f32, to: f32, y: f32, words: &str) {
         self.text(from, y, words, &SMALL);
         let wide = words.chars().count() as f32 * SMALL.height() * SMALL.letter;

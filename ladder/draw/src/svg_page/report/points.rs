@@ -13,7 +13,7 @@ const NAMELESS: &[(usize, f32)] = &[(0, 0.0), (2, 0.1)];
 /// The width of names.
 const NAME: f32 = 0.39;
 
-/// Writes the table behind the rungs; none where no rung has a point.
+/// Writes the table after the rungs; none where no rung has a point.
 pub(super) fn table(drawing: &Drawing<'_>, names: &Names, pages: &mut Pages<'_>) {
     let used = used(drawing);
     if used.is_empty() {

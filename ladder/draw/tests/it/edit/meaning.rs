@@ -41,7 +41,7 @@ fn power_follows_the_tree_as_it_does_in_the_scan() {
     assert!(stored > usual / 100, "{stored} with three points");
 }
 
-/// One rung of contacts in series and in parallel, and a coil behind them.
+/// One rung of contacts in series and in parallel, and a coil after them.
 fn drawn_at_random(random: &mut Random) -> Document {
     let mut editor = Editor::new(Document::new());
     for _ in 0..random.below(60) {
@@ -91,7 +91,7 @@ fn nodes(document: &Document) -> Vec<Id> {
     nodes
 }
 
-/// The power behind a series that has this before it.
+/// The power after a series that has this before it.
 fn power(series: &Series, before: bool, inputs: u128) -> bool {
     series.iter().fold(before, |before, node| match node {
         Node::Element(element) => {

@@ -112,7 +112,7 @@ impl Checker<'_, '_, '_> {
             _ => String::new(),
         };
         let help = match names.is_empty() {
-            true => both("it is no enumeration", "ele não é uma enumeração"),
+            true => both("it is not an enumeration", "ele não é uma enumeração"),
             false => both(format!("it has {names}"), format!("ele tem {names}")),
         };
         let words = [ty.text.as_str().into(), value.text.as_str().into(), help];

@@ -9,8 +9,8 @@ use crate::diagnostics::{Code, Span};
 impl Parser<'_, '_> {
     pub(super) fn if_statement(&mut self, start: Span) -> Parsed<Statement> {
         const THEN: (&str, &str) = (
-            "behind the condition stands THEN",
-            "depois da condição vem THEN",
+            "write THEN after the condition",
+            "escreva THEN depois da condição",
         );
         let mut arms = Vec::new();
         let mut otherwise = Vec::new();
@@ -79,7 +79,7 @@ impl Parser<'_, '_> {
         Err(Told)
     }
 
-    /// Whether behind `ELSE IF` two END_IF follow one another, so that it is an IF of its own: looked for as far as a
+    /// Whether after `ELSE IF` two END_IF follow one another, so that it is an IF of its own: looked for as far as a
     /// person would.
     fn closed_twice(&self) -> bool {
         let mut open = 0_i32;
@@ -94,7 +94,7 @@ impl Parser<'_, '_> {
                 return false;
             }
             if open == 0 {
-                // The IF behind ELSE ends here; does the outer one end too?
+                // The IF after ELSE ends here; does the outer one end too?
                 let semicolon = usize::from(self.ahead(by + 1).kind == Kind::Semicolon);
                 return self.keyword_ahead(by + 1 + semicolon) == Keyword::EndIf
                     || semicolon == 1 && {
@@ -128,7 +128,7 @@ impl Parser<'_, '_> {
 
     pub(super) fn case_statement(&mut self, start: Span) -> Parsed<StatementKind> {
         self.next();
-        let help = ("behind the value stands OF", "depois do valor vem OF");
+        let help = ("write OF after the value", "escreva OF depois do valor");
         self.closers.push(Keyword::None);
         let read = self.expression();
         self.closers.pop();
@@ -158,7 +158,7 @@ impl Parser<'_, '_> {
             }
             if self.accept_keyword(Keyword::Else) {
                 self.accept(Kind::Colon);
-                // No label is looked for behind ELSE.
+                // No label is looked for after ELSE.
                 otherwise = self.part(Keyword::EndCase);
                 continue;
             }
@@ -226,8 +226,8 @@ impl Parser<'_, '_> {
             }
         }
         let help = (
-            "behind the values of a part stands a colon",
-            "depois dos valores de uma parte vêm dois-pontos",
+            "write a colon after the values of a part",
+            "escreva dois-pontos depois dos valores de uma parte",
         );
         self.expect(Kind::Colon, ":", help)?;
         let body = self.part(Keyword::EndCase);

@@ -7,7 +7,7 @@ use super::{Parsed, Parser, Told};
 use crate::diagnostics::{Code, Span};
 
 impl Parser<'_, '_> {
-    /// A condition with the word behind it.
+    /// A condition with the word after it.
     pub(super) fn condition(&mut self, keyword: Keyword, help: (&str, &str)) -> Parsed<Node> {
         self.closers.push(Keyword::Then);
         let read = self.expression();
@@ -44,8 +44,8 @@ impl Parser<'_, '_> {
     pub(super) fn while_statement(&mut self, start: Span) -> Parsed<StatementKind> {
         self.next();
         let help = (
-            "behind the condition stands DO",
-            "depois da condição vem DO",
+            "write DO after the condition",
+            "escreva DO depois da condição",
         );
         let condition = match self.condition(Keyword::Do, help) {
             Ok(condition) => condition,

@@ -27,7 +27,7 @@ impl Parser<'_, '_> {
             Keyword::VarAccess | Keyword::VarConfig => {
                 let written = self.short(start);
                 let help = (
-                    "it belongs to a CONFIGURATION, which the board has not; delete it",
+                    "it belongs to a CONFIGURATION, and the board has none; delete it",
                     "isso pertence a uma CONFIGURATION, que a placa não tem; apague-o",
                 );
                 self.tell(Code::StUnsupported, start, [written.into(), help.into()]);
@@ -164,8 +164,8 @@ impl Parser<'_, '_> {
             if token.kind != Kind::Address {
                 let what = ("an address like %IX1", "um endereço como %IX1");
                 let help = (
-                    "behind AT stands a point of the board: %IX1, %QX1, %MX1",
-                    "depois de AT vem um ponto da placa: %IX1, %QX1, %MX1",
+                    "after AT, write a point of the board: %IX1, %QX1, %MX1",
+                    "depois de AT, escreva um ponto da placa: %IX1, %QX1, %MX1",
                 );
                 return Err(self.missing(what, help));
             }

@@ -2,11 +2,11 @@
 //!
 //! - `unit`: programs, functions, blocks, and what stands around them
 //! - `declare`, `types`, `initial`: variables, their types, and what they begin with
-//! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done behind one that is wrong
+//! - `statement`, `compound` (loops), `choice`: statements; `recover`: what is done after one that is wrong
 //! - `list`: the lines of Instruction List
 //! - `expression`, `operand`, `path`: the rest
 //!
-//! It tells what is not written as the grammar has it, once for each place, and goes on behind the statement.
+//! It tells what is not written as the grammar has it, once for each place, and goes on after the statement.
 
 mod choice;
 mod compound;
@@ -73,7 +73,7 @@ struct Parser<'t, 'f> {
     dead: bool,
     /// What is named further on may be what a wrong declaration was to declare.
     wrong_declarations: bool,
-    /// In this unit a declaration behind statements has been told.
+    /// In this unit a declaration after statements has been told.
     late: bool,
     /// Declarations without VAR and END_VAR have been told.
     headless: bool,
@@ -192,7 +192,7 @@ impl Parser<'_, '_> {
         self.text.get(span.range()).unwrap_or_default()
     }
 
-    /// The place behind the last word.
+    /// The place after the last word.
     fn behind(&self) -> Span {
         match self.at.checked_sub(1).and_then(|at| self.tokens.get(at)) {
             Some(token) => token.span,

@@ -56,7 +56,7 @@ impl Parser<'_, '_> {
                 }
                 if token.kind != Kind::Word {
                     let what = ("the name of a member", "o nome de um membro");
-                    let help = ("write it behind the point", "escreva-o depois do ponto");
+                    let help = ("write it after the point", "escreva-o depois do ponto");
                     return Err(self.missing(what, help));
                 }
                 // A member may have a keyword's name.
@@ -147,8 +147,8 @@ impl Parser<'_, '_> {
             if self.is(Kind::Equal) || self.is(Kind::Word) || self.is(Kind::Number) {
                 let what = Word::Both("a comma".into(), "uma vírgula".into());
                 let help = (
-                    "commas stand between what a call takes",
-                    "o que uma chamada recebe é separado por vírgulas",
+                    "separate the parameters of a call by commas",
+                    "separe com vírgulas os parâmetros de uma chamada",
                 );
                 return Err(self.missing(what, help));
             }

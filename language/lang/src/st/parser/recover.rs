@@ -1,4 +1,4 @@
-//! Where statements end, and how the parser goes on behind what is wrong.
+//! Where statements end, and how the parser goes on after what is wrong.
 
 use super::super::ast::{Node, NodeKind, Statement};
 use super::super::token::Kind;
@@ -90,7 +90,7 @@ impl Parser<'_, '_> {
         true
     }
 
-    /// Goes behind the statement that is wrong.
+    /// Goes after the statement that is wrong.
     pub(super) fn recover(&mut self) {
         let start = self.at;
         let mut open = 0_u32;
@@ -141,7 +141,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Variables that are declared behind statements.
+    /// Variables that are declared after statements.
     pub(super) fn late_section(&mut self, start: Span) -> Parsed<Option<Statement>> {
         let written = self.short(start);
         if !self.late {
@@ -279,7 +279,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Behind a head that is wrong, to where its statements begin: its line ends, or THEN, DO, OF stand.
+    /// After a head that is wrong, to where its statements begin: its line ends, or THEN, DO, OF stand.
     pub(super) fn seek_part(&mut self) {
         while !self.is(Kind::End) {
             let keyword = self.keyword();

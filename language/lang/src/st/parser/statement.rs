@@ -163,8 +163,8 @@ impl Parser<'_, '_> {
                 };
                 let written = self.short(path.span);
                 let help = (
-                    "each of these words stands with its other half: IF … THEN, WHILE … DO, CASE … OF",
-                    "cada uma destas palavras fica com a sua outra metade: IF … THEN, WHILE … DO, CASE … OF",
+                    "each of these words needs its counterpart: IF … THEN, WHILE … DO, CASE … OF",
+                    "cada uma destas palavras precisa do seu par: IF … THEN, WHILE … DO, CASE … OF",
                 );
                 let words = [missing.into(), written.into(), help.into()];
                 self.tell(Code::StExpected, path.span, words);
@@ -267,7 +267,7 @@ impl Parser<'_, '_> {
         self.missing(what, help)
     }
 
-    /// The `;` behind a statement.
+    /// The `;` after a statement.
     fn end_of_statement(&mut self, value: bool) -> Parsed<()> {
         if self.accept(Kind::Semicolon) {
             return Ok(());

@@ -79,7 +79,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// A program without PROGRAM: variables and statements. Behind another unit they stand outside.
+    /// A program without PROGRAM: variables and statements. After another unit they stand outside.
     fn bare(&mut self, file: &mut File) {
         let start = self.token().span;
         let programs = || file.units.iter().any(|unit| unit.kind == UnitKind::Program);

@@ -12,7 +12,7 @@ use crate::typed::standard::{Role, Standard};
 use crate::typed::{Base, Call, Expr, ExprKind, Input, Kind, Order, Root, Stmt, StmtKind, TypeId};
 
 impl Builder<'_, '_> {
-    /// A call of an instance of a block: its inputs, the call, what is read behind it.
+    /// A call of an instance of a block: its inputs, the call, what is read after it.
     pub fn block(&mut self, target: Target, arguments: Vec<Argument>, at: Span) -> Vec<Stmt> {
         self.writes = true;
         match self.tree.types.kind(target.ty).clone() {

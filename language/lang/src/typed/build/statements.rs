@@ -101,7 +101,7 @@ impl Builder<'_, '_> {
         self.wrong(expr.at)
     }
 
-    /// The head of FOR: `variable := from TO to BY step`. Its body is put in behind; meanwhile the variable is watched.
+    /// The head of FOR: `variable := from TO to BY step`. Its body is put in after; meanwhile the variable is watched.
     pub fn counting(
         &mut self,
         variable: Option<Target>,

@@ -73,7 +73,7 @@ export class Session {
     return refused;
   }
 
-  /** Draws it anew, in another width or language. */
+  /** Draws it again, in another width or language. */
   again(): Promise<void> {
     return this.next(async () => {
       this.drawn.value = await this.tools.ask("edit", { act: null, ...this.shown });

@@ -10,7 +10,7 @@ use unoclp_uno_sim::{CYCLES_PER_MS, Program};
 
 /// Rungs of the program whose scans are told apart.
 pub const RUNGS: usize = 8;
-/// Behind so many scans from an interrupt on, what it has made due is done.
+/// After so many scans from an interrupt on, what it has made due is done.
 const BEHIND: usize = 2;
 /// How long a card is busy after a block, ms (SD Physical Layer Simplified Specification, 4.6.2.2).
 const BUSY: u64 = 250;
@@ -35,7 +35,7 @@ pub struct Jobs {
     pub quiet: Times,
     /// Those with the millisecond interrupt.
     pub ticked: Times,
-    /// Those right behind it, where what it has made due is done.
+    /// Those right after it, where what it has made due is done.
     pub beside: Times,
     /// The saving.
     pub saving: Saving,

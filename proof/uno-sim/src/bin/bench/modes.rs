@@ -117,7 +117,7 @@ fn run(uno: &mut Uno) -> Result<()> {
     Ok(())
 }
 
-/// The start from each kind of card and volume, the program in pieces behind long names.
+/// The start from each kind of card and volume, the program in pieces after long names.
 fn load(firmware: &Program) -> Result<Mode> {
     let mut deepest: Option<Mode> = None;
     for fat in [Fat::Fat16, Fat::Fat32] {

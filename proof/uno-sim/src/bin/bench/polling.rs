@@ -8,7 +8,7 @@ use unoclp_uno_sim::{CYCLES_PER_MS, Program};
 
 /// How long it asks, ms.
 const ASKED: u64 = 2_000;
-/// Silence behind an answer, cycles: 1.75 ms, as above 19200 baud.
+/// Silence after an answer, cycles: 1.75 ms, as above 19200 baud.
 const SILENCE: u64 = CYCLES_PER_MS * 7 / 4;
 
 /// What a client asks for, and what comes of it.

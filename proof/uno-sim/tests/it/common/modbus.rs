@@ -23,7 +23,7 @@ pub fn serving(text: &str) -> Uno {
     uno
 }
 
-/// Puts the check sum behind a frame.
+/// Puts the check sum after a frame.
 pub fn with_crc(frame: &[u8]) -> Vec<u8> {
     [frame, &Crc::of(frame).to_bytes()].concat()
 }

@@ -139,7 +139,7 @@ fn bits(points: [u64; 4]) -> u8 {
     })
 }
 
-/// The volume of an image: behind the partition table, where there is one.
+/// The volume of an image: after the partition table, where there is one.
 pub fn volume(image: &[u8]) -> Range<usize> {
     let word =
         |at: usize| u32::from_le_bytes([image[at], image[at + 1], image[at + 2], image[at + 3]]);

@@ -5,7 +5,7 @@ use unoclp_cli::{ascii, messages};
 use unoclp_exercise::scenario::Exercise;
 use unoclp_program::harmless;
 
-/// A reason is cut behind so many characters.
+/// A reason is cut after so many characters.
 const MOST_WHY: usize = 400;
 
 /// A line for each program, and how many passed.

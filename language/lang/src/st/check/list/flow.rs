@@ -28,7 +28,7 @@ impl Walk<'_, '_, '_, '_> {
     /// Walks back from each line that uses the accumulator to those that fill it.
     pub(super) fn find_needs(&mut self) {
         let count = self.lines.len();
-        // Whether the line behind each comes next, and who jumps to a label's line.
+        // Whether the line after each comes next, and who jumps to a label's line.
         let mut goes_on = vec![true; count];
         let mut jumps: HashMap<usize, Vec<usize>> = HashMap::new();
         let mut fills = vec![false; count];
@@ -58,7 +58,7 @@ impl Walk<'_, '_, '_, '_> {
         }
     }
 
-    /// Whether the next line comes behind this, and the line of the label that it may go to.
+    /// Whether the next line comes after this, and the line of the label that it may go to.
     fn leads(&self, one: &Instruction) -> (bool, Option<usize>) {
         let Some(spelling) = one.spelling else {
             return (true, None);
@@ -109,7 +109,7 @@ impl Walk<'_, '_, '_, '_> {
         self.labels.places.insert(label, statement);
     }
 
-    /// Puts the accumulator where the code behind this label looks for it.
+    /// Puts the accumulator where the code after this label looks for it.
     fn carry(&mut self, label: usize, name: &str, at: Span) {
         // It tells where there is nothing to carry.
         let Some(expr) = self.take(name, at) else {
@@ -186,7 +186,7 @@ impl Walk<'_, '_, '_, '_> {
         self.push(Stmt { kind, at });
     }
 
-    /// Nothing comes behind this.
+    /// Nothing comes after this.
     pub(super) fn leave(&mut self) {
         self.warn_unused();
         self.acc = Acc::Wrong;
@@ -267,7 +267,7 @@ impl Walk<'_, '_, '_, '_> {
         let condition = self.condition(one);
         let mut labels = None;
         if self.has_jumps() {
-            // Numbers behind those of the lines.
+            // Numbers after those of the lines.
             let first = self.lines.len() + 2 * self.labels.of_ifs;
             self.labels.of_ifs += 1;
             labels = Some((first, first + 1));
@@ -342,9 +342,9 @@ impl Walk<'_, '_, '_, '_> {
     }
 
     pub(super) fn end_of_ifs(&mut self) {
-        // Of more than one the innermost is told, behind which the END_IF of another may have been taken.
+        // Of more than one the innermost is told, after which the END_IF of another may have been taken.
         if let Some(open) = self.ifs.pop() {
-            let why = ("write END_IF behind it", "escreva END_IF depois dele");
+            let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, ["IF".into(), why.into()]);
         }
     }

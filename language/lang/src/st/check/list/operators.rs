@@ -229,7 +229,7 @@ impl Walk<'_, '_, '_, '_> {
         }
     }
 
-    /// Whether a variable holds behind ST just what the accumulator does.
+    /// Whether a variable holds after ST just what the accumulator does.
     fn stays(&self, target: &Target) -> bool {
         let Acc::Value(expr) = &self.acc else {
             return false;
@@ -281,7 +281,7 @@ impl Walk<'_, '_, '_, '_> {
         self.unused = Some(one.span);
     }
 
-    /// An operation on the accumulator and what stands behind the operator, or in parentheses on the lines that follow.
+    /// An operation on the accumulator and what follows the operator, or in parentheses on the lines that follow.
     fn operate(&mut self, one: &Instruction, at: usize) {
         let word = one.word.text.to_uppercase();
         let Some(name) = self.function_of(one, &word) else {

@@ -29,7 +29,7 @@ pub(super) struct Frame {
 pub(super) struct Walk<'c, 'a, 't, 'f> {
     pub(super) c: &'c mut Checker<'a, 't, 'f>,
     pub(super) lines: &'c [Line],
-    /// Whether the accumulator is needed before each line, and behind the last.
+    /// Whether the accumulator is needed before each line, and after the last.
     pub(super) needs: Vec<bool>,
     /// The line that is run, and how many edges it has had.
     pub(super) line: usize,
@@ -59,9 +59,9 @@ pub(super) struct Walk<'c, 'a, 't, 'f> {
 pub(super) struct Labels {
     /// In which line each stands, by its name in upper case.
     pub(super) lines: HashMap<String, usize>,
-    /// The statement that each leads to; those behind the text's own labels are of IF.
+    /// The statement that each leads to; those after the text's own labels are of IF.
     pub(super) places: HashMap<usize, usize>,
-    /// Where the accumulator waits that is needed behind a label.
+    /// Where the accumulator waits that is needed after a label.
     pub(super) carried: HashMap<usize, Target>,
     /// Jumps whose statement is not known yet: the jump, and the label.
     pub(super) open: Vec<(usize, usize)>,
@@ -77,7 +77,7 @@ pub(super) struct If {
     pub(super) condition: Option<Expr>,
     /// What is done where the condition holds, once ELSE has come.
     pub(super) first: Option<Vec<Stmt>>,
-    /// With jumps: the labels behind its first part, and behind it.
+    /// With jumps: the labels after its first part, and after it.
     pub(super) labels: Option<(usize, usize)>,
     pub(super) other: bool,
 }

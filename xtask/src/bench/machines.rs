@@ -1,0 +1,159 @@
+//! The pages `docs/machine-benchmarks.md` and its translation: what a machine costs the board beside it, how fast it is drawn,
+//! and how long it takes to grade a class with one.
+
+use crate::shell::{self, cargo, say};
+use crate::{lab, node};
+use anyhow::{Context, Result};
+use serde::Deserialize;
+use std::fs;
+use std::process::Command;
+
+/// What the page's bench says (`page/web/test/bench/machines.ts`).
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Beside {
+    /// The share of the pace that the dearest machine takes, and which it is.
+    lost: f64,
+    lost_by: String,
+    /// The longest drawing, ms, and of which machine.
+    drawing: f64,
+    drawing_of: String,
+}
+
+/// What `tools/exercise/examples/class.rs` says, s.
+#[derive(Deserialize)]
+struct Class {
+    cases: f64,
+    machine: f64,
+}
+
+/// Measures, and writes the pages.
+///
+/// # Errors
+/// If a step fails. A target that is not met is no failure: the pages say so.
+pub fn run() -> Result<()> {
+    lab::build()?;
+    let mut built = Command::new("node");
+    shell::run(
+        built
+            .current_dir(node::folder())
+            .args(["build.mjs", "bench"]),
+    )?;
+    say("bench: the machines in the page");
+    let mut bench = Command::new("node");
+    bench.arg(shell::root().join("target/lab/bench/machines.mjs"));
+    let beside: Beside = said(bench.arg("--json"))?;
+    say("bench: a class");
+    let mut class = cargo();
+    class.args(["run", "--release", "--quiet", "--package=unoclp-exercise"]);
+    let class: Class = said(class.args(["--example=class", "--", "--json"]))?;
+    for (file, page) in [
+        ("machine-benchmarks.md", english(&beside, &class)),
+        ("machine-benchmarks.pt-BR.md", portuguese(&beside, &class)),
+    ] {
+        let path = shell::root().join("docs").join(file);
+        fs::write(&path, page).with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// What a command prints, as JSON.
+fn said<T: for<'d> Deserialize<'d>>(command: &mut Command) -> Result<T> {
+    let told = shell::output(command).with_context(|| format!("{command:?} failed"))?;
+    serde_json::from_str(&told).with_context(|| format!("{command:?} said {told}"))
+}
+
+/// The rows: what was measured, and the same as a person reads it.
+fn rows(beside: &Beside, class: &Class) -> [(String, bool); 3] {
+    let all = class.cases + class.machine;
+    let a_second = 1000.0 / beside.drawing;
+    [
+        (
+            format!("{:.1} % (`{}`)", 100.0 * beside.lost, beside.lost_by),
+            beside.lost <= 0.05,
+        ),
+        (
+            format!("{a_second:.0} (`{}`)", beside.drawing_of),
+            a_second >= 60.0,
+        ),
+        (
+            format!("{all:.1} s = {:.1} s + {:.1} s", class.cases, class.machine),
+            all <= 20.0,
+        ),
+    ]
+}
+
+fn table(
+    head: &str,
+    names: [(&str, &str); 3],
+    rows: &[(String, bool); 3],
+    met: [&str; 2],
+) -> String {
+    let rows = names
+        .iter()
+        .zip(rows)
+        .map(|((what, target), (figure, is_met))| {
+            let [yes, no] = met;
+            let met = if *is_met { yes } else { no };
+            format!("| {what} | {figure} | {target} | {met} |\n")
+        });
+    format!(
+        "{head}\n| --- | ---: | ---: | --- |\n{}",
+        rows.collect::<String>()
+    )
+}
+
+fn english(beside: &Beside, class: &Class) -> String {
+    let names = [
+        (
+            "pace that the simulated UNO loses to a machine beside it, the most of the sixteen",
+            "≤ 5 %",
+        ),
+        (
+            "drawings a second, of the machine whose drawing takes longest",
+            "≥ 60",
+        ),
+        (
+            "to grade 200 programs × 20 cases with a machine: cases + machine",
+            "≤ 20 s",
+        ),
+    ];
+    let head = "| what | measured | target | |";
+    let table = table(head, names, &rows(beside, class), ["met", "not met"]);
+    format!(
+        "# Benchmarks of the machines\n\n*[Leia em português](machine-benchmarks.pt-BR.md)*\n\n\
+This page is written by a program: do not edit it, repeat it.\n\n```\ncargo xtask bench\n```\n\n\
+The figures are of the machine at hand, so another gives others. The board runs each machine's model solution on the unmodified\n\
+firmware, once with the machine and once without. The machine takes a step each millisecond and is drawn each 16 ms, as in the page's worker.\n\
+The quickest of twelve turns counts, in time of the processor. A drawing is what Rust makes and what JavaScript reads of it;\n\
+what the browser paints is not counted. `npm run bench` in `page/web` prints the figures of each machine.\n\n{table}"
+    )
+}
+
+fn portuguese(beside: &Beside, class: &Class) -> String {
+    let names = [
+        (
+            "ritmo que o UNO simulado perde para uma máquina ao lado, o maior das dezesseis",
+            "≤ 5 %",
+        ),
+        (
+            "desenhos por segundo, da máquina cujo desenho demora mais",
+            "≥ 60",
+        ),
+        (
+            "corrigir 200 programas × 20 casos com uma máquina: casos + máquina",
+            "≤ 20 s",
+        ),
+    ];
+    let head = "| o quê | medido | meta | |";
+    let rows = rows(beside, class).map(|(figure, met)| (figure.replace('.', ","), met));
+    let table = table(head, names, &rows, ["atingida", "não atingida"]);
+    format!(
+        "# Benchmarks das máquinas\n\n*[Read it in English](machine-benchmarks.md)*\n\n\
+Esta página é escrita por um programa: não a edite, repita-o.\n\n```\ncargo xtask bench\n```\n\n\
+Os números são do computador usado; outro dá outros. A placa executa a solução modelo de cada máquina no firmware sem alterações,\n\
+uma vez com a máquina e uma vez sem ela. A máquina dá um passo a cada milissegundo e é desenhada a cada 16 ms, como no worker da página.\n\
+Vale a mais rápida de doze rodadas, em tempo de processador. Um desenho é o que o Rust produz e o JavaScript lê; o que o\n\
+navegador pinta não conta. `npm run bench` em `page/web` mostra os números de cada máquina.\n\n{table}"
+    )
+}
