@@ -163,14 +163,14 @@ impl Walk<'_, '_, '_> {
     }
 
     fn misplaced(&mut self, word: &str, span: Span) {
-        let why = ("it belongs behind a BLK", "ele vem depois de um BLK");
+        let why = ("it belongs after a BLK", "ele vem depois de um BLK");
         self.tell(Code::Structure, span, [word.into(), why.into()]);
     }
 
     /// Where a body ends or another block begins.
     pub(super) fn end_of_blocks(&mut self) {
         if let Some(block) = self.block.take() {
-            let why = ("write END_BLK behind it", "escreva END_BLK depois dele");
+            let why = ("write END_BLK after it", "escreva END_BLK depois dele");
             self.tell(Code::Structure, block.span, ["BLK".into(), why.into()]);
         }
     }

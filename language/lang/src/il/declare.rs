@@ -278,6 +278,7 @@ impl Front<'_, '_> {
             .builder
             .declare(&key, span, ty, Section::Global, traits);
         if let Some(made) = made {
+            self.builder.show_as(name);
             self.pin(&key, ty, made.offset);
         }
         self.builder.go(before);

@@ -108,7 +108,7 @@ impl Walk<'_, '_, '_> {
         self.links = 0;
     }
 
-    /// The accumulator behind a label that needs it. Where no way above leads there, it is taken for a bit.
+    /// The accumulator after a label that needs it. Where no way above leads there, it is taken for a bit.
     fn carried(&mut self, label: usize, span: Span) {
         let target = match self.labels.carried.get(&label).cloned() {
             Some(target) => Some(target),
@@ -272,7 +272,7 @@ impl Walk<'_, '_, '_> {
         if self.labels.lines.is_empty() {
             self.made.push(Vec::new());
         } else {
-            // Numbers behind those of the lines.
+            // Numbers after those of the lines.
             let first = self.body.len() + 2 * self.labels.of_ifs;
             self.labels.of_ifs += 1;
             labels = Some((first, first + 1));
@@ -350,7 +350,7 @@ impl Walk<'_, '_, '_> {
     pub(super) fn end_of_ifs(&mut self) {
         for open in std::mem::take(&mut self.ifs) {
             let word = self.front.names.written(open.span);
-            let why = ("write END_IF behind it", "escreva END_IF depois dele");
+            let why = ("write END_IF after it", "escreva END_IF depois dele");
             self.tell(Code::Structure, open.span, [word.into(), why.into()]);
         }
     }

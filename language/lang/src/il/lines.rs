@@ -75,7 +75,7 @@ impl<'a> Front<'a, '_> {
 
 impl<'a> Walk<'_, 'a, '_> {
     fn reachable(&mut self, instr: &Instr) {
-        // What begins a part or stands behind it is reached in another way.
+        // What begins a part or stands after it is reached in another way.
         let part = matches!(instr.op, Op::Part(Opcode::Else | Opcode::EndIf));
         if std::mem::take(&mut self.unreachable) && !part {
             self.tell(Code::Unreachable, instr.whole, []);

@@ -58,7 +58,7 @@ impl Walk<'_, '_, '_> {
         };
         let Some(count) = count else {
             let needs = (
-                "what it counts, and then what resets it, each behind an LD",
+                "what it counts, and then what resets it, each after an LD",
                 "o que contar e depois o que o zera, cada um depois de um LD",
             );
             let name = self.spelled(counter);

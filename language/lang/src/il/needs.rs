@@ -56,7 +56,7 @@ impl Walk<'_, '_, '_> {
         }
     }
 
-    /// Whether the next line comes behind this, and the line of the label that it may go to.
+    /// Whether the next line comes after this, and the line of the label that it may go to.
     fn leads(&self, instr: &Instr) -> (bool, Option<usize>) {
         let name = instr.operands.first().and_then(|operand| operand.name());
         let label = name.and_then(|name| self.labels.lines.get(name).copied());

@@ -14,7 +14,7 @@ use std::collections::HashSet;
 /// So many names a message lists at most.
 const MOST_NAMES: usize = 40;
 
-/// What a call gives, where nothing is wrong with it, the names of the inputs among it, and what goes back behind it.
+/// What a call gives, where nothing is wrong with it, the names of the inputs among it, and what goes back after it.
 type GivenTo = (Vec<Argument>, HashSet<String>, Vec<Stmt>);
 
 impl<'a> Walk<'_, 'a, '_> {
@@ -266,7 +266,7 @@ impl<'a> Walk<'_, 'a, '_> {
         true
     }
 
-    /// A copy of a number of another width, which goes back behind the call.
+    /// A copy of a number of another width, which goes back after the call.
     fn lend_copy(
         &mut self,
         target: Target,

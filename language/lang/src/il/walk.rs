@@ -40,9 +40,9 @@ pub(super) struct Frame {
 pub(super) struct Labels {
     /// Where each stands that a jump leads to, by its name.
     pub lines: HashMap<String, usize>,
-    /// The statement that each leads to; those behind the body's own are of IF.
+    /// The statement that each leads to; those after the body's own are of IF.
     pub places: HashMap<usize, usize>,
-    /// Where the accumulator waits that is needed behind a label.
+    /// Where the accumulator waits that is needed after a label.
     pub carried: HashMap<usize, Target>,
     /// Jumps whose statement is not known yet, and their labels.
     pub open: Vec<(usize, usize)>,
@@ -70,7 +70,7 @@ pub(super) struct If {
     pub condition: Option<Expr>,
     /// What is done where the condition holds, once ELSE has come.
     pub first: Option<Vec<Made>>,
-    /// With jumps: the labels behind its first part, and behind it.
+    /// With jumps: the labels after its first part, and after it.
     pub labels: Option<(usize, usize)>,
     pub other: bool,
 }
@@ -95,7 +95,7 @@ pub(super) struct Walk<'w, 'a, 'f> {
     pub body: &'a [Stmt],
     pub unit: usize,
     pub instance: usize,
-    /// Whether the accumulator is needed before each line, and behind the last.
+    /// Whether the accumulator is needed before each line, and after the last.
     pub needs: Vec<bool>,
     /// The loads that push the result before them.
     pub pushed: HashSet<usize>,
@@ -110,7 +110,7 @@ pub(super) struct Walk<'w, 'a, 'f> {
     /// What PUSH has pushed, and where.
     pub pushed_numbers: Vec<(Expr, Span)>,
     pub block: Option<Block>,
-    /// N behind a parenthesis: the load that follows is inverted.
+    /// N after a parenthesis: the load that follows is inverted.
     pub inverts: bool,
     /// The result that nothing has used yet.
     pub unused: Option<Span>,
@@ -156,7 +156,7 @@ impl<'a> Walk<'_, 'a, '_> {
         }
     }
 
-    /// Whether the accumulator is used behind the line that is run.
+    /// Whether the accumulator is used after the line that is run.
     pub(super) fn needed(&self) -> bool {
         self.needs.get(self.at + 1).copied().unwrap_or_default()
     }

@@ -8,6 +8,13 @@ use crate::typed::{Declared, Expr, ExprKind, Initial, Kind, Root, Store, TypeId,
 use std::sync::Arc;
 
 impl Builder<'_, '_> {
+    /// Shows what was declared last by another name.
+    pub(crate) fn show_as(&mut self, name: &str) {
+        if let Some((shown, ..)) = self.shown.last_mut() {
+            name.clone_into(shown);
+        }
+    }
+
     /// Declares a variable where the builder is: in a unit, or for all. What is wrong with it is told.
     pub fn declare(
         &mut self,
