@@ -1,6 +1,6 @@
 //! Whether a text in Instruction List has what the typed tree is for: types, and functions of the norm.
 //!
-//! What has neither is compiled by Instruction List's own lowering, which knows every maker's words.
+//! What has neither is read by `il`, which knows every maker's words.
 
 use super::Dialect;
 use super::lexer::tokens;
@@ -11,7 +11,7 @@ use crate::operators;
 use crate::typed::build::is_function;
 use std::collections::HashSet;
 
-/// Types that Instruction List's own lowering does not have.
+/// Types that `il` does not have.
 const TYPES: [&str; 15] = [
     "REAL",
     "LREAL",

@@ -94,6 +94,7 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
     for path in programs {
         let name = path.display().to_string();
         let source = check(&name, &fs::read(&path).unwrap());
+        let has_types = unoclp_lang::has_types(&source.text);
         let lines: Vec<&str> = source.text.lines().collect();
         let code_lines: Vec<&str> = str::from_utf8(&source.code).unwrap().lines().collect();
         let mut next = 2;
@@ -119,9 +120,12 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
             let of_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '%');
             assert!(before.is_none_or(|c| !of_word(c)), "{name}: {place:?}");
             assert!(!at.starts_with(char::is_whitespace), "{name}: {place:?}");
-            // The name of its point stands in the text: lines become one expression.
+            // The name of its point stands in it; where lines became one expression, in one of them.
             if let Some(point) = &place.name {
-                let stands = names_of(point).any(|name| source.text.contains(name));
+                let stands = match has_types {
+                    true => names_of(point).any(|name| source.text.contains(name)),
+                    false => at.contains(point.as_str()),
+                };
                 assert!(stands, "{name}: {place:?}: {at}");
                 names += 1;
             }
@@ -131,7 +135,10 @@ fn each_step_of_instruction_list_stands_at_its_instruction() {
                 assert_eq!(line.parse(), Ok(place.line), "{name}: {comment}");
             }
             if let Some(symbol) = comment.split_once('/').and_then(|(_, said)| symbol(said)) {
-                let stands = names_of(symbol).any(|name| source.text.contains(name));
+                let stands = match has_types {
+                    true => names_of(symbol).any(|name| source.text.contains(name)),
+                    false => at.starts_with(symbol),
+                };
                 assert!(stands, "{name}: {comment}: {at}");
                 symbols += 1;
             }
