@@ -99,15 +99,16 @@ fn a_program_without_room_for_two_records_is_refused_with_what_is_lacking() {
     }
 }
 
-/// A text that keeps so many numbers, with so many contacts.
-fn retaining(numbers: &str, contacts: usize) -> String {
+/// A text that keeps two numbers, with so many contacts. What nothing uses is not kept.
+fn retaining(contacts: usize) -> String {
     let and = "AND I1\n".repeat(contacts);
-    format!("VAR RETAIN {numbers} : INT; END_VAR\nLD I1\n{and}ST Q1\n")
+    let uses = "LD b\nADD 1\nST a\nLD a\nADD 1\nST b\n";
+    format!("VAR RETAIN a, b : DINT; END_VAR\nLD I1\n{and}ST Q1\n{uses}")
 }
 
 #[test]
 fn check_and_compile_tell_it_of_instruction_list_too() {
-    let text = file("retaining.il", &retaining("a, b", 700));
+    let text = file("retaining.il", &retaining(700));
     let english = "after a power cut: 2 numbers, at most 4 minutes old\n";
     let portuguese = "após uma queda de energia: 2 números, de no máximo 4 minutos antes\n";
     for (lang, told) in [("C", english), ("pt_BR.UTF-8", portuguese)] {
@@ -123,7 +124,7 @@ fn check_and_compile_tell_it_of_instruction_list_too() {
 
 #[test]
 fn instruction_list_without_room_for_two_records_is_refused_with_what_is_lacking() {
-    let text = file("retaining-too-much.il", &retaining("a, b", 900));
+    let text = file("retaining-too-much.il", &retaining(900));
     for (lang, lacking, room) in [
         (
             "C",
