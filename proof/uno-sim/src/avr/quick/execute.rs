@@ -1,14 +1,16 @@
 //! One quick instruction.
 
-use super::DATA;
 use super::kind::{Kind, is_long};
 use crate::avr::reg;
+use crate::program::RAM_END;
 
 const X: usize = 26;
 const Y: usize = 28;
 const Z: usize = 30;
 const SPMCSR: usize = reg::SPMCSR as usize;
 const SP: usize = reg::SP as usize;
+/// Bytes of the data space.
+pub const DATA: usize = RAM_END as usize + 1;
 /// First address of the RAM: what lies below may be more than memory.
 const RAM: u16 = 0x100;
 
