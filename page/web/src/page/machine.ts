@@ -24,6 +24,12 @@ export interface MachineFile {
   readonly isOwn?: boolean;
 }
 
+/** Shows a hand as it stands, at this moment of the machine, in ms. */
+type Show = (value: number, at: number) => void;
+
+/** A button stays pressed for so long at least, in ms of the machine: the program sees a tap that is shorter. */
+const TAP = 20;
+
 export class MachineArea {
   readonly root = h("section", { class: "card machine", id: "machine", hidden: true, "aria-labelledby": "machine-title" });
   private readonly title = h("span", { id: "machine-title" });
@@ -47,7 +53,7 @@ export class MachineArea {
   private broken = 0;
   private looking = false;
   /** What shows a hand as it stands, in the order of the hands. */
-  private shows: ((value: number) => void)[] = [];
+  private shows: Show[] = [];
 
   constructor(
     private readonly bench: Bench,
@@ -155,7 +161,7 @@ export class MachineArea {
       const seen = this.facts && (await this.ask("machineLook", {}));
       if (!seen) break;
       this.scene.apply(seen.changes);
-      seen.hands.forEach((value, at) => this.shows[at]?.(value));
+      seen.hands.forEach((value, hand) => this.shows[hand]?.(value, seen.at));
       this.judge(seen);
       this.tell(seen.search);
     }
@@ -221,14 +227,27 @@ export class MachineArea {
   }
 
   /** A symbol that is pressed or turned where it stands. */
-  private touch(symbol: SVGElement, hand: Hand): (value: number) => void {
+  private touch(symbol: SVGElement, hand: Hand): Show {
     const name = `${told(hand.label)}`;
     symbol.classList.add("touch");
     for (const [key, value] of [["tabindex", "0"], ["role", "button"], ["aria-label", name], ["aria-pressed", "false"]] as const) symbol.setAttribute(key, value);
     let is = 0;
-    const press = (): void => this.hand(hand, hand.isHeld ? hand.high : is ? hand.low : hand.high);
+    // Since when the machine has known it pressed, whether that is long enough, and whether it is to be let go.
+    let since: number | null = null;
+    let isLong = false;
+    let isLeft = false;
+    const press = (): void => {
+      [since, isLong, isLeft] = [null, false, false];
+      this.hand(hand, hand.isHeld ? hand.high : is ? hand.low : hand.high);
+    };
+    const letGo = (): void => {
+      if (!isLeft || !isLong) return;
+      isLeft = false;
+      this.hand(hand, hand.low);
+    };
     const release = (): void => {
-      if (hand.isHeld) this.hand(hand, hand.low);
+      isLeft = hand.isHeld;
+      letGo();
     };
     symbol.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -245,7 +264,10 @@ export class MachineArea {
       if (event.key === " " || event.key === "Enter") release();
     });
     symbol.addEventListener("blur", release);
-    return (value) => {
+    return (value, at) => {
+      since = value === hand.high ? (since ?? at) : null;
+      isLong = since !== null && at >= since + TAP;
+      letGo();
       if (value === is) return;
       is = value;
       symbol.setAttribute("aria-pressed", String(is !== 0));
@@ -253,7 +275,7 @@ export class MachineArea {
   }
 
   /** What has no symbol of its own, or more than two states. */
-  private lever(hand: Hand): (value: number) => void {
+  private lever(hand: Hand): Show {
     const label = `${told(hand.label)}`;
     if (isFlag(hand)) {
       const box = h("input", { type: "checkbox", change: () => this.hand(hand, box.checked ? 1 : 0) });

@@ -25,6 +25,7 @@ mod modbus_lock;
 mod modbus_upload;
 mod monitor;
 mod program_memory;
+mod quick;
 mod real;
 mod retentive;
 mod sd_driver;
