@@ -1,16 +1,18 @@
 //! The way of a text in Instruction List to a checked program.
 
 use crate::ast::Stmt;
-use crate::code::{Written, compile_text, compile_tree};
+use crate::code::{List, Written, compile_text, compile_tree};
 use crate::diagnostics::{Found, Severity, Told};
 use crate::dialect::Dialect;
 use crate::emit::{self, CodeLine};
 use crate::languages::TextLanguage;
+use crate::operators::Op;
 use crate::places;
 use crate::st::has_types;
 use crate::{il, parser, whole};
 use unoclp_checked::{Checked, SourceMap};
 use unoclp_core::Board;
+use unoclp_core::isa::Opcode;
 
 /// How to compile.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +86,12 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
         false => None,
     };
     let bodies = parsed.units.iter().flat_map(|unit| &unit.body);
+    let parts = parsed.units.iter().flat_map(|unit| &unit.body);
+    let parts = parts.filter_map(|stmt| match stmt {
+        Stmt::Instr(instr) if instr.op == Op::Part(Opcode::If) => Some(instr.span.start),
+        _ => None,
+    });
+    let parts = parts.collect();
     let written = Written {
         comments: parsed.comments,
         units: Some(places::units(text, &parsed.units)),
@@ -93,7 +101,7 @@ pub fn compile_untyped(text: &str, options: &Options) -> Compiled {
                 _ => None,
             })
             .collect(),
-        list: Some(dialect),
+        list: Some(List { dialect, parts }),
     };
     let made = compile_tree(text, tree, written, board, found);
     Compiled {

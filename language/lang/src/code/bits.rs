@@ -60,6 +60,10 @@ impl Coder<'_, '_> {
         }
         let at = first_at(&bit).unwrap_or(self.pen.at);
         self.placed(at, |this| this.pen.fresh());
+        if self.has_rungs() {
+            // A rung that is drawn loads what it compares.
+            self.pen.holds = None;
+        }
         self.start(&bit);
         // Nothing but a coil changes one of these.
         if let Bit::Contact(Contact {
@@ -77,7 +81,7 @@ impl Coder<'_, '_> {
     /// Whether logic that begins with the bit that acc holds goes on with it. Where the text begins a rung with that bit,
     /// it has its contact.
     pub(super) fn goes_on(&self, bit: &Bit, held: Seat) -> bool {
-        if !self.has_rungs {
+        if !self.has_rungs() {
             return true;
         }
         match self.pen.held.filter(|(seat, _)| *seat == held) {

@@ -18,6 +18,11 @@ impl Coder<'_, '_> {
     pub(super) fn choice(&mut self, condition: &Expr, then: &[Step], otherwise: &[Step]) {
         let at = self.pen.at;
         let condition = self.prepare(condition.clone());
+        if self.is_drawn(at) {
+            self.bit(&condition, false);
+            self.tests(at, Shows::Power { inverted: false });
+            return self.parts(|this| this.steps(then), otherwise);
+        }
         if let ExprKind::Constant(value) = &condition.kind {
             let taken = if value.is_true() { then } else { otherwise };
             return self.steps(taken);

@@ -8,7 +8,7 @@ use super::seats::{Seat, Seats};
 use super::traces::Noted;
 use super::uses::Uses;
 use crate::diagnostics::{Code, Found, Span};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use unoclp_core::Target;
 use unoclp_core::isa::{Opcode, Value as Taken};
 use unoclp_point::Address;
@@ -29,11 +29,21 @@ pub(super) struct Coder<'a, 'f> {
     pub noted: Vec<Noted>,
     /// The cells that are shown by their names.
     pub named: HashMap<u32, (String, Span)>,
-    /// The text has rungs, which begin where it loads.
-    pub has_rungs: bool,
+    /// Where the text has an IF of the board, if it has rungs, which begin where it loads.
+    pub drawn: Option<&'a HashSet<u32>>,
 }
 
 impl Coder<'_, '_> {
+    /// Whether the text has rungs, which begin where it loads.
+    pub(super) fn has_rungs(&self) -> bool {
+        self.drawn.is_some()
+    }
+
+    /// Whether an IF stands here that is to be drawn as one.
+    pub(super) fn is_drawn(&self, at: Span) -> bool {
+        self.drawn.is_some_and(|all| all.contains(&at.start))
+    }
+
     /// Sets S 04; value becomes 0.
     pub(super) fn fail(&mut self) {
         self.pen.operation(Opcode::Divide, Taken::Constant(0), None);

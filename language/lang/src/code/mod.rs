@@ -76,6 +76,7 @@ use crate::emit::{self, CodeLine};
 use crate::languages::{self, TextLanguage};
 use crate::places::{Places, Units};
 use crate::typed::{Tree, UnitKind};
+use std::collections::HashSet;
 use std::sync::Arc;
 pub use traces::{Shows, Trace};
 use unoclp_checked::{Checked, SourceMap};
@@ -131,8 +132,15 @@ pub(crate) struct Written {
     pub units: Option<Units>,
     /// Where its instructions begin. The comments above one that takes no step go to the step that follows.
     pub instructions: Vec<u32>,
-    /// Whose Instruction List it is in, if it is: rungs begin where they load, and points are called as they are written.
-    pub list: Option<Dialect>,
+    /// Its Instruction List, if it is in one: rungs begin where they load, and points are called as they are written.
+    pub list: Option<List>,
+}
+
+/// What stands in a text in Instruction List as the board has it.
+pub(crate) struct List {
+    pub dialect: Dialect,
+    /// Where each IF begins, which is drawn as one.
+    pub parts: HashSet<u32>,
 }
 
 impl Written {
@@ -207,15 +215,15 @@ fn lower(
         shown: false,
         noted: Vec::new(),
         named: allotter::named(tree),
-        has_rungs: written.list.is_some(),
+        drawn: written.list.as_ref().map(|list| &list.parts),
     };
     coder.first_values(tree);
     coder.steps(&flat.body);
     coder.leave();
     let finished = finish::finish(&coder, tree, text, (&flat.loops, board), found);
     let mut finished = finished;
-    if let Some(dialect) = written.list {
-        finished.named_as_written(text, dialect);
+    if let Some(list) = &written.list {
+        finished.named_as_written(text, list.dialect);
     }
     let seats = std::mem::take(&mut coder.seats);
     let noted = std::mem::take(&mut coder.noted);
